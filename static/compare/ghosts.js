@@ -3,7 +3,7 @@
 
 import {element, long, marked, set, svg} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
-import {toPlace, toSI} from "../core/ruler.js"
+import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../input/scales.js"
 import {evaluate} from "../core/signals.js"
 import {atInstant, kindOf} from "../paper/stage.js"
@@ -90,7 +90,7 @@ class Thumb {
     this.mark.hidden = typeof value !== "number"
     if (typeof value !== "number") return
     const place = sliderPlace(spec.scale, value / size, [soft[0] / size, soft[1] / size])
-    this.mark.style.setProperty("--at", String(Math.min(Math.max(place, 0), 1)))
+    this.mark.style.setProperty("--at", String(clamp(place, 0, 1)))
   }
 }
 

@@ -1,5 +1,7 @@
 // The page's only clock: it plays through the time window in the browser alone.
 
+import {clamp} from "./ruler.js"
+
 const STEPS_PER_CYCLE = 24
 
 export class Clock {
@@ -43,7 +45,7 @@ export class Clock {
   /** The clock runs through the axis of time; without one nothing moves. @param {Drawn} shown */
   update({view: {axes, time, pace}}) {
     const {[time]: axis} = axes
-    this.places = axis ? Math.min(Math.max(Math.ceil(2 - Math.log10(axis.end)), 0) + 1, 6) : 2
+    this.places = axis ? clamp(Math.ceil(2 - Math.log10(axis.end)), 0, 5) + 1 : 2
     this.end = axis?.end ?? 1
     this.unit = 10 ** (axis?.exponent ?? 0)
     this.pace = pace.auto
@@ -69,7 +71,7 @@ export class Clock {
 
   /** @param {number} t */
   seek(t) {
-    this.t = Math.min(Math.max(t, 0), this.end)
+    this.t = clamp(t, 0, this.end)
     this.touch()
   }
 

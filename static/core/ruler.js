@@ -9,6 +9,9 @@ export const COLUMN_STEPS = 2 ** 16 - 1
 /** One of them, as the axis counts. @param {page.Ruler} ruler */
 export const stepOf = ({start, end}) => (3 * Math.abs(end - start)) / COLUMN_STEPS
 
+/** The nearest number that is not beyond two ends. @param {number} value @param {number} low @param {number} high */
+export const clamp = (value, low, high) => Math.min(Math.max(value, low), high)
+
 /** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */
 export function toSI({log, power, exponent, factor}, place) {
   return (log ? 10 ** place : place ** (1 / power) * 10 ** (exponent / power)) * factor
@@ -30,7 +33,7 @@ export function toOneScale(x, y, {width, height}) {
 }
 
 /** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
-export function widened(ruler, size) {
+function widened(ruler, size) {
   const middle = (ruler.start + ruler.end) / 2
   return {...ruler, start: middle - size / 2, end: middle + size / 2}
 }

@@ -5,7 +5,7 @@ import {set, svg, unitSize} from "../core/dom.js"
 import {Flags, Labels} from "../paper/labels.js"
 import {fixed} from "../core/numbers.js"
 import {geometry} from "../paper/plots.js"
-import {widened} from "../core/ruler.js"
+import {clamp, toOneScale} from "../core/ruler.js"
 import {evaluate} from "../core/signals.js"
 import {Stage} from "../paper/stage.js"
 import {axes, measured} from "../paper/describe.js"
@@ -37,9 +37,9 @@ export class Drawing {
     this.host = host
     this.frame = frame
     const {x, y} = numbered(plot)
-    const scale = Math.max((x.end - x.start) / frame.width, (y.end - y.start) / frame.height)
-    this.x = this.block.square ? widened(x, scale * frame.width) : x
-    this.y = this.block.square ? widened(y, scale * frame.height) : y
+    const [across, up] = this.block.square ? toOneScale(x, y, frame) : [x, y]
+    this.x = across
+    this.y = up
     this.over = svg("g")
     this.controls = document.createElement("div")
     host.append(this.controls)
@@ -122,7 +122,7 @@ export class Drawing {
 
   /** @param {number} x @param {number} y */
   #at(x, y) {
-    const place = Math.min(Math.max(this.py(y), -FAR), FAR)
+    const place = clamp(this.py(y), -FAR, FAR)
     return `${this.px(x).toFixed(2)} ${place.toFixed(2)}`
   }
 

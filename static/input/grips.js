@@ -4,6 +4,7 @@ import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
 import {whileHeld} from "./held.js"
 import {withUnit} from "../core/numbers.js"
+import {clamp} from "../core/ruler.js"
 import {polynomial} from "../core/signals.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
@@ -157,7 +158,7 @@ export class Grips {
   #move({x, y}) {
     const {grab} = this.page.hand
     const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
-    grab?.move({x: Math.min(Math.max(x, left), right), y: Math.min(Math.max(y, top), bottom)}, this.all)
+    grab?.move({x: clamp(x, left, right), y: clamp(y, top, bottom)}, this.all)
   }
 
   #paper() {

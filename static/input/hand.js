@@ -3,7 +3,7 @@
 import {using} from "../later.js"
 import {polynomial, roots} from "../core/signals.js"
 import {browserStorage} from "../core/storage.js"
-import {PLAIN, toPlace, toSI} from "../core/ruler.js"
+import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
 const GRABBED = "grabbed"
@@ -249,7 +249,7 @@ function placed(way, at, all, ruler) {
  */
 function onLine(way, place, pixel, all, ruler) {
   const [least, most] = [way.least, way.most].map(end => (end === null ? end : toPlace(ruler, end)))
-  const inside = Math.min(Math.max(place, least ?? -Infinity), most ?? Infinity)
+  const inside = clamp(place, least ?? -Infinity, most ?? Infinity)
   const [si, beside] = [inside, inside + pixel].map(one => toSI(ruler, one))
   if (way.kind === "along") return {si, value: si, pixel: Math.abs(beside - si)}
   if (way.kind === "quotient") {

@@ -3,7 +3,7 @@
 import {element, long, reword, textWidth, units} from "../core/dom.js"
 import {whileHeld} from "./held.js"
 import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
-import {toPlace, toSI} from "../core/ruler.js"
+import {clamp, toPlace, toSI} from "../core/ruler.js"
 
 const LONGEST = 7 // characters of a number that a handle shows as typed
 const HEIGHT = 24 // of a pill
@@ -130,7 +130,7 @@ export class Handles {
   #place(pill, value, text) {
     const {left, top, height} = this.plot.frame
     const axis = this.#axis(pill)
-    const inside = clamp(value, axis)
+    const inside = onAxis(value, axis)
     const {style, classList} = pill.element
     style.left = long(axis === this.plot.y ? left - 6 : this.plot.px(inside))
     style.top = long(axis === this.plot.y ? this.plot.py(inside) - HEIGHT / 2 : top + height + 3)
@@ -176,7 +176,7 @@ export class Handles {
     const hasUnit = axis.labels[i].includes(" ")
     return this.setters
       .filter(({element: pill, handle}) => handle.axis === name && !pill.hidden && (handle.covering || !hasUnit))
-      .some(pill => this.#touches(i, pill.element.textContent ?? "", clamp(this.#value(pill), axis), name))
+      .some(pill => this.#touches(i, pill.element.textContent ?? "", onAxis(this.#value(pill), axis), name))
   }
 
   /** @param {number} i @param {string} text of a handle @param {number} at @param {"x" | "y"} name of its axis */
@@ -202,7 +202,7 @@ export class Handles {
   /** @param {Pill} pill @param {number} place */
   #moveTo(pill, place) {
     const axis = this.#axis(pill)
-    const inside = clamp(place, axis)
+    const inside = onAxis(place, axis)
     if (!pill.handle) this.plot.page.clock.seek(inside)
     else
       this.plot.page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
@@ -216,7 +216,7 @@ export class Handles {
     const {clock} = this.plot.page
     const {playing} = clock
     const at = (/** @type {PointerEvent} */ hand) => this.plot.valueAt(hand, pill.handle?.axis)
-    const off = at(event) - clamp(this.#here(pill), this.#axis(pill))
+    const off = at(event) - onAxis(this.#here(pill), this.#axis(pill))
     if (isSetter(pill)) this.#hold([pill])
     else clock.playing = false
     const move = (/** @type {PointerEvent} */ moved) => this.#moveTo(pill, at(moved) - off)
@@ -259,7 +259,7 @@ function settable(ruler, place, least) {
 }
 
 /** @param {number} value @param {Span} span */
-const clamp = (value, {start, end}) => Math.min(Math.max(value, start), end)
+const onAxis = (value, {start, end}) => clamp(value, start, end)
 
 /** A handle shows three digits of a number that was typed with more. @param {string} text */
 export function brief(text) {

@@ -1,6 +1,7 @@
 // Scales of sliders: from a place to a number and back, and from a typed number to the next.
 
 import {MINUS} from "../core/numbers.js"
+import {clamp} from "../core/ruler.js"
 
 /**
  * Where a value stands on its slider, from 0 to 1, and back; `finest` is the finest step, 0 for three digits.
@@ -41,12 +42,9 @@ export function sliderValue(scale, place, [low, high]) {
 
 /** @param {page.SliderRow["scale"]} scale @param {number} value @param {[number, number]} soft */
 export function sliderPlace(scale, value, [low, high]) {
-  const place = SCALES[scale].place(Math.min(Math.max(value, low), high), low, high)
-  return Math.min(Math.max(place, 0), 1)
+  const place = SCALES[scale].place(clamp(value, low, high), low, high)
+  return clamp(place, 0, 1)
 }
-
-/** @param {number} value @param {[number, number]} soft */
-const within = (value, [low, high]) => Math.min(Math.max(value, low), high)
 
 /**
  * The next number of two digits: 0.10, 0.11 ... 0.99, 1.0, 1.1.
@@ -56,21 +54,20 @@ export function atTwoDigits(value, direction, soft) {
   const unit = 10 ** (Math.floor(Math.log10(value)) - 1)
   const steps = value / unit
   const next = direction > 0 ? Math.floor(steps + 1e-9) + 1 : Math.ceil(steps - 1e-9) - 1
-  return within(Number((next * unit).toPrecision(2)), soft)
+  return clamp(Number((next * unit).toPrecision(2)), ...soft)
 }
 
 /**
  * A decade further, or a tenth of the slider where it has no decades.
  * @param {page.SliderRow["scale"]} scale @param {number} value @param {1 | -1} direction @param {[number, number]} soft
  */
-export function leapt(scale, value, direction, soft) {
-  const [low, high] = soft
+export function leapt(scale, value, direction, [low, high]) {
   const least = high / 1000
   if (scale === "log" || (scale === "near0" && value * 10 ** direction >= least))
-    return within(Number((value * 10 ** direction).toPrecision(12)), soft)
+    return clamp(Number((value * 10 ** direction).toPrecision(12)), low, high)
   if (scale === "near0") return direction > 0 ? least : low
   const next = Number((value + (direction * (high - low)) / 10).toPrecision(12))
-  return within(scale === "count" ? Math.round(next) : next, soft)
+  return clamp(scale === "count" ? Math.round(next) : next, low, high)
 }
 
 /**

@@ -2,6 +2,7 @@
 
 import {short, withUnit} from "../core/numbers.js"
 import {element, long, set, unitSize} from "../core/dom.js"
+import {clamp} from "../core/ruler.js"
 import {EVERYWHERE, places} from "../paper/places.js"
 
 const STEPS = 100 // arrow keys from end to end
@@ -73,7 +74,7 @@ export class Marker {
   /** @param {number} value a place on the axis */
   put(value) {
     const {start, end} = this.ruler
-    this.value = Math.min(Math.max(value, Math.min(start, end)), Math.max(start, end))
+    this.value = clamp(value, Math.min(start, end), Math.max(start, end))
     this.place()
     this.moved()
   }

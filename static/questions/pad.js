@@ -3,7 +3,7 @@
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
-import {toPlace, toSI} from "../core/ruler.js"
+import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
 const COLUMNS = 200 // across the frame
@@ -94,9 +94,9 @@ export class Pad {
     const {top, height} = this.plot.frame
     const box = this.plot.host.getBoundingClientRect()
     const share = (this.plot.valueAt(event) - this.span.start) / (this.span.end - this.span.start)
-    const column = Math.round(Math.min(Math.max(share, 0), 1) * COLUMNS)
+    const column = Math.round(clamp(share, 0, 1) * COLUMNS)
     if (this.last === column && (share < 0 || share > 1)) return // beside the frame its edge stays as it was drawn
-    const y = Math.min(Math.max((event.clientY - box.top) / unitSize(), top), top + height)
+    const y = clamp((event.clientY - box.top) / unitSize(), top, top + height)
     this.#reach(column, this.plot.y.end - ((y - top) / height) * (this.plot.y.end - this.plot.y.start))
   }
 
@@ -126,9 +126,9 @@ export class Pad {
     event.stopPropagation()
     if (!move) this.pen.down = !this.pen.down
     const [right = 0, up = 0] = move ?? []
-    const column = Math.min(Math.max(this.pen.column + right * size, 0), COLUMNS)
+    const column = clamp(this.pen.column + right * size, 0, COLUMNS)
     const above = this.pen.height + (up * size * STEP * (end - start)) / 2
-    const height = Math.min(Math.max(above, Math.min(start, end)), Math.max(start, end))
+    const height = clamp(above, Math.min(start, end), Math.max(start, end))
     this.last = this.pen.down && move ? this.pen.column : null
     Object.assign(this.pen, {column, height})
     if (this.pen.down) this.#reach(column, height)
@@ -166,7 +166,7 @@ export class Pad {
     const share = height => {
       if (height === null || height === undefined) return null
       const place = toPlace(this.up, toSI(y, height))
-      return Math.min(Math.max(Math.round((1000 * (place - start)) / (end - start)), -100), 1100)
+      return clamp(Math.round((1000 * (place - start)) / (end - start)), -100, 1100)
     }
     const drawn = [...this.heights].filter(([, heights]) => heights.some(height => height !== null))
     const columns = Array.from({length: SENT}, (_, i) => Math.round(this.#column(i / (SENT - 1))))
@@ -250,8 +250,8 @@ export class Pad {
   #mark(has, [x, y]) {
     const {left, top, width, height} = this.plot.frame
     const sign = mark(has)
-    const place = {x: Math.min(Math.max(this.plot.px(x), left), left + width), y: this.plot.py(y)}
-    set(sign, {x: place.x - 9, y: Math.min(Math.max(place.y, top), top + height) - 9, width: 18, height: 18})
+    const place = {x: clamp(this.plot.px(x), left, left + width), y: this.plot.py(y)}
+    set(sign, {x: place.x - 9, y: clamp(place.y, top, top + height) - 9, width: 18, height: 18})
     return sign
   }
 
