@@ -58,3 +58,8 @@ class Shelf {
 
 export const browserStorage = new Shelf(() => localStorage)
 export const tabStorage = new Shelf(() => sessionStorage)
+
+// Names of what one module keeps in a tab and another looks for.
+export const LED = "class-room" // that the tab leads a class
+export const LEFT = "class-left" // the code of the class from which a follower looks around alone
+export const SOUGHT = "class-sought" // the case that they look for

@@ -2,11 +2,7 @@
 
 import {later} from "../later.js"
 import {inWords} from "../core/notes.js"
-import {tabStorage} from "../core/storage.js"
-
-const LEFT = "class-left" // where a follower is kept who looks around on their own
-const SOUGHT = "class-sought" // the case that they look for
-const LED = "class-room"
+import {LED, LEFT, SOUGHT, tabStorage} from "../core/storage.js"
 
 export class Classes {
   /** @type {import("./teach.js").Teach | null} the class that this page leads */

@@ -1,6 +1,6 @@
 // Copies of a class in its instructor's browser, so that a server that has lost the class has it again.
 
-import {browserStorage, tabStorage} from "../core/storage.js"
+import {LED, browserStorage, tabStorage} from "../core/storage.js"
 import {Refusal, ask, pause} from "./requests.js"
 
 const ROOM = "class-room"
@@ -161,7 +161,7 @@ export async function takeOver(code, word) {
   const {query, walks, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
   for (const [name, text] of Object.entries(walks)) browserStorage.keep(copyOf(WALK, room.code, name), text)
   browserStorage.keepOrSay(ROOM, room)
-  tabStorage.keep(ROOM, "open") // the page that follows comes back to it by itself
+  tabStorage.keep(LED, "open") // the page that follows comes back to it by itself
   location.replace(`./?${query}`)
 }
 

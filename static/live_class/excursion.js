@@ -1,7 +1,7 @@
 // The excursion of a follower, who looks around alone: the bar that leads back to the lecture, and says when it asks.
 
 import {element} from "../core/dom.js"
-import {tabStorage} from "../core/storage.js"
+import {LEFT, tabStorage} from "../core/storage.js"
 import {forget, mine} from "./attendance.js"
 import {Stream} from "./stream.js"
 
@@ -11,7 +11,7 @@ export function ownWay(code, asks) {
   if (!token) return
   const line = element("span", {role: "status"}, code)
   const back = element("a", {class: "act filled", href: `./?class=${code}`}, "Back to the lecture")
-  back.addEventListener("click", () => tabStorage.forget("class-left"))
+  back.addEventListener("click", () => tabStorage.forget(LEFT))
   const bar = element("footer", {class: "class-bar"})
   bar.append(element("div", {}, element("b", {}, "On your own"), line), back)
   document.body.append(bar)

@@ -1,7 +1,7 @@
 // The bars around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
 
 import {element} from "../core/dom.js"
-import {tabStorage} from "../core/storage.js"
+import {LEFT, SOUGHT, tabStorage} from "../core/storage.js"
 
 export class FollowBar {
   away = false
@@ -50,8 +50,8 @@ export class FollowBar {
 
   /** The page that opens knows the way back, and what it is to show. @param {page.State} [sought] */
   leave(sought) {
-    tabStorage.keep("class-left", this.following.code)
-    if (sought) tabStorage.keep("class-sought", sought)
+    tabStorage.keep(LEFT, this.following.code)
+    if (sought) tabStorage.keep(SOUGHT, sought)
   }
 
   over() {

@@ -3,7 +3,7 @@
 import {button, chip, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {blank} from "../shell/blank.js"
-import {tabStorage} from "../core/storage.js"
+import {LED, tabStorage} from "../core/storage.js"
 import {JoinBadge} from "./join_badge.js"
 import {Copies} from "./copies.js"
 import {JoinScreen} from "./join_screen.js"
@@ -17,7 +17,6 @@ const LOOK = 50 // ms between looks at the clock
 const OFF = 0.04 // s by which followers may be off before they are told anew
 const AGAIN = 1000 // ms until an order is sent again
 const SAVING = 60000 // ms between notes that the class goes on
-const LED = "class-room" // that this tab leads a class
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 
