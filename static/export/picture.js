@@ -4,6 +4,7 @@ import {element, long, set, svg, textWidth, unitSize} from "../core/dom.js"
 import {evaluate} from "../core/signals.js"
 import {Drawing, numbered} from "./drawing.js"
 import {held, instant, link, parameters} from "./caption.js"
+import {isSeen} from "./things.js"
 import {plain} from "../core/plain.js"
 
 const WIDE = 560 // of a picture; its type is that of the page, so large beside it
@@ -205,7 +206,7 @@ export function stagePicture(stage, page, captioned = true) {
 
 /** The plots in the picture of a stage. @param {Stage} stage @param {PartHost} page */
 export const plotsUnder = (stage, page) =>
-  page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
+  page.plots.filter(plot => plot.box && isSeen(plot.host) && (beside(plot, stage) || writesInto(stage, plot)))
 
 /** A copy of a drawing, without all that a question hides. @param {SVGElement} drawn */
 function seenOf(drawn) {
@@ -227,9 +228,6 @@ function plotAt(plot, easel, named) {
   drawing.draw(named, []) // what the stage draws over it comes with the stage
   return drawing.over
 }
-
-/** @param {Plot} plot */
-const isSeen = plot => plot.host.offsetParent !== null
 
 /** @param {Plot} plot @param {Stage} stage */
 const beside = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement

@@ -10,4 +10,4 @@ export function things(page) {
 }
 
 /** @param {HTMLElement} host */
-const isSeen = host => host.offsetParent !== null && host.clientWidth > 0
+export const isSeen = host => host.offsetParent !== null && host.clientWidth > 0

@@ -49,7 +49,7 @@ export class Undo {
   #key(event) {
     if (!event.repeat) this.#press("key")
     const isOurs = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "z"
-    if (!isOurs || isTyping(event.target)) return
+    if (!isOurs || undoesItself(event.target)) return
     event.preventDefault()
     this.go(event.shiftKey ? "future" : "past")
   }
@@ -124,5 +124,5 @@ const isSame = (one, other) => essence(one) === essence(other)
 const essence = ({parameters, frame, hidden}) => JSON.stringify([parameters, frame, hidden])
 
 /** @param {EventTarget | null} target */
-const isTyping = target =>
+const undoesItself = target =>
   target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === "text")
