@@ -23,15 +23,12 @@ from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
 from physics.reference_single import steady
 from tests.grids import tries
+from tests.physics.chain_cases import law_of, log_uniform
 from tests.physics.chain_truth import LARGEST, close, exactly
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
 TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
-
-
-def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
-    return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))
 
 
 FAMILIES = {
@@ -165,14 +162,9 @@ def test_damped_motion_is_that_of_the_equations():
     chain, c, omega = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), 0.7, 1.3
     X = damped_solution(chain, c, 3.0, omega)
 
-    def law(t, y):
-        x1, x2, v1, v2 = y
-        link = chain.k2 * (x2 - x1) + c * (v2 - v1)
-        return [v1, v2, (-chain.k1 * x1 + link + 3.0 * math.sin(omega * t)) / chain.m1, -link / chain.m2]
-
     start = [*X.imag, *(1j * omega * X).imag]
     t = np.linspace(0.0, 20.0, 50)
-    run = solve_ivp(law, (0, 20), start, t_eval=t, rtol=1e-10, atol=1e-12)
+    run = solve_ivp(law_of(chain, c, 3.0, omega), (0, 20), start, t_eval=t, rtol=1e-10, atol=1e-12)
     steady = (X[:, None] * np.exp(1j * omega * t)).imag
     assert np.max(np.abs(run.y[:2] - steady)) < 1e-7
 

@@ -11,15 +11,12 @@ from hypothesis import strategies as st
 
 from physics.oscillator import Oscillator
 from tests.grids import tries
+from tests.physics.chain_cases import log_uniform
 
 U = 2.0**-53
 TINY = 2.0**-1074
 LARGEST = sys.float_info.max
 PRECISION = 2600  # bits: omega t may reach 2^2600
-
-
-def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
-    return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))
 
 
 def signed(magnitudes: st.SearchStrategy[float]) -> st.SearchStrategy[float]:

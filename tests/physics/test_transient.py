@@ -17,7 +17,7 @@ from physics.forced import forced_motion
 from physics.laplace import _context
 from physics.transient import DIGITS, DampedModes, _decimal
 from tests.grids import WHOLE, tries
-from tests.physics.chain_cases import chain_with
+from tests.physics.chain_cases import chain_with, law_of
 from tests.physics.chain_families import FAMILIES, drawn
 from tests.physics.chain_truth import Truth, U, rows, ulps, worst
 
@@ -184,13 +184,8 @@ def test_two_masses_without_a_wall_drift():
 def test_it_obeys_the_equations_of_motion():
     chain, c, omega = LECTURE, 0.7, 1.3
 
-    def law(t, y):
-        x1, x2, v1, v2 = y
-        link = chain.k2 * (x2 - x1) + c * (v2 - v1)
-        return [v1, v2, (-chain.k1 * x1 + link + 3.0 * math.sin(omega * t)) / chain.m1, -link / chain.m2]
-
     t = np.linspace(0.0, 20.0, 50)
-    run = solve_ivp(law, (0, 20), [0.0] * 4, t_eval=t, rtol=1e-10, atol=1e-12)
+    run = solve_ivp(law_of(chain, c, 3.0, omega), (0, 20), [0.0] * 4, t_eval=t, rtol=1e-10, atol=1e-12)
     motion = modes_of(chain, c, 3.0, omega).motion(t)
     assert np.max(np.abs(run.y[:2] - motion.x)) < 1e-8
     assert np.max(np.abs(run.y[2:] - motion.v)) < 1e-8

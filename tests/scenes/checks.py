@@ -45,6 +45,11 @@ def choices(scene: type[Scene]) -> Iterator[dict[str, Any]]:
             yield from ({name: value} for value in options(parameter).values())
 
 
+def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:
+    """The numbers of a source as arrays."""
+    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
+
+
 def corners(scene: type[Scene], most: int = 64 if WHOLE else 16) -> Iterator[dict[str, float]]:
     """The corners of all sliders; where they are many, an even choice of them."""
     names = list(quantities(scene))

@@ -13,14 +13,10 @@ from components.scenes.energy import Energy
 from components.scenes.energy.curves import PLANETS
 from tests.page.scripts import played
 from tests.page.told import take_preset
-from tests.scenes.checks import check_picture, corners, typed
+from tests.scenes.checks import check_picture, columns, corners, typed
 
 CASE = {"m": 0.8, "k": 17.0, "g": 3.71, "x_0": -0.12, "v_0": 0.9}
 datums = pytest.mark.parametrize("datum", ["equilibrium", "separate", "slide"])
-
-
-def columns(scene: Energy, source: str = "time") -> dict[str, np.ndarray]:
-    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
 
 
 def test_book_values() -> None:
@@ -124,10 +120,10 @@ def test_the_three_terms_of_the_slide_add_up_to_half_k_x_squared() -> None:
     time, well = scene.sources["time"].data, scene.sources["well"].data
     constant = scene.sources["time"].data["constant"][0]
     assert constant == pytest.approx(-((CASE["m"] * CASE["g"]) ** 2) / (2 * CASE["k"]))
-    for columns, x in ((time, time["x"]), (well, well["x"])):
-        total = columns["spring"] + constant + columns["gravity"]
-        np.testing.assert_allclose(total, CASE["k"] * x**2 / 2, atol=1e-14 * np.abs(columns["spring"]).max())
-        np.testing.assert_allclose(columns["V"], CASE["k"] * x**2 / 2, rtol=1e-14)
+    for data, x in ((time, time["x"]), (well, well["x"])):
+        total = data["spring"] + constant + data["gravity"]
+        np.testing.assert_allclose(total, CASE["k"] * x**2 / 2, atol=1e-14 * np.abs(data["spring"]).max())
+        np.testing.assert_allclose(data["V"], CASE["k"] * x**2 / 2, rtol=1e-14)
     assert scene.shown.values["E_total"] == scene.shown.values["T_max"] == Energy(**CASE).shown.values["T_max"]
     axis = scene.shown.axes["E"]
     ends = [column.min() for column in (time["spring"], time["gravity"])] + [constant]

@@ -13,15 +13,11 @@ from components.scenes import SCENES
 from components.scenes.oscillator import OscillatorScene
 from components.state.link import read_query
 from tests.page.scripts import played
-from tests.scenes.checks import check_picture
+from tests.scenes.checks import check_picture, columns
 
 starts = pytest.mark.parametrize(
     "x_0, v_0", [(0.1, -0.8), (0.1, 0.8), (-0.1, -0.8), (-0.2, 0.3), (0.15, 0.0), (0.0, 0.8)]
 )
-
-
-def columns(scene: OscillatorScene, source: str = "time") -> dict[str, np.ndarray]:
-    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
 
 
 def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
