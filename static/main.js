@@ -14,10 +14,13 @@ import {download} from "./export/save.js"
 import {Sheets} from "./net/sheets.js"
 import {Shell} from "./shell/shell.js"
 import {Undo} from "./shell/undo.js"
+import {tabStorage} from "./core/storage.js"
 import {showWaiting} from "./input/waiting.js"
 import {Walks} from "./walks/walks.js"
 
 /** @typedef {import("./net/messages.js").Asked} Asked */
+
+const LEFT = "left" // what a page that is left has not had answered
 
 /** @implements {LectureHost} */
 export class Lecture {
@@ -63,6 +66,8 @@ export class Lecture {
       outdated: () => this.busy.whenFree(() => this.#reload()),
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
+    // A change without an answer yet is in no address.
+    addEventListener("pagehide", () => tabStorage.keep(LEFT, this.messages.rests ? null : this.left))
     addEventListener("popstate", ({state: entry}) => {
       const {waiting: _, ...state} = entry ?? {}
       if (entry) this.#go({type: "open", state})
@@ -123,10 +128,15 @@ export class Lecture {
     page.speak()
   }
 
+  /** All that stands and waits, for a page that takes the place of this one. */
+  get left() {
+    return {...this.messages.state, waiting: this.messages.left}
+  }
+
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
     const {address} = written(this.page.shown, this.hall.ending)
-    this.address.write({address, entry: {...this.messages.state, waiting: this.messages.left}}, false)
+    this.address.write({address, entry: this.left}, false)
     this.address.settle()
     location.reload()
   }
@@ -257,9 +267,11 @@ export class Lecture {
 /** The page brings its first picture with it, packed as all that is told. */
 export function begin() {
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
-  const {waiting, ...state} = history.state ?? {}
+  const [{type}] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
+  const {waiting, ...state} = (type === "reload" && tabStorage.value(LEFT)) || history.state || {}
+  tabStorage.forget(LEFT)
   const {messages} = (globalThis.oscillations = new Lecture(token))
   messages.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
-  // What a page older than the server has left to this one.
+  // What a page older than the server, or one that was loaded anew, has left to this one.
   if (waiting) for (const message of [{type: "open", state}, ...waiting]) messages.send(message)
 }

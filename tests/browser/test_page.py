@@ -140,6 +140,12 @@ def test_a_link_restores_the_scene_and_names_what_it_refuses(page: Page, open_sc
     page.reload()
     page.wait_for_function("document.documentElement.dataset.ready === 'true'")
     assert page.evaluate("oscillations.shown.settings.k2.value") == 3.5
+    with page.expect_navigation():  # before the change is answered
+        page.evaluate("""() => void setTimeout(() => {
+          oscillations.send({type: "set", values: {k2: 3}})
+          location.reload()
+        })""")
+    page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
 
 
 def test_a_script_in_a_link_stays_text(page: Page, open_scene: Open) -> None:
