@@ -23,6 +23,12 @@ MOST_AT_END = 5
 PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
 DEEP = re.compile(r"""^[ \t\[{]*(?:[\w"'-]+[ \t]*\.[ \t]*){8}""", re.MULTILINE)
 """A dotted key takes the square of its length to be read."""
+FORMS = {
+    "id": "small letters, digits and hyphens, as first-step",
+    "slides": "a lecture and one of its slides, as D34-7",
+    "axis": "the name of a plot and x or y, as response.x",
+}
+"""The fields whose texts have a form, in words."""
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 
 KnownSteps = Mapping[str, Step]
@@ -45,7 +51,7 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     if deep := DEEP.search(text):
         raise WalkError(f"{name}: “{excerpt(deep[0].strip())}” is no field of a walk: its name has too many dots.")
     try:
-        data = tomllib.loads(text)
+        data = tomllib.loads(text.removeprefix("\ufeff"))  # some editors begin a file so
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise WalkError(f"{name}: this is not TOML: {error}.") from error
     title, entries, end = data.pop("title", None), data.pop("step", None), data.pop("end", [])
@@ -93,6 +99,8 @@ def _told(problem: str) -> str:
     """A complaint of msgspec's, the field first."""
     match = PLACE.match(problem)
     what, field = (match["what"], match["field"]) if match else (problem, "")
+    if "matching regex" in what:
+        what = FORMS.get(field.partition("[")[0], what)
     return f"{field or 'its fields'}: {what[:1].lower()}{what[1:].rstrip('.')}."
 
 

@@ -289,10 +289,16 @@ def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
         read_walk(GOOD + "#" * LARGEST, "mine")
     with pytest.raises(WalkError, match="small letters"):
         read_walk(GOOD, "../mine")
+    for old, new, says in (
+        ('"first"', '"First!"', r"id: small letters, digits and hyphens, as first-step\."),
+        ("\ncover", '\nslides = ["7"]\ncover', r"slides\[0\]: a lecture and one of its slides, as D34-7\."),
+    ):
+        with pytest.raises(WalkError, match=says):
+            changed(old, new)
 
 
 def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
-    (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8")
+    (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8-sig")  # as Notepad may save it
     assert list(all_walks([tmp_path], SCENES)) == ["d31", "d32-33", "d34", "tour", "mine"]
     (tmp_path / "mine.toml").write_text(GOOD.replace("k2=3", "k2=-3"), encoding="utf-8")
     with pytest.raises(WalkError, match=r"mine, step 1 \(first\), state"):
