@@ -161,7 +161,7 @@ def test_a_swing_that_loses_little_is_not_said_to_keep_all(zeta: float) -> None:
     delta = 2 * math.pi * zeta / math.sqrt(1 - zeta**2)
     assert "all but" in sentence(scene) and scene.shown.values["keep"].startswith("all but")
     assert lost == pytest.approx(-100 * math.expm1(-delta), rel=6e-3)
-    assert energy == pytest.approx(100 * -math.expm1(-2 * delta) if delta < 0.0025 else 99.1, rel=6e-3)
+    assert energy == pytest.approx(-100 * math.expm1(-2 * delta), rel=6e-3)
     assert longer == pytest.approx(50 * zeta**2, rel=6e-3)
 
 

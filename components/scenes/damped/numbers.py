@@ -23,9 +23,9 @@ def percent(share: float) -> str:
     return f"{short(100 * share)} %"
 
 
-def kept(decrement: float) -> str:
+def kept(decrement: float, least: float = ALL_BUT) -> str:
     """exp(-decrement) in percent; where nearly all of it is kept, by what is not."""
-    if 0 < decrement < ALL_BUT:
+    if 0 < decrement < least:
         return f"all but {percent(-math.expm1(-decrement))}"
     return percent(math.exp(-decrement))
 
@@ -59,7 +59,7 @@ class Numbers(Declared[DampedCase]):
     v_0 = number(lambda c: c.v_0, form=plus)
     keep = number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else None, form=kept)
     keep_x = number(lambda c: math.exp(-c.oscillator.log_decrement), form=lambda share: f"× {three(share)}")
-    keep_energy = number(lambda c: 2 * c.oscillator.log_decrement, form=kept)
+    keep_energy = number(lambda c: 2 * c.oscillator.log_decrement, form=lambda both: kept(both, 2 * ALL_BUT))
     half = number(lambda c: c.oscillator.log_decrement / 2, form=kept)
     longer = number(
         lambda c: math.expm1(-math.log1p(-(c.oscillator.zeta**2)) / 2) if c.oscillator.zeta < 1 else 0.0, form=percent

@@ -126,8 +126,8 @@ def lift_plot() -> tuple[Block, ...]:
             height=200,
         ),
         words(
-            r"$m \ddot{h} = L \cos \theta - m g$, to first order $\ddot{h} = 2 g\, v'/v_0$.",
-            r"Thrust is drag, so $g\, h' + v_0 v' = 0$: together $\ddot{h} + 2 (g/v_0)^2\, h' = 0$.",
+            r"$m \ddot{h} = L \cos \theta - m g$. To first order $\ddot{h} = 2 g\, v'/v_0$,",
+            r"and $g\, h' + v_0 v' = 0$ as thrust is drag: together $\ddot{h} + 2 (g/v_0)^2\, h' = 0$.",
             style="small",
             phone=15,
         ),
