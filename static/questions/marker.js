@@ -90,7 +90,7 @@ export class Marker {
     set(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
-    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's: all that the plot says stands
+    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's, when all stands
   }
 
   /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */
