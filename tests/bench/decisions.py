@@ -22,11 +22,12 @@ import panel as pn
 from bokeh.document import Document
 from bokeh.models import Model
 
-from components.layout import plots, text
 from components.layout.controls import settings
+from components.layout.plots import with_figures
 from components.scenes import SCENES
 from components.serving.assets import static_files, written_files
 from components.serving.scripts import FIRST
+from components.state.scene_sheet import plots as scene_plots
 from physics import exact
 from physics.coupled import TwoMassChain, free_motion
 from tests.bench.accuracy_table import drawn, errors
@@ -65,30 +66,18 @@ def sliders() -> Iterator[str]:
     document, scene = models_of(build), SCENES["coupled"]()
     yield f"Panel, 8 sliders with a field: {milliseconds(lambda: models_of(build)):.1f} ms a session, "
     yield f"    {len(document.models)} models, {len(msgspec.json.encode(document.to_json())) / 1e3:.1f} kB of JSON"
-    told = settings(scene, scene.units(), {})
-    taken = milliseconds(lambda: settings(scene, scene.units(), {}), 50)
+    given = scene.param.objects("existing"), scene.values, scene.units(), scene.shown.spans
+    told = settings(*given)
+    taken = milliseconds(lambda: settings(*given), 50)
     yield f"ours, {len(told)} controls: {taken:.2f} ms a session, "
     yield f"    no model, {len(msgspec.json.encode(told)) / 1e3:.1f} kB of JSON"
 
 
 def figures() -> Iterator[str]:
     """The time to build the figures of `coupled`, and the time of a session that shares them."""
-    scene, taken = SCENES["coupled"], list[float]()
-    build = plots._written, plots._figure
-
-    def timed(act: Callable[..., object]) -> Callable[..., object]:
-        def acted(*given: object) -> object:
-            start = process_time()
-            result = act(*given)
-            taken.append((process_time() - start) * 1e3)
-            return result
-
-        return acted
-
-    plots._written, plots._figure = map(timed, build)  # type: ignore[assignment]
-    scene.sheet.__func__.__wrapped__(scene)  # type: ignore[attr-defined]
-    plots._written, plots._figure = build
-    yield f"{len(taken) // 2} figures: {sum(taken):.0f} ms to build and to write, once a process"
+    scene = SCENES["coupled"]
+    written = milliseconds(lambda: with_figures(scene.sheet()))
+    yield f"{len(list(scene_plots(scene)))} figures: {written:.0f} ms to build and to write, once a process"
     yield f"a scene that shares them, its first picture included: {milliseconds(scene):.1f} ms"
 
 
@@ -114,12 +103,11 @@ def worst_error(family: str) -> float:
 
 def formulas() -> Iterator[str]:
     """The weight of the formulas as MathML, and of a library that sets them in the browser."""
-    text.mathml.cache_clear()
     start = process_time()
     sheets = [msgspec.json.encode(scene.sheet(), enc_hook=str) for scene in SCENES.values()]
     all_of_it = re.findall(rb"<math.*?</math>", b"".join(sheets))
-    count, taken = text.mathml.cache_info().currsize, process_time() - start
-    yield f"{count} formulas: all sheets built in {taken:.1f} s, once a process"
+    taken = process_time() - start
+    yield f"{len(set(all_of_it))} formulas: all sheets built in {taken:.1f} s, once a process"
     yield f"{len(all_of_it)} in the sheets: {packed(b''.join(all_of_it)):.0f} kB with brotli"
     yield f"the font: {len(static_files()['fonts/stix-two-math.woff']) / 1e3:.0f} kB"
     folder = Path(pn.__file__).parent / "dist/bundled/katex"
