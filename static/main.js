@@ -267,8 +267,8 @@ export class Lecture {
 /** The page brings its first picture with it, packed as all that is told. */
 export function begin() {
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
-  const [{type}] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
-  const {waiting, ...state} = (type === "reload" && tabStorage.value(LEFT)) || history.state || {}
+  const [came] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
+  const {waiting, ...state} = (came?.type === "reload" && tabStorage.value(LEFT)) || history.state || {}
   tabStorage.forget(LEFT)
   const {messages} = (globalThis.oscillations = new Lecture(token))
   messages.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
