@@ -158,6 +158,10 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
         page.close()
 
 
+RESENT = "oscillations.asked.sentTo && oscillations.asked.sentTo === oscillations.asked.following.server"
+"""Whether the server has the answer that the phone kept: it sends it again after a while."""
+
+
 def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int, int], Page]) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-14")
     page = joined(window, code)
@@ -169,6 +173,7 @@ def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int,
     again = page.evaluate("oscillations.asked.card.question.pad.sent")
     assert again == drawn and len(again["Xp1"]) == 101
     expect(page.get_by_text("Sent. You can change it")).to_be_visible()
+    page.wait_for_function(RESENT)  # or it meets the next question, and is refused
     lecture.evaluate("oscillations.walks.walk.go(7)")  # d34-08, a point
     page.wait_for_function("oscillations.asked?.card?.question.marker")
     page.locator(".pill-mark").press("ArrowRight")
@@ -177,6 +182,7 @@ def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int,
     page.reload()
     page.wait_for_function("globalThis.oscillations?.asked?.card?.question.marker")
     assert page.evaluate("oscillations.asked.card.question.marker.value") == marked
+    page.wait_for_function(RESENT)
     assert page.evaluate("Object.keys(localStorage).filter(key => key.startsWith('class-')).length") == 1
     lecture.evaluate("oscillations.classes.led.end()")
     expect(page.get_by_role("heading", name="The class is over.")).to_be_visible()
