@@ -210,7 +210,7 @@ export class Pad {
     const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})
     const marks = this.findings.flatMap(({has, at}) => (at ? [this.#mark(has, at)] : []))
     this.ink.replaceChildren(...this.#numbers(), ...old, ...lines.flat(), ...marks, ...(this.taught ? [] : [pen]))
-    inUnits(this.ink, box.left + box.width + 2 * SLACK, box.top + box.height + 2 * SLACK)
+    inUnits(this.ink, box.left + box.width + 2 * SLACK, box.top + box.height)
     for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
   }
 

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 
 from playwright.sync_api import Page
 
+from components.layout.choices import stated
+
 FRAMES = """count => new Promise(drawn => {
   const {clock} = oscillations, last = clock.frames + count
   const look = () => (clock.frames >= last ? drawn() : requestAnimationFrame(look))
@@ -31,8 +33,9 @@ def unfold(page: Page) -> None:
 
 def turned(page: Page, slug: str, given: Mapping[str, object]) -> None:
     """The page shows a scene with these values, as its navigation opens one: in half the time of a link."""
-    page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])
-    page.wait_for_function(TURNED, arg=[slug, given])
+    words = {name: stated(value) for name, value in given.items()}
+    page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, words])
+    page.wait_for_function(TURNED, arg=[slug, words])
 
 
 def seek(page: Page, t: float) -> None:
