@@ -45,7 +45,10 @@ export const chip = (name, act, look = {}) => button({class: "chip", ...look}, a
  */
 export function reword(part, text) {
   if (part.textContent === text) return false
-  part.textContent = text
+  const first = part.firstChild
+  // In place, since it may be done at every frame: with a new node more would be laid out.
+  if (first?.nodeType === 3 && !first.nextSibling) first.nodeValue = text
+  else part.textContent = text
   return true
 }
 

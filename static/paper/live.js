@@ -1,6 +1,7 @@
 // The live numbers of a page: texts that come with every picture, or move with what is shown.
 
 import {coverNumber} from "../compare/cover.js"
+import {reword} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
 
 export class Live {
@@ -26,7 +27,7 @@ export class Live {
 
   /** @param {string} name @param {string} text */
   tell(name, text) {
-    for (const one of this.#of(name)) one.textContent = text
+    for (const one of this.#of(name)) reword(one, text)
   }
 
   /** @param {Drawn} shown */

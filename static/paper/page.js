@@ -126,6 +126,7 @@ export class Page {
   /** @param {number} at an instant, which passes unless all stands still */
   draw(at) {
     if (!this.shown) return
+    unitSize() // as above: asked for once numbers are written, it would lay out the page twice in a frame
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
