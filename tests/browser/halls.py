@@ -44,6 +44,11 @@ SMALL = """([least, kinds]) => {
     .map(part => `${kind} is small: ${part.textContent}`))
 }"""
 
+LOW = """least => [...document.querySelectorAll(".plot-area")]
+  .map(area => [area.checkVisibility() ? area.getBoundingClientRect().height : least, area])
+  .filter(([height]) => height < least)
+  .map(([height, area]) => `a plot is ${height.toFixed()} px high: ${area.parentElement.textContent.slice(0, 20)}`)"""
+
 
 def seen(page: Page, height: int, when: str) -> Iterator[str]:
     """The faults of the page in a window so high."""
@@ -51,6 +56,7 @@ def seen(page: Page, height: int, when: str) -> Iterator[str]:
     seek(page, 0.0)
     small = [22 * height / 1080, 19 * height / 1080]
     found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
+    found += page.evaluate(LOW, height / 30)
     yield from (f"{when} Show: {fault}" for fault in found if MEANT not in fault)
 
 
