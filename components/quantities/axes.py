@@ -31,7 +31,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
     With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
     `drawn` is what of the range must be seen, where that is not all of it; `own` is the range that the scene has
     chosen, where the axis stands in another one. `count` is the most steps between its round numbers. `si` is the unit
-    of `factor`, where what is counted by it has another unit or none.
+    of `factor`, where what is counted by it has another unit or none. `zero` is False where the scene names its zero.
     """
 
     start: float
@@ -48,6 +48,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
     own: Range | None = None
     count: int = 4
     si: str = ""
+    zero: bool = True
 
     @property
     def chosen(self) -> Range:
@@ -159,6 +160,12 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
     exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
     bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
     return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count), count=count)
+
+
+def round_ticks(axis: Axis) -> tuple[float, ...]:
+    """Round numbers over the range that an axis has come to."""
+    ends = ordered((axis.place(axis.start), axis.place(axis.end)))
+    return tuple(tick for tick in nice_ticks(*ends, axis.count) if tick or axis.zero)
 
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from components.language.picture import Pace
 from components.language.state import Frame
-from components.quantities.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered, scale_by_ten, widest
+from components.quantities.axes import TIME_AXIS, Axis, Range, log_axis, ordered, round_ticks, scale_by_ten, widest
 from components.quantities.motion import round_down, round_up
 from components.quantities.numbers import excerpt, power_unit
 
@@ -105,7 +105,7 @@ def _rounded(axis: Axis, named: bool) -> Axis:
     if named_alike and not 1e-2 <= scale_by_ten(reach, -axis.exponent) < 1e5:
         exponent, suffix = power_unit(reach)
         axis = replace(axis, exponent=exponent, suffix=suffix)
-    ticks = nice_ticks(*ordered((axis.place(axis.start), axis.place(axis.end))), axis.count)
+    ticks = round_ticks(axis)
     return replace(axis, ticks=ticks, labels=() if named else ("",) * len(ticks))
 
 

@@ -28,7 +28,7 @@ from components.language.plots import Curve, Region
 from components.language.shapes import Label
 from components.language.signals import AnySignal, CosineOf, Derived, SineOf
 from components.layout.sheet import blocks, in_force
-from components.quantities.axes import Axis, nice_ticks
+from components.quantities.axes import Axis, round_ticks
 from components.quantities.motion import derived, starts
 from components.quantities.numbers import excerpt
 from components.scene import Picture, Scene
@@ -240,8 +240,7 @@ def _rounded(axis: Axis, wider: float) -> Axis:
     way = 1 if axis.end > axis.start else -1
     start = axis.start if axis.start == 0 else axis.start - way * room / 2
     wide = changed(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())
-    low, high = sorted((wide.place(wide.start), wide.place(wide.end)))
-    return changed(wide, ticks=nice_ticks(low, high, axis.count))
+    return changed(wide, ticks=round_ticks(wide))
 
 
 def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:

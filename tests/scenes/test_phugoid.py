@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from components.language.state import Frame
 from components.quantities.numbers import three
+from components.scene.frames import framed
 from components.scenes.phugoid import Phugoid
 from components.scenes.phugoid.swing import AIRCRAFT, SPEEDS
 from physics.phugoid import CUSP_EXCESS, linear_phugoid, period_excess
@@ -96,6 +98,15 @@ def test_no_property_of_the_aircraft_but_its_speed_enters() -> None:
     assert {**before, "columns": None} == {**after, "columns": None}
     scene.v_0 *= 2
     assert scene.shown.values["tau"] == "41.4"
+
+
+@pytest.mark.parametrize("reach", [50.0, 245.0, 1e4])
+def test_the_stage_alone_names_the_level_of_the_flight(reach: float) -> None:
+    """Also in a frame that a link or a step of a walk keeps."""
+    axes = Phugoid().shown.axes
+    kept = framed(Frame(ranges={"up": (-reach, reach)}), axes)["up"]
+    for axis in (axes["up"], kept):
+        assert axis.ticks and 0 not in axis.ticks and min(axis.ticks) < 0 < max(axis.ticks)
 
 
 @pytest.mark.parametrize("show", ["period", "exchange", "limits"])

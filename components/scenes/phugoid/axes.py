@@ -70,7 +70,7 @@ def _along(low: float, high: float, unit: str, factor: float) -> Axis:
 
 def _up(along: Axis, low: float, high: float) -> Axis:
     """The vertical axis in the unit of the horizontal one; its zero is named by the stage."""
-    axis = replace(along, start=low, end=high, ticks=())
+    axis = replace(along, start=low, end=high, ticks=(), zero=False)
     ticks = nice_ticks(0.9 * axis.place(low), 0.9 * axis.place(high), 3)
     return replace(axis, ticks=tuple(tick for tick in ticks if tick))
 
