@@ -20,7 +20,7 @@ import {Walks} from "./walks/walks.js"
 
 /** @typedef {import("./net/messages.js").Asked} Asked */
 
-const LEFT = "left" // what a page that is left has not had answered
+const UNANSWERED = "left" // what a page that is left has not had answered
 
 /** @implements {LectureHost} */
 export class Lecture {
@@ -67,7 +67,7 @@ export class Lecture {
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
     // A change without an answer yet is in no address.
-    addEventListener("pagehide", () => tabStorage.keep(LEFT, this.messages.rests ? null : this.left))
+    addEventListener("pagehide", () => tabStorage.keep(UNANSWERED, this.messages.rests ? null : this.left))
     addEventListener("popstate", ({state: entry}) => {
       const {waiting: _, ...state} = entry ?? {}
       if (entry) this.#go({type: "open", state})
@@ -268,8 +268,8 @@ export class Lecture {
 export function begin() {
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
   const [came] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
-  const {waiting, ...state} = (came?.type === "reload" && tabStorage.value(LEFT)) || history.state || {}
-  tabStorage.forget(LEFT)
+  const {waiting, ...state} = (came?.type === "reload" && tabStorage.value(UNANSWERED)) || history.state || {}
+  tabStorage.forget(UNANSWERED)
   const {messages} = (globalThis.oscillations = new Lecture(token))
   messages.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
   // What a page older than the server, or one that was loaded anew, has left to this one.

@@ -45,7 +45,7 @@ export const chip = (name, act, look = {}) => button({class: "chip", ...look}, a
  */
 export function reword(part, text) {
   if (part.textContent === text) return false
-  const first = part.firstChild
+  const first = part.firstChild // 3 is the type of a text
   // In place, since it may be done at every frame: with a new node more would be laid out.
   if (first?.nodeType === 3 && !first.nextSibling) first.nodeValue = text
   else part.textContent = text

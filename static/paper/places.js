@@ -1,5 +1,7 @@
 // Places for texts in a picture, so that none lies on another: pure functions of boxes and lengths in one unit.
 
+import {clamp} from "../core/ruler.js"
+
 /**
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box
  * @typedef {{at: number, size: number}} Extent the middle of something on a line, and how long it is
@@ -140,7 +142,7 @@ export function inLine(spans, least = -Infinity, most = Infinity) {
   const starts = groups.flatMap(({sum, count}) => Array.from({length: count}, () => sum / count))
   const middles = spans.map(({at}) => at)
   for (const [place, i] of order.entries()) {
-    const start = Math.min(Math.max(starts[place], least), most - length)
+    const start = clamp(starts[place], least, most - length)
     middles[i] = start + ends[place] - spans[i].size / 2
   }
   return middles

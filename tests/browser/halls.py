@@ -43,11 +43,11 @@ SMALL = """([least, kinds]) => {
     .filter(part => part.checkVisibility() && size(part) < least - 0.01)
     .map(part => `${kind} is small: ${part.textContent}`))
 }"""
-
 LOW = """least => [...document.querySelectorAll(".plot-area")]
   .map(area => [area.checkVisibility() ? area.getBoundingClientRect().height : least, area])
   .filter(([height]) => height < least)
   .map(([height, area]) => `a plot is ${height.toFixed()} px high: ${area.parentElement.textContent.slice(0, 20)}`)"""
+"""Plots that are lower than so many pixels, in which nothing can be told."""
 
 
 def seen(page: Page, height: int, when: str) -> Iterator[str]:

@@ -6,7 +6,7 @@ import math
 
 from msgspec.structs import replace
 
-from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis
+from components.quantities.axes import Axis, nice_axis, nice_ticks, round_ticks, time_axis
 from components.quantities.declared import Declared, DrawnAxis, by_name
 from components.quantities.numbers import short
 from components.scenes.phugoid.swing import AIRCRAFT, LENGTHS, SPEEDS, Swing
@@ -70,9 +70,8 @@ def _along(low: float, high: float, unit: str, factor: float) -> Axis:
 
 def _up(along: Axis, low: float, high: float) -> Axis:
     """The vertical axis in the unit of the horizontal one; its zero is named by the stage."""
-    axis = replace(along, start=low, end=high, ticks=(), zero=False)
-    ticks = nice_ticks(0.9 * axis.place(low), 0.9 * axis.place(high), 3)
-    return replace(axis, ticks=tuple(tick for tick in ticks if tick))
+    axis = replace(along, start=low, end=high, zero=False)
+    return replace(axis, ticks=round_ticks(replace(axis, start=0.9 * low, end=0.9 * high)))
 
 
 def _velocity(swing: Swing) -> tuple[Axis, Axis]:
