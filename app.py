@@ -22,13 +22,13 @@ from components.serving.start import StartPage
 from components.session.opening import opened, standing_of
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
+from components.session.worker import Apart
 from components.state.commands import sentence
 from components.state.csv_export import as_table
 from components.state.link import Link, read_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
 from components.walks import Query, Walks
-from components.walks.apart import Apart
 from components.walks.cards import walk_file
 from components.walks.links import read_link
 from components.walks.registry import all_walks, asked_step

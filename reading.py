@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from components.scenes import SCENES
-from components.walks.apart import prepare, work
+from components.session.worker import prepare, work
 from components.walks.registry import all_walks
 from physics.accuracy_worker import restrain
 

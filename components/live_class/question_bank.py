@@ -15,8 +15,8 @@ from components.language.room import Counted, Listed, PutTo, Voted
 from components.language.walk import Lesson
 from components.layout.text import plain, rich
 from components.quantities.numbers import excerpt
+from components.session.worker import Apart, Here, Reading
 from components.walks import Walks
-from components.walks.apart import Apart, Here, Reading
 from components.walks.cards import asked, parted, place_in_lecture, step_card
 from components.walks.links import Scenes
 from components.walks.loading import WalkError, read_walk, steps_of

@@ -11,7 +11,7 @@ from threading import Lock, Timer
 import msgspec
 
 from components.processes import started
-from components.walks.apart import TOO_LONG, Errand, Replied, receive, send
+from components.session.worker import TOO_LONG, Errand, Replied, receive, send
 
 WAITING = 8
 """Requests that may wait for their turn."""

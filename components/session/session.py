@@ -31,6 +31,7 @@ from components.quantities.refusals import SORRY, in_words, report
 from components.scene import Scene
 from components.scene.about import About, about_numbers
 from components.scene.running import Later, Running
+from components.session.worker import Apart, Errand, Here, Reading, Replied, Teaching
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
 from components.state.csv_export import as_file
@@ -39,7 +40,6 @@ from components.state.scene_sheet import column_axes, sheet_address, usual
 from components.state.standing import Standing, changed, with_values
 from components.state.wire import Packet, decoded, packed
 from components.walks import Walks
-from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching
 from components.walks.judging import taught
 from components.walks.walk import Step
 

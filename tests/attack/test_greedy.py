@@ -15,8 +15,8 @@ from components.scenes import SCENES
 from components.serving.apart import ReadingProcess
 from components.session.opening import opened
 from components.session.session import ONE_AT_A_TIME, Session
+from components.session.worker import Errand, Replied
 from components.state.link import Link
-from components.walks.apart import Errand, Replied
 from physics import exact, sinusoids, transient
 from physics.transient import DampedModes
 from tests.attack.extremes import Values

@@ -5,8 +5,9 @@ from __future__ import annotations
 import sys
 import time
 
-from components.walks import Walks, apart
-from components.walks.apart import Errand, Reading, Replied
+from components.session import worker
+from components.session.worker import Errand, Reading, Replied
+from components.walks import Walks
 from components.walks.links import Scenes
 
 
@@ -19,5 +20,5 @@ def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
 
 
 if __name__ == "__main__":
-    apart.replied = replied
-    apart.work({}, {}, sys.stdin.buffer, sys.stdout.buffer)
+    worker.replied = replied
+    worker.work({}, {}, sys.stdin.buffer, sys.stdout.buffer)

@@ -12,9 +12,9 @@ from components.scenes import SCENES
 from components.serving import apart
 from components.serving.apart import BUSY, GONE, LATE, SHARED, WAITING, ReadingProcess
 from components.session.session import ONE_AT_A_TIME, Session
+from components.session.worker import TOO_LONG, Errand, Reading, Replied, Teaching
 from components.state.standing import fitted
 from components.state.wire import Packet
-from components.walks.apart import TOO_LONG, Errand, Reading, Replied, Teaching
 from tests.page.told import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
