@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -12,26 +11,23 @@ from typing import NamedTuple
 import panel as pn
 from bokeh.document import Document
 
-from components.language.messages import File
 from components.live_class.question_bank import QuestionBank
 from components.panel_face.face import PanelFace
-from components.quantities.refusals import in_words
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
 from components.serving.start import StartPage
-from components.session.opening import opened, standing_of
+from components.session.links import linked
+from components.session.opening import opened
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
 from components.session.worker import Apart
 from components.state.commands import sentence
-from components.state.csv_export import as_table
-from components.state.link import Link, read_query
+from components.state.link import read_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
 from components.walks import Query, Walks
 from components.walks.cards import walk_file
-from components.walks.links import read_link
-from components.walks.registry import all_walks, asked_step
+from components.walks.registry import all_walks
 
 pn.config.browser_info = False
 # The page has themes of its own; Panel would decode what the link says of one, whatever that is.
@@ -54,43 +50,17 @@ SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
 NO_WALKS: Walks = MappingProxyType({})
 
 
-def linked(query: Query, walks: Walks) -> tuple[Link, str]:
-    """The link of an address, to a scene or to a step of a walk, with that step."""
-    problems = []
-    try:
-        if asked := asked_step(query, walks):
-            step, name = asked
-            return replace(read_link(step.state, SCENES), covered=step.cover), name
-    except ValueError as reason:
-        problems.append(str(reason))
-    link = read_query(query, SCENES).as_opened(SCENES)
-    return replace(link, problems=[*problems, *link.problems]), ""
-
-
 def visited(query: Query, walks: Walks) -> Session:
     """The session that a link asks for: a scene, or a step of a walk."""
-    link, step = linked(query, walks)
+    link, step = linked(query, SCENES, walks)
     return opened(SCENES, link, walks, step)
 
 
-def numbers_of(query: Query, page: str, walks: Walks = NO_WALKS) -> File:
-    """The numbers that a page of this link takes away, without what is covered: its first table, or the one that
-    `table` names; ValueError, in words, for what of the link cannot be."""
-    (*_, table) = ("", *(name.decode("utf-8", "replace") for name in query.get("table", ())))
-    link, step = linked({key: given for key, given in query.items() if key != "table"}, walks)
-    now, refused = standing_of(SCENES[link.slug], link, step)
-    if problems := [*link.problems, *refused]:
-        raise ValueError(" ".join(problems))
-    with in_words():
-        return as_table(now.asked, now.told[0], page, table)
-
-
 class Lectured(NamedTuple):
-    """The parts that the server is given: the functions that open a page and that give the numbers of a link, the files
-    of all walks by their address, the question bank of a live class, and the start page."""
+    """The parts that the server is given: the function that opens a page, the files of all walks by their address, the
+    question bank of a live class, and the start page."""
 
     open_page: Callable[..., None]
-    numbers_of: Callable[[Query, str], File]
     files: dict[str, bytes]
     bank: QuestionBank
     start: StartPage
@@ -104,9 +74,8 @@ def walked(folders: Iterable[Path]) -> Lectured:
         {"name": walk.name, "title": walk.title, "sheet": address}
         for walk, (address, _) in zip(walks.values(), files, strict=True)
     ]
-    opening, numbers = partial(open_page, walks=walks, listed=listed), partial(numbers_of, walks=walks)
-    start = StartPage(SCENES, listed)
-    return Lectured(opening, numbers, dict(files), QuestionBank(walks, SCENES), start)
+    opening = partial(open_page, walks=walks, listed=listed)
+    return Lectured(opening, dict(files), QuestionBank(walks, SCENES), StartPage(SCENES, listed))
 
 
 def open_page(

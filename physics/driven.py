@@ -29,7 +29,7 @@ from physics.curves import combined, response, turning
 from physics.damped import DampedOscillator
 from physics.exact import Array, exact, precise, sum_of, within_an_ulp
 from physics.laplace import Expansion, Polynomial, expanded
-from physics.transient import summed
+from physics.transient import EXACT, Effort, summed
 from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array, in_range
 
 Complexes = NDArray[np.complex128]
@@ -103,10 +103,13 @@ class DrivenOscillator:
 
     def motion(
         self, omega: float, size: float = 1.0, x_0: float = 0.0, v_0: float = 0.0, t: ArrayLike = 0.0,
-        kind: Drive = "force",
+        kind: Drive = "force", effort: Effort = EXACT,
     ) -> DrivenMotion:  # fmt: skip
-        """x and v at the times t (n,) in s, the drive beginning at t = 0: within 0.51 ulp with a dashpot, 1 u of the
-        parts' sizes without one. It takes as long as it takes."""
+        """Return x and v at the times t (n,) in s; the drive begins at t = 0.
+
+        With a dashpot they are as exact as `effort` says, without one within 1 u of the parts' sizes. ValueError where
+        that takes more work than `effort` allows.
+        """
         t = finite_array("t", t)
         check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
         check_finite("a displacement in m", x_0=x_0)
@@ -115,7 +118,7 @@ class DrivenOscillator:
         if not self.c or not (re or im) or not omega:
             return self._undamped(omega, re, x_0, v_0, t)
         numbers = (self.m, self.c, self.k, omega, x_0, v_0)
-        values = summed(lambda digits: _expansion(numbers, (re, im), digits), t)[[0, 3]]
+        values = summed(lambda digits: _expansion(numbers, (re, im), digits), t, effort)[[0, 3]]
         values[:, t == 0.0] = [[x_0], [v_0]]
         x, v = (in_range(name, row) for name, row in zip(QUANTITIES, values, strict=True))
         return DrivenMotion(t, x, v)

@@ -43,14 +43,31 @@ from physics.roots import taxicab
 from physics.valid import check_finite, check_not_negative, finite_array, in_range
 
 Complexes = NDArray[np.complex128]
+
+
+class Effort(NamedTuple):
+    """How exact a sum is to be, and how much work it may take.
+
+    A value is good if its doubt is at most `error` of itself, or of the largest of its curve where `of_largest`.
+    `digits` bounds the digits at one time, `work` those of all times together: 2,500 take about 0.02 s.
+    """
+
+    error: float = 2.0**-60  # once rounded within 0.51 ulp
+    of_largest: bool = False
+    digits: int = 10_000
+    work: float = math.inf
+
+
+EXACT = Effort()
+"""Every number within 0.51 ulp, however long it takes."""
+FILE = Effort(work=100_000)
+"""The same with an end, for a file of numbers: about half a second."""
+DRAWING = Effort(2.0**-41, of_largest=True, digits=960, work=2_500)
+"""Within 1e-12 of the largest of its curve, for a picture: about 0.02 s."""
 StateRow = tuple[Decimal, ...]  # of x1, x2, x2 - x1, v1, v2
 
 DIGITS = 120
-_MOST_DIGITS = 10000
-_QUICK_DIGITS, _QUICK_WORK = 960, 2500  # for one instant and for all, where there is no time for more: some 0.03 s
 _IN_PAIRS = 2.0**-101  # error of a term in pairs of doubles, relative to its size, for each radian of its phase
-_SURE = 2.0**-60  # relative error of a sum that, once rounded, is within 0.51 ulp
-_DRAWN = 2.0**-41  # the same where it is drawn, of the largest of its curve
 _NEGLIGIBLE = 1e-260  # exp(SMALLEST_EXPONENT)
 _DIED_OUT = -1e5  # of an exponent: no digits that are asked for tell 1e-43429 from 0, and mpmath would raise e to it
 _REPRODUCED = 1e-24  # largest error of a coefficient of P, and for each radian of phase
@@ -114,11 +131,10 @@ class DampedModes:
         terms = [Decaying(_complex(p), np.array([_complexes(row) for row in rows])) for p, rows in found]
         return tuple(term for term in terms if np.any(term.amplitudes))
 
-    def motion(self, t: ArrayLike, *, quick: bool = False) -> Motion:
-        """The motion at times t (n,): with damping every number is within 0.51 ulp, without see forced_motion.
+    def motion(self, t: ArrayLike, effort: Effort = EXACT) -> Motion:
+        """Return the motion at times t (n,): with damping as exact as `effort` says, without see forced_motion.
 
-        It takes as long as it takes. `quick`, to draw it: within 1e-12 of the largest of its curve; ValueError where
-        that would take more than a fraction of a second.
+        ValueError where that takes more work than `effort` allows.
         """
         t = finite_array("t", t)
         if not (self.c or self.c1):
@@ -126,7 +142,7 @@ class DampedModes:
         if self._stays:
             still = np.repeat(np.array(self._start)[:, None], t.size, axis=1)
             return Motion(t, still[:2], still[3:], still[[0, 2]])
-        values = summed(lambda digits: expansion(self._driven, digits), t, quick=quick)
+        values = summed(lambda digits: expansion(self._driven, digits), t, effort)
         values[:, t == 0.0] = np.array(self._start)[:, None]
         x1, x2, e2, v1, v2 = (in_range(name, row) for name, row in zip(QUANTITIES, values, strict=True))
         return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
@@ -169,13 +185,15 @@ class DampedModes:
             raise at_natural_frequency(self.omega)
 
 
-def summed(expand: Callable[[int], Expansion], t: Array, *, quick: bool = False) -> Array:
-    """x1, x2, x2 - x1, v1, v2 (5, n) of a sum, `expand` gives it in so many digits: each within 0.51 ulp, but for those
-    at t = 0; `quick` as in DampedModes.motion."""
-    values, sure = _in_pairs(expand(DIGITS), t, quick)
-    most, left = (_QUICK_DIGITS, _QUICK_WORK) if quick else (_MOST_DIGITS, math.inf)
+def summed(expand: Callable[[int], Expansion], t: Array, effort: Effort = EXACT) -> Array:
+    """Return x1, x2, x2 - x1, v1, v2 (5, n) of a sum at the times t (n,), except at t = 0, as exact as `effort` says.
+
+    `expand` gives the sum in so many digits. ValueError where it takes more work than `effort` allows.
+    """
+    values, sure = _in_pairs(expand(DIGITS), t, effort)
+    left = effort.work
     for n in np.flatnonzero(~sure & (t != 0.0)):
-        values[:, n], spent = _in_many_digits(expand, float(t[n]), min(most, left))
+        values[:, n], spent = _in_many_digits(expand, float(t[n]), min(effort.digits, left))
         left -= spent
     return values
 
@@ -189,8 +207,8 @@ class _Summand(NamedTuple):
     doubt: Array
 
 
-def _in_pairs(modes: Expansion, t: Array, drawn: bool) -> tuple[Array, NDArray[np.bool_]]:
-    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are sure; if `drawn`, beside the largest of each row."""
+def _in_pairs(modes: Expansion, t: Array, effort: Effort) -> tuple[Array, NDArray[np.bool_]]:
+    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says."""
     summands = [*_waves(modes, t), *_drift(modes, t)]
     rows = list(zip(*(summand.row for summand in summands), strict=True))
     with np.errstate(over="ignore", invalid="ignore"):
@@ -198,9 +216,9 @@ def _in_pairs(modes: Expansion, t: Array, drawn: bool) -> tuple[Array, NDArray[n
         doubt = np.zeros_like(values[0])
         for summand in summands:
             doubt += _scaled(summand.sizes, exponents) * summand.doubt
-        enough = _SURE * np.where(np.isfinite(values[0]), np.abs(values[0]), 0.0)
-        if drawn:
-            enough = _DRAWN / _SURE * enough.max(axis=1, keepdims=True, initial=0.0)
+        enough = effort.error * np.where(np.isfinite(values[0]), np.abs(values[0]), 0.0)
+        if effort.of_largest:
+            enough = enough.max(axis=1, keepdims=True, initial=0.0)
         sure = np.all(doubt <= enough, axis=0)
         return rounded_once(values, exponents), sure & bool(modes.mismatch < _REPRODUCED)
 
@@ -251,8 +269,8 @@ def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -
             return [rounded(name, _decimal(value)) for name, value in zip(QUANTITIES, values, strict=True)], spent
         digits *= 2
     raise ValueError(
-        f"the motion at t = {t:.3g} s takes more digits than there is time for: "
-        f"{_QUICK_WORK} for all times of a picture are allowed"
+        f"the motion at t = {t:.3g} s takes more digits than there is time for; "
+        "a shorter time window or other values take fewer"
     )
 
 
@@ -268,7 +286,7 @@ def _summed(modes: Expansion, t: float) -> list[Any] | None:
         total = [a + (b * turned).real for a, b in zip(total, row, strict=True)]
         doubt = [a + b * reach for a, b in zip(doubt, sizes, strict=True)]
     nothing = ctx.ldexp(1, -1080)  # rounds to 0: a sum that is 0 has no digits to be sure of
-    sure = all(1e5 * ctx.eps * a <= _SURE * max(abs(b), nothing) for a, b in zip(doubt, total, strict=True))
+    sure = all(1e5 * ctx.eps * a <= EXACT.error * max(abs(b), nothing) for a, b in zip(doubt, total, strict=True))
     return total if sure and modes.mismatch * radians < _REPRODUCED else None
 
 

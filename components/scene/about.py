@@ -177,7 +177,12 @@ def about_numbers(ask: Callable[[], About | None], answer: int | None = None) ->
     except Exception as error:
         report(error)
         note = SORRY
-    return AboutNumbers(answer=answer, reading="", tables=(), notes=(rich(note),))
+    return no_numbers(note, answer)
+
+
+def no_numbers(reason: str, answer: int | None = None) -> AboutNumbers:
+    """Return the message that gives a reason in place of numbers."""
+    return AboutNumbers(answer=answer, reading="", tables=(), notes=(rich(reason),))
 
 
 def _numbers(about: About, answer: int | None) -> AboutNumbers:

@@ -26,6 +26,9 @@ from components.walks.loading import WalkError
 
 log = logging.getLogger(__name__)
 
+WARM_UP = 20.0
+"""Seconds after the start until the worker process is started, so that the first visitor who needs it need not wait."""
+
 
 def store_at(url: str) -> Store:
     """The store of live classes at an address. The client of a shared one is read only where there is one."""
@@ -55,11 +58,12 @@ async def serve(settings: Settings) -> None:
     lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
     lecture.bank.apart = apart
     live_class = LiveClass(store_at(settings.store), lecture.bank, settings.class_passphrase)
-    numbers = NumbersRoute(lecture.numbers_of, settings.arrivals)
+    numbers = NumbersRoute(apart, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
-    figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}
+    figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: len(apart))}
     sheets = {**SHEETS, **lecture.files}
     server = Server(open_page, settings, figures, sheets, [live_class, numbers], lecture.start)
+    asyncio.get_running_loop().call_later(WARM_UP, apart.warm)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception

@@ -1,4 +1,7 @@
-"""A process beside the server that reads what strangers bring: one request at a time, with little memory and time."""
+"""The worker process beside the server: one job at a time, with little memory and processor time.
+
+Networks take turns, so that one with many jobs does not keep another waiting, and each has an allowance a minute.
+"""
 
 from __future__ import annotations
 
@@ -6,78 +9,137 @@ import signal
 import subprocess
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
+from dataclasses import dataclass, field
 from threading import Lock, Timer
 
 import msgspec
 
 from components.processes import started
-from components.session.worker import TOO_LONG, Errand, Replied, receive, send
+from components.serving.visitors import Rate
+from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching, receive, send
 
-WAITING = 8
-"""Requests that may wait for their turn."""
+WAITING, OF_A_NETWORK = 64, 16
+"""Jobs that may wait for their turn: of all networks, and of one."""
+ALLOWANCE = 20
+"""Seconds of a processor that one network may use in a minute, all at once if it likes."""
 PATIENCE, STARTING = 10.0, 120.0
 """Seconds until a process is given up that keeps to no budget, or that is not ready."""
 OVER_BUDGET = -getattr(signal, "SIGPROF", 0)
 """The code of a process that the system has ended for that."""
-SHARED = "Another walk from this network waits to be read already. Try again in a few seconds."
-BUSY = f"{WAITING} walks are waiting to be read. Try again in a few seconds."
-LATE = "The server had no time for this walk. Try again in a minute."
-GONE = "The process that reads walks could not be started. Try again in a minute."
+SHARED = "Too many requests from your network are waiting. Try again in a few seconds."
+BUSY = "Too many requests are waiting. Try again in a few seconds."
+USED_UP = "Your network has used its computing time on this server. Try again in a few seconds."
+LATE = "The server had no time for this. Try again in a minute."
+GONE = "The server could not start the process that does this. Try again in a minute."
+WALK_TOO_LONG = f"Checking this walk takes more than {BUDGET:g} s here: give it fewer steps, links and formulas."
+FILE_TOO_LONG = (
+    f"These numbers take more than {BUDGET:g} s to compute here: choose a shorter time window or other values."
+)
+SOON = 2.0
+"""Seconds after which a refused request may come again."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Waiting:
+    """A job that waits for its turn."""
+
+    job: Errand
+    network: str
+    reply: Future[Replied] = field(default_factory=Future)
 
 
 class ReadingProcess:
-    """The process that reads, started when it is first asked for and again when it has ended."""
+    """The worker process, started for the first job and again when it has ended."""
 
     def __init__(self, module: str, *arguments: str) -> None:
         self._command = (module, *arguments)
         self._process: subprocess.Popen[bytes] | None = None
-        self._turn = ThreadPoolExecutor(1, "apart")
+        self._turn = ThreadPoolExecutor(1, "worker")
         self._lock = Lock()
-        self._asked: dict[Future[Replied], str] = {}
-        """The network of each request, in the order in which they came: the first is being read."""
+        self._line: list[_Waiting] = []
+        self._running: _Waiting | None = None
+        self._used = Rate(ALLOWANCE)
+        self._served: list[str] = []
+        """The networks that wait and have had a turn, the latest last."""
 
     def __len__(self) -> int:
-        """The number of requests that run or wait."""
-        return len(self._asked)
+        """The number of jobs that run or wait."""
+        return len(self._line) + (self._running is not None)
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
-        """One request of a network waits at a time."""
+        """Queue a job. A job without a network is the server's own and has no limit but the length of the line."""
+        waiting = _Waiting(asked, network)
         with self._lock:
-            waiting = [*self._asked.values()][1:]
-            if len(waiting) >= WAITING or (network and network in waiting):
-                refused: Future[Replied] = Future()
-                refused.set_result(Replied(refused=BUSY if len(waiting) >= WAITING else SHARED, is_busy=True))
-                return refused
-            future = self._turn.submit(self._replied, msgspec.msgpack.encode(asked))
-            self._asked[future] = network
-        future.add_done_callback(self._done)
-        return future
+            refused = self._refusal(network)
+            if not refused:
+                self._line.append(waiting)
+        if refused:
+            waiting.reply.set_result(refused)
+        else:
+            self._turn.submit(self._work)
+        return waiting.reply
+
+    def warm(self) -> None:
+        """Start the process before anybody waits for it."""
+        self._turn.submit(self._ready)
 
     def close(self) -> None:
         self._turn.shutdown(wait=False, cancel_futures=True)
+        for waiting in self._line:
+            waiting.reply.cancel()
         if self._process:
             self._process.kill()
         self._turn.shutdown()
         if self._process:
             _end(self._process)
 
-    def _done(self, future: Future[Replied]) -> None:
-        with self._lock:
-            del self._asked[future]
+    def _refusal(self, network: str) -> Replied | None:
+        if len(self._line) >= WAITING:
+            return Replied(refused=BUSY, is_busy=True, after=SOON)
+        if not network:
+            return None
+        if sum(one.network == network for one in self._line) >= OF_A_NETWORK:
+            return Replied(refused=SHARED, is_busy=True, after=SOON)
+        if seconds := self._used.wait(network):
+            return Replied(refused=USED_UP, is_busy=True, after=seconds)
+        return None
 
-    def _replied(self, asked: bytes) -> Replied:
-        """In the one thread."""
+    def _work(self) -> None:
+        """Do one of the jobs that wait, in the one thread."""
+        with self._lock:
+            self._line = [one for one in self._line if not one.reply.cancelled()]
+            if not self._line:
+                return
+            chosen = self._next()
+        running = chosen.reply.set_running_or_notify_cancel()
+        replied = self._replied(chosen.job) if running else Replied()
+        with self._lock:
+            self._used.charge(chosen.network, replied.seconds)
+            self._running = None
+        if running:
+            chosen.reply.set_result(replied)
+
+    def _next(self) -> _Waiting:
+        """Take the first job of the network that has waited longest for a turn."""
+        chosen = min(self._line, key=lambda one: self._served.index(one.network) if one.network in self._served else -1)
+        self._line.remove(chosen)
+        self._running = chosen
+        waiting = {one.network for one in self._line} - {chosen.network}
+        self._served = [*(one for one in self._served if one in waiting), chosen.network]
+        return chosen
+
+    def _replied(self, job: Errand) -> Replied:
         process = self._ready()
         if process is None:
             return Replied(refused=GONE)
-        reply = _answer(process, asked, PATIENCE)
+        reply = _answer(process, msgspec.msgpack.encode(job), PATIENCE)
         if reply:
             return msgspec.msgpack.decode(reply, type=Replied)
         _end(process)
         self._process = None
         with suppress(RuntimeError):  # the server ends
             self._turn.submit(self._ready)
-        return Replied(refused=TOO_LONG if process.returncode == OVER_BUDGET else LATE)
+        return Replied(refused=_over(job) if process.returncode == OVER_BUDGET else LATE, seconds=BUDGET)
 
     def _ready(self) -> subprocess.Popen[bytes] | None:
         if not self._process:
@@ -86,6 +148,11 @@ class ReadingProcess:
                 _end(self._process)
                 self._process = None
         return self._process
+
+
+def _over(job: Errand) -> str:
+    """The sentence for a job that took more than its budget."""
+    return WALK_TOO_LONG if isinstance(job, Reading | Teaching) else FILE_TOO_LONG
 
 
 def _answer(process: subprocess.Popen[bytes], asked: bytes | None, patience: float) -> bytes | None:

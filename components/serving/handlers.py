@@ -80,6 +80,10 @@ class LectureHandler(RequestHandler):
         if isinstance(error, RefusedError) and error.after:
             self.set_header("Retry-After", str(ceil(error.after)))
         self.context.metrics.refused.labels(f"request {status_code}").inc()
+        self.write_notice(sentence)
+
+    def write_notice(self, sentence: str) -> None:
+        """Finish with a page that has one sentence."""
         self.finish(notice().render(sentence=sentence))
 
 

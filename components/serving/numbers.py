@@ -1,48 +1,60 @@
-"""Numbers by address: `/data.csv?scene=coupled&k2=3` has what a page of that link takes away, for programs."""
+"""Numbers by address: `/data.csv?scene=coupled&k2=3` is the file that a page of that link saves, for programs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import asyncio
+from concurrent.futures import Future
+from typing import Any
 
-from components.language.messages import File
 from components.serving.handlers import RefusedError, VisitorHandler
 from components.serving.metrics import Looked
 from components.serving.pages import LONGEST_LINK, TOO_LONG, TOO_MANY
 from components.serving.server import Route
-from components.serving.visitors import Arrivals
-
-NumbersOf = Callable[[Mapping[str, Sequence[bytes]], str], File]
+from components.serving.visitors import Arrivals, network_of
+from components.session.exports import LinkExport
+from components.session.worker import Apart, Replied
 
 
 class NumbersHandler(VisitorHandler):
-    """The table of a link as a file; a link that cannot be is refused in a sentence."""
+    """The table of a link as a file, made by the worker; a link that is not possible is refused in a sentence."""
 
-    def initialize(self, numbers_of: NumbersOf, arrivals: Arrivals) -> None:
-        self.numbers_of, self.arrivals = numbers_of, arrivals
+    asked: Future[Replied] | None = None
 
-    def get(self) -> None:
+    def initialize(self, worker: Apart, arrivals: Arrivals) -> None:
+        self.worker, self.arrivals = worker, arrivals
+
+    async def get(self) -> None:
         if len(self.request.query) > LONGEST_LINK:
             raise RefusedError(414, TOO_LONG)
         if seconds := self.arrivals.admit(self.visitor):
             raise RefusedError(429, TOO_MANY, after=seconds)
         page = self.context.settings.public_url or f"{self.request.protocol}://{self.request.host}/"
-        try:
-            file = self.numbers_of(self.request.arguments, page)
-        except ValueError as reason:
-            raise RefusedError(400, str(reason)) from reason
-        self.set_header("Content-Type", f"{file.kind}; charset=ascii")
-        self.set_header("Content-Disposition", f'attachment; filename="{file.name}"')
+        self.asked = self.worker.ask(LinkExport(self.request.arguments, page), str(network_of(self.visitor)))
+        replied = await asyncio.wrap_future(self.asked)
+        if replied.file is None:
+            raise RefusedError(429 if replied.is_busy else 400, replied.refused, after=replied.after)
+        self.set_header("Content-Type", f"{replied.file.kind}; charset=ascii")
+        self.set_header("Content-Disposition", f'attachment; filename="{replied.file.name}"')
         self.set_header("Cache-Control", "no-cache")
-        self.write(file.content)
+        self.write(replied.file.content)
 
     head = get
 
+    def on_connection_close(self) -> None:
+        """Take the job out of the line: nobody waits for its result."""
+        if self.asked:
+            self.asked.cancel()
+
+    def write_notice(self, sentence: str) -> None:
+        self.set_header("Content-Type", "text/plain; charset=utf-8")
+        self.finish(sentence + "\n")
+
 
 class NumbersRoute:
-    """The extension of a server by this address; one network asks for as many tables a minute as it may open pages."""
+    """The server's extension for this address; one network may ask for as many tables a minute as it may open pages."""
 
-    def __init__(self, numbers_of: NumbersOf, arrivals: int) -> None:
-        self._given = {"numbers_of": numbers_of, "arrivals": Arrivals(arrivals)}
+    def __init__(self, worker: Apart, arrivals: int) -> None:
+        self._given: dict[str, Any] = {"worker": worker, "arrivals": Arrivals(arrivals)}
 
     def routes(self) -> list[Route]:
         return [(r"/data\.csv", NumbersHandler, self._given)]

@@ -52,18 +52,29 @@ class Rate:
         self._full = MOST_NETWORKS
 
     def admit(self, name: str) -> float:
-        """Count one time; where it is one too many, in how many seconds it may be."""
+        """Count one time; where it is one too many, return the seconds until it is possible."""
+        seconds = self.wait(name)
+        if not seconds:
+            self.charge(name, 1.0)
+        return seconds
+
+    def wait(self, name: str) -> float:
+        """Return the seconds until one more time is possible, 0 if it is possible now."""
+        return max(0.0, 1.0 - self.left(name)) * MINUTE / self.most
+
+    def left(self, name: str) -> float:
+        """Return how many times are left."""
+        now = self._clock()
+        left, seen = self._left.get(name, (float(self.most), now))
+        return min(float(self.most), left + (now - seen) * self.most / MINUTE)
+
+    def charge(self, name: str, amount: float) -> None:
+        """Count so many times, whether or not they are left."""
         now = self._clock()
         if len(self._left) >= self._full:
             self._left = {one: (left, seen) for one, (left, seen) in self._left.items() if now - seen < MINUTE}
             self._full = max(MOST_NETWORKS, 2 * len(self._left))  # where all came lately, not each time
-        left, seen = self._left.get(name, (float(self.most), now))
-        left = min(float(self.most), left + (now - seen) * self.most / MINUTE)
-        if left < 1:
-            self._left[name] = left, now
-            return (1 - left) * MINUTE / self.most
-        self._left[name] = left - 1, now
-        return 0.0
+        self._left[name] = self.left(name) - amount, now
 
 
 class Arrivals(Rate):

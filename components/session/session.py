@@ -27,14 +27,14 @@ from components.language.messages import (
 )
 from components.layout.controls import preset_name, settings
 from components.quantities.numbers import excerpt
-from components.quantities.refusals import SORRY, in_words, report
+from components.quantities.refusals import SORRY, report
 from components.scene import Scene
-from components.scene.about import About, about_numbers
+from components.scene.about import no_numbers
 from components.scene.running import Later, Running
+from components.session.exports import AboutExport, PageExport
 from components.session.worker import Apart, Errand, Here, Reading, Replied, Teaching
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
-from components.state.csv_export import as_file
 from components.state.encoding import view_of
 from components.state.scene_sheet import column_axes, sheet_address, usual
 from components.state.standing import Standing, changed, with_values
@@ -51,7 +51,7 @@ TOO_MANY = (
     f"A page keeps {MOST_OWN} walks from files, and this would be one more: "
     "give it the name of one that it may replace, or open another tab."
 )
-ONE_AT_A_TIME = "A walk from a file is being read or answered. Try again in a moment."
+ONE_AT_A_TIME = "The server is still computing what this page asked for last. Try again in a moment."
 AT_ONCE = Replied(refused=ONE_AT_A_TIME, is_busy=True)
 
 Send = Callable[[Packet], None]
@@ -83,7 +83,7 @@ class Session:
         self.scenes = scenes or {}
         self.walks: Walks = walks or {}
         self.apart: Apart | None = None
-        """Who reads walks from files; without anybody it is done here."""
+        """The worker that does long jobs; without one the session does them itself."""
         self._apart: tuple[int | None, Future[Replied]] | None = None
         """The answer that is awaited from there, after the number of the message that asked."""
         self.send: Send = lambda packet: None
@@ -147,9 +147,9 @@ class Session:
         its first answer was lost."""
         match said:
             case AskCsv(page=page):
-                return self._file(page, answer)
+                return self._ask_apart(PageExport(self.now.state, page, answer), answer)
             case AskAbout():
-                return packed(about_numbers(self._about, answer))
+                return self._ask_apart(AboutExport(self.now.state, answer), answer)
             case GiveAnswer(answer=given) if step := self._own_step(given):
                 return self._ask_apart(Teaching(given, step), answer)
             case GiveAnswer(answer=given):
@@ -165,13 +165,6 @@ class Session:
             return self._packed(self.now, answer)
         after = self._ordered(said.order) if isinstance(said, RunOrder) else changed(self.now, said, self.scenes)
         return self._stand(dataclasses.replace(after, number=answer), answer)
-
-    def _file(self, page: str, answer: int | None) -> Packet:
-        try:
-            with in_words():
-                return packed(as_file(self.now.asked, self.now.told[0], page, answer))
-        except ValueError as error:
-            raise RefusalError({"message": f"These numbers cannot be saved: {error}."}) from error
 
     def _ordered(self, order: str) -> Standing:
         if self.running is None:
@@ -213,10 +206,11 @@ class Session:
         return next((step for step in steps if step.id == given.step), None)
 
     def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
-        """Have done elsewhere, one thing at a time, all that a stranger's file asks for, and tell it when it comes."""
+        """Give the worker a job, one at a time, and send its result when it comes."""
         if self._apart and not self._apart[1].done():
             return None if self._apart[0] == answer else self._told_apart(asked, AT_ONCE, answer)
-        future = (self.apart or Here(self.walks, self.scenes)).ask(asked, self.network)
+        here = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
+        future = (self.apart or here).ask(asked, self.network)
         self._apart = answer, future
 
         def tell(done: Future[Replied]) -> None:
@@ -227,23 +221,28 @@ class Session:
         return None
 
     def _told_apart(self, asked: Errand, replied: Replied, answer: int | None) -> Packet:
-        if isinstance(asked, Teaching):
-            given = asked.given
-            nothing = Taught(
-                walk=given.walk, step=given.step, lesson=None, refused=replied.refused, is_busy=replied.is_busy
-            )
-            return packed(replace(replied.taught or nothing, answer=answer))
+        if replied.packet:
+            return replied.packet
+        match asked:
+            case Teaching(given=given):
+                nothing = Taught(
+                    walk=given.walk, step=given.step, lesson=None, refused=replied.refused, is_busy=replied.is_busy
+                )
+                return packed(replace(replied.taught or nothing, answer=answer))
+            case AboutExport():
+                return packed(no_numbers(replied.refused, answer))
+            case Reading():
+                return self._told_walk(replied, answer)
+        self._errors = {"message": replied.refused}
+        return self._packed(self.now, answer)
+
+    def _told_walk(self, replied: Replied, answer: int | None) -> Packet:
         if replied.walk:
             own = {**self.now.own, replied.walk.name: replied.walk}
             if len(own) > MOST_OWN:
                 return packed(Walking(answer=answer, sheet=None, refused=TOO_MANY))
             self.now = dataclasses.replace(self.now, own=own)
         return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused, is_busy=replied.is_busy))
-
-    def _about(self) -> About | None:
-        if self.now.covered:
-            raise ValueError("they would give away what is covered")
-        return self.now.scene.about(self.now.shown)
 
     def _tell_class(self) -> None:
         """The followers' picture is that of the page, without what was refused."""

@@ -1,4 +1,7 @@
-"""Walks from strangers' files: what is asked of them, and done where it takes nobody else's time."""
+"""The jobs of the worker process beside the server: walks from visitors' files, and files of numbers.
+
+Each may take longer than a visitor's change, so it must not run in the server's event loop.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,18 @@ import signal
 from collections.abc import Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
+from time import process_time
 from typing import BinaryIO, Protocol, TypeAlias
 
 import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
-from components.language.messages import Given, Taught
+from components.language.messages import File, Given, Taught
 from components.language.walk import WalkSheet
 from components.quantities.refusals import SORRY, report
+from components.session.exports import AboutExport, LinkExport, PageExport, about_page, link_file, page_file
+from components.state.wire import Packet
 from components.walks import Walks
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems
@@ -23,10 +30,9 @@ from components.walks.registry import read_own
 from components.walks.walk import Step, Walk
 
 BUDGET = 1.0
-"""Seconds of a processor for one request."""
+"""Seconds of a processor for one job."""
 LARGEST = 1_000_000
-"""Bytes of a sheet: markup is longer than what it is made of."""
-TOO_LONG = f"Checking this walk takes more than {BUDGET:g} s here: give it fewer steps, links and formulas."
+"""Bytes of a walk's sheet: markup is longer than what it is made of."""
 
 
 class Reading(Struct, frozen=True, tag=True):
@@ -43,27 +49,34 @@ class Teaching(Struct, frozen=True, tag=True):
     step: Step
 
 
-Errand: TypeAlias = Reading | Teaching
+Errand: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport
 
 
 class Replied(Struct, frozen=True, kw_only=True):
-    """A walk and its sheet, what a step teaches, or why there is neither: if others come first, now only."""
+    """The result of a job, or the reason why there is none.
+
+    `is_busy` marks a reason that passes, after `after` seconds where that is known; `seconds` is the processor time.
+    """
 
     walk: Walk | None = None
     sheet: WalkSheet | None = None
     taught: Taught | None = None
+    file: File | None = None
+    packet: Packet | None = None
     refused: str = ""
     is_busy: bool = False
+    after: float = 0.0
+    seconds: float = 0.0
 
 
 class Apart(Protocol):
-    """A reader of strangers' files: it takes requests from any thread, from `network`, if that is known."""
+    """A worker: it takes jobs from any thread; `network` is where the visitor comes from, if that is known."""
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]: ...
 
 
 class Here:
-    """A reader that does at once what is asked: where there is nobody who would wait."""
+    """A worker that does each job at once: for tests and notebooks, where nobody else waits."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks, self._scenes = walks, scenes
@@ -75,15 +88,9 @@ class Here:
 
 
 def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
-    """The reply, whatever happens."""
+    """Return the result of a job, or a reason in words; it raises nothing."""
     try:
-        if isinstance(asked, Teaching):
-            return Replied(taught=told_of(asked.given, asked.step, scenes))
-        walk = read_own(asked.text, asked.name, walks, scenes)
-        sheet = walk_sheet(walk, scenes)
-        if len(msgspec.json.encode(sheet)) > LARGEST:
-            raise ValueError(f"{asked.name}: its questions make more than {LARGEST} bytes of a page.")
-        return Replied(walk=walk, sheet=sheet)
+        return _result(asked, walks, scenes)
     except ValueError as reason:
         return Replied(refused=str(reason))
     except Exception as error:
@@ -91,20 +98,43 @@ def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
         return Replied(refused=SORRY)
 
 
+def _result(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
+    match asked:
+        case Reading():
+            return _read(asked, walks, scenes)
+        case Teaching():
+            return Replied(taught=told_of(asked.given, asked.step, scenes))
+        case PageExport():
+            return Replied(packet=page_file(asked, scenes))
+        case LinkExport():
+            return Replied(file=link_file(asked.query, asked.page, scenes, walks))
+        case AboutExport():
+            return Replied(packet=about_page(asked, scenes))
+
+
+def _read(asked: Reading, walks: Walks, scenes: Scenes) -> Replied:
+    walk = read_own(asked.text, asked.name, walks, scenes)
+    sheet = walk_sheet(walk, scenes)
+    if len(msgspec.json.encode(sheet)) > LARGEST:
+        raise ValueError(f"{asked.name}: its questions make more than {LARGEST} bytes of a page.")
+    return Replied(walk=walk, sheet=sheet)
+
+
 def prepare(walks: Walks, scenes: Scenes) -> None:
-    """Read the lecture's own walks, so that no file pays for what all scenes work out once."""
+    """Read the lecture's own walks, so that no visitor's file pays for what all scenes work out once."""
     for walk in walks.values():
         list(problems(walk, scenes))
         walk_sheet(walk, scenes)
 
 
 def work(walks: Walks, scenes: Scenes, come_in: BinaryIO, go_out: BinaryIO) -> None:
-    """Reply to requests until there are no more; the first word says that all is ready."""
+    """Reply to jobs until the input ends; the first message says that the process is ready."""
     send(go_out, b"")
     while message := receive(come_in):
+        begun = process_time()
         with _budget():
-            reply = msgspec.msgpack.encode(replied(msgspec.msgpack.decode(message, type=Errand), walks, scenes))
-        send(go_out, reply)
+            reply = replied(msgspec.msgpack.decode(message, type=Errand), walks, scenes)
+        send(go_out, msgspec.msgpack.encode(replace(reply, seconds=process_time() - begun)))
 
 
 @contextmanager

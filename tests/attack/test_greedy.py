@@ -18,7 +18,7 @@ from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Errand, Replied
 from components.state.link import Link
 from physics import exact, sinusoids, transient
-from physics.transient import DampedModes
+from physics.transient import DRAWING, EXACT, DampedModes, Effort
 from tests.attack.extremes import Values
 from tests.attack.protocol import GREEDY
 from tests.page.told import unpacked
@@ -85,10 +85,10 @@ def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytes
     motions: list[list[int]] = []
     motion, expansion = DampedModes.motion, transient.expansion
 
-    def moved(modes: DampedModes, t: Any, *, quick: bool = False) -> Any:
-        assert quick, "a picture has no time for more"
+    def moved(modes: DampedModes, t: Any, effort: Effort = EXACT) -> Any:
+        assert effort is DRAWING, "a picture has no time for more"
         motions.append([])
-        return motion(modes, t, quick=quick)
+        return motion(modes, t, effort)
 
     def expanded(driven: Any, digits: int) -> Any:
         motions[-1].append(digits)
@@ -103,7 +103,7 @@ def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytes
         assert told[-1]["answer"] == number and SORRY not in told[-1]["problems"]
         assert all(" Still drawn " in said for said in told[-1]["errors"].values())
         assert motions != [[]] and len(motions) < 6
-        assert max(map(sum, motions)) <= transient._QUICK_WORK + 2 * transient._QUICK_DIGITS
+        assert max(map(sum, motions)) <= DRAWING.work + 2 * DRAWING.digits
 
 
 class Rate:

@@ -15,7 +15,7 @@ from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from physics.laplace import _context
-from physics.transient import DIGITS, DampedModes, _decimal
+from physics.transient import DIGITS, DRAWING, FILE, DampedModes, _decimal
 from tests.grids import WHOLE, tries
 from tests.physics.chain_cases import chain_with, law_of
 from tests.physics.chain_families import FAMILIES, drawn
@@ -238,18 +238,20 @@ def test_no_particular_solution_at_an_undamped_resonance():
 DAMPED = DampedModes(chain=TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0), c=100.0, F_0=500.0, omega=48.0)
 
 
-def test_who_has_no_time_is_refused_what_takes_many_digits():
+def test_work_beyond_that_of_a_picture_or_a_file_is_refused():
     """At first, where x2 starts like t^4, all but everything cancels."""
     few, many = np.linspace(0.5e-100, 1e-100, 3), np.linspace(0.5e-100, 1e-100, 500)
-    np.testing.assert_array_equal(DAMPED.motion(few, quick=True).x, DAMPED.motion(few).x)
+    np.testing.assert_array_equal(DAMPED.motion(few, DRAWING).x, DAMPED.motion(few).x)
     with pytest.raises(ValueError, match="more digits than there is time for"):
-        DAMPED.motion(many, quick=True)
+        DAMPED.motion(many, DRAWING)
+    with pytest.raises(ValueError, match="more digits than there is time for"):
+        DAMPED.motion(many, FILE)
 
 
 def test_what_takes_few_digits_is_drawn_after_many_periods():
     t = np.linspace(5e12, 1e13, 50)
     exact = DAMPED.motion(t).x
-    np.testing.assert_allclose(DAMPED.motion(t, quick=True).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
+    np.testing.assert_allclose(DAMPED.motion(t, DRAWING).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
 
 
 def test_what_died_out_long_ago_is_not_worked_out(monkeypatch):

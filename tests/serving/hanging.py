@@ -1,4 +1,4 @@
-"""A process like the one that reads walks, which comes to no end with some of them."""
+"""A worker process that comes to no end with some of its jobs."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import sys
 import time
 
 from components.session import worker
+from components.session.exports import LinkExport
 from components.session.worker import Errand, Reading, Replied
 from components.walks import Walks
 from components.walks.links import Scenes
 
 
 def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
-    while isinstance(asked, Reading) and asked.name == "endless":
+    while (isinstance(asked, Reading) and asked.name == "endless") or isinstance(asked, LinkExport):
         pass
     if isinstance(asked, Reading) and asked.name == "asleep":
         time.sleep(60)

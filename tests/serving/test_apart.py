@@ -1,23 +1,39 @@
-"""Strangers' walks are read beside the server: in a second, one at a time, and whatever they do to their process."""
+"""The worker process: one job at a time, a second of a processor each, networks in turn, whatever a job does to it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import Future
+from functools import partial
 
 import pytest
 
 from components.language.messages import Given
 from components.scenes import SCENES
 from components.serving import apart
-from components.serving.apart import BUSY, GONE, LATE, SHARED, WAITING, ReadingProcess
+from components.serving.apart import (
+    ALLOWANCE,
+    BUSY,
+    FILE_TOO_LONG,
+    GONE,
+    LATE,
+    OF_A_NETWORK,
+    SHARED,
+    USED_UP,
+    WAITING,
+    WALK_TOO_LONG,
+    ReadingProcess,
+)
+from components.session.exports import LinkExport
 from components.session.session import ONE_AT_A_TIME, Session
-from components.session.worker import TOO_LONG, Errand, Reading, Replied, Teaching
+from components.session.worker import Errand, Reading, Replied, Teaching
 from components.state.standing import fitted
 from components.state.wire import Packet
 from tests.page.told import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+READ = Reading("mine", MINE)
+GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
 @pytest.fixture(scope="module")
@@ -41,8 +57,9 @@ def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.M
     beside = ReadingProcess("tests.serving.hanging")
     monkeypatch.setattr(apart, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
     try:
-        asked = [beside.ask(Reading(name, MINE)) for name in ("mine", "endless", "mine")]
-        assert [one.result(120).refused for one in asked] == ["read", TOO_LONG, "read"]
+        endless = LinkExport({"scene": [b"endless"]}, "")
+        asked = [beside.ask(job) for job in (READ, Reading("endless", MINE), READ, endless, READ)]
+        assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
         monkeypatch.setattr(apart, "PATIENCE", 0.2)
         assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
     finally:
@@ -55,23 +72,59 @@ def test_who_cannot_be_started_is_said() -> None:
     beside.close()
 
 
-def test_few_wait(beside: ReadingProcess) -> None:
-    asked = [beside.ask(Reading("mine", MINE)) for _ in range(WAITING + 3)]
-    refused = [one.result(60).refused for one in asked]
-    assert set(refused) == {"", BUSY} and refused[0] == "" and refused[-1] == BUSY
-
-
-def test_one_of_a_network_waits_and_others_come_in() -> None:
-    """Nine sessions of one network once held all places. What has no network is the server's own."""
+def test_a_bounded_number_waits() -> None:
     beside = ReadingProcess("tests.serving.hanging")
     try:
-        asked = [beside.ask(Reading("endless", MINE), "192.0.2.0/24")]
-        asked += [beside.ask(Reading("mine", MINE), "192.0.2.0/24") for _ in range(WAITING + 1)]
-        asked += [beside.ask(Reading("mine", MINE), other) for other in ("198.51.100.0/24", "", "")]
-        assert len(beside) == 5
+        asked = [beside.ask(Reading("endless", MINE)), *(beside.ask(READ) for _ in range(WAITING + 3))]
+        refused = [one.result(120).refused for one in asked]
+        assert refused[0] == WALK_TOO_LONG and refused[-1] == BUSY and set(refused[1:]) == {"read", BUSY}
+    finally:
+        beside.close()
+
+
+def test_networks_take_turns() -> None:
+    beside = ReadingProcess("tests.serving.hanging")
+    done: list[str] = []
+
+    def note(network: str, reply: Future[Replied]) -> None:
+        if not reply.result().is_busy:
+            done.append(network)
+
+    try:
+        asked = [beside.ask(Reading("endless", MINE), GREEDY)]
+        asked += [beside.ask(READ, GREEDY) for _ in range(OF_A_NETWORK + 3)]
+        asked += [beside.ask(READ, other) for other in (CALM, "", CALM)]
+        networks = [*[GREEDY] * (OF_A_NETWORK + 4), CALM, "", CALM]
+        for network, one in zip(networks, asked, strict=True):
+            one.add_done_callback(partial(note, network))
         replies = [one.result(120).refused for one in asked]
-        assert replies == [TOO_LONG, "read", *[SHARED] * WAITING, "read", "read", "read"]
-        assert beside.ask(Reading("mine", MINE), "192.0.2.0/24").result(60).refused == "read"
+        assert replies.count(SHARED) in (3, 2) and replies[-3:] == ["read"] * 3
+        assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
+    finally:
+        beside.close()
+
+
+def test_a_network_that_has_used_its_time_is_refused_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apart, "ALLOWANCE", 2)
+    beside = ReadingProcess("tests.serving.hanging")
+    try:
+        assert ALLOWANCE > 2
+        for _ in range(2):
+            beside.ask(Reading("endless", MINE), GREEDY).result(120)
+        refused = beside.ask(READ, GREEDY).result(120)
+        assert refused.refused == USED_UP and refused.is_busy and 0 < refused.after < 60
+        assert beside.ask(READ, CALM).result(120).refused == "read"
+    finally:
+        beside.close()
+
+
+def test_a_job_that_nobody_waits_for_is_left_out() -> None:
+    beside = ReadingProcess("tests.serving.hanging")
+    try:
+        first, left = beside.ask(Reading("endless", MINE)), beside.ask(Reading("endless", MINE))
+        last = beside.ask(READ)
+        assert left.cancel() and first.result(120).refused == WALK_TOO_LONG and last.result(120).refused == "read"
+        assert len(beside) == 0
     finally:
         beside.close()
 
@@ -101,9 +154,9 @@ def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
     assert (moved["answer"], moved["errors"]) == (3, {})
     ((_, future),) = apart.asked
     assert apart.networks == ["192.0.2.0/24"]
-    future.set_result(Replied(refused=TOO_LONG))
+    future.set_result(Replied(refused=WALK_TOO_LONG))
     told = unpacked(packets[-1])
-    assert (told["answer"], told["sheet"], told["refused"]) == (1, None, TOO_LONG)
+    assert (told["answer"], told["sheet"], told["refused"]) == (1, None, WALK_TOO_LONG)
     session.hear({"type": "walk", "name": "mine", "text": MINE, "number": 4})
     session.close()
     assert apart.asked[1][1].cancelled()

@@ -9,8 +9,9 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from app import NO_WALKS, numbers_of, visited
+from app import NO_WALKS, visited
 from components.scenes import SCENES
+from components.session.exports import link_file
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
 from tests.scenes.checks import as_arguments
@@ -18,6 +19,10 @@ from tests.serving.server import Server, serving
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 COUPLED = "/data.csv?scene=coupled&k2=3"
+
+
+def link_table(query: str) -> bytes:
+    return link_file(as_arguments(query), "http://here/", SCENES, NO_WALKS).content
 
 
 def files_of(query: str, page: str) -> dict[str, bytes]:
@@ -35,9 +40,9 @@ def files_of(query: str, page: str) -> dict[str, bytes]:
 def test_every_table_is_that_of_take_away(slug: str) -> None:
     query = f"scene={slug}"
     files = files_of(query, "http://here/")
-    assert numbers_of(as_arguments(query), "http://here/").content == next(iter(files.values()))
+    assert link_table(query) == next(iter(files.values()))
     for name, content in files.items():
-        assert numbers_of(as_arguments(f"{query}&table={name}"), "http://here/").content == content
+        assert link_table(f"{query}&table={name}") == content
 
 
 def test_pandas_reads_the_numbers_of_an_address(server: Server) -> None:

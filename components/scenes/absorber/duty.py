@@ -28,7 +28,7 @@ from physics.coupled import Motion, TwoMassChain
 from physics.exact import exact, precise, rounded
 from physics.forced import REST, DrivenModes, antiresonance, driven_modes
 from physics.oscillator import Oscillator
-from physics.transient import DampedModes
+from physics.transient import DRAWING, DampedModes
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
 """The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
@@ -161,7 +161,7 @@ class Duty:
         if self.alike:  # their parts, told apart, are huge and opposite
             x, v = self.damped.drawn(t)
             return Motion(t, x[:2], v[:2], x[::2])
-        return self.damped.motion(t, quick=True) if self.c else self.driven.motion(t)
+        return self.damped.motion(t, DRAWING) if self.c else self.driven.motion(t)
 
     @cached_property
     def bounds(self) -> tuple[float, float]:

@@ -19,6 +19,7 @@ from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.power import Power, powers_of
 from physics.driven import highest, lag, magnification
 from physics.sampling import drawable
+from physics.transient import FILE
 
 ROOM = 1.2
 """The reach of x(t), in its largest value."""
@@ -82,9 +83,9 @@ class Signals(Declared[DrivenCase]):
 
 
 def exact(case: DrivenCase, t: Floats) -> dict[Signal[DrivenCase], Floats]:
-    """The numbers of all that is drawn over time, in SI units."""
+    """Return all that is drawn over time, in SI units; ValueError where that takes more work than a file has."""
     one, turned, S = case.oscillator, np.exp(1j * case.omega * t), Signals
-    x = one.motion(case.omega, case.size, case.x_0, case.v_0, t, case.kind).x
+    x = one.motion(case.omega, case.size, case.x_0, case.v_0, t, case.kind, FILE).x
     found = {S.x: x, S.y: case.size * turned.imag}
     if case.split:
         found |= {S.x_p: (case.X * turned).imag, S.x_c: one.free.motion(*case.start, t).x}

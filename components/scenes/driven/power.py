@@ -34,6 +34,7 @@ def powers_of(case: DrivenCase) -> dict[Column[DrivenCase], Floats]:
     count = int(min(max(PER_SWING * turns, FEWEST), MOST))
     t = np.linspace(0.0, case.end, count + 1)
     step = case.end / count
+    earlier = np.maximum(np.arange(count + 1) - count * (swing / case.end), 0.0)
     inner = (t[:-1, None] + step * (1 + _NODES) / 2).ravel()
     with np.errstate(over="ignore", invalid="ignore"):
         rates, ends = powers(case, inner), powers(case, t)
@@ -41,15 +42,18 @@ def powers_of(case: DrivenCase) -> dict[Column[DrivenCase], Floats]:
         for one, inside, at in zip((Power.P_in, Power.P_lost), rates, ends, strict=True):
             pieces = inside.reshape(count, -1) @ _WEIGHTS * step / 2
             done = np.concatenate([[0.0], np.cumsum(pieces)])
-            before = _between(step, in_range("the work", done), in_range("the power", at), np.maximum(t - swing, 0))
+            before = _between(step, in_range("the work", done), in_range("the power", at), earlier)
             columns[one] = (done - before) / swing
     return columns
 
 
-def _between(step: float, heights: Floats, slopes: Floats, t: Floats) -> Floats:
-    """The cubics through heights with slopes at instants evenly apart, at other instants."""
-    i = np.minimum((t / step).astype(int), len(heights) - 2)
-    s, rise = t / step - i, heights[i + 1] - heights[i]
+def _between(step: float, heights: Floats, slopes: Floats, places: Floats) -> Floats:
+    """Return the cubics through heights with slopes, `step` apart in time, at places counted in steps from the first.
+
+    Places are not divided by `step`, which is 0 in the shortest windows.
+    """
+    i = np.minimum(places.astype(int), len(heights) - 2)
+    s, rise = places - i, heights[i + 1] - heights[i]
     first, last = slopes[i] * step, slopes[i + 1] * step
     found: Floats = heights[i] + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)))
     return found

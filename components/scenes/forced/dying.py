@@ -26,7 +26,7 @@ from physics.absorber import damped_solution
 from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.sampling import drawable
-from physics.transient import DampedModes, Decaying
+from physics.transient import DRAWING, FILE, DampedModes, Decaying
 from physics.valid import in_range
 
 HUGE = 1e3
@@ -104,7 +104,7 @@ class Dying(ForcedCase):
     def motion(self, t: Floats) -> Motion:
         """The motion as far as a drawing shows it; ValueError where that takes more time than a picture has."""
         if not self.in_doubles:
-            return self.modes.motion(t, quick=True)
+            return self.modes.motion(t, DRAWING)
         x, v = self.modes.drawn(t)
         in_range("the displacements", x)
         return Motion(t, x[:2], in_range("the velocities", v[:2]), x[::2])
@@ -116,8 +116,8 @@ class Dying(ForcedCase):
         return self._curves(t, self.motion(t).x), {}
 
     def exact(self, t: Floats) -> Columns:
-        """The curves to the last digits."""
-        return self._curves(t, self.modes.motion(t).x)
+        """The curves to the last digits; ValueError where that takes more work than a file has."""
+        return self._curves(t, self.modes.motion(t, FILE).x)
 
     def _curves(self, t: Floats, x: Floats) -> Columns:
         if not self.split:

@@ -1,0 +1,77 @@
+"""What the worker process computes of a page: files of its numbers, and the errors of its numbers.
+
+All of it may take longer than a picture: a file has every point of every curve, rounded once.
+"""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from components.language.messages import File
+from components.language.state import State
+from components.quantities.refusals import in_words
+from components.scene.about import About, about_numbers
+from components.session.links import linked, standing_of
+from components.state.csv_export import as_file, as_table
+from components.state.standing import standing_in
+from components.state.wire import Packet, packed
+from components.walks import Query, Walks
+from components.walks.links import Scenes
+
+
+class PageExport(Struct, frozen=True, tag=True):
+    """The file of a page in `state`; `page` is its address and `answer` the number of the message that asked."""
+
+    state: State
+    page: str
+    answer: int | None
+
+
+class LinkExport(Struct, frozen=True, tag=True):
+    """One table of the page that a link opens; `page` is the address before the link's query."""
+
+    query: dict[str, list[bytes]]
+    page: str
+
+
+class AboutExport(Struct, frozen=True, tag=True):
+    """ "About these numbers" of a page in `state`; `answer` is the number of the message that asked."""
+
+    state: State
+    answer: int | None
+
+
+def page_file(asked: PageExport, scenes: Scenes) -> Packet:
+    """Return the file as a message; ValueError, in words, where a number cannot be had."""
+    now = standing_in(scenes[asked.state.scene], asked.state)
+    try:
+        with in_words():
+            return packed(as_file(now.asked, now.told[0], asked.page, asked.answer))
+    except ValueError as reason:
+        raise ValueError(f"These numbers cannot be saved: {str(reason).rstrip('.')}.") from reason
+
+
+def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
+    """Return the first table of a link's page without its covered parts, or the one that `table` names.
+
+    ValueError, in words, for anything in the link that is not possible.
+    """
+    (*_, table) = ("", *(name.decode("utf-8", "replace") for name in query.get("table", ())))
+    link, step = linked({key: given for key, given in query.items() if key != "table"}, scenes, walks)
+    now, refused = standing_of(scenes[link.slug], link, step)
+    if problems := [*link.problems, *refused]:
+        raise ValueError(" ".join(problems))
+    with in_words():
+        return as_table(now.asked, now.told[0], page, table)
+
+
+def about_page(asked: AboutExport, scenes: Scenes) -> Packet:
+    """Return "About these numbers" as a message; a reason in words stands in for what cannot be recomputed."""
+    now = standing_in(scenes[asked.state.scene], asked.state)
+
+    def ask() -> About | None:
+        if now.covered:
+            raise ValueError("they would give away what is covered")
+        return now.scene.about(now.shown)
+
+    return packed(about_numbers(ask, asked.answer))
