@@ -270,7 +270,7 @@ def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -
         digits *= 2
     raise ValueError(
         f"the motion at t = {t:.3g} s takes more digits than there is time for; "
-        "a shorter time window or other values take fewer"
+        "another time window or other values take fewer"
     )
 
 

@@ -33,7 +33,7 @@ LATE = "The server had no time for this. Try again in a minute."
 GONE = "The server could not start the process that does this. Try again in a minute."
 WALK_TOO_LONG = f"Checking this walk takes more than {BUDGET:g} s here: give it fewer steps, links and formulas."
 FILE_TOO_LONG = (
-    f"These numbers take more than {BUDGET:g} s to compute here: choose a shorter time window or other values."
+    f"These numbers take more than {BUDGET:g} s to compute here: choose another time window or other values."
 )
 SOON = 2.0
 """Seconds after which a refused request may come again."""

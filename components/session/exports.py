@@ -12,6 +12,7 @@ from components.language.state import State
 from components.quantities.refusals import in_words
 from components.scene.about import About, about_numbers
 from components.session.links import linked, standing_of
+from components.state.commands import sentence
 from components.state.csv_export import as_file, as_table
 from components.state.standing import standing_in
 from components.state.wire import Packet, packed
@@ -61,8 +62,11 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
     now, refused = standing_of(scenes[link.slug], link, step)
     if problems := [*link.problems, *refused]:
         raise ValueError(" ".join(problems))
-    with in_words():
-        return as_table(now.asked, now.told[0], page, table)
+    try:
+        with in_words():
+            return as_table(now.asked, now.told[0], page, table)
+    except ValueError as reason:
+        raise ValueError(sentence(reason)) from reason
 
 
 def about_page(asked: AboutExport, scenes: Scenes) -> Packet:

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 import zipfile
+from concurrent.futures import Future
 from pathlib import Path
 
 import pandas as pd
 import pytest
+from tornado.httpclient import AsyncHTTPClient
 
 from app import NO_WALKS, visited
+from components.language.messages import File
 from components.scenes import SCENES
-from components.session.exports import link_file
+from components.serving.numbers import NumbersRoute
+from components.serving.server import Server as Serving
+from components.serving.settings import Settings
+from components.session.exports import LinkExport, link_file
+from components.session.worker import Errand, Replied
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
 from tests.scenes.checks import as_arguments
@@ -78,12 +86,62 @@ def test_what_is_covered_stays_out(server: Server) -> None:
         ("scene=coupled&table=more", "“more” is not a table of these numbers: choose one of time, modes."),
         ("scene=coupled&cover=plot:nothing", "“plot:nothing” cannot be covered here."),
         ("scene=oscillator&m=1e308&k=1e308&x_0=1e308&v_0=1e308", "The link"),
+        ("scene=driven&window=1e155", "takes more digits than there is time for"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sentence: str) -> None:
     reply = ask(server.url, f"/data.csv?{query}")
     assert reply.refused and reply.status == 400
-    assert sentence in reply.text
+    assert reply.headers["Content-Type"] == "text/plain; charset=utf-8"
+    assert sentence in reply.text and "<" not in reply.text
+
+
+def test_a_window_too_short_for_its_points_is_no_fault(server: Server) -> None:
+    """The power of `driven` once divided by the time between two points, which is 0 here, and the server said 500."""
+    query = "kind=unbalance&F_0=1e100&omega=11.729809191764284&k=1e-300&c=33.108882784528554&keep=zeta&x_0=-1e-100"
+    assert ask(server.url, f"/data.csv?scene=driven&window=5e-324&{query}").text.startswith("The motion at t = ")
+
+
+class Worker:
+    """Keeps jobs, and their replies back."""
+
+    def __init__(self) -> None:
+        self.jobs: list[tuple[Errand, str, Future[Replied]]] = []
+
+    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+        self.jobs.append((asked, network, Future()))
+        return self.jobs[-1][-1]
+
+
+async def test_the_worker_makes_the_file_for_the_network_that_asks() -> None:
+    """The event loop goes on meanwhile; the job of a client who leaves is taken back."""
+    worker = Worker()
+    running = Serving(
+        lambda document: None, Settings(address="127.0.0.1", port=0), extensions=[NumbersRoute(worker, 9)]
+    )
+    client, url = AsyncHTTPClient(), f"http://127.0.0.1:{running.port}"
+    waits = client.fetch(f"{url}{COUPLED}")
+    while not worker.jobs:
+        await asyncio.sleep(0.01)
+    assert (await client.fetch(f"{url}/liveness")).code == 200
+    ((job, network, reply),) = worker.jobs
+    assert job == LinkExport({"scene": [b"coupled"], "k2": [b"3"]}, f"{url}/") and network == "127.0.0.0/24"
+    reply.set_result(Replied(file=File(answer=None, name="coupled.csv", kind="text/csv", content=b"here")))
+    assert (await waits).body == b"here"
+    _, writer = await asyncio.open_connection("127.0.0.1", running.port)
+    writer.write(f"GET {COUPLED} HTTP/1.1\r\nHost: 127.0.0.1:{running.port}\r\n\r\n".encode())
+    while len(worker.jobs) < 2:
+        await asyncio.sleep(0.01)
+    writer.close()
+    while not worker.jobs[1][-1].cancelled():
+        await asyncio.sleep(0.01)
+    waits = client.fetch(f"{url}{COUPLED}", raise_error=False)
+    while len(worker.jobs) < 3:
+        await asyncio.sleep(0.01)
+    worker.jobs[2][-1].set_result(Replied(refused="Later.", is_busy=True, after=1.5))
+    refused = await waits
+    assert (refused.code, refused.headers["Retry-After"], refused.body) == (429, "2", b"Later.\n")
+    await running.end()
 
 
 def test_a_network_asks_for_as_many_tables_as_it_opens_pages(tmp_path: Path) -> None:

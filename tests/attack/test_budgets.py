@@ -1,0 +1,82 @@
+"""Every link has a picture, a file and "About these numbers", or a sentence, within a budget of counted work."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+
+from app import SHEETS
+from components.quantities.refusals import SORRY
+from components.scenes import SCENES
+from components.session.exports import AboutExport, LinkExport, PageExport
+from components.session.opening import opened
+from components.session.worker import Errand, replied
+from components.state.link import Link, read_query
+from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
+from tests.attack.extremes import EXTREMES, Values, values
+from tests.grids import sample, spread, tries
+from tests.scenes.checks import as_arguments, quantities
+
+HERE = "http://here/"
+WORST = (
+    "scene=forced&c2=0.3&window=1e16",
+    "scene=forced&m1=1e20&m2=9.999999990686774e19&c1=1.797e308",
+    "scene=forced&omega=3147989031245930&m1=1e-300&c2=0.48158075046840454&v1_0=1e155&v2_0=0.31864389676684013",
+    "scene=forced&c2=1.685856879665411e280&window=1e-4",
+    "scene=driven&window=1e155",
+    "scene=driven&window=1e155&kind=unbalance&keep=c",
+    "scene=driven&window=5e-324&kind=unbalance&omega=11.729809191764284&k=1e-300&c=33.108882784528554&zeta=1.0&keep=zeta",
+    "scene=absorber&damping=added&m1=1e300&x2_0=-1.3&window=3&played=rest",
+    "scene=modes&task=solve&k1=1.3131340137628744e-231&c1=1.7572071498403488",
+    "scene=coupled&window=1e176",
+)
+"""Links that once took seconds, or had no sentence."""
+scenes = pytest.mark.parametrize("slug", spread(list(SCENES), 2))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def started() -> None:
+    """What a server works out once, before the first visitor."""
+    assert len(SHEETS) == len(SCENES)
+
+
+def check(link: Link) -> None:
+    """Open a link, take its file and its errors: each within its budget, and refused only in a sentence."""
+    session, calls = counted(lambda: opened(SCENES, link))
+    assert calls <= PICTURE, f"the picture takes {calls} calls"
+    state = session.now.state
+    check_job(PageExport(state, HERE, 1), FILE)
+    check_job(AboutExport(state, 1), ABOUT)
+
+
+def check_job(job: Errand, budget: int) -> None:
+    reply, calls = counted(lambda: replied(job, {}, SCENES))
+    assert calls <= budget, f"{type(job).__name__} takes {calls} calls"
+    assert SORRY not in reply.refused
+
+
+@pytest.mark.parametrize("query", WORST)
+def test_the_worst_links_keep_to_their_budgets(query: str) -> None:
+    arguments = as_arguments(query)
+    check(read_query(arguments, SCENES))
+    check_job(LinkExport(dict(arguments), HERE), FILE)
+
+
+@scenes
+@pytest.mark.timeout(600)
+def test_every_parameter_at_extremes_keeps_to_the_budgets(slug: str) -> None:
+    for name, quantity in quantities(SCENES[slug]).items():
+        for value in sample(EXTREMES, 4):
+            if quantity.refusal(value) is None:
+                check(Link(slug, {name: value}))
+
+
+@scenes
+@pytest.mark.timeout(600)
+def test_extremes_together_keep_to_the_budgets(slug: str) -> None:
+    @settings(max_examples=tries(60))
+    @given(values(SCENES[slug]))
+    def page(link: Values) -> None:
+        check(Link(slug, link))
+
+    page()
