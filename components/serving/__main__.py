@@ -21,7 +21,7 @@ from components.serving.apart import ReadingProcess
 from components.serving.logs import set_up
 from components.serving.numbers import NumbersRoute
 from components.serving.server import Server
-from components.serving.settings import Settings, read_settings
+from components.serving.settings import Settings, misspelt, read_settings
 from components.walks.loading import WalkError
 
 log = logging.getLogger(__name__)
@@ -82,6 +82,8 @@ def main() -> None:
     except ValueError as refusal:
         sys.exit(str(refusal))
     set_up(settings.log_format, settings.log_visitors)
+    for line in misspelt(os.environ):
+        log.warning(line)
     try:
         asyncio.run(serve(settings))
     except WalkError as refusal:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import socket
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from difflib import get_close_matches
 from itertools import pairwise
 from pathlib import Path
 from secrets import token_urlsafe
@@ -16,59 +18,73 @@ import msgspec
 from bokeh.server.util import create_hosts_allowlist
 from msgspec import Meta
 
+from components.quantities.numbers import excerpt
 from components.serving.visitors import networks
 
 SECRET = "bokeh_secret_key"
 SECRETS = (SECRET, "redis_password", "class_passphrase")
-"""Settings that are no options: every user of a machine can read the command line of a process. Each may stand in a
-file, whose path is in a variable of the same name and _FILE."""
+"""Settings without an option, because every user of a machine can read the command line of a process. Each can be read
+from a file: the variable of the same name with _FILE at the end has its path."""
 LISTS = ("allowed_origin", "trusted_proxies", "metrics_for")
+LONGEST = 8192
+"""Characters of one value."""
+ALIKE = 0.85
+"""Similarity (difflib's ratio) from which an unknown name counts as a misspelt setting. SESIONS and SESSIONS have 0.93,
+PORT and REPORT 0.8."""
 GUESSED = re.compile("secret|passw(or[dt])?|passphrase|change|default|example|bokeh|lecture|oscillations")
 
 
 class Settings(msgspec.Struct, frozen=True, kw_only=True):
     """The settings of one process. The description of each field says what is allowed."""
 
-    address: Annotated[str, Meta(description="the address to listen at, 0.0.0.0 for all of this machine's")] = (
-        "localhost"
-    )
-    port: Annotated[int, Meta(ge=0, le=65535, description="a port from 1 to 65535, or 0 for any that is free")] = 5006
+    address: Annotated[
+        str,
+        Meta(
+            pattern=r"^[A-Za-z0-9._:%-]*\Z",
+            description="the address or host name to listen at, 0.0.0.0 for all addresses of the machine",
+        ),
+    ] = "localhost"
+    port: Annotated[int, Meta(ge=0, le=65535, description="a port from 1 to 65535, or 0 for any free port")] = 5006
     allowed_origin: Annotated[
-        tuple[Annotated[str, Meta(pattern=r"^([^\s/:@?#]+(:(\d{1,5}|\*))?)?$")], ...],
-        Meta(description="the names that visitors know the server by, as host or host:port, with commas between them"),
+        tuple[Annotated[str, Meta(pattern=r"^([A-Za-z0-9._*-]{1,253}(:([0-9]{1,5}|\*))?)?\Z")], ...],
+        Meta(
+            description="the names that visitors use for the server, as host or host:port, separated by commas; ports "
+            "from 1 to 65535, names beyond ASCII as xn--..."
+        ),
     ] = ()
     bokeh_secret_key: Annotated[
         str,
         Meta(
             min_length=16,
-            description="at least 16 characters that nobody guesses, as `make secret` makes them, the same for all "
+            description="at least 16 characters that nobody guesses, such as `make secret` makes, the same for all "
             "replicas",
         ),
     ] = msgspec.field(default_factory=token_urlsafe)
     trusted_proxies: Annotated[
         tuple[str, ...],
         Meta(
-            description="the addresses and networks of the proxies whose word on where a visitor comes from is taken, "
-            "as 10.0.0.2 or 10.0.0.0/24, with commas between them"
+            description="the addresses and networks of proxies whose `X-Forwarded-For` is believed, as 10.0.0.2 or "
+            "10.0.0.0/24, separated by commas"
         ),
     ] = ()
     frame_ancestors: Annotated[
         str,
         Meta(
-            pattern=r"^(('self'|'none'|\*|https?://[\w.:*-]+)( +|$))+$",
-            description="whose frames may show the page: * for anybody's, 'self', 'none', or https://course.example "
-            "and more with spaces between them",
+            pattern=r"^(('self'|'none'|\*|https?://[A-Za-z0-9_.:*-]+)( +|\Z))+\Z",
+            description="the sites whose frames may show the page: * for all, 'self', 'none', or sites such as "
+            "https://course.example, separated by spaces",
         ),
     ] = "'self'"
     metrics_for: Annotated[
         tuple[str, ...],
         Meta(
-            description="the addresses and networks that may read /metrics, besides this machine, with commas between "
-            "them"
+            description="the addresses and networks that may read /metrics in addition to this machine, separated by "
+            "commas"
         ),
     ] = ()
     sessions: Annotated[
-        int, Meta(ge=1, le=100_000, description="visitors at once, 1 to 100000; the next ones wait in a line")
+        int,
+        Meta(ge=1, le=100_000, description="visitors at the same time, 1 to 100000; others wait in a line"),
     ] = 1000
     arrivals: Annotated[
         int,
@@ -79,7 +95,12 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
     ] = 30.0
     notice_seconds: Annotated[
         float,
-        Meta(ge=0, le=8, description="seconds, 0 to 8, between being not ready and sending visitors away at the end"),
+        Meta(
+            ge=0,
+            le=8,
+            description="seconds, 0 to 8, for which a server that is asked to end still serves while `/readiness` "
+            "already says no",
+        ),
     ] = 0.0
     log_format: Annotated[Literal["text", "json"], Meta(description="text for people, json for programs")] = "text"
     log_visitors: Annotated[
@@ -88,29 +109,29 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
     public_url: Annotated[
         str,
         Meta(
-            pattern=r"^(https?://[^/?#\s]+(/[^?#\s]*)?)?$",
-            description="the address that a class joins at, as https://lecture.example/; where empty, the one that the "
-            "instructor's page was opened at, or this machine's in its network",
+            pattern=r"^(https?://[^/?#\s]+(/[^?#\s]*)?)?\Z",
+            description="the address that a class joins at, as https://lecture.example/; if empty, the address at "
+            "which the instructor opened the page, or this machine's address in its network",
         ),
     ] = ""
     redis_url: Annotated[
         str,
         Meta(
-            pattern=r"^((rediss?|unix)://\S+)?$",
+            pattern=r"^((rediss?|unix)://\S+)?\Z",
             description="the Valkey or Redis in which replicas share the rooms of live classes, as "
-            "redis://store:6379/0; where empty, this process keeps its own",
+            "redis://store:6379/0; if empty, this process keeps its rooms to itself",
         ),
     ] = ""
     class_passphrase: Annotated[
         str,
         Meta(
-            pattern=r"^(.{12,})?$",
-            description="the instructors' passphrase, at least 12 characters, without which nobody opens a live class; "
-            "where empty, everybody may",
+            pattern=r"^(\S.{10,}\S)?\Z",
+            description="the passphrase that instructors need to open a live class, at least 12 characters without a "
+            "space at either end; if empty, everybody can open one",
         ),
     ] = ""
-    redis_password: Annotated[str, Meta(description="its password, where REDIS_URL has none")] = ""
-    walks: Annotated[str, Meta(description="a folder of more guided walks, none where empty")] = ""
+    redis_password: Annotated[str, Meta(description="the password of the store, if REDIS_URL has none")] = ""
+    walks: Annotated[str, Meta(description="a folder with more guided walks; if empty, there are no more")] = ""
     show: Annotated[bool, Meta(description="true opens the page in a browser, false does not")] = False
 
     def hosts(self, port: int) -> list[str]:
@@ -153,66 +174,136 @@ PLAIN = Settings()
 HINTS: Mapping[str, Any] = get_type_hints(Settings, include_extras=True)
 
 
-def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> Settings:
-    """The settings that a command line and an environment ask for; an option wins, an empty variable is not given.
+KNOWN = frozenset(name.upper() for name in HINTS) | {f"{name.upper()}_FILE" for name in SECRETS}
+"""The names of all environment variables that are read."""
 
-    ValueError, in a sentence, for a value that is not allowed.
+
+def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> Settings:
+    """Return the settings that a command line and an environment give. An option wins; an empty variable is ignored.
+
+    Raises ValueError, with a sentence, for a value that is not allowed.
     """
-    given = {name: environment[name.upper()] for name in HINTS if environment.get(name.upper())}
-    for name in SECRETS:
-        variable = f"{name.upper()}_FILE"
-        if (path := environment.get(variable)) and name not in given:
-            given[name] = _secret_in(variable, path)
+    given = _in_environment(environment)
     given |= {name: text for name, text in vars(_options().parse_args(arguments)).items() if text is not None}
+    for name, text in given.items():
+        _check_text(name, text)
     settings = Settings(**{name: _converted(name, text) for name, text in given.items()})
-    for name, check in (
-        ("allowed_origin", lambda: settings.hosts(settings.port)),
-        ("trusted_proxies", lambda: networks(settings.trusted_proxies)),
-        ("metrics_for", lambda: networks(settings.metrics_for)),
-        ("redis_url", lambda: _check_store(settings.redis_url)),
-        (SECRET, lambda: _check_secret(settings.bokeh_secret_key)),
-    ):
+    for name, check in CHECKS.items():
         try:
-            check()
+            check(settings)
         except ValueError as error:
             raise ValueError(_refusal(name, given[name])) from error
     return settings
 
 
-def _check_store(url: str) -> None:
-    """ValueError where there can be no store at an address; none is asked, and its client is read only where one is."""
-    if not url:
-        return
-    from redis.asyncio import Redis
-    from redis.exceptions import RedisError
+def misspelt(environment: Mapping[str, str]) -> list[str]:
+    """Return a sentence for each variable whose name is nearly that of a setting.
 
-    found = urlsplit(url)
-    if found.scheme != "unix" and not re.fullmatch(r"/?\d*", found.path):
-        raise ValueError("The name of a store is a number.")
-    try:
-        Redis.from_url(url).connection_pool.make_connection()  # type: ignore[no-untyped-call]  # redis' own
-    except (TypeError, AttributeError, RedisError) as error:  # of an option that there is not
-        raise ValueError(str(error)) from error
+    Other variables belong to other programs: a container engine or a shell sets hundreds.
+    """
+    found = {name: _nearest(name.upper()) for name in sorted(environment.keys() - KNOWN)}
+    return [
+        f"{excerpt(name)} is not a setting and has no effect. Did you mean {known}?"
+        for name, known in found.items()
+        if known
+    ]
+
+
+def _nearest(name: str) -> str:
+    """Return the known name that resembles a name, "" if none does. Only secrets are read from files."""
+    for text in (name, name.removesuffix("_FILE")):
+        for known in get_close_matches(text, KNOWN, 1, ALIKE):
+            return known
+    return ""
+
+
+def _in_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    given = {name: environment[name.upper()] for name in HINTS if environment.get(name.upper())}
+    for name in SECRETS:
+        variable = f"{name.upper()}_FILE"
+        if (path := environment.get(variable)) and name not in given:
+            given[name] = _secret_in(variable, path)
+    return given
 
 
 def _secret_in(variable: str, path: str) -> str:
-    """The secret in a file, which is how container engines hand one over."""
+    """Return the secret in a file, which is how container engines pass one."""
     try:
-        return Path(path).read_text(encoding="utf-8").strip()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"{variable} names “{path}”, which cannot be read.") from error
+        secret = Path(path).read_text(encoding="utf-8-sig").strip()  # some editors begin a file with a mark
+    except (OSError, ValueError) as error:
+        raise ValueError(f"{variable} names “{excerpt(path)}”, which cannot be read.") from error
+    if not secret:
+        raise ValueError(f"{variable} names “{excerpt(path)}”, which is empty.")
+    return secret
+
+
+def _check_text(name: str, text: str) -> None:
+    """Refuse what no setting can be. A key of random bytes may contain any character."""
+    if len(text) > LONGEST:
+        raise ValueError(f"{name.upper()} has {len(text)} characters. Allowed: at most {LONGEST}.")
+    if name != SECRET and not text.isprintable():
+        raise ValueError(f"{name.upper()} contains a line break or another character that cannot be printed.")
+
+
+def _check_ports(urls: Iterable[str]) -> None:
+    """Raise ValueError for a port that is neither * nor from 1 to 65535."""
+    for url in urls:
+        if urlsplit(url.removesuffix(":*")).port == 0:
+            raise ValueError("There is no port 0.")
+
+
+def _check_origins(settings: Settings) -> None:
+    settings.hosts(settings.port)
+    _check_ports(f"//{name}" for name in settings.allowed_origin)
+
+
+def _check_store(url: str) -> None:
+    """Raise ValueError for an address that no store can have. Nothing connects to it."""
+    if not url:
+        return
+    from redis.asyncio import Redis  # takes time, and most servers have no store
+    from redis.exceptions import RedisError
+
+    found = urlsplit(url)
+    if found.scheme != "unix" and not re.fullmatch("/?[0-9]{0,5}", found.path):
+        raise ValueError("The name of a store is a number.")
+    _check_ports([url])
+    try:
+        Redis.from_url(url).connection_pool.make_connection()  # type: ignore[no-untyped-call]  # redis' own
+    except (TypeError, AttributeError, RedisError) as error:  # of an unknown option
+        raise ValueError(str(error)) from error
 
 
 def _check_secret(secret: str) -> None:
-    """ValueError for one that can be guessed: words that stand in every list, few characters, characters in a row."""
+    """Raise ValueError for a secret that is easy to guess: common words, few or consecutive characters."""
     rest = GUESSED.sub("", secret.lower())
     steps = {ord(after) - ord(before) for before, after in pairwise(secret)}
     if len(rest) < 10 or len(set(secret)) < 8 or len(steps) < 8:
         raise ValueError("This secret can be guessed.")
+    secret.encode()  # UnicodeEncodeError for bytes that are not UTF-8
+
+
+def _check_folder(path: str) -> None:
+    if path and not os.path.isdir(path):
+        raise ValueError("There is no such folder.")
+
+
+CHECKS: Mapping[str, Callable[[Settings], object]] = {
+    "address": lambda settings: settings.address.encode("idna"),
+    "allowed_origin": _check_origins,
+    "trusted_proxies": lambda settings: networks(settings.trusted_proxies),
+    "metrics_for": lambda settings: networks(settings.metrics_for),
+    "frame_ancestors": lambda settings: _check_ports(settings.frame_ancestors.split()),
+    "public_url": lambda settings: _check_ports([settings.public_url]),
+    "redis_url": lambda settings: _check_store(settings.redis_url),
+    "walks": lambda settings: _check_folder(settings.walks),
+    SECRET: lambda settings: _check_secret(settings.bokeh_secret_key),
+}
+"""What a field's own limits cannot say: each raises ValueError."""
 
 
 def table() -> str:
-    """The settings with what is theirs by default, in Markdown."""
+    """Return the settings and their defaults as a Markdown table."""
     rows = [f"| `{name.upper()}` | {_default(name)} | {describe(name)} |" for name in HINTS]
     return "\n".join(["| setting | default | |", "|---|---|---|", *rows])
 
@@ -227,7 +318,7 @@ def _default(name: str) -> str:
 
 
 def describe(name: str) -> str:
-    """The values that are allowed for a setting, in words."""
+    """Return, in words, which values a setting may have."""
     (meta,) = HINTS[name].__metadata__
     return str(meta.description)
 
@@ -253,5 +344,6 @@ def _converted(name: str, text: str) -> Any:
 
 
 def _refusal(name: str, text: str) -> str:
-    shown = "not what it should be" if name in SECRETS or "@" in text else f"“{text}”"  # a URL may have a password
+    may_hold_password = name in SECRETS or "@" in text
+    shown = "not what it should be" if may_hold_password else f"“{excerpt(text)}”"
     return f"{name.upper()} is {shown}. Allowed: {describe(name)}."

@@ -11,10 +11,23 @@ from pathlib import Path
 from secrets import token_hex, token_urlsafe
 
 import pytest
+from bokeh.settings import settings as bokeh_settings
 
 from components.serving.__main__ import tell
-from components.serving.settings import HINTS, SECRETS, Settings, describe, read_settings, table
-from tests.serving.server import ROOT, START
+from components.serving.headers import policy
+from components.serving.settings import (
+    HINTS,
+    LISTS,
+    LONGEST,
+    SECRETS,
+    Settings,
+    describe,
+    misspelt,
+    read_settings,
+    table,
+)
+from components.serving.visitors import networks
+from tests.serving.server import ROOT, START, serving
 
 
 def test_defaults_are_for_ones_own_machine() -> None:
@@ -85,19 +98,31 @@ WRONG = [
     ("ALLOWED_ORIGIN", "https://lecture.example"),
     ("ALLOWED_ORIGIN", "lecture.example/oscillations"),
     ("ALLOWED_ORIGIN", "lecture.example second.example"),
+    ("ALLOWED_ORIGIN", "lecture.example:99999"),
+    ("ALLOWED_ORIGIN", "lecture.example:0"),
+    ("ALLOWED_ORIGIN", "schön.example"),
+    ("FRAME_ANCESTORS", "https://course.example:99999"),
+    ("FRAME_ANCESTORS", "https://пример.example"),
     ("TRUSTED_PROXIES", "proxy.example"),
     ("TRUSTED_PROXIES", "10.0.0.1/24"),
     ("METRICS_FOR", "prometheus"),
     ("PUBLIC_URL", "lecture.example"),
+    ("PUBLIC_URL", "https://lecture.example:99999/"),
+    ("PUBLIC_URL", "https://[::1"),
     ("REDIS_URL", "http://store"),
     ("REDIS_URL", "redis://store:99999/0"),
     ("REDIS_URL", "redis://store:port/0"),
     ("REDIS_URL", "redis://store/lecture"),
     ("REDIS_URL", "redis://store/0?colour=red"),
     ("REDIS_URL", "redis://[store/0"),
+    ("REDIS_URL", "redis://store:0/0"),
+    ("REDIS_URL", "redis://store/999999"),
+    ("ADDRESS", "local host"),
+    ("ADDRESS", "lecture..example"),
+    ("WALKS", "/nowhere/walks"),
 ]
-OTHERWISE = {"address", "walks", *SECRETS}
-"""An address is tried, a folder read, and a secret not repeated."""
+OTHERWISE = set(SECRETS)
+"""A secret is not repeated."""
 
 
 def test_each_setting_is_tried_with_a_wrong_value() -> None:
@@ -109,6 +134,108 @@ def test_a_value_that_is_not_allowed_is_refused_with_what_is(name: str, text: st
     with pytest.raises(ValueError) as refusal:
         read_settings([], {name: text})
     assert str(refusal.value) == f"{name} is “{text}”. Allowed: {describe(name.lower())}."
+
+
+MALFORMED = [
+    *(" ", 16 * " ", ",", ",,", "*", "%", "'", '"', "../..", "true ", "'self'\n", "a\nb", "\0", "\x1b[31m", "\u202e"),
+    *("nan", "inf", "-inf", "1e999", "1e308", "5e-324", "-1", "0", "1.5", 5000 * "9", "٣", "x:٣"),
+    *("x" * 70, "x" * 5000, "x" * 100_000, "a..b", "\udcff" * 20, "schön.example", "https://пример.example"),
+    *("x:0", "x:99999", "https://x:99999", "[::1", "https://[::1", "http://", "10.0.0.0/99", "10.0.0.1/24", "::/129"),
+    *("redis://x:0/0", "redis://x/" + 30 * "9", "redis://x:1:2", "redis://\udcff", "unix://"),
+]
+
+
+def usable(settings: Settings) -> bool:
+    """Whether a server can work with settings: what it does with each of them while it runs raises nothing."""
+    settings.hosts(settings.port)
+    networks((*settings.trusted_proxies, *settings.metrics_for))
+    policy(settings.frame_ancestors).encode("ascii")  # a header
+    texts = [value for name in HINTS if isinstance(value := getattr(settings, name), str)]
+    numbers = (settings.unused_seconds, settings.notice_seconds)
+    return all(text.encode() or True for text in texts) and all(number < 1e5 for number in numbers)
+
+
+@pytest.mark.parametrize("name", HINTS)
+def test_a_malformed_value_is_refused_in_a_sentence_or_can_be_used(name: str) -> None:
+    refused = 0
+    for text in MALFORMED:
+        try:
+            settings = read_settings([], {name.upper(): text})
+        except ValueError as refusal:
+            said = str(refusal)
+            refused += 1
+            assert type(refusal) is ValueError and said.startswith(f"{name.upper()} ") and said.endswith(".")
+            assert said.isprintable() and len(said) < 400
+            assert name not in SECRETS or len(text) < 8 or text not in said
+        else:
+            assert usable(settings)
+            assert name in LISTS or text.strip() == text or name == "redis_password"
+    assert refused > 5
+
+
+@pytest.mark.parametrize("name", SECRETS)
+@pytest.mark.parametrize("content", ["", " \n\t\n", "\ufeff"])
+def test_an_empty_file_is_no_secret(tmp_path: Path, name: str, content: str) -> None:
+    (path := tmp_path / "secret").write_text(content, encoding="utf-8")
+    variable = f"{name.upper()}_FILE"
+    with pytest.raises(ValueError) as refusal:
+        read_settings([], {variable: str(path)})
+    assert str(refusal.value).startswith(f"{variable} names “") and str(refusal.value).endswith("which is empty.")
+
+
+def test_a_value_has_a_length_that_can_be_shown() -> None:
+    with pytest.raises(ValueError) as refusal:
+        read_settings([], {"CLASS_PASSPHRASE": "x" * (LONGEST + 1)})
+    assert str(refusal.value) == f"CLASS_PASSPHRASE has {LONGEST + 1} characters. Allowed: at most {LONGEST}."
+
+
+MISSPELT = {
+    **{"SESIONS": "SESSIONS", "SESSION": "SESSIONS", "sessions": "SESSIONS", "ADRESS": "ADDRESS", "PORTS": "PORT"},
+    **{"ALLOWED_ORIGINS": "ALLOWED_ORIGIN", "ALLOW_ORIGIN": "ALLOWED_ORIGIN", "TRUSTED_PROXY": "TRUSTED_PROXIES"},
+    **{"NOTICE_SECS": "NOTICE_SECONDS", "LOGFORMAT": "LOG_FORMAT", "REDIS_URI": "REDIS_URL", "WALK": "WALKS"},
+    **{"CLASS_PASSPHRASES": "CLASS_PASSPHRASE", "CLASS_PASSPHRAS_FILE": "CLASS_PASSPHRASE_FILE"},
+    **{"BOKEH_SECRET": "BOKEH_SECRET_KEY", "BOKEH_SECRETKEY_FILE": "BOKEH_SECRET_KEY_FILE"},
+    **{"PORT_FILE": "PORT", "REDIS_URL_FILE": "REDIS_URL", "PUBLIC_URLS": "PUBLIC_URL", "ARIVALS": "ARRIVALS"},
+}
+
+
+def test_a_misspelt_name_is_named_with_the_one_that_is_meant() -> None:
+    said = [f"{name} is not a setting and has no effect. Did you mean {known}?" for name, known in MISSPELT.items()]
+    assert misspelt(dict.fromkeys(MISSPELT, "5")) == sorted(said)
+
+
+@pytest.mark.parametrize("name", [*HINTS, *(f"{name}_file" for name in SECRETS)])
+def test_each_name_is_known_and_its_double_letter_or_missing_letter_is_named(name: str) -> None:
+    known = name.upper()
+    assert misspelt({known: "5"}) == []
+    for wrong in (f"{known[:2]}{known[1:]}", f"{known}{known[-1]}", f"{known[:2]}{known[3:]}"):
+        assert len(misspelt({wrong: "5"})) == 1, wrong
+
+
+SERVICES = ["LECTURE", "STORE", "REDIS", "VALKEY", "SESSION", "PUBLIC", "CLASS", "PORT", "WALKS", "SHOW", "ADDRESS"]
+PORTS = ["PORT", *(f"PORT_5006_TCP{part}" for part in ("", "_ADDR", "_PORT", "_PROTO"))]
+INJECTED = [*PORTS, "SERVICE_HOST", "SERVICE_PORT", "SERVICE_PORT_HTTP"]
+"""Names that Kubernetes makes for each service."""
+OTHERS = {
+    *(setting.env_var for name, setting in vars(type(bokeh_settings)).items() if hasattr(setting, "env_var")),
+    *(f"{service}_{more}" for service in SERVICES for more in INJECTED),
+    *("PATH", "HOME", "HOST", "HOSTNAME", "PWD", "OLDPWD", "SHELL", "SHLVL", "TERM", "USER", "LANG", "LC_ALL", "TZ"),
+    *("DISPLAY", "EDITOR", "MAIL", "LOGNAME", "PAGER", "SSH_TTY", "GDMSESSION", "SESSION_MANAGER", "DESKTOP_SESSION"),
+    *("XDG_SESSION_ID", "DBUS_SESSION_BUS_ADDRESS", "SESSIONNAME", "PROMPT", "WINDIR", "NOTIFY_SOCKET", "LISTEN_FDS"),
+    *("PYTHONPATH", "PYTHONHASHSEED", "PYTHON_VERSION", "VIRTUAL_ENV", "BOKEH_DEV", "PANEL_LOG_LEVEL", "REDIS_HOST"),
+    *("SECRET_KEY", "DATABASE_URL", "LOG_LEVEL", "HTTP_PROXY", "NO_PROXY", "REPORT", "EXPORT", "SUPPORT", "REDIS_PORT"),
+}
+
+
+def test_names_of_other_programs_raise_no_alarm() -> None:
+    assert len(OTHERS) > 150 and "BOKEH_SECRET_KEY" in OTHERS and "PORT_PORT" in OTHERS
+    assert misspelt(dict.fromkeys(OTHERS, "5")) == []
+
+
+def test_the_log_names_a_misspelt_variable_at_the_start(tmp_path: Path) -> None:
+    with serving(tmp_path / "log", environment={"SESIONS": "5"}) as server:
+        lines = server.log.read_text().splitlines()
+    assert [line for line in lines if "WARNING" in line and "Did you mean SESSIONS?" in line]
 
 
 def test_a_refused_secret_is_not_repeated() -> None:
