@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -64,15 +64,9 @@ class Site:
         for number in list(self._running):
             self.end(number)
 
-    def proxy(self) -> Mapping[str, str]:
-        """The variables of the Caddyfile."""
-        return {
-            "SITE": f"http://127.0.0.1:{self.port}",
-            "COOKIE_SECRET": COOKIE_SECRET,
-            "UPSTREAMS": " ".join(f"127.0.0.1:{port}" for port in self.ports),
-            "XDG_DATA_HOME": str(self.folder),
-            "XDG_CONFIG_HOME": str(self.folder),
-        }
+
+Front = Callable[[Site], tuple[Sequence[str], Mapping[str, str]]]
+"""Gives the command that starts a proxy before a site, and its environment."""
 
 
 def caddy() -> str:
@@ -80,24 +74,29 @@ def caddy() -> str:
     return str(Path(sys.executable).with_name("caddy"))
 
 
+def behind_caddy(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
+    """The proxy of compose.yaml, with the variables of the Caddyfile."""
+    command = (caddy(), "run", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile")
+    return command, {
+        "SITE": f"http://127.0.0.1:{site.port}",
+        "COOKIE_SECRET": COOKIE_SECRET,
+        "UPSTREAMS": " ".join(f"127.0.0.1:{port}" for port in site.ports),
+        "XDG_DATA_HOME": str(site.folder),
+        "XDG_CONFIG_HOME": str(site.folder),
+    }
+
+
 @contextmanager
-def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT), **more: str) -> Iterator[Site]:
+def deployed(
+    folder: Path, codes: Sequence[Path] = (ROOT, ROOT), front: Front = behind_caddy, **more: str
+) -> Iterator[Site]:
     """A site that serves, each replica the code of a folder; `more` are settings of all of them."""
     site = Site(folder, len(codes), more)
-    command = (
-        caddy(),
-        "run",
-        "--config",
-        str(ROOT / "Caddyfile"),
-        "--adapter",
-        "caddyfile",
-    )
+    command, environment = front(site)
     try:
         for number, code in enumerate(codes):
             site.start(number, code)
-        with serving(
-            folder / "proxy.log", port=site.port, command=(*command, "--adapter", "caddyfile"), environment=site.proxy()
-        ) as site.front:
+        with serving(folder / "proxy.log", port=site.port, command=command, environment=environment) as site.front:
             yield site
     finally:
         site.close()

@@ -1,0 +1,105 @@
+"""The nginx recipe of docs/deployment.md: it is well-formed, and page and socket reach the same replica."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from prometheus_client.parser import text_string_to_metric_families
+
+from tests.attack.caller import ask
+from tests.bench.visitor import Visitor, token_in
+from tests.deploy.nginx import NGINX, behind_nginx, for_version, recipe, written
+from tests.deploy.site import Site, deployed
+from tests.deploy.trials import trial
+
+with_nginx = pytest.mark.skipif(not NGINX, reason="nginx is not installed: apt-get install nginx-light")
+OWN = {"host", "http_upgrade", "proxy_add_x_forwarded_for", "request_id"}
+"""Variables that nginx itself has."""
+
+
+def test_each_variable_of_the_recipe_is_defined_and_each_cookie_that_is_read_is_set() -> None:
+    text = re.sub(r"#.*", "", recipe())
+    defined = set(re.findall(r"^map \S+ \$(\w+) \{", text, re.M))
+    used = set(re.findall(r"\$([a-z]\w+)", text))
+    cookies = {name.removeprefix("cookie_") for name in used if name.startswith("cookie_")}
+    assert used - defined - OWN == {f"cookie_{name}" for name in cookies} and len(defined) == 3
+    assert cookies == set(re.findall(r'default "(\w+)=', text)) == {"replica"}
+    assert text.count("{") == text.count("}") > 5
+    for line in filter(None, map(str.strip, text.splitlines())):
+        assert line[-1] in ";{}", line
+
+
+def test_the_recipe_uses_no_deprecated_directive() -> None:
+    assert not re.search(r"listen [^;]*\b(http2|spdy)\b|^\s*ssl on;", recipe(), re.M)
+
+
+@with_nginx
+def test_nginx_takes_the_recipe(tmp_path: Path) -> None:
+    if not shutil.which("openssl"):
+        pytest.skip("openssl, which makes the certificate, is not installed")
+    for name in ("key", "pem"):
+        assert f"/etc/ssl/lecture.example.{name};" in recipe()
+    key, certificate = tmp_path / "key", tmp_path / "pem"
+    made = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=lecture.example"]
+    subprocess.run([*made, "-keyout", str(key), "-out", str(certificate)], check=True, capture_output=True)
+    text = for_version(recipe()).replace("/etc/ssl/lecture.example.", f"{tmp_path}/")
+    path = written(tmp_path, text.replace("listen 443", "listen 8443"))
+    checked = subprocess.run([str(NGINX), "-t", "-c", path, "-p", tmp_path], capture_output=True, text=True)
+    assert checked.returncode == 0 and "[warn]" not in checked.stderr, checked.stderr
+
+
+def opened(site: Site) -> list[tuple[float, float]]:
+    """Of each replica the sessions that were opened there, and the sockets."""
+    names = ("oscillations_sessions", "oscillations_sockets")
+    texts = [ask(f"http://127.0.0.1:{port}/", "/metrics").text for port in site.ports]
+    samples = [
+        {one.name: one.value for of in text_string_to_metric_families(text) for one in of.samples} for text in texts
+    ]
+    return [(found[names[0]], found[names[1]]) for found in samples]
+
+
+async def arrive(site: Site, link: str, cookies: bool) -> tuple[Visitor, str]:
+    """A visitor whose browser keeps cookies or does not, and the cookie."""
+    page = await asyncio.to_thread(ask, site.url, f"/?{link}")
+    assert page.status == 200
+    cookie = page.headers["Set-Cookie"].partition(";")[0]
+    headers = {"Cookie": cookie} if cookies else {}
+    return await Visitor.connect(site.url, token_in(page.text), headers), cookie
+
+
+@with_nginx
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+def test_page_and_socket_reach_the_same_replica_and_one_address_is_spread(tmp_path: Path) -> None:
+    async def go(site: Site) -> None:
+        # The longest link with what does not compress: its token is a header of more than 8 kB.
+        long = "scene=coupled&x=" + "".join(f"{i * i * i:x}" for i in range(1500))[:7900]
+        came = [await arrive(site, long if i % 4 == 0 else "scene=coupled", cookies=True) for i in range(16)]
+        assert len({cookie for _, cookie in came}) == 16
+        first, second = opened(site)
+        assert first[0] + second[0] == 16 and min(first[0], second[0]) > 0
+        assert all(sessions == sockets for sessions, sockets in (first, second))
+        for visitor, _ in came:
+            await visitor.depart()
+        cookie = came[0][1]
+        again = ask(site.url, "/?scene=coupled", Cookie=cookie)
+        assert "Set-Cookie" not in again.headers
+        forged = ask(site.url, "/?scene=coupled", Cookie="replica=x; Path=/")
+        assert re.match(r"replica=[0-9a-f]{32}; Path=/;", forged.headers["Set-Cookie"])
+        guests = [await arrive(site, "scene=coupled", cookies=False) for _ in range(4)]  # any replica opens the page
+        for visitor, _ in guests:
+            await visitor.move("k2", 2.0)
+            await visitor.depart()
+        assert [ask(site.url, path).status for path in ("/metrics", "/liveness", "/readiness")] == [404] * 3
+        asset = re.search(r'(?:href|src)="(assets/[^"]+)"', ask(site.url).text)[1]
+        assert "Set-Cookie" not in ask(site.url, f"/{asset}").headers
+        result = await asyncio.to_thread(asyncio.run, trial(site, 4, lambda: site.kill(0)))
+        assert result.lost == [] and site.complaints() == []
+
+    with deployed(tmp_path, front=behind_nginx) as site:
+        asyncio.run(go(site))
