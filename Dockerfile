@@ -28,7 +28,8 @@ USER 1000
 # The settings are environment variables; docs/deployment.md names them.
 ENV ADDRESS=0.0.0.0 PORT=5006 LOG_FORMAT=json PYTHONPATH=/packages PYTHONDONTWRITEBYTECODE=1
 EXPOSE 5006
-# Often, so that a replica counts as healthy soon, and cheap for that; among busy neighbours a start takes long.
-HEALTHCHECK --interval=5s --timeout=5s --start-period=120s CMD ["python", "-ISc", "import os, socket; s = socket.create_connection(('127.0.0.1', int(os.environ['PORT'])), 4); s.sendall(b'GET /liveness HTTP/1.0\\r\\n\\r\\n'); assert b' 200 ' in s.recv(99)"]
+# Container engines send visitors to healthy replicas and let an upgrade go on, so this asks whether the server is ready.
+# It asks often, so that a replica counts as healthy soon; a start takes long on a busy machine.
+HEALTHCHECK --interval=5s --timeout=5s --start-period=120s CMD ["python", "-ISc", "import os, socket; s = socket.create_connection(('127.0.0.1', int(os.environ['PORT'])), 4); s.sendall(b'GET /readiness HTTP/1.0\\r\\n\\r\\n'); assert b' 200 ' in s.recv(99)"]
 ENTRYPOINT ["tini", "--"]
 CMD ["python", "-m", "components.serving"]

@@ -6,6 +6,7 @@ import asyncio
 import hmac
 import json
 import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -16,9 +17,10 @@ import pytest
 from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import Reply, ask
-from tests.deploy.site import COOKIE_SECRET, Site, caddy, deployed
+from tests.deploy.health import health_check
+from tests.deploy.site import COOKIE_SECRET, Site, behind_caddy, caddy, deployed
 from tests.live_class.caller import Class, streams_closed
-from tests.serving.server import ROOT
+from tests.serving.server import ROOT, free_port, serving
 
 ASSET = f"/assets/{next(iter(assets()))}"
 
@@ -84,6 +86,15 @@ async def given_up(port: int, start: bytes) -> None:
             writer.write(b"x")
             await writer.drain()
     writer.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
+def test_the_proxy_is_healthy_while_it_answers_whatever_the_replicas_do(site: Site, tmp_path: Path) -> None:
+    healthy = health_check(tmp_path, "proxy")
+    assert healthy(80, site.port) == 0 and healthy(80, free_port()) != 0
+    alone = {**behind_caddy(site)[1], "SITE": f"http://127.0.0.1:{(port := free_port())}", "UPSTREAMS": "127.0.0.1:1"}
+    with serving(tmp_path / "log", port=port, command=behind_caddy(site)[0], environment=alone):
+        assert healthy(80, port) == 0
 
 
 def parts(recipe: Any) -> Iterator[dict[str, Any]]:

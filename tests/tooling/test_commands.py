@@ -282,6 +282,19 @@ def test_the_container_is_healthy(container: Server) -> None:
     assert subprocess.run(command, env=environment, stderr=subprocess.DEVNULL).returncode != 0
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="no signal asks a process to end here")
+def test_a_container_that_is_asked_to_end_is_not_healthy_any_more(tmp_path: Path) -> None:
+    (line,) = instructions("HEALTHCHECK")
+    command = [sys.executable, *json.loads(line[line.index("CMD") + 3 :])[1:]]
+    with serving(tmp_path / "log", options=("--notice-seconds", "8")) as running:
+        environment = {**os.environ, "PORT": str(running.port)}
+        assert subprocess.run(command, env=environment).returncode == 0
+        running.process.terminate()
+        while subprocess.run(command, env=environment, stderr=subprocess.DEVNULL).returncode == 0:
+            assert running.process.poll() is None
+        assert urlopen(f"{running.url}liveness", timeout=30).status == 200
+
+
 def test_the_container_serves_page_and_static_files(container: Server) -> None:
     page = urlopen(container.url, timeout=30).read().decode()
     assets = set(re.findall(r'(?:href|src)="(assets/[^"]+)"', page))

@@ -16,11 +16,13 @@ import pytest
 import redis
 import yaml
 
-from components.serving.settings import HINTS, SECRETS, read_settings
+from components.serving.settings import HINTS, KNOWN, misspelt, read_settings
+from tests.deploy.health import health_check
 from tests.live_class.stores import valkey_binary
 from tests.serving.server import ROOT, free_port, serving
 from tools.digests import pin
 
+DEPLOYMENT = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text())
 
 
@@ -38,13 +40,37 @@ def test_compose_confines_every_container_and_names_settings_that_there_are() ->
     (secret, *named), (another, *_) = (one.stdout.split() for one in started)
     assert len(secret) == len(another) == 44 and secret != another
     assert named == [f"oscillations-{of}-{i}:5006" for i in (1, 2) for of in ("lecture", "relief")]
-    assert set(lecture["environment"]) <= {name.upper() for name in HINTS} | {
-        f"{name.upper()}_FILE" for name in SECRETS
-    }
+    assert set(lecture["environment"]) <= KNOWN
     assert (lecture["volumes"], "walks" in COMPOSE["volumes"]) == (["${WALKS:-walks}:/walks:ro"], True)
     assert lecture["deploy"]["replicas"] == proxy["environment"]["REPLICAS"] == "${REPLICAS:-2}"
     used = set(re.findall(r"\{\$([A-Z_]+)", (ROOT / "Caddyfile").read_text()))
     assert used <= {*proxy["environment"], "UPSTREAMS", "COOKIE_SECRET"}
+
+
+def test_every_setting_reaches_the_replicas_or_is_said_to_be_fixed() -> None:
+    passed = COMPOSE["services"]["lecture"]["environment"]
+    assert {name.upper() for name in HINTS} - set(passed) == {"BOKEH_SECRET_KEY", "REDIS_PASSWORD", "SHOW"}
+    fixed = {name: text for name, text in passed.items() if "$" not in text and name != "WALKS"}  # which is mounted
+    sentence = re.findall(r"compose\.yaml sets (.*?) itself", DEPLOYMENT.replace("\n", " "))[0]
+    assert set(re.findall(r"`(\w+)`", sentence)) == set(fixed)
+    read_settings([], {name: text for name, text in fixed.items() if not name.endswith("_FILE")})
+
+
+def test_a_misspelt_line_of_dot_env_is_named_by_the_replicas_and_a_right_one_is_not() -> None:
+    lecture = COMPOSE["services"]["lecture"]
+    assert lecture["env_file"] == [{"path": ".env", "required": False}]
+    read = {name: "5" for name in re.findall(r"\$\{([A-Z_]+)", (ROOT / "compose.yaml").read_text())}
+    assert {"SITE", "REPLICAS", "PROXY_MEMORY", "SESSIONS"} <= set(read)
+    assert misspelt({**read, "COMPOSE_PROFILES": "class", "COMPOSE_PROJECT_NAME": "x"}) == []
+
+
+def test_every_container_says_whether_it_is_healthy_and_readiness_decides_about_visitors() -> None:
+    built = {name for name, service in COMPOSE["services"].items() if "build" in service}
+    checked = {name: service["healthcheck"] for name, service in COMPOSE["services"].items() if name not in built}
+    assert built == {"lecture", "relief"} and set(checked) == {"proxy", "store"}
+    assert all(check["test"][0] == "CMD-SHELL" and check["interval"] for check in checked.values())
+    assert re.findall(r"health_uri (\S+)", (ROOT / "Caddyfile").read_text()) == ["/readiness"]
+    assert re.findall(r"^HEALTHCHECK .*?GET (\S+) HTTP", (ROOT / "Dockerfile").read_text(), re.M) == ["/readiness"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
@@ -94,6 +120,10 @@ def test_the_store_wants_its_password_refuses_when_full_and_shows_the_password_t
     with serving(tmp_path / "log", port=port, command=(*store["entrypoint"], script)) as running:
         with redis.Redis(port=port, password="one/of+these=") as client:
             assert client.config_get("maxmemory-policy") == {"maxmemory-policy": "noeviction"}
+        healthy = health_check(tmp_path, "store", {"/run/secrets/store_password": f"{tmp_path}/password"})
+        assert healthy(6379, port) == 0 and healthy(6379, free_port()) != 0
+        (tmp_path / "password").write_text("another\n")
+        assert healthy(6379, port) != 0
         with redis.Redis(port=port) as stranger, pytest.raises(redis.exceptions.AuthenticationError):
             stranger.ping()
         assert "one/of+these=" not in " ".join(psutil.Process(running.process.pid).cmdline())
