@@ -6,6 +6,8 @@ PORT ?= 5006
 HOST ?= localhost
 VENV ?= .venv
 BIN := $(VENV)/bin
+# A file in each environment that make created. No other folder is ever cleared or removed.
+OURS := $(VENV)/created-by-make
 # The first Python of 3.11 to 3.13 that can make a virtual environment.
 CAN := import sys, venv, ensurepip; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))
 PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do $$p -c '$(CAN)' 2>/dev/null && echo $$p && break; done)
@@ -171,11 +173,17 @@ digests:
 	$(BIN)/python -m tools.digests
 
 clean:
-	rm -rf $(VENV) build node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf build node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	@test ! -e $(OURS) || rm -rf $(VENV)
+	@test ! -e $(VENV) || echo "$(VENV) stays: it has no file created-by-make."
 
+# A change of requirements.txt builds the environment again, so that it has no package that is not needed any more. An
+# environment that make did not create keeps all that it has.
 $(VENV)/run.stamp: requirements.txt
 	@test -n "$(PYTHON)" || { echo "Needs Python 3.11, 3.12 or 3.13 with venv: make PYTHON=/path/to/python3.12"; exit 1; }
-	$(PYTHON) -m venv --clear $(VENV)
+	@test ! -e $(OURS) || rm -rf $(VENV)
+	@test -n "$$(ls -A $(VENV) 2>/dev/null)" || { mkdir -p $(VENV) && touch $(OURS) && $(PYTHON) -m venv $(VENV); }
+	@test -x $(BIN)/pip || { echo "$(VENV) is not empty and no virtual environment with pip: make VENV=another"; exit 1; }
 	$(INSTALL) -r requirements.txt
 	@touch $@
 

@@ -157,6 +157,75 @@ def test_run_installs_once_and_again_when_the_lock_changes(tmp_path: Path) -> No
     assert "pip install" in make("run", folder=tmp_path)
 
 
+FAKE_PYTHON = """#!/bin/sh
+test "$1 $2" = "-m venv" && shift 2 || exit 1
+for folder; do :; done
+case "$*" in *--clear*) rm -rf "$folder"/*;; esac
+mkdir -p "$folder/bin" && printf '#!/bin/sh\\n' > "$folder/bin/pip" && chmod +x "$folder/bin/pip"
+"""
+"""Makes what make needs of a virtual environment, in place of the real one, which takes long."""
+FOLDERS = {
+    "missing": [],
+    "empty": [""],
+    "a virtual environment of somebody": ["bin/pip", "lib/theirs", "pyvenv.cfg"],
+    "the same, used by make before": ["bin/pip", "lib/theirs", "run.stamp", "test.stamp"],
+    "a folder of something else": ["letter.txt"],
+    "a virtual environment without pip": ["bin/python", "lib/theirs"],
+    "hidden files alone": [".letter"],
+}
+
+
+def lay(folder: Path, names: list[str]) -> dict[Path, str]:
+    """Put files into a folder, each with its own text."""
+    files = {folder / name: f"# {name}\n" for name in names if name}
+    for path in (folder, *(path.parent for path in files)) if names else ():
+        path.mkdir(parents=True, exist_ok=True)
+    for path, text in files.items():
+        path.write_text(text)
+        path.chmod(0o755)
+        os.utime(path, (0, 0))
+    return files
+
+
+def really_make(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """make in a folder with the Makefile alone, and a Python that does next to nothing."""
+    for name in ("Makefile", *LOCKS):
+        shutil.copy(ROOT / name, folder)
+    (python := folder / "python").write_text(FAKE_PYTHON)
+    python.chmod(0o755)
+    plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "VENV"))}
+    command = ["make", f"PYTHON={python}", *arguments]
+    return subprocess.run(command, cwd=folder, env=plain, capture_output=True, text=True)
+
+
+@pytest.mark.parametrize(
+    ("kind", "linked"),
+    [*((kind, False) for kind in FOLDERS), *((kind, True) for kind, names in FOLDERS.items() if names)],
+)
+def test_make_removes_nothing_that_it_did_not_create(tmp_path: Path, kind: str, linked: bool) -> None:
+    venv, there = tmp_path / "env", tmp_path / ("elsewhere" if linked else "env")
+    theirs = lay(there, FOLDERS[kind])
+    if linked:
+        venv.symlink_to(there)
+    usable = not theirs or there / "bin/pip" in theirs
+    for target in ("env/run.stamp", "clean", "env/run.stamp"):
+        ran = really_make(tmp_path, "VENV=env", target)
+        assert {path: path.read_text() for path in theirs} == theirs
+        if target == "clean":
+            assert ran.returncode == 0 and (bool(theirs) == ("stays" in ran.stdout)) and venv.exists() == bool(theirs)
+        else:
+            assert (ran.returncode == 0) == usable, ran.stderr
+            assert usable or "is not empty and no virtual environment" in ran.stdout
+
+
+def test_make_builds_its_own_environment_from_scratch_when_the_lock_changes(tmp_path: Path) -> None:
+    assert really_make(tmp_path, "VENV=env", "env/run.stamp").returncode == 0
+    (left := tmp_path / "env" / "lib").write_text("of a package that is not needed any more")
+    os.utime(tmp_path / "env" / "run.stamp", (0, 0))
+    assert really_make(tmp_path, "VENV=env", "env/run.stamp").returncode == 0
+    assert not left.exists() and (tmp_path / "env" / "bin" / "pip").exists()
+
+
 def test_ci_runs_the_tests_of_the_readme() -> None:
     assert "\nmake test\n" in (ROOT / ".ci" / "run").read_text()
     assert os.access(ROOT / ".ci" / "run", os.X_OK)
