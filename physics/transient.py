@@ -46,7 +46,7 @@ Complexes = NDArray[np.complex128]
 
 
 class Effort(NamedTuple):
-    """How exact a sum is to be, and how much work it may take.
+    """Exactness that a sum must reach, and the work that it may take.
 
     A value is good if its doubt is at most `error` of itself, or of the largest of its curve where `of_largest`.
     `digits` bounds the digits at one time, `work` those of all times together: 2,500 take about 0.02 s.
@@ -61,7 +61,7 @@ class Effort(NamedTuple):
 EXACT = Effort()
 """Every number within 0.51 ulp, however long it takes."""
 FILE = Effort(work=100_000)
-"""The same with an end, for a file of numbers: about half a second."""
+"""Every number within 0.51 ulp, for a file of numbers: at most about half a second."""
 DRAWING = Effort(2.0**-41, of_largest=True, digits=960, work=2_500)
 """Within 1e-12 of the largest of its curve, for a picture: about 0.02 s."""
 StateRow = tuple[Decimal, ...]  # of x1, x2, x2 - x1, v1, v2

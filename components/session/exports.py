@@ -1,6 +1,6 @@
-"""What the worker process computes of a page: files of its numbers, and the errors of its numbers.
+"""Files of a page's numbers and reports of their errors, computed in the worker process.
 
-All of it may take longer than a picture: a file has every point of every curve, rounded once.
+They may take longer than a picture: a file has every point of every curve, rounded once.
 """
 
 from __future__ import annotations

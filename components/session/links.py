@@ -1,4 +1,4 @@
-"""What a link of the address opens: a scene with values, or a step of a walk."""
+"""Links of the address: each opens a scene with values, or a step of a walk."""
 
 from __future__ import annotations
 
