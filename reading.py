@@ -1,4 +1,4 @@
-"""The process that reads walks of strangers for a server: `python -m reading FOLDER ...`. It knows no page."""
+"""The worker process of a server: `python -m reading FOLDER ...`, with the folders of its walks. It serves no page."""
 
 from __future__ import annotations
 
