@@ -19,7 +19,21 @@ MOST_ROOMS = 500
 MOST_VOTES = 5000
 """Answers to one vote."""
 MOST_BYTES = 8 * 2**20
-"""All answers of a room: thousands of sketches."""
+"""Bytes of one room: thousands of sketches."""
+ALL_BYTES = 44 * 2**20
+"""Bytes of all rooms: what else the store of compose.yaml keeps needs the rest of its 64 MB."""
+RESERVE = 12 * 2**20
+"""Bytes of these that answers leave to the pictures and questions of the rooms."""
+OF_AN_ANSWER = 160
+"""Bytes that a store needs for an answer besides its own; measured: 80 in Valkey, 122 in memory."""
+OF_A_VOTE = 400
+"""Bytes that a store needs for the first answer to a vote; measured: 390 in Valkey."""
+OWNER = "owner"
+"""The part of a room that says whose share of the bytes it takes: the network that opened it."""
+MOST_COUNTS = 20_000
+"""Names under which something is counted at a time."""
+SLOTS = 12
+"""Parts of a span by which things are counted: what has happened is forgotten within one part after the span."""
 SEEN = 30.0
 """Seconds for which a replica's word on how many follow it holds."""
 
@@ -39,10 +53,26 @@ class FullError(ValueError):
 
 OF_A_ROOM = "The server keeps no more answers of this class. Those already given are kept."
 OF_THE_STORE = "The record of live classes is full: changes do not reach everybody until a class ends."
+OF_COUNTS = "Too many networks are counted."
+
+
+def size_of(parts: Parts) -> int:
+    """Bytes that parts of a room take."""
+    return sum(len(name) + len(part) for name, part in parts.items())
+
+
+def slot_of(now: float, seconds: float) -> int:
+    """The number of the part of a span of so many seconds, of `SLOTS` parts, that an instant is in."""
+    return int(now * SLOTS // seconds)
 
 
 class Store(ABC):
-    """Rooms under their codes. A room that is not there has no parts, and nothing can be kept in it."""
+    """Rooms under their codes. A room that is not there has no parts, and nothing can be kept in it.
+
+    The bytes of all rooms are limited. One owner's rooms may grow as long as they take no more than what is then free,
+    so that each of n greedy owners leaves the others a share. `OWNER` is the part that names the owner of a room; a
+    room without it has a share of its own.
+    """
 
     @abstractmethod
     async def open(self, code: str, parts: Parts) -> bool:
@@ -55,7 +85,8 @@ class Store(ABC):
     @abstractmethod
     async def keep(self, code: str, parts: Parts) -> bool:
         """Parts that take the place of those of their names, a sign of the instructor (also without any): all who
-        listen are told, and the room lives on. False where it is not there."""
+        listen are told, and the room lives on. False where it is not there. FullError where the parts are too large for
+        the share of its owner."""
 
     @abstractmethod
     async def tell(self, code: str, parts: Parts) -> None:
@@ -70,9 +101,11 @@ class Store(ABC):
         """The number of rooms."""
 
     @abstractmethod
-    async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
-        """Keep an answer in place of the voter's last to the same question; False where there are so many. FullError
-        where the room has too many bytes of them."""
+    async def vote(
+        self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES, replace: bool = True
+    ) -> bool:
+        """Keep an answer in place of the voter's last to the same question, which stands where `replace` is not set;
+        False where there are so many. FullError where the room, or its owner, has too many bytes."""
 
     @abstractmethod
     async def unvote(self, code: str, question: str, voter: str) -> None:
@@ -100,14 +133,19 @@ class Store(ABC):
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
-        """Count `more` of something; how often it has happened in this span of so many seconds, at all replicas."""
+        """Count `more` of something, and return how often it has happened in the last so many seconds at all replicas.
+
+        The span slides: everything counts for all of it, and for a twelfth of it longer at most. AwayError where a new
+        name finds no place: it is not known then how often it has happened.
+        """
 
     @abstractmethod
-    async def lend(self, name: str, value: bytes, seconds: float) -> None:
-        """Keep something that can be taken once, for a while."""
+    async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
+        """Keep something for a while, in place of what was lent under this name; it can be taken once, with the key."""
 
     @abstractmethod
-    async def take(self, name: str) -> bytes: ...
+    async def take(self, name: str, key: bytes) -> bytes:
+        """Return what was lent under a name, now taken; b"" where nothing was, or with another key."""
 
     @abstractmethod
     async def time(self) -> float:
@@ -122,9 +160,17 @@ class Store(ABC):
         """Let go of connections."""
 
 
-class _Kept(NamedTuple):
+class _Lent(NamedTuple):
+    key: bytes
     value: bytes
     until: float
+
+
+@dataclass
+class _Count:
+    until: float
+    slots: dict[int, int] = field(default_factory=dict)
+    """How often it has happened in each part of the span."""
 
 
 @dataclass
@@ -137,7 +183,7 @@ class _Room:
     here: dict[str, tuple[Collection[str], float]] = field(default_factory=dict)
     names: dict[str, set[str]] = field(default_factory=dict)
     size: int = 0
-    """Bytes of all answers."""
+    """Bytes of its parts and answers."""
 
 
 class MemoryStore(Store):
@@ -150,13 +196,14 @@ class MemoryStore(Store):
         clock: Callable[[], float] = monotonic,
         alone: float = ALONE,
         size: int = MOST_BYTES,
+        counts: int = MOST_COUNTS,
     ) -> None:
         self._life, self._alone = life, min(alone, life)
-        self._most, self._size = rooms, size
+        self._most, self._size, self._most_counts = rooms, size, counts
         self._clock = clock
         self._rooms: dict[str, _Room] = {}
-        self._counts: dict[tuple[str, int], int] = {}
-        self._lent: dict[str, _Kept] = {}
+        self._counts: dict[str, _Count] = {}
+        self._lent: dict[str, _Lent] = {}
         self._listeners: list[Hear] = []
 
     async def open(self, code: str, parts: Parts) -> bool:
@@ -168,7 +215,7 @@ class MemoryStore(Store):
                 del self._rooms[quietest]
         if code in self._rooms or len(self._rooms) >= self._most:
             return False
-        self._rooms[code] = _Room(dict(parts), now + self._life, now + self._alone)
+        self._rooms[code] = _Room(dict(parts), now + self._life, now + self._alone, size=size_of(parts))
         return True
 
     async def parts(self, code: str) -> Parts:
@@ -180,6 +227,10 @@ class MemoryStore(Store):
         if code not in self._rooms:
             return False
         room, now = self._rooms[code], self._clock()
+        more = size_of(parts) - size_of({name: room.parts[name] for name in parts if name in room.parts})
+        if self._exceeds_share(code, more, ALL_BYTES):
+            raise FullError(OF_THE_STORE)
+        room.size += more
         room.parts.update(parts)
         room.led, room.ends = now + self._life, now + self._alone
         if parts:
@@ -198,25 +249,42 @@ class MemoryStore(Store):
         self._forget()
         return len(self._rooms)
 
-    async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
+    async def vote(
+        self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES, replace: bool = True
+    ) -> bool:
         self._forget()
         if code not in self._rooms:
             return False
         room = self._rooms[code]
-        answers = room.votes.setdefault(question, {})
+        answers = room.votes.get(question, {})
+        if voter in answers and not replace:
+            return True
         if voter not in answers and len(answers) >= most:
             return False
-        more = len(answer) - len(answers.get(voter, b""))
-        if room.size + more > self._size:
+        more = self._cost(answer) - self._cost(answers.get(voter)) + (0 if question in room.votes else OF_A_VOTE)
+        if room.size + more > self._size or self._exceeds_share(code, more, ALL_BYTES - RESERVE):
             raise FullError(OF_A_ROOM)
         room.size += more
-        answers[voter] = answer
+        room.votes.setdefault(question, answers)[voter] = answer
         return True
+
+    @staticmethod
+    def _cost(answer: bytes | None) -> int:
+        return 0 if answer is None else len(answer) + OF_AN_ANSWER
+
+    def _exceeds_share(self, code: str, more: int, limit: int) -> bool:
+        """Whether so many more bytes are too many for the owner of a room: more than all rooms leave free."""
+        if more <= 0:
+            return False
+        owner = self._rooms[code].parts.get(OWNER)
+        own = [room for each, room in self._rooms.items() if each == code or (owner and room.parts.get(OWNER) == owner)]
+        taken = sum(room.size for room in self._rooms.values())
+        return sum(room.size for room in own) + more > limit - taken
 
     async def unvote(self, code: str, question: str, voter: str) -> None:
         if code in self._rooms:
             room = self._rooms[code]
-            room.size -= len(room.votes.get(question, {}).pop(voter, b""))
+            room.size -= self._cost(room.votes.get(question, {}).pop(voter, None))
 
     async def votes(self, code: str, question: str) -> Parts:
         return dict(self._rooms[code].votes.get(question, {})) if code in self._rooms else {}
@@ -243,19 +311,28 @@ class MemoryStore(Store):
 
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         now = self._clock()
-        span = name, int(now // seconds)
-        if len(self._counts) > 10_000:
-            self._counts.clear()  # lets a few more happen, and no more than that
-        self._counts[span] = self._counts.get(span, 0) + more
-        return self._counts[span]
+        if name not in self._counts and len(self._counts) >= self._most_counts:
+            self._counts = {one: count for one, count in self._counts.items() if count.until > now}
+            if len(self._counts) >= self._most_counts:
+                raise AwayError(OF_COUNTS)
+        slot, known = slot_of(now, seconds), self._counts.get(name) or _Count(now)
+        known.slots = {one: times for one, times in known.slots.items() if one >= slot - SLOTS}
+        if more:
+            known.slots[slot] = known.slots.get(slot, 0) + more
+            known.until = now + seconds + seconds / SLOTS
+            self._counts[name] = known
+        return sum(known.slots.values())
 
-    async def lend(self, name: str, value: bytes, seconds: float) -> None:
+    async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
         self._lent = {other: kept for other, kept in self._lent.items() if kept.until > self._clock()}
-        self._lent[name] = _Kept(value, self._clock() + seconds)
+        self._lent[name] = _Lent(key, value, self._clock() + seconds)
 
-    async def take(self, name: str) -> bytes:
-        kept = self._lent.pop(name, None)
-        return kept.value if kept and kept.until > self._clock() else b""
+    async def take(self, name: str, key: bytes) -> bytes:
+        lent = self._lent.get(name)
+        if not lent or lent.key != key or lent.until <= self._clock():
+            return b""
+        del self._lent[name]
+        return lent.value
 
     async def time(self) -> float:
         return time()

@@ -7,6 +7,8 @@ import time
 from collections.abc import Awaitable, Callable
 from contextlib import AbstractAsyncContextManager
 from functools import partial
+from itertools import count
+from random import Random
 
 import pytest
 import redis
@@ -106,7 +108,8 @@ async def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(on: Kept, m
 
 
 async def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Kept) -> None:
-    async with on(size=100) as kept:
+    two = 2 * (store.OF_A_VOTE + store.OF_AN_ANSWER)
+    async with on(size=two + 100) as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.vote(code, "a", "one", b"x" * 60)
@@ -116,6 +119,60 @@ async def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Kept) -> None
         assert await kept.vote(code, "b", "two", b"x" * 60)
         await kept.unvote(code, "b", "two")
         assert await kept.vote(code, "b", "three", b"x" * 60)
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Stores for 100 kB in all, a tenth of it for pictures and questions alone."""
+    for module in (store, shared_store):
+        monkeypatch.setattr(module, "ALL_BYTES", 100_000)
+        monkeypatch.setattr(module, "RESERVE", 10_000)
+
+
+async def fill(kept: Store, code: str) -> int:
+    """Fill a room with as many answers as it takes; returns their bytes."""
+    for number in count():
+        try:
+            assert await kept.vote(code, f"d31/a/{number % 9}", f"{number:019}", b"x" * 1000, 10**6)
+        except store.FullError:
+            return 1000 * number
+    raise AssertionError
+
+
+async def test_a_greedy_owner_leaves_the_others_a_share(on: Kept, small: None) -> None:
+    """However many rooms it has; and what a room has shown is kept all the same."""
+    async with on() as kept:
+        for code, owner in (("AAAA", b"greedy"), ("BBBB", b"greedy"), ("CCCC", b"other"), ("DDDD", b"")):
+            await kept.open(code, {"key": b"1", **({store.OWNER: owner} if owner else {})})
+        first, second, other, none = [await fill(kept, code) for code in ("AAAA", "BBBB", "CCCC", "DDDD")]
+        assert first + second < 50_000 and second == 0  # half of it
+        assert 12_000 < other < 25_000 and 5_000 < none < 12_500
+        assert await kept.keep("DDDD", {"picture": b"x" * 3000})
+        with pytest.raises(store.FullError, match="record of live classes is full"):
+            await kept.keep("DDDD", {"walks": b"x" * 30_000})
+        await kept.end("AAAA")
+        assert await fill(kept, "CCCC") > 3000  # what has ended is free
+
+
+async def test_rooms_that_are_over_take_no_bytes(on: Kept, small: None) -> None:
+    async with on(alone=0.3) as kept:
+        await kept.open("AAAA", {"key": b"1"})
+        first = await fill(kept, "AAAA")
+
+        async def over() -> bool:
+            return await kept.parts("AAAA") == {}
+
+        await until(over)
+        await kept.open("BBBB", {"key": b"1"})
+        assert await fill(kept, "BBBB") == first
+
+
+async def test_an_answer_that_is_there_stands_where_it_is_not_to_be_replaced(on: Kept) -> None:
+    async with on() as kept:
+        await kept.open("AAAA", {"key": b"1"})
+        assert await kept.vote("AAAA", "a", "one", b"new", replace=False)
+        assert await kept.vote("AAAA", "a", "one", b"old", replace=False)
+        assert await kept.votes("AAAA", "a") == {"one": b"new"}
 
 
 async def test_a_full_store_says_so_and_forgets_no_class() -> None:
@@ -202,11 +259,52 @@ async def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Kept) 
         name = code_of(new_key())
         assert [await kept.count(name, 3600, more) for more in (1, 1, 0, 3)] == [1, 2, 2, 5]
         assert await kept.count(f"{name} too", 3600) == 1
-        await kept.lend(name, b"ticket", 60)
-        assert [await kept.take(name), await kept.take(name)] == [b"ticket", b""]
-        await kept.lend(name, b"short", 0.05)
+        await kept.lend(name, b"key", b"ticket", 60)
+        taken = [await kept.take(*asked) for asked in ((name, b"wrong"), ("other", b"key"), (name, b"key"))]
+        assert taken == [b"", b"", b"ticket"] and await kept.take(name, b"key") == b""
+        for key in (b"first", b"second"):  # which takes the place of the first
+            await kept.lend(name, key, b"of the " + key, 60)
+        assert [await kept.take(name, key) for key in (b"first", b"second")] == [b"", b"of the second"]
+        await kept.lend(name, b"key", b"short", 0.05)
         await asyncio.sleep(0.1)
-        assert await kept.take(name) == b""
+        assert await kept.take(name, b"key") == b""
+
+
+@pytest.mark.parametrize("seconds", [60.0, 4 * 3600.0])
+async def test_whatever_is_counted_counts_for_the_whole_span_and_a_twelfth_more_at_most(
+    on: Kept, seconds: float
+) -> None:
+    """At any instant, so that no boundary of a span lets anybody start again."""
+    chance, now = Random(45), time.time()
+    async with on(clock=lambda: now) as kept:
+        for name in ("steady", "bursts"):
+            happened: list[float] = []
+            for _ in range(150):
+                now += chance.choice([0.0, 0.001, 0.3, 0.4, 1.0]) * seconds * chance.random()
+                if name == "steady" or chance.random() < 0.3:
+                    more = chance.choice([1, 1, 4])
+                    happened += [now] * more
+                    times = await kept.count(name, seconds, more)
+                else:
+                    times = await kept.count(name, seconds, 0)
+                least, most = (sum(at > now - span for at in happened) for span in (seconds, seconds * 13.01 / 12))
+                assert least <= times <= most
+
+
+async def test_no_number_of_names_makes_a_count_forgotten(on: Kept) -> None:
+    now = time.time()
+    async with on(counts=20, clock=lambda: now) as kept:
+        assert await kept.count("first", 60, 3) == 3
+        for name in range(100):  # names that are only looked up take no place
+            assert await kept.count(f"asked {name}", 60, 0) == 0
+        for name in range(19):
+            assert await kept.count(f"other {name}", 6) == 1
+        for more in (0, 1):  # it is not known, so it is not said to be none
+            with pytest.raises(store.AwayError):
+                await kept.count("one too many", 60, more)
+        assert await kept.count("first", 60) == 4
+        now += 10  # the others are over
+        assert await kept.count("one too many", 60) == 1 and await kept.count("first", 60) == 5
 
 
 async def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
