@@ -10,6 +10,9 @@ from components.language.messages import Given, SaidName, Sketched
 from components.language.text import Html
 from components.language.walk import Lesson, StepCard
 
+YEAR_2100 = 4_102_444_800
+"""In seconds since 1970."""
+
 
 class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
     """Anything that the instructor's page asks of the room."""
@@ -56,8 +59,8 @@ class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
 class Voted(Given, frozen=True, kw_only=True):
     """An answer as a class keeps it: when it was given, in seconds since 1970, and how many were here."""
 
-    at: float = 0.0
-    here: int = 0
+    at: Annotated[float, Meta(ge=0, le=YEAR_2100)] = 0.0
+    here: Annotated[int, Meta(ge=0, le=10_000_000)] = 0
 
 
 class RestoreAnswers(Ordered, frozen=True, kw_only=True, tag="restore"):

@@ -15,9 +15,10 @@ DEAR = {"n": 2**13, "r": 8, "p": 1}
 """The price of a code: some 20 ms, so that all 30^4 take hours."""
 
 
-def code_of(key: str) -> str:
-    """The code of the room of a key: who knows a code alone finds no key for it while a class lasts."""
-    number = int.from_bytes(scrypt(key.encode(), salt=b"the code of a class", dklen=8, **DEAR))
+def code_of(key: str, secret: str = "") -> str:
+    """Return the code of the room of a key. Finding a key for a given code takes hours; without the server's secret it
+    cannot be done in advance either."""
+    number = int.from_bytes(scrypt(key.encode(), salt=f"the code of a class{secret}".encode(), dklen=8, **DEAR))
     return "".join(SIGNS[number // len(SIGNS) ** i % len(SIGNS)] for i in range(LENGTH))
 
 
@@ -32,10 +33,19 @@ def new_key() -> str:
 
 
 class Keys:
-    """Keys of rooms, which only who knows the instructors' passphrase can make; where there is none, anybody."""
+    """Keys of rooms and their codes.
 
-    def __init__(self, passphrase: str = "") -> None:
+    Only servers with the same passphrase make keys for each other; without one anybody can make a key. `secret` is the
+    one of the settings: a server that is started again must find the same code for a key, so a secret that is made at
+    the start is not used.
+    """
+
+    def __init__(self, passphrase: str = "", secret: str = "") -> None:
         self._secret = passphrase.encode()
+        self._salt = secret
+
+    def code_of(self, key: str) -> str:
+        return code_of(key, self._salt)
 
     def new(self) -> str:
         word = new_key()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from components.live_class.pauses import Turns
 from components.live_class.registry import Registry
 from components.serving.visitors import Arrivals, Rate
 
@@ -18,3 +19,4 @@ class ClassContext:
     registry: Registry
     rate: Rate = field(default_factory=lambda: Rate(OF_A_CLASS))
     openings: Arrivals = field(default_factory=lambda: Arrivals(OPENINGS))
+    turns: Turns = field(default_factory=Turns)

@@ -21,6 +21,8 @@ from components.serving.visitors import network_of
 
 MOST_FOLLOWERS = 5000
 """Of one room, on one replica."""
+ALL_FOLLOWERS = 20_000
+"""Of all rooms, on one replica."""
 MISSES = 300
 """Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
 all that may be guessed in 4 hours, while a class that mistypes comes in."""
@@ -51,6 +53,19 @@ class Follower(ClassHandler):
         if room is None:
             raise RefusedError(404, AWAY)
         return room
+
+    def take_place(self, room: ClassRoom) -> None:
+        """Refuse a phone that is new where all places are taken; the instructor needs none."""
+        if self.leads or room.follows(self.name):
+            return
+        if room.places >= MOST_FOLLOWERS:
+            raise RefusedError(503, f"This class is full: {MOST_FOLLOWERS} follow it.", after=60)
+        if self.classes.registry.places >= ALL_FOLLOWERS:
+            raise RefusedError(503, f"This server is full: {ALL_FOLLOWERS} follow its classes.", after=60)
+
+    @property
+    def name(self) -> str:
+        return name_of(self.word)
 
     @property
     def after(self) -> str:
@@ -113,15 +128,10 @@ class Events(Follower):
         super().initialize(classes)
         self._gone = asyncio.Event()
 
-    @property
-    def name(self) -> str:
-        return name_of(self.word)
-
     async def get(self, code: str) -> None:
         room = await self.entered(code)
+        self.take_place(room)
         self.limit(f"stream {self.word}")
-        if not self.leads and room.followers >= MOST_FOLLOWERS:
-            raise RefusedError(503, f"This class is full: {MOST_FOLLOWERS} follow it.", after=60)
         self.set_header("Content-Type", "text/event-stream; charset=utf-8")
         self.set_header("X-Accel-Buffering", "no")
         self.set_header("Cache-Control", "no-store, no-transform")
@@ -213,6 +223,7 @@ class Now(Follower):
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
+        self.take_place(room)
         self.limit(f"poll {self.word}")
         room.polled(self.word, self.leads)
         missed = room.untold(self.after) if self.leads else []

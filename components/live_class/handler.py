@@ -19,6 +19,7 @@ from components.live_class.store import AwayError
 from components.serving.handlers import SENTENCES, RefusedError, VisitorHandler
 from components.serving.settings import own_address
 from components.serving.shell import version
+from components.serving.visitors import network_of
 
 LONGEST = 8000
 """Bytes of a message to a room: two sketches are a quarter of it."""
@@ -72,6 +73,11 @@ class ClassHandler(VisitorHandler):
             raise RefusedError(429, str(reason), after=1) from reason
         except ValueError as reason:
             raise RefusedError(409, str(reason)) from reason
+
+    async def in_turn(self, asked: Awaitable[Answered]) -> Answered:
+        """The outcome of what reads or writes many answers, when nothing else of the kind is done for this network."""
+        async with self.classes.turns.of(str(network_of(self.visitor))):
+            return await self.outcome(asked)
 
     def limit(self, name: str) -> None:
         """Count a message of somebody, and refuse it where there were too many."""

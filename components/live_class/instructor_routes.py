@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urllib.parse import unquote
 
-from components.language.room import Order, Reopen, Tally
+from components.language.room import Order, Reopen, RestoreAnswers, Tally
 from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
@@ -17,6 +17,8 @@ LONGEST_ORDER = 64_000
 """Bytes of a message from the instructor's page, which may hand over a walk's file."""
 MOST_OPENED = 100
 """Rooms that one network may open in the time for which one lives alone."""
+ROWS = 100
+"""Rows of a table that are sent at once."""
 
 ASKED = "Opening a class here needs the instructors' passphrase."
 WRONG = "This is not the instructors' passphrase. Whoever runs this server has set it."
@@ -25,30 +27,32 @@ WRONG = "This is not the instructors' passphrase. Whoever runs this server has s
 class Opener(ClassHandler):
     """A handler that opens rooms, so many for one network."""
 
-    async def admit(self) -> None:
-        name = f"opened {network_of(self.visitor)}"
+    async def admit(self) -> str:
+        """Count a room for the visitor's network, which is returned: it owns the room."""
+        network = str(network_of(self.visitor))
         if seconds := self.classes.openings.admit(self.visitor):
             raise RefusedError(
                 429, "Many classes were opened from this network just now. Try again in a moment.", seconds
             )
-        if await self.outcome(self.classes.registry.store.count(name, ALONE)) > MOST_OPENED:
+        if await self.outcome(self.classes.registry.store.count(f"opened {network}", ALONE)) > MOST_OPENED:
             raise RefusedError(
                 429,
                 f"{MOST_OPENED} classes were opened from this network. Try again in {ALONE / 60:.0f} minutes.",
                 ALONE,
             )
+        return network
 
 
 class OpenClass(Opener):
     """The handler that opens a room."""
 
     async def post(self) -> None:
-        phrase = self.context.settings.class_passphrase
+        phrase, owner = self.context.settings.class_passphrase, ""
         if not phrase or not is_key(unquote(self.word), digest(phrase)):  # who knows it waits for nobody who does not
-            await self.admit()
+            owner = await self.admit()
             if phrase:
                 raise RefusedError(401, WRONG if self.word else ASKED)
-        self.reply(self.opened(*await self.outcome(self.classes.registry.open())))
+        self.reply(self.opened(*await self.outcome(self.classes.registry.open(owner))))
 
 
 class LeadClass(Opener):
@@ -60,16 +64,17 @@ class LeadClass(Opener):
         self.reply(self.opened(room.code, self.word))
 
     async def put(self, code: str) -> None:
-        registry, asked = self.classes.registry, self.body(Reopen)
+        registry, asked, owner = self.classes.registry, self.body(Reopen), ""
         if not self.context.settings.class_passphrase or not registry.is_own(self.word):
-            await self.admit()
-        room = await self.outcome(registry.reopen(as_code(code), self.word, asked.control))
+            owner = await self.admit()
+        room = await self.outcome(registry.reopen(as_code(code), self.word, asked.control, owner))
         self.reply(self.opened(room.code, self.word))
 
     async def post(self, code: str) -> None:
         room = await self.led(code)
         order: Order = self.body(Order, LONGEST_ORDER)  # type: ignore[arg-type]  # a union of types
-        await self.outcome(self.classes.registry.obey(room, order, str(network_of(self.visitor))))
+        obey = self.in_turn if isinstance(order, RestoreAnswers) else self.outcome
+        await obey(self.classes.registry.obey(room, order, str(network_of(self.visitor))))
         self.set_status(204)
 
 
@@ -78,7 +83,7 @@ class CountAnswers(ClassHandler):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        tally: Tally | None = await self.outcome(self.classes.registry.tally(room))
+        tally: Tally | None = await self.in_turn(self.classes.registry.tally(room))
         self.reply(tally)
 
 
@@ -87,7 +92,7 @@ class CopyAnswers(ClassHandler):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        self.reply(await self.outcome(self.classes.registry.copied(room, self.get_query_argument("question", ""))))
+        self.reply(await self.in_turn(self.classes.registry.copied(room, self.get_query_argument("question", ""))))
 
 
 class SumUp(ClassHandler):
@@ -95,7 +100,7 @@ class SumUp(ClassHandler):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        self.reply(await self.outcome(summary(self.classes.registry, room)))
+        self.reply(await self.in_turn(summary(self.classes.registry, room)))
 
 
 class TakeAnswers(ClassHandler):
@@ -103,6 +108,8 @@ class TakeAnswers(ClassHandler):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        text = await self.outcome(votes_csv(self.classes.registry, room))
+        pieces = await self.in_turn(votes_csv(self.classes.registry, room))
         self.set_header("Content-Type", "text/csv; charset=utf-8")
-        self.write(text)
+        for i in range(0, len(pieces), ROWS):
+            self.write("".join(pieces[i : i + ROWS]))
+            await self.flush()

@@ -20,7 +20,6 @@ NO_WORD = "This key has been used, or is older than two minutes. The computer th
 class Lent(msgspec.Struct, frozen=True):
     """The lead, as it waits for who has the word."""
 
-    code: str
     key: str
     query: str
 
@@ -30,21 +29,20 @@ class PassLead(ClassHandler):
 
     async def post(self, code: str) -> None:
         room, asked = await self.led(code), self.body(HandOver)
-        word = new_word()
-        lent = msgspec.json.encode(Lent(room.code, self.word, asked.query))
-        await self.outcome(self.classes.registry.store.lend(_name(word), lent, MOMENT))
+        word, lent = new_word(), msgspec.json.encode(Lent(self.word, asked.query))
+        await self.outcome(self.classes.registry.store.lend(_name(room.code), digest(word), lent, MOMENT))
         self.reply(Ticket(address=self.address(f"{room.code}-{word}")))
 
     async def put(self, code: str) -> None:
         store, miss = self.classes.registry.store, f"miss {network_of(self.visitor)}"
         if await self.outcome(store.count(miss, MINUTE, 0)) >= MISSES:
             raise RefusedError(429, TOO_MANY, MINUTE)
-        kept = await self.outcome(store.take(_name(self.body(TakeOver).word.upper())))
-        lent = msgspec.json.decode(kept, type=Lent) if kept else None
-        if lent is None or lent.code != as_code(code):
+        kept = await self.outcome(store.take(_name(as_code(code)), digest(self.body(TakeOver).word.upper())))
+        if not kept:
             await self.outcome(store.count(miss, MINUTE))
             raise RefusedError(403, NO_WORD)
-        room = await self.outcome(self.classes.registry.led(lent.code, lent.key))
+        lent = msgspec.json.decode(kept, type=Lent)
+        room = await self.outcome(self.classes.registry.led(as_code(code), lent.key))
         await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
         opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
         control = room.parts.get(CONTROL, b"").decode()
@@ -60,5 +58,6 @@ class MovedByWord(LectureHandler):
     head = get
 
 
-def _name(word: str) -> str:
-    return f"lead {digest(word).decode()}"
+def _name(code: str) -> str:
+    """The name under which a room's lead is lent: a new word takes the place of the last."""
+    return f"lead {code}"

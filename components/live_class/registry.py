@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Mapping
+from contextlib import suppress
 from secrets import token_hex
 from time import monotonic, time
 
@@ -25,12 +26,12 @@ from components.language.room import (
     Voted,
     Withdraw,
 )
-from components.live_class.codes import Keys, code_of, digest, is_key, join_key
-from components.live_class.pauses import by_and_by
+from components.live_class.codes import Keys, digest, is_key, join_key
+from components.live_class.pauses import Slices
 from components.live_class.question_bank import BusyError, QuestionBank
 from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
-from components.live_class.store import LIFE, MOST_VOTES, AwayError, Parts, Store
+from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, FullError, Parts, Store
 from components.walks.questions.question import Judged
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
@@ -63,17 +64,23 @@ class Registry:
         self._coming: dict[str, list[ClassRoom]] = {}
         """Rooms that the store is being asked for: they hear what is told meanwhile."""
         self._name = token_hex(6).encode()
+        self.slices = Slices()
 
     @property
     def followers(self) -> int:
         return sum(room.followers for room in self.rooms.values())
 
-    async def open(self) -> tuple[str, str]:
-        """A new room: its code and its key. ClosedError where there is no place for one."""
+    @property
+    def places(self) -> int:
+        return sum(room.places for room in self.rooms.values())
+
+    async def open(self, owner: str = "") -> tuple[str, str]:
+        """Open a room and return its code and its key. `owner` is the network that opens it, "" for who knows the
+        passphrase. ClosedError where there is no place for one."""
         for _ in range(TRIES):
             key = self._keys.new()
-            code = await asyncio.to_thread(code_of, key)
-            if await self.store.open(code, _locks(key)):
+            code = await asyncio.to_thread(self._keys.code_of, key)
+            if await self.store.open(code, _locks(key, owner)):
                 return code, key
         raise ClosedError(NO_PLACE)
 
@@ -81,16 +88,16 @@ class Registry:
         """Whether a key may have been made by a server with this one's passphrase."""
         return self._keys.is_own(key)
 
-    async def reopen(self, code: str, key: str, control: str = "") -> ClassRoom:
+    async def reopen(self, code: str, key: str, control: str = "", owner: str = "") -> ClassRoom:
         """The room of a key that a server gave, opened anew where it is not there; ClosedError, or ValueError in words,
-        where it cannot be. `control` is what was kept of the key of its remote control."""
-        if not self.is_own(key) or await asyncio.to_thread(code_of, key) != code:
+        where it cannot be. `control` is what was kept of the key of its remote control, `owner` as in `open`."""
+        if not self.is_own(key) or await asyncio.to_thread(self._keys.code_of, key) != code:
             raise ValueError(NOT_OF_IT)
         room = await self._found(code)
         if not room.parts:
             if await self.store.count(_ended(digest(key)), LIFE, 0):
                 raise ClosedError(OVER)
-            await self.store.open(code, {**_locks(key), **({CONTROL: control.encode()} if control else {})})
+            await self.store.open(code, {**_locks(key, owner), **({CONTROL: control.encode()} if control else {})})
             room = await self._found(code)
         if not room.parts:
             raise ClosedError(NO_PLACE)
@@ -104,8 +111,9 @@ class Registry:
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
-        if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
-            raise ClosedError(OVER)
+        with suppress(AwayError):  # it may be over, which is not known now
+            if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
+                raise ClosedError(OVER)
         return None
 
     async def room(self, code: str) -> ClassRoom:
@@ -177,8 +185,9 @@ class Registry:
             case RestoreAnswers(answers=answers):
                 await self._restore(room, answers)
             case EndRoom():
-                for ended in (room.parts["key"], room.code.encode()):
-                    await self.store.count(_ended(ended), LIFE)
+                with suppress(AwayError, FullError):  # where it cannot be counted, it ends all the same
+                    for ended in (room.parts["key"], room.code.encode()):
+                        await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
 
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
@@ -208,23 +217,19 @@ class Registry:
     async def _restore(self, room: ClassRoom, answers: Mapping[str, Voted]) -> None:
         """Keep answers that a server has lost, but none in place of a newer one; ValueError, in words, for those to a
         question that there is not. They are judged when they are read."""
-        known: dict[str, Parts] = {}
-        bank = self.bank_of(room)
-        async for voter, given in by_and_by(answers.items()):
-            question = _question(given)
-            if question not in known:
-                bank.step(given.walk, given.step)
-                known[question] = await self.store.votes(room.code, question)
-            if voter not in known[question]:
-                kept = msgspec.json.encode(Judged(**msgspec.structs.asdict(given)))
-                if not await self.store.vote(room.code, question, voter, kept):
-                    raise ValueError("No more answers can be kept for this question.")
+        bank, now = self.bank_of(room), round(time())
+        for walk, step in {(given.walk, given.step) for given in answers.values()}:
+            bank.step(walk, step)
+        kept = await self.slices.map(lambda given: _unjudged(given, now), answers.values())
+        for voter, given, answer in zip(answers, answers.values(), kept, strict=True):
+            if not await self.store.vote(room.code, _question(given), voter, answer, replace=False):
+                raise ValueError("No more answers can be kept for this question.")
         await self.store.tell(room.code, {"answers": b"true"})
 
     async def copied(self, room: ClassRoom, question: str) -> dict[str, Voted]:
         """The answers to a vote by the names of those who gave them, for the instructor's page to keep."""
         votes = await self.store.votes(room.code, question)
-        return {voter: self.bank.voted(kept) async for voter, kept in by_and_by(votes.items())}
+        return dict(zip(votes, await self.slices.map(self.bank.voted, votes.values()), strict=True))
 
     def bank_of(self, room: ClassRoom) -> QuestionBank:
         """The server's walks, and those that the instructor has handed to the room."""
@@ -285,18 +290,18 @@ class Registry:
 
     async def given(self, room: ClassRoom, question: str) -> list[Judged]:
         """The answers to a vote; those known last where the store is away."""
-        return [one for _, one in await self.given_by(room, question)]
+        votes = await self.votes(room, question)
+        return [one for one in await self.slices.map(self.bank_of(room).read, votes.values()) if one]
 
-    async def given_by(self, room: ClassRoom, question: str) -> list[tuple[str, Judged]]:
-        """The answers to a vote beside the names of those who gave them."""
+    async def votes(self, room: ClassRoom, question: str) -> Parts:
+        """The answers to a vote as they are kept, by the names of those who gave them; those known last where the store
+        is away."""
         try:
             room.votes[question] = await self.store.votes(room.code, question)
         except AwayError:
             if question not in room.votes:
                 raise
-        bank = self.bank_of(room)
-        votes = room.votes[question]
-        return [(name, one) async for name, kept in by_and_by(votes.items()) if (one := bank.read(kept))]
+        return room.votes[question]
 
     async def tally(self, room: ClassRoom) -> Tally | None:
         put = room.question
@@ -337,9 +342,15 @@ def _question(of: PutTo | Given) -> str:
     return f"{of.walk}/{of.step}/{of.vote}"
 
 
-def _locks(key: str) -> Parts:
-    """The parts of a new room: its key, and that of its QR code."""
-    return {"key": digest(key), "join": digest(join_key(key))}
+def _unjudged(given: Voted, now: float) -> bytes:
+    """An answer that is given back, as it is kept; none was given later than now."""
+    told = msgspec.structs.asdict(given) | {"at": min(given.at, now)}
+    return msgspec.json.encode(Judged(**told))
+
+
+def _locks(key: str, owner: str) -> Parts:
+    """The parts of a new room: its key, that of its QR code, and its owner."""
+    return {"key": digest(key), "join": digest(join_key(key)), **({OWNER: owner.encode()} if owner else {})}
 
 
 def _ended(name: bytes) -> str:

@@ -21,8 +21,8 @@ class LetIn(ClassHandler):
 
     async def post(self, code: str) -> None:
         room, ticket = await self.led(code), new_key()
-        name = f"ticket {digest(ticket).decode()}"
-        await self.outcome(self.classes.registry.store.lend(name, room.code.encode(), TICKET))
+        lent = self.classes.registry.store.lend(_name(room.code), digest(ticket), b"in", TICKET)
+        await self.outcome(lent)
         address = self.address(f"?class={room.code}&remote={ticket}")
         self.reply(Ticket(address=address, square=square(address)))
 
@@ -63,8 +63,7 @@ class RemoteControl(RemoteHandler):
 
     async def put(self, code: str) -> None:
         registry, ticket = self.classes.registry, self.body(Ticket)
-        kept = await self.outcome(registry.store.take(f"ticket {digest(ticket.address).decode()}"))
-        if not kept or kept.decode() != as_code(code):
+        if not await self.outcome(registry.store.take(_name(as_code(code)), digest(ticket.address))):
             raise RefusedError(
                 403, "This code has been used, or is older than a minute. The lecturer's screen shows a new one."
             )
@@ -101,3 +100,8 @@ class Listing(RemoteHandler):
     async def get(self, code: str) -> None:
         room = await self._let_in(code)
         self.reply(self.classes.registry.bank_of(room).listed(room.question.walk))
+
+
+def _name(code: str) -> str:
+    """The name under which a room's ticket is lent: a new one takes the place of the last."""
+    return f"ticket {code}"

@@ -117,6 +117,11 @@ class ClassRoom:
         self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
         return {*self.streams, *self.polls, *self.seen}
 
+    @property
+    def places(self) -> int:
+        """The number of places that are taken here: those of phones that were here a moment ago count."""
+        return len(self.polls) + max(len(self.streams), len(self.seen))
+
     def follows(self, name: str) -> bool:
         late = monotonic() - 2 * SILENCE
         return name in self.streams or max(self.polls.get(name, 0.0), self.seen.get(name, 0.0)) > late

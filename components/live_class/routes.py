@@ -22,10 +22,11 @@ CODE = r"([0-9A-Za-z]{4})"
 
 
 class LiveClass:
-    """The live classes of one server, opened by who knows its passphrase, if it has one."""
+    """The live classes of one server, opened by who knows its passphrase, if it has one. `secret` is the one of the
+    settings, "" where none is set."""
 
-    def __init__(self, store: Store, bank: QuestionBank, passphrase: str = "") -> None:
-        registry = Registry(store, bank, Keys(passphrase))
+    def __init__(self, store: Store, bank: QuestionBank, passphrase: str = "", secret: str = "") -> None:
+        registry = Registry(store, bank, Keys(passphrase, secret))
         self.context = ClassContext(registry)
         self.lead = partial(Publisher, registry)
         self._upkeep = Upkeep(registry)

@@ -203,6 +203,7 @@ class MemoryStore(Store):
         self._clock = clock
         self._rooms: dict[str, _Room] = {}
         self._counts: dict[str, _Count] = {}
+        self._counts_looked = 0.0
         self._lent: dict[str, _Lent] = {}
         self._listeners: list[Hear] = []
 
@@ -312,7 +313,7 @@ class MemoryStore(Store):
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         now = self._clock()
         if name not in self._counts and len(self._counts) >= self._most_counts:
-            self._counts = {one: count for one, count in self._counts.items() if count.until > now}
+            self._forget_counts(now)
             if len(self._counts) >= self._most_counts:
                 raise AwayError(OF_COUNTS)
         slot, known = slot_of(now, seconds), self._counts.get(name) or _Count(now)
@@ -322,6 +323,12 @@ class MemoryStore(Store):
             known.until = now + seconds + seconds / SLOTS
             self._counts[name] = known
         return sum(known.slots.values())
+
+    def _forget_counts(self, now: float) -> None:
+        """Forget those that are over, at most once a second."""
+        if now >= self._counts_looked + 1:
+            self._counts = {one: count for one, count in self._counts.items() if count.until > now}
+            self._counts_looked = now
 
     async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
         self._lent = {other: kept for other, kept in self._lent.items() if kept.until > self._clock()}

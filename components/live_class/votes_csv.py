@@ -5,11 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime
 from hashlib import sha256
 
-from components.live_class.pauses import by_and_by
+from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 
@@ -19,31 +19,54 @@ NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 HEAD = ("phone", "time", "here", "walk", "step", "vote", "question", "answer", "unit", "right")
 
 
-async def votes_csv(registry: Registry, room: ClassRoom) -> str:
-    """A line for each answer: by which phone of the class, under a number that says nothing of whose it is; when, in
-    UTC; how many were here; sketches as points in SI."""
-    text = io.StringIO(newline="")
-    writer = csv.writer(text)
-    writer.writerow(HEAD)
-    bank = registry.bank_of(room)
+async def votes_csv(registry: Registry, room: ClassRoom) -> list[str]:
+    """Return the table in pieces, with a line for each answer: the number of the phone, which does not say whose it is;
+    the time in UTC; how many were here; sketches as points in SI."""
     questions = await registry.store.questions(room.code)
-    given = {question: await registry.given_by(room, question) for question in questions}
-    phones = numbered((name for answers in given.values() for name, _ in answers), room.code)
-    for question, answers in given.items():
-        walk, step, vote = question.split("/")
-        if not answers:
-            continue
-        asked, words = bank.asked(walk, step), ("no", "yes") if bank.judges(walk, step) else ("", "")
-        async for name, one in by_and_by(sorted(answers, key=lambda answer: phones[answer[0]])):
-            row = (time_of(one.at), str(one.here or ""), walk, step, vote, asked, *bank.written(one), words[one.right])
-            writer.writerow((phones[name], *map(cell, row)))
-    return text.getvalue()
+    votes = {question: await registry.votes(room, question) for question in questions}
+    phones = await numbered(registry, {name for answers in votes.values() for name in answers}, room.code)
+    pieces = [line(HEAD)]
+    for question, answers in votes.items():
+        rows = Rows(registry.bank_of(room), question, phones)
+        pieces += await registry.slices.map(rows.row, sorted(answers.items(), key=lambda answer: phones[answer[0]]))
+    return pieces
 
 
-def numbered(names: Iterable[str], code: str) -> dict[str, int]:
+class Rows:
+    """The rows of the answers to one vote."""
+
+    def __init__(self, bank: QuestionBank, question: str, phones: Mapping[str, int]) -> None:
+        self._bank, self._phones = bank, phones
+        self._question = question.split("/")
+        self._asked: tuple[str, tuple[str, str]] | None = None
+
+    def row(self, answer: tuple[str, bytes]) -> str:
+        """Return the row of an answer and its name; "" for one whose question is another by now."""
+        name, kept = answer
+        one = self._bank.read(kept)
+        if one is None:
+            return ""
+        walk, step, vote = self._question
+        asked, words = self._asked = self._asked or self._of(walk, step)
+        given = time_of(one.at), str(one.here or "")
+        told = (*given, walk, step, vote, asked, *self._bank.written(one), words[one.right])
+        return line((self._phones[name], *map(cell, told)))
+
+    def _of(self, walk: str, step: str) -> tuple[str, tuple[str, str]]:
+        """The question in words, and the words for a wrong answer and a right one."""
+        return self._bank.asked(walk, step), ("no", "yes") if self._bank.judges(walk, step) else ("", "")
+
+
+async def numbered(registry: Registry, names: Iterable[str], code: str) -> dict[str, int]:
     """A number for each name, in an order that tells nothing of when somebody came: their tokens begin with that."""
-    known = sorted(set(names), key=lambda name: sha256(f"{code} {name}".encode()).digest())
-    return {name: number for number, name in enumerate(known, start=1)}
+    hashed = await registry.slices.map(lambda name: (sha256(f"{code} {name}".encode()).digest(), name), names)
+    return {name: number for number, (_, name) in enumerate(sorted(hashed), start=1)}
+
+
+def line(cells: Iterable[object]) -> str:
+    text = io.StringIO(newline="")
+    csv.writer(text).writerow(cells)
+    return text.getvalue()
 
 
 def time_of(at: float) -> str:

@@ -57,7 +57,8 @@ async def serve(settings: Settings) -> None:
     folders = [settings.walks] if settings.walks else []
     lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
     lecture.bank.apart = apart
-    live_class = LiveClass(store_at(settings.store), lecture.bank, settings.class_passphrase)
+    store = store_at(settings.store)
+    live_class = LiveClass(store, lecture.bank, settings.class_passphrase, settings.bokeh_secret_key)
     numbers = NumbersRoute(apart, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
     figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: len(apart))}

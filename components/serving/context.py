@@ -25,13 +25,10 @@ class Context:
     """The proxies whose word on where a visitor comes from is taken."""
     admission: Admission
     metrics: Metrics
+    secret: bytes
+    """The key that tokens are signed with."""
     ending: asyncio.Event = field(default_factory=asyncio.Event)
     """Set as soon as no new visitors are to be sent here."""
-
-    @property
-    def secret(self) -> bytes:
-        """The key that tokens are signed with."""
-        return self.settings.bokeh_secret_key.encode()
 
     def goes_by(self, origin: str) -> bool:
         """Whether pages of an origin are ours."""

@@ -6,6 +6,7 @@ import asyncio
 import logging
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from secrets import token_urlsafe
 from typing import Any, Protocol
 
 from bokeh.server.tornado import BokehTornado
@@ -73,6 +74,7 @@ class Server:
             looked |= extension.figures()
         self.context = Context(
             settings=settings,
+            secret=(settings.bokeh_secret_key or token_urlsafe()).encode(),
             hosts=settings.hosts(self.port),
             trusted=networks(settings.trusted_proxies),
             admission=admission,

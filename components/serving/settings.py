@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import pairwise
 from pathlib import Path
-from secrets import token_urlsafe
 from typing import Annotated, Any, Literal, get_type_hints
 from urllib.parse import quote, urlsplit
 
@@ -59,7 +58,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
             description="at least 16 characters that nobody guesses, such as `make secret` makes, the same for all "
             "replicas",
         ),
-    ] = msgspec.field(default_factory=token_urlsafe)
+    ] = ""
     trusted_proxies: Annotated[
         tuple[str, ...],
         Meta(
@@ -297,7 +296,7 @@ CHECKS: Mapping[str, Callable[[Settings], object]] = {
     "public_url": lambda settings: _check_ports([settings.public_url]),
     "redis_url": lambda settings: _check_store(settings.redis_url),
     "walks": lambda settings: _check_folder(settings.walks),
-    SECRET: lambda settings: _check_secret(settings.bokeh_secret_key),
+    SECRET: lambda settings: settings.bokeh_secret_key and _check_secret(settings.bokeh_secret_key),
 }
 """What a field's own limits cannot say: each raises ValueError."""
 

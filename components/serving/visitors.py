@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from ipaddress import IPv4Network, IPv6Network, ip_address, ip_network
 from time import monotonic
@@ -13,7 +14,8 @@ Network = IPv4Network | IPv6Network
 MINUTE = 60.0
 OF_A_NETWORK = {4: 24, 6: 56}
 """Bits of an address that a network of visitors shares, by the version of the protocol."""
-MOST_NETWORKS = 10_000
+MOST_NAMES = 100_000
+"""Names that a rate knows. A new name waits while so many have come within a minute: they take 25 MB."""
 
 
 def networks(names: Sequence[str]) -> tuple[Network, ...]:
@@ -47,9 +49,11 @@ class Rate:
     def __init__(self, most: int, clock: Callable[[], float] = monotonic) -> None:
         self.most = most
         self._clock = clock
-        self._left: dict[str, tuple[float, float]] = {}
-        """Of each who has come lately, how many times are left, and when that was."""
-        self._full = MOST_NETWORKS
+        self._left: OrderedDict[str, tuple[float, float]] = OrderedDict()
+        """How many times each name has left, and when that was, the oldest first."""
+
+    def __len__(self) -> int:
+        return len(self._left)
 
     def admit(self, name: str) -> float:
         """Count one time; where it is one too many, return the seconds until it is possible."""
@@ -60,6 +64,9 @@ class Rate:
 
     def wait(self, name: str) -> float:
         """Return the seconds until one more time is possible, 0 if it is possible now."""
+        self._forget()
+        if name not in self._left and len(self) >= MOST_NAMES:
+            return MINUTE
         return max(0.0, 1.0 - self.left(name)) * MINUTE / self.most
 
     def left(self, name: str) -> float:
@@ -70,11 +77,20 @@ class Rate:
 
     def charge(self, name: str, amount: float) -> None:
         """Count so many times, whether or not they are left."""
+        self._left[name] = self.left(name) - amount, self._clock()
+        self._left.move_to_end(name)
+
+    def _forget(self) -> None:
+        """Forget the names that have all their times left again."""
         now = self._clock()
-        if len(self._left) >= self._full:
-            self._left = {one: (left, seen) for one, (left, seen) in self._left.items() if now - seen < MINUTE}
-            self._full = max(MOST_NETWORKS, 2 * len(self._left))  # where all came lately, not each time
-        self._left[name] = self.left(name) - amount, now
+        while self._left:
+            name, (_, seen) = next(iter(self._left.items()))
+            if now - seen < MINUTE:
+                return
+            left = self.left(name)
+            del self._left[name]
+            if left < self.most:  # it was charged for more than a minute
+                self._left[name] = left, now
 
 
 class Arrivals(Rate):

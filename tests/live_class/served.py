@@ -21,7 +21,7 @@ CHOICE = {"walk": "d31", "step": "d31-03"}
 @asynccontextmanager
 async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[tuple[Server, str]]:
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    live_class = LiveClass(store or MemoryStore(), LECTURE.bank, made.class_passphrase)
+    live_class = LiveClass(store or MemoryStore(), LECTURE.bank, made.class_passphrase, made.bokeh_secret_key)
     page = partial(LECTURE.open_page, lead=live_class.lead)
     server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class], start=LECTURE.start)
     server.classes = live_class.context

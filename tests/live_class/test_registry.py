@@ -136,7 +136,7 @@ async def test_asked_again_the_first_vote_is_kept(in_class: Opened) -> None:
             await registry.vote(room, "two", Given(walk=walk, step=step, option=0, vote=2))
         assert room.question.lesson and room.question.lesson.right is None
         assert [verdict.right for verdict in room.question.lesson.verdicts] == [True, False, False]
-        rows = list(csv.DictReader(io.StringIO(await votes_csv(registry, room))))
+        rows = list(csv.DictReader(io.StringIO("".join(await votes_csv(registry, room)))))
         assert [(row["vote"], row["right"]) for row in rows if row["right"] == "yes"] == [("1", "yes")]
         phones = {row["phone"]: row["answer"] for row in rows if row["vote"] == "1"}
         (again,) = (row for row in rows if row["vote"] == "2")
@@ -196,7 +196,7 @@ async def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
             tally = await registry.tally(room)
         assert tally and tally.now.answered == 20 and len(judged) == 20
         assert tally.now.having == tuple(sum(one.has[i] for one in tally.now.sketches) for i in range(5))
-        assert len((await votes_csv(registry, room)).splitlines()) == 21 and len(judged) == 20
+        assert len(await votes_csv(registry, room)) == 21 and len(judged) == 20
 
 
 async def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
@@ -246,7 +246,7 @@ async def test_a_number_is_written_as_one(in_class: Opened) -> None:
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, text in enumerate(("−2", "-1,5", "+3", "-10^3", "2")):
             await registry.vote(room, str(voter), Given(walk=walk, step=step, text=text))
-        rows = [line.split(",")[-3:] for line in (await votes_csv(registry, room)).splitlines()[1:]]
+        rows = [line.strip().split(",")[-3:] for line in (await votes_csv(registry, room))[1:]]
         assert sorted((answer, right) for answer, _, right in rows) == sorted(
             [("-2", "no"), ("-1.5", "no"), ("3", "no"), ("-1000", "no"), ("2", "yes")]
         )
@@ -298,7 +298,7 @@ async def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Opened) -> Non
         await registry.obey(room, ShowAnswer())
         tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 0, 1) and tally.right == 1
-        rows = (await votes_csv(registry, room)).splitlines()[1:]
+        rows = [row.strip() for row in (await votes_csv(registry, room))[1:]]
         assert {row.rpartition(",")[2] for row in rows} == {"yes", "no"} and all(",mine,one,1," in row for row in rows)
         await registry.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now a number
         tally = await registry.tally(room)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import time
+from csv import DictReader
 from typing import Any
 
 import pytest
 
 from components.language.messages import Given
-from components.language.room import PutQuestion, RestoreAnswers, Voted
+from components.language.room import YEAR_2100, PutQuestion, RestoreAnswers, Voted
 from components.live_class import instructor_routes
 from components.live_class.codes import Keys, code_of, new_token
 from components.live_class.registry import Registry
@@ -18,6 +20,7 @@ from tests.live_class.listening import BANK
 from tests.live_class.served import CHOICE, served, teaching
 from tests.live_class.stores import KINDS, Valkey, made
 
+SECRET = "a secret of these tests alone"
 VOTE = f"{CHOICE['walk']}/{CHOICE['step']}/1"
 SKETCH = {"walk": "d34", "step": "d34-14"}
 
@@ -82,7 +85,7 @@ async def test_a_room_is_opened_anew_with_its_own_key_alone() -> None:
 async def test_a_code_that_is_another_class_s_by_now_stays_that_one_s(monkeypatch: pytest.MonkeyPatch) -> None:
     async with teaching() as (_, url):
         lesson, key = await Class.open(url), Keys().new()
-        monkeypatch.setattr("components.live_class.registry.code_of", lambda key: lesson.code)
+        monkeypatch.setattr(Keys, "code_of", lambda keys, key: lesson.code)
         refused = await reopened(url, lesson.code, key)
         assert refused.status == 409 and refused.json["sentence"].startswith("Another class has this code")
         assert (await lesson.order("withdraw")).status == 204
@@ -105,6 +108,35 @@ async def test_with_a_passphrase_only_keys_of_its_servers_open_a_room_anew() -> 
         own, strange = Keys("swinging springs").new(), Keys().new()
         assert (await reopened(url, code_of(own), own)).status == 200
         assert (await reopened(url, code_of(strange), strange)).status == 409
+
+
+@pytest.mark.parametrize("secret", ["", SECRET])
+async def test_a_server_that_is_started_again_finds_the_code_of_a_key(secret: str) -> None:
+    """Also one whose secret is made at the start: such a one is not in the code."""
+    settings = {"bokeh_secret_key": secret} if secret else {}
+    async with teaching(**settings) as (_, url):
+        lesson = await Class.open(url)
+    async with teaching(**settings) as (_, url), teaching(bokeh_secret_key=f"{SECRET}, another") as (_, other):
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200
+        assert (await reopened(other, lesson.code, lesson.key)).status == 409
+    assert (code_of(lesson.key) == lesson.code) is not bool(secret)  # nobody finds a key without the secret
+
+
+async def test_an_answer_that_is_given_back_has_a_time_that_can_be_written() -> None:
+    async with teaching() as (_, url):
+        lesson = await Class.open(url)
+        good = {**CHOICE, "option": 1}
+        for at, status in ((0, 204), (1.7e9, 204), (YEAR_2100, 204), (1e300, 400), (-1, 400), (1e11, 400)):
+            name = f"{int(at) % 10**9:011x}abcdefgh"
+            assert (await lesson.order("restore", answers={name: {**good, "at": at}})).status == status
+        assert (await lesson.order("restore", answers={name: {**good, "here": 10**30}})).status == 400
+        table = await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)
+        times = {row["time"] for row in DictReader(table.text.splitlines())}
+        assert (
+            len(times) == 3
+            and "" in times
+            and max(times) <= time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(time.time() + 1))
+        )
 
 
 async def test_what_is_no_answer_is_not_given_back() -> None:

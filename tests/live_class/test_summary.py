@@ -84,8 +84,14 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         assert (await leader.until(lambda event: event.get("deed")))["deed"] == "taken"
         again = await called(url, path, "PUT", {"word": word})
         assert (again.status, again.json["sentence"]) == (403, lead_routes.NO_WORD)
-        word = (await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("-")[2]
-        assert (await called(url, f"/class/{other.code}/word", "PUT", {"word": word})).status == 403
+        words = [
+            (await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("-")[2] for _ in range(2)
+        ]
+        assert (await called(url, path, "PUT", {"word": words[0]})).status == 403  # the second took its place
+        assert (await called(url, f"/class/{other.code}/word", "PUT", {"word": words[1]})).status == 403
+        assert (
+            await called(url, path, "PUT", {"word": words[1]})
+        ).status == 200  # at the wrong code it was not used up
         await leader.close()
 
 

@@ -73,6 +73,11 @@ async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> No
         await caller.depart()
 
 
+async def test_a_secret_that_is_not_set_is_made_for_each_start() -> None:
+    async with served() as first, served() as second:
+        assert first.context.secret != second.context.secret and len(first.context.secret) > 32
+
+
 async def test_a_token_holds_the_host_and_the_query() -> None:
     async with served() as server:
         page = await page_of(server, "/?k2=3", Cookie="a=b", Authorization="Basic eDp5", User_Agent="me")

@@ -76,10 +76,6 @@ def test_frames_are_named_as_in_the_header(text: str) -> None:
     assert read_settings([], {"FRAME_ANCESTORS": text}).frame_ancestors == text
 
 
-def test_a_secret_is_made_for_each_start() -> None:
-    assert read_settings([], {}).bokeh_secret_key != read_settings([], {}).bokeh_secret_key
-
-
 WRONG = [
     ("PORT", "70000"),
     ("PORT", "http"),

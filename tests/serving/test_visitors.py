@@ -11,7 +11,7 @@ from app import SHEETS, open_page
 from components.serving.admission import RETURNS
 from components.serving.server import Server
 from components.serving.settings import Settings
-from components.serving.visitors import MOST_NETWORKS, Arrivals, networks, visitor
+from components.serving.visitors import MINUTE, Arrivals, Rate, networks, visitor
 from tests.attack.caller import Reply, ask, contents, token_of
 
 TRUSTED = networks(["10.0.0.0/24", "fd00::1"])
@@ -58,11 +58,24 @@ def test_the_prefix_of_a_network_is_what_counts() -> None:
 def test_networks_that_came_long_ago_are_forgotten() -> None:
     now = 0.0
     arrivals = Arrivals(5, lambda: now)
-    for i in range(MOST_NETWORKS):
+    for i in range(1000):
         arrivals.admit(f"10.{i // 256}.{i % 256}.1")
     now = 100.0
     arrivals.admit("192.0.2.1")
-    assert len(arrivals._left) == 1
+    assert len(arrivals) == 1
+
+
+def test_no_number_of_names_lets_anybody_do_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("components.serving.visitors.MOST_NAMES", 50)
+    now, allowed = 0.0, list[float]()
+    rate = Rate(5, lambda: now)
+    for turn in range(4000):
+        now += 0.1
+        if not rate.admit("greedy"):
+            allowed.append(now)
+        rate.admit(f"made up {turn}")
+        assert len(rate) <= 50
+    assert max(sum(start <= at < start + MINUTE for at in allowed) for start in allowed) <= 2 * 5
 
 
 async def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
