@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import partial
 from secrets import token_hex
 from time import monotonic, time
 
@@ -307,17 +308,17 @@ class Registry:
         put = room.question
         if not put.step:
             return None
+        bank, count = self.bank_of(room), partial(self.bank_of(room).counted, put.walk, put.step)
         votes = await self.given(room, _question(put))
-        first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST))) if put.vote > 1 else None
-        bank = self.bank_of(room)
+        (now,) = await self.slices.map(count, [votes])
+        before = None
+        if put.vote > FIRST:
+            first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST)))
+            (before,) = await self.slices.map(count, [first])
+        (features,) = await self.slices.map(partial(bank.features, put.walk), [put.step])
+        right = sum(one.right for one in votes)
         return Tally(
-            walk=put.walk,
-            step=put.step,
-            vote=put.vote,
-            now=bank.counted(put.walk, put.step, votes),
-            before=None if first is None else bank.counted(put.walk, put.step, first),
-            features=bank.features(put.walk, put.step),
-            right=sum(one.right for one in votes),
+            walk=put.walk, step=put.step, vote=put.vote, now=now, before=before, features=features, right=right
         )
 
     def leave(self, room: ClassRoom) -> None:

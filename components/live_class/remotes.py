@@ -20,6 +20,7 @@ CONTROL = "control"
 """The part of the phone that is let in: what is kept of its key."""
 PATIENCE = 60.0
 """Seconds for which a phone waits."""
+DIGITS = range(10, 100)
 
 
 class Waiting(msgspec.Struct, frozen=True):
@@ -38,7 +39,7 @@ def waiting(parts: Parts) -> dict[str, Waiting]:
 
 def new_digits(taken: Container[str]) -> str:
     """Two, to be compared on two screens; ValueError where as many phones wait as there are."""
-    free = [digits for digits in map(str, range(10, 100)) if digits not in taken]
+    free = [digits for digits in map(str, DIGITS) if digits not in taken]
     if not free:
         raise ValueError("Too many remote controls are waiting. Try again in a minute.")
     return SystemRandom().choice(free)

@@ -1,0 +1,104 @@
+"""What one anonymous visitor can make a class keep."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import sys
+from collections import Counter
+from types import CoroutineType, FrameType, FunctionType, ModuleType
+from typing import get_args
+
+import pytest
+import redis
+from tornado.web import RequestHandler
+
+from components.language.room import Order
+from components.live_class import follower_routes, instructor_routes, registry, remotes, room, shared_store, store
+from components.live_class.routes import CODE, LiveClass
+from components.live_class.store import MemoryStore
+from tests.live_class.caller import Class
+from tests.live_class.listening import BANK
+from tests.live_class.messages import MESSAGES, Client
+from tests.live_class.served import CHOICE, served
+from tests.live_class.stores import KINDS, Valkey, made
+
+METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
+NO_DATA = (type, ModuleType, FunctionType, FrameType, CoroutineType, asyncio.Task, asyncio.AbstractEventLoop)
+REFUSED = {
+    "PUT /class/CODE/word", "PUT /class/CODE/word of none", "PUT /class/CODE/tickets", "DELETE /class/CODE/tickets",
+    "GET /class/CODE/remote", "POST /class/CODE/token of none", "GET /class/CODE/now of none",
+}  # fmt: skip
+"""What is guessed, or sent by a stranger."""
+ROUND = 18
+"""Messages of a kind that are sent before the bytes are looked at, and once more between two looks."""
+STEADY = 2000
+"""Bytes that a round may leave where nothing is kept for each message: caches that fill, lists that grow."""
+
+
+def test_the_messages_are_all_that_a_class_takes() -> None:
+    told = {tuple(name.split(" ")[:2]) for name in MESSAGES}
+    routes = [(route.replace(CODE, "CODE"), handler) for route, handler, *_ in LiveClass(MemoryStore(), BANK).routes()]
+    taken = {
+        (method.upper(), {"/CODE(/?)": "/CODE", "/CODE-([0-9A-Za-z]{8})": "/CODE-WORD"}.get(route, route))
+        for route, handler in routes
+        for method in METHODS
+        if getattr(handler, method) is not getattr(RequestHandler, method)
+    }
+    assert told == taken
+    orders = {order.__struct_config__.tag for order in get_args(Order)}
+    assert orders == {name.split(" ")[2] for name in MESSAGES if name.startswith("POST /class/CODE/lead")}
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server whose bounds are reached by a few messages."""
+    for module in (store, shared_store):
+        monkeypatch.setattr(module, "ALL_BYTES", 300_000)
+        monkeypatch.setattr(module, "RESERVE", 50_000)
+    monkeypatch.setattr(follower_routes, "MOST_FOLLOWERS", 4)
+    monkeypatch.setattr(registry, "SPARE", 2)
+    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 4)
+    monkeypatch.setattr(room, "KEPT", 4)
+    monkeypatch.setattr(remotes, "DIGITS", range(10, 14))
+
+
+def bytes_of(root: object) -> int:
+    """The bytes of all that an object refers to."""
+    seen, todo, total = set[int](), [root], 0
+    while todo:
+        one = todo.pop()
+        if id(one) not in seen and not isinstance(one, NO_DATA):
+            seen.add(id(one))
+            total += sys.getsizeof(one)
+            todo += gc.get_referents(one)
+    return total
+
+
+def bytes_in(url: str) -> int:
+    """The bytes of all that a Valkey keeps."""
+    with redis.Redis.from_url(url) as client:
+        return sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("kind", [KINDS[0], pytest.param("valkey", marks=[*KINDS[1].marks, pytest.mark.slow])])
+async def test_many_messages_of_a_kind_leave_no_more_than_some(
+    kind: str, valkey: Valkey, small: None, subtests: pytest.Subtests
+) -> None:
+    """Some are taken; as many once more leave nothing, since a bound is reached."""
+    async with made(kind, valkey.url) as kept, served(kept, trusted_proxies=("127.0.0.1",)) as (server, url):
+        rooms = server.classes.registry
+        for i, (name, send) in enumerate(MESSAGES.items()):
+            code, key = await rooms.open()
+            sender = Client(url, Class(url, {"code": code, "key": key}), f"198.51.{i}.1")
+            await sender.lesson.order("put", **CHOICE)
+            sizes, statuses = list[int](), Counter[int]()
+            for turn in range(2):
+                for number in range(turn * ROUND, (turn + 1) * ROUND):
+                    answer = await send(sender, number)
+                    statuses[answer.status if answer else 0] += 1
+                sizes.append(bytes_of(rooms) + (bytes_in(valkey.url) if kind == "valkey" else 0))
+            with subtests.test(name):
+                assert min(statuses) < 400 or name in REFUSED
+                assert sizes[1] - sizes[0] < STEADY
+            await sender.lesson.order("end")

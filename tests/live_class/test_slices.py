@@ -1,0 +1,128 @@
+"""How much work a class with many answers makes in one turn of the event loop."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from typing import Any
+
+import msgspec
+import pytest
+
+from components.language.messages import Given
+from components.live_class import pauses
+from components.live_class.pauses import Slices, Turns
+from components.live_class.store import MemoryStore, Store
+from components.walks.questions.question import Judged, Written
+from components.walks.questions.sketch import SketchStep
+from tests.live_class.caller import Class, called
+from tests.live_class.messages import NUMBER, SKETCH
+from tests.live_class.served import CHOICE, LECTURE, served
+
+ANSWERS = 5000
+VOTES = 3
+MOST_WORK = 20_000
+"""Calls of functions in one turn of the event loop: some milliseconds."""
+READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally")
+
+
+class Work:
+    """The most calls of functions that this thread makes in one turn of its event loop."""
+
+    def __init__(self) -> None:
+        self.most = self._calls = 0
+
+    def _count(self, frame: object, event: str, of: object) -> None:
+        self._calls += event in ("call", "c_call")
+
+    async def _look(self) -> None:
+        while True:
+            self._calls = 0
+            await asyncio.sleep(0)
+            self.most = max(self.most, self._calls)
+
+    async def __aenter__(self) -> Work:
+        self._looking = asyncio.create_task(self._look())
+        sys.setprofile(self._count)
+        return self
+
+    async def __aexit__(self, *error: object) -> None:
+        sys.setprofile(None)
+        self._looking.cancel()
+        await asyncio.gather(self._looking, return_exceptions=True)
+
+
+async def fill(kept: Store, lesson: Class, asked: dict[str, Any]) -> None:
+    """As many answers as there may be to each of some votes, all of them wrong."""
+    judged = LECTURE.bank.judge(Given(**asked))
+    assert not judged.right
+    for vote in range(1, VOTES + 1):
+        await lesson.order("put", walk=asked["walk"], step=asked["step"], vote=vote)
+        answer = msgspec.json.encode(msgspec.structs.replace(judged, vote=vote))
+        for voter in range(ANSWERS):
+            assert await kept.vote(lesson.code, f"{asked['walk']}/{asked['step']}/{vote}", f"{voter:019}", answer)
+
+
+@pytest.mark.parametrize(
+    "asked", [SKETCH, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}], ids=lambda one: one["step"]
+)
+async def test_no_number_of_answers_holds_the_event_loop(
+    asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = list[Judged]()
+
+    def write(step: SketchStep, given: Judged, subject: object) -> Written:
+        written.append(given)
+        return Written("drawn")
+
+    monkeypatch.setattr(SketchStep, "written", write)
+    kept = MemoryStore(size=2**30)
+    async with served(kept) as (_, url):
+        lesson = await Class.open(url)
+        await fill(kept, lesson, asked)
+        for path in READ:
+            async with Work() as work:
+                replied = await called(url, f"/class/{lesson.code}/{path.format(**asked)}", word=lesson.key)
+            assert (replied.status == 200 and str(ANSWERS) in replied.text) or len(replied.text) > 100 * ANSWERS
+            assert work.most < MOST_WORK
+            assert path == "answers.csv" or not written  # no sketch is written as text where nobody reads it
+            written.clear()
+
+
+async def test_work_that_was_begun_together_takes_turns_one_slice_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pauses, "MOST", 2)
+    slices, done = Slices(), list[list[str]]()
+
+    async def look() -> None:
+        while True:
+            done.append([])
+            await asyncio.sleep(0)
+
+    looking = asyncio.create_task(look())
+    await asyncio.sleep(0)
+
+    def act(item: str) -> str:
+        done[-1].append(item)
+        return item.upper()
+
+    results = await asyncio.gather(*(slices.map(act, [f"{name}{i}" for i in range(4)]) for name in "abc"))
+    looking.cancel()
+    assert results[0] == ["A0", "A1", "A2", "A3"] and await slices.map(act, []) == []
+    turns = [turn for turn in done if turn]
+    assert all(len(turn) <= 2 and len({item[0] for item in turn}) == 1 for turn in turns)
+    assert [turn[0][0] for turn in turns] == list("abcabc")
+
+
+async def test_one_costly_request_of_a_network_is_answered_at_a_time() -> None:
+    turns, begun = Turns(), list[str]()
+
+    async def ask(network: str) -> None:
+        async with turns.of(network):
+            begun.append(network)
+            await asyncio.sleep(0.01)
+
+    asked = [asyncio.create_task(ask(network)) for network in ("a", "a", "a", "b")]
+    await asyncio.sleep(0.001)
+    assert begun == ["a", "b"]
+    await asyncio.gather(*asked)
+    assert begun == ["a", "b", "a", "a"]
