@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Sequence
+from functools import partial
+from typing import TypeAlias
 
 from components.language.room import StepSummary, VoteSummary
 from components.layout.text import rich
+from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
-from components.walks.questions.question import Judged
 
 LONGEST = 200
 """Characters of an answer that can be said."""
+Told: TypeAlias = tuple[bool, str]
 
 
 async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
@@ -30,14 +33,15 @@ async def _summary(
     registry: Registry, room: ClassRoom, walk: str, step: str, numbers: Sequence[int]
 ) -> StepSummary | None:
     """The summary of a question; None where no answer to it is left."""
-    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[Judged]()
+    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[Told]()
     for number in numbers:
-        if answers := await registry.given(room, f"{walk}/{step}/{number}"):
-            votes.append(VoteSummary(vote=number, answered=len(answers), right=sum(one.right for one in answers)))
-            last = answers
+        kept = await registry.votes(room, f"{walk}/{step}/{number}")
+        if told := [one for one in await registry.slices.map(partial(_told, bank), kept.values()) if one]:
+            votes.append(VoteSummary(vote=number, answered=len(told), right=sum(is_right for is_right, _ in told)))
+            last = told
     if not votes:
         return None
-    mistake, mistaken = await _mistake(registry, room, last)
+    mistake, mistaken = _mistake(last)
     return StepSummary(
         walk=walk,
         step=step,
@@ -49,12 +53,17 @@ async def _summary(
     )
 
 
-async def _mistake(registry: Registry, room: ClassRoom, answers: Sequence[Judged]) -> tuple[str, int]:
-    """The wrong answer that was given most often, and by how many; no sketch is written, which takes long."""
-    bank = registry.bank_of(room)
-    wrong = [one for one in answers if not one.right and not one.curves]
-    texts = await registry.slices.map(lambda one: " ".join(bank.written(one)).strip(), wrong)
-    for text, count in Counter(texts).most_common(1):
+def _told(bank: QuestionBank, kept: bytes) -> Told | None:
+    """Whether an answer is right, and a wrong one in words; no sketch is written, which takes long."""
+    one = bank.read(kept)
+    if one is None:
+        return None
+    return one.right, "" if one.right or one.curves else " ".join(bank.written(one)).strip()
+
+
+def _mistake(told: Sequence[Told]) -> tuple[str, int]:
+    """The wrong answer that was given most often, and by how many."""
+    for text, count in Counter(text for _, text in told if text).most_common(1):
         if len(text) <= LONGEST:
             return text, count
     return "", 0

@@ -6,24 +6,20 @@ import asyncio
 import sys
 from typing import Any
 
-import msgspec
 import pytest
 
-from components.language.messages import Given
 from components.live_class import pauses
 from components.live_class.pauses import Slices, Turns
-from components.live_class.store import MemoryStore, Store
+from components.live_class.store import MemoryStore
 from components.walks.questions.question import Judged, Written
 from components.walks.questions.sketch import SketchStep
 from tests.live_class.caller import Class, called
+from tests.live_class.full_class import ANSWERS, READ, fill
 from tests.live_class.messages import NUMBER, SKETCH
-from tests.live_class.served import CHOICE, LECTURE, served
+from tests.live_class.served import CHOICE, served
 
-ANSWERS = 5000
-VOTES = 3
 MOST_WORK = 20_000
 """Calls of functions in one turn of the event loop: some milliseconds."""
-READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally")
 
 
 class Work:
@@ -52,17 +48,6 @@ class Work:
         await asyncio.gather(self._looking, return_exceptions=True)
 
 
-async def fill(kept: Store, lesson: Class, asked: dict[str, Any]) -> None:
-    """As many answers as there may be to each of some votes, all of them wrong."""
-    judged = LECTURE.bank.judge(Given(**asked))
-    assert not judged.right
-    for vote in range(1, VOTES + 1):
-        await lesson.order("put", walk=asked["walk"], step=asked["step"], vote=vote)
-        answer = msgspec.json.encode(msgspec.structs.replace(judged, vote=vote))
-        for voter in range(ANSWERS):
-            assert await kept.vote(lesson.code, f"{asked['walk']}/{asked['step']}/{vote}", f"{voter:019}", answer)
-
-
 @pytest.mark.parametrize(
     "asked", [SKETCH, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}], ids=lambda one: one["step"]
 )
@@ -79,7 +64,7 @@ async def test_no_number_of_answers_holds_the_event_loop(
     kept = MemoryStore(size=2**30)
     async with served(kept) as (_, url):
         lesson = await Class.open(url)
-        await fill(kept, lesson, asked)
+        await fill(lesson, kept, asked)
         for path in READ:
             async with Work() as work:
                 replied = await called(url, f"/class/{lesson.code}/{path.format(**asked)}", word=lesson.key)
