@@ -14,6 +14,9 @@ LENGTH = 4
 DEAR = {"n": 2**13, "r": 8, "p": 1}
 """The price of a code: some 20 ms, so that all 30^4 take hours."""
 
+MARK = 5
+"""Characters of the mark in a name: to find one takes a day of restored answers."""
+
 
 def code_of(key: str, secret: str = "") -> str:
     """Return the code of the room of a key. Finding a key for a given code takes hours; without the server's secret it
@@ -47,6 +50,12 @@ class Keys:
     def code_of(self, key: str) -> str:
         return code_of(key, self._salt)
 
+    def new_token(self, room: bytes) -> str:
+        return new_token(room, self._salt)
+
+    def is_given(self, name: str, room: bytes) -> bool:
+        return is_given(name, room, self._salt)
+
     def new(self) -> str:
         word = new_key()
         return word + self._signature(word)
@@ -78,10 +87,24 @@ def is_key(key: str, kept: bytes) -> bool:
     return bool(kept) and hmac.compare_digest(digest(key), kept)
 
 
-def new_token(room: bytes) -> str:
-    """A follower's token, good for the room of whose key this digest is kept, and saying nothing of who has it: its
-    name is the time in ms, so that the newest of some is the greatest, and chance."""
-    return _signed(room, f"{int(1000 * time()):011x}{token_urlsafe(6)}")
+def new_token(room: bytes, secret: str = "") -> str:
+    """Return a follower's token, good for the room of whose key this digest is kept; it does not say who has it.
+
+    Its name is the time in ms, so that the newest of some is the greatest, then chance, then a mark that shows that a
+    server with this secret gave it.
+    """
+    name = f"{int(1000 * time()):011x}{token_urlsafe(3)[:3]}"
+    return _signed(room, name + (_mark(name, room, secret) if secret else token_urlsafe(6)[:MARK]))
+
+
+def is_given(name: str, room: bytes, secret: str) -> bool:
+    """Whether a server with this secret gave the name of a token of a room; without one anybody's may be."""
+    return not secret or hmac.compare_digest(name[-MARK:].encode(), _mark(name[:-MARK], room, secret).encode())
+
+
+def _mark(name: str, room: bytes, secret: str) -> str:
+    signed = hmac.digest(secret.encode(), b"phone " + room + name.encode(), "sha256")
+    return urlsafe_b64encode(signed).decode()[:MARK]
 
 
 def voter_of(token: str, room: bytes) -> str:

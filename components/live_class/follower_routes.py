@@ -12,7 +12,7 @@ from tornado.iostream import IOStream, StreamClosedError
 
 from components.language.messages import Given, Taught
 from components.language.room import Entered
-from components.live_class.codes import as_code, is_key, new_token
+from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
@@ -91,7 +91,7 @@ class Enter(ClassHandler):
 
     async def post(self, code: str) -> None:
         room = await self._shown(code) or await self._typed(code)
-        self.reply(Entered(code=room.code, token=new_token(room.parts["key"])))
+        self.reply(Entered(code=room.code, token=self.classes.registry.token(room)))
 
     async def _shown(self, code: str) -> ClassRoom | None:
         """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""

@@ -6,6 +6,7 @@ from asyncio import wrap_future
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from hashlib import sha256
+from typing import Any
 
 import msgspec
 from msgspec.structs import asdict, replace
@@ -118,7 +119,10 @@ class QuestionBank:
     def read(self, kept: bytes) -> Judged | None:
         """An answer as it was kept; None where its step is another by now, to which it is no answer."""
         known = _JUDGED.decode(kept)
-        return known if known.form == self._form(known.walk, known.step) else self._anew(kept)
+        if known.form == self._form(known.walk, known.step):
+            return known
+        found = self._anew(kept)
+        return found and replace(known, **found)
 
     @staticmethod
     def voted(kept: bytes) -> Voted:
@@ -126,13 +130,14 @@ class QuestionBank:
         known = _JUDGED.decode(kept)
         return Voted(**{name: getattr(known, name) for name in Voted.__struct_fields__})
 
-    def _judged_anew(self, kept: bytes) -> Judged | None:
+    def _judged_anew(self, kept: bytes) -> dict[str, Any] | None:
+        """What is known of an answer by now, without the answer: thousands of these are remembered."""
         known = _JUDGED.decode(kept)
-        given = Given(**{name: getattr(known, name) for name in Given.__struct_fields__})
         try:
-            return replace(self.judge(given), at=known.at, here=known.here)
+            judged = self.judge(Given(**{name: getattr(known, name) for name in Given.__struct_fields__}))
         except ValueError:
             return None
+        return {name: getattr(judged, name) for name in ("number", "right", "has", "form")}
 
     def _form_of(self, walk: str, step: str) -> str:
         """A hash of a step, by which it is told from one of the same name in an earlier file."""

@@ -216,16 +216,22 @@ class Registry:
         await self._keep(room, walks={**room.own, name: text})
 
     async def _restore(self, room: ClassRoom, answers: Mapping[str, Voted]) -> None:
-        """Keep answers that a server has lost, but none in place of a newer one; ValueError, in words, for those to a
-        question that there is not. They are judged when they are read."""
+        """Keep answers that a server has lost, but none in place of a newer one; they are judged when they are read.
+
+        ValueError, in words, for those to a question that there is not, and for too many. An answer counts as one of
+        a phone that is here if this server did not give the name that it comes under.
+        """
         bank, now = self.bank_of(room), round(time())
         for walk, step in {(given.walk, given.step) for given in answers.values()}:
             bank.step(walk, step)
         kept = await self.slices.map(lambda given: _unjudged(given, now), answers.values())
+        left_out = 0
         for voter, given, answer in zip(answers, answers.values(), kept, strict=True):
-            if not await self.store.vote(room.code, _question(given), voter, answer, replace=False):
-                raise ValueError("No more answers can be kept for this question.")
+            most = MOST_VOTES if self._keys.is_given(voter, room.parts["key"]) else self._most(room)
+            left_out += not await self.store.vote(room.code, _question(given), voter, answer, most, replace=False)
         await self.store.tell(room.code, {"answers": b"true"})
+        if left_out:
+            raise ValueError(f"{left_out} answers were not kept: more than the phones of this class can have given.")
 
     async def copied(self, room: ClassRoom, question: str) -> dict[str, Voted]:
         """The answers to a vote by the names of those who gave them, for the instructor's page to keep."""
@@ -276,7 +282,7 @@ class Registry:
         judged = msgspec.structs.replace(self.bank_of(room).judge(vote), at=round(time()), here=room.here)
         question, answer = _question(put), msgspec.json.encode(judged)
         room.peak = max(room.peak, room.followers)
-        most = min(MOST_VOTES, SPARE + 2 * room.peak)
+        most = self._most(room)
         if not await self.store.vote(room.code, question, voter, answer, most):
             gone = set(await self.store.votes(room.code, question)) - room.names - await self.store.named(room.code)
             if not gone:
@@ -284,6 +290,15 @@ class Registry:
             await self.store.unvote(room.code, question, max(gone))
             await self.store.vote(room.code, question, voter, answer, most)
         await self.store.tell(room.code, {"answers": b"true"})
+
+    @staticmethod
+    def _most(room: ClassRoom) -> int:
+        """The number of answers to a vote that phones which have been here can have given."""
+        return min(MOST_VOTES, SPARE + 2 * room.peak)
+
+    def token(self, room: ClassRoom) -> str:
+        """A new follower's token."""
+        return self._keys.new_token(room.parts["key"])
 
     async def follows(self, room: ClassRoom, name: str) -> bool:
         """Whether somebody follows, here or at another replica."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from components.language.room import Confirmed, Done, Paired, Reopen, Ticket
-from components.live_class.codes import as_code, digest, new_key, new_token
+from components.live_class.codes import as_code, digest, new_key
 from components.live_class.handler import ClassHandler, square
 from components.live_class.remotes import CONTROL, begun, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
@@ -72,7 +72,7 @@ class RemoteControl(RemoteHandler):
             digits = new_digits(taken=room.waiting)
         except ValueError as reason:
             raise RefusedError(429, str(reason), TICKET) from reason
-        paired = Paired(digits=digits, key=new_token(room.parts["key"]))
+        paired = Paired(digits=digits, key=registry.token(room))
         await self.outcome(registry.tell(room, begun(digits, paired.key)))
         self.reply(paired)
 

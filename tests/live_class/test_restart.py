@@ -11,8 +11,8 @@ import pytest
 
 from components.language.messages import Given
 from components.language.room import YEAR_2100, PutQuestion, RestoreAnswers, Voted
-from components.live_class import instructor_routes
-from components.live_class.codes import Keys, code_of, new_token
+from components.live_class import instructor_routes, registry
+from components.live_class.codes import Keys, code_of, digest, is_given, new_token
 from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
 from tests.live_class.caller import Answered, Class, called, streams_closed
@@ -202,6 +202,34 @@ async def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: s
         await second.obey(again, PutQuestion(**CHOICE))
         tally = await second.tally(again)
         assert tally and tally.now.options == (0, 0, 1)
+
+
+async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server with a secret knows the names that it gave, also after a start; of others it takes what phones that are
+    here could have sent."""
+    monkeypatch.setattr(registry, "SPARE", 2)
+    async with teaching(bokeh_secret_key=SECRET) as (_, url):
+        lesson = await Class.open(url)
+        answer = {**CHOICE, "option": 1}
+        own = {(await lesson.token()).partition(".")[0]: answer for _ in range(8)}
+    made_up = {f"{i:011x}abcdefgh": answer for i in range(8)}
+    async with teaching(bokeh_secret_key=SECRET) as (_, url):
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200
+        lesson.url = url
+        refused = await lesson.order("restore", answers=made_up)
+        assert refused.status == 409 and refused.json["sentence"].startswith("6 answers were not kept: more than")
+        assert (await lesson.order("restore", answers=own)).status == 204
+        copies = await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)
+        assert len(copies.json) == 2 + 8 and own.keys() <= copies.json.keys()
+
+
+def test_a_name_is_of_the_room_and_the_server_that_gave_it() -> None:
+    room = digest("a room")
+    name = new_token(room, SECRET).partition(".")[0]
+    assert is_given(name, room, SECRET) and is_given(name, room, "")
+    for strange in (is_given(name, digest("another"), SECRET), is_given(name, room, f"{SECRET}.")):
+        assert not strange
+    assert not any(is_given(new_token(room, other).partition(".")[0], room, SECRET) for other in ("", "another"))
 
 
 async def test_answers_given_back_fill_no_more_than_a_room() -> None:
