@@ -122,7 +122,7 @@ class QuestionBank:
         if known.form == self._form(known.walk, known.step):
             return known
         found = self._anew(kept)
-        return found and replace(known, **found)
+        return None if found is None else replace(known, **found)
 
     @staticmethod
     def voted(kept: bytes) -> Voted:

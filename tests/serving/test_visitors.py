@@ -78,6 +78,18 @@ def test_no_number_of_names_lets_anybody_do_more(monkeypatch: pytest.MonkeyPatch
     assert max(sum(start <= at < start + MINUTE for at in allowed) for start in allowed) <= 2 * 5
 
 
+def test_a_charge_of_more_than_a_minute_is_paid_off_in_full() -> None:
+    now = 0.0
+    rate = Rate(10, lambda: now)
+    rate.charge("greedy", 40.0)
+    waits = []
+    for at in (0.0, 61.0, 122.0, 187.0):
+        now = at
+        rate.admit("another")
+        waits.append(rate.wait("greedy") > 0)
+    assert waits == [True, True, True, False]
+
+
 async def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
     async def page_for(server: Server, address: str) -> Reply:
         url = f"http://127.0.0.1:{server.port}/"
