@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from components.live_class.pauses import Turns
 from components.live_class.registry import Registry
+from components.live_class.slices import Turns
 from components.serving.visitors import Arrivals, Rate
 
 OF_A_CLASS = 1200

@@ -14,7 +14,10 @@ from components.serving.visitors import network_of
 
 MOMENT = 120.0
 """Seconds for which a word is good."""
-NO_WORD = "This key has been used, or is older than two minutes. The computer that leads the class shows a new one."
+NO_WORD = (
+    "This key has been used, is older than two minutes, or was replaced by a newer one. "
+    "The computer that leads the class shows a new one."
+)
 
 
 class Lent(msgspec.Struct, frozen=True):

@@ -131,7 +131,7 @@ class QuestionBank:
         return Voted(**{name: getattr(known, name) for name in Voted.__struct_fields__})
 
     def _judged_anew(self, kept: bytes) -> dict[str, Any] | None:
-        """What is known of an answer by now, without the answer: thousands of these are remembered."""
+        """Return what is known of an answer by now, without the answer: thousands of these are remembered."""
         known = _JUDGED.decode(kept)
         try:
             judged = self.judge(Given(**{name: getattr(known, name) for name in Given.__struct_fields__}))

@@ -28,10 +28,10 @@ from components.language.room import (
     Withdraw,
 )
 from components.live_class.codes import Keys, digest, is_key, join_key
-from components.live_class.pauses import Slices
 from components.live_class.question_bank import BusyError, QuestionBank
 from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
+from components.live_class.slices import Slices
 from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, FullError, Parts, Store
 from components.walks.questions.question import Judged
 

@@ -65,7 +65,9 @@ class RemoteControl(RemoteHandler):
         registry, ticket = self.classes.registry, self.body(Ticket)
         if not await self.outcome(registry.store.take(_name(as_code(code)), digest(ticket.address))):
             raise RefusedError(
-                403, "This code has been used, or is older than a minute. The lecturer's screen shows a new one."
+                403,
+                "This code has been used, is older than a minute, or was replaced by a newer one. "
+                "The lecturer's screen shows a new one.",
             )
         room = await self.outcome(registry.room(as_code(code)))
         try:

@@ -15,7 +15,7 @@ from components.live_class.room import ClassRoom
 
 LONGEST = 200
 """Characters of an answer that can be said."""
-Told: TypeAlias = tuple[bool, str]
+ToldAnswer: TypeAlias = tuple[bool, str]
 
 
 async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
@@ -33,7 +33,7 @@ async def _summary(
     registry: Registry, room: ClassRoom, walk: str, step: str, numbers: Sequence[int]
 ) -> StepSummary | None:
     """The summary of a question; None where no answer to it is left."""
-    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[Told]()
+    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[ToldAnswer]()
     for number in numbers:
         kept = await registry.votes(room, f"{walk}/{step}/{number}")
         if told := [one for one in await registry.slices.map(partial(_told, bank), kept.values()) if one]:
@@ -53,7 +53,7 @@ async def _summary(
     )
 
 
-def _told(bank: QuestionBank, kept: bytes) -> Told | None:
+def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
     """Whether an answer is right, and a wrong one in words; no sketch is written, which takes long."""
     one = bank.read(kept)
     if one is None:
@@ -61,7 +61,7 @@ def _told(bank: QuestionBank, kept: bytes) -> Told | None:
     return one.right, "" if one.right or one.curves else " ".join(bank.written(one)).strip()
 
 
-def _mistake(told: Sequence[Told]) -> tuple[str, int]:
+def _mistake(told: Sequence[ToldAnswer]) -> tuple[str, int]:
     """The wrong answer that was given most often, and by how many."""
     for text, count in Counter(text for _, text in told if text).most_common(1):
         if len(text) <= LONGEST:

@@ -27,12 +27,12 @@ async def votes_csv(registry: Registry, room: ClassRoom) -> list[str]:
     phones = await numbered(registry, {name for answers in votes.values() for name in answers}, room.code)
     pieces = [line(HEAD)]
     for question, answers in votes.items():
-        rows = Rows(registry.bank_of(room), question, phones)
+        rows = VoteRows(registry.bank_of(room), question, phones)
         pieces += await registry.slices.map(rows.row, sorted(answers.items(), key=lambda answer: phones[answer[0]]))
     return pieces
 
 
-class Rows:
+class VoteRows:
     """The rows of the answers to one vote."""
 
     def __init__(self, bank: QuestionBank, question: str, phones: Mapping[str, int]) -> None:

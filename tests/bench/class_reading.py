@@ -1,4 +1,4 @@
-"""How long a class full of sketches holds the event loop while it is read: `python -m tests.bench.class_reading`.
+"""The time for which a class of many sketches holds the event loop: `python -m tests.bench.class_reading`.
 
 For each request: the seconds until the answer, and the longest turn of the event loop meanwhile; for one client, then
 for some at once of one network, then of as many networks.

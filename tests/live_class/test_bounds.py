@@ -1,4 +1,4 @@
-"""What one anonymous visitor can make a class keep."""
+"""The bytes that one anonymous visitor can make a class keep."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ REFUSED = {
     "PUT /class/CODE/word", "PUT /class/CODE/word of none", "PUT /class/CODE/tickets", "DELETE /class/CODE/tickets",
     "GET /class/CODE/remote", "POST /class/CODE/token of none", "GET /class/CODE/now of none",
 }  # fmt: skip
-"""What is guessed, or sent by a stranger."""
+"""Guesses, and messages of strangers."""
 ROUND = 18
 """Messages of a kind that are sent before the bytes are looked at, and once more between two looks."""
 STEADY = 2000

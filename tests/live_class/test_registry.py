@@ -24,7 +24,7 @@ from components.language.room import (
     Tally,
     Withdraw,
 )
-from components.live_class import pauses, question_bank
+from components.live_class import question_bank, slices
 from components.live_class import registry as registry_of
 from components.live_class import room as room_of
 from components.live_class.codes import SIGNS, Keys, as_code, code_of, digest, new_key, new_token, voter_of
@@ -203,7 +203,7 @@ async def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
     in_class: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sketch, "MOST_SKETCHES", 3)
-    monkeypatch.setattr(pauses, "SLICE", 0.0)
+    monkeypatch.setattr(slices, "SLICE", 0.0)
 
     async with in_class() as (registry, room):
         walk, step = SKETCH

@@ -1,4 +1,4 @@
-"""How much work a class with many answers makes in one turn of the event loop."""
+"""The work that a class with many answers makes in one turn of the event loop."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from components.live_class import pauses
-from components.live_class.pauses import Slices, Turns
+from components.live_class.slices import Slices, Turns
 from components.live_class.store import MemoryStore
 from components.walks.questions.question import Judged, Written
 from components.walks.questions.sketch import SketchStep
@@ -75,7 +74,7 @@ async def test_no_number_of_answers_holds_the_event_loop(
 
 
 async def test_work_that_was_begun_together_takes_turns_one_slice_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pauses, "MOST", 2)
+    monkeypatch.setattr("components.live_class.slices.MOST", 2)
     slices, done = Slices(), list[list[str]]()
 
     async def look() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Awaitable, Callable
-from contextlib import AbstractAsyncContextManager
+from contextlib import AbstractAsyncContextManager, suppress
 from functools import partial
 from itertools import count
 from random import Random
@@ -165,6 +165,22 @@ async def test_rooms_that_are_over_take_no_bytes(on: Kept, small: None) -> None:
         await until(over)
         await kept.open("BBBB", {"key": b"1"})
         assert await fill(kept, "BBBB") == first
+
+
+async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(valkey: Valkey, small: None) -> None:
+    """Of the smallest answers, for which a store needs more than for what is in them; many votes have one alone."""
+    async with made("valkey", valkey.url) as kept:
+        with redis.Redis.from_url(valkey.url) as client:
+            client.flushall()
+            for room in range(5):
+                code = code_of(f"{room}")
+                await kept.open(code, {"key": b"1"})
+                with suppress(store.FullError):
+                    for number in range(1000):
+                        question = "d31/d31-03/1" if room % 2 else f"d31/d31-{number:03}/1"
+                        assert await kept.vote(code, question, f"{number:019}", b"x" * 130)
+            taken = sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
+        assert store.ALL_BYTES // 3 < taken < store.ALL_BYTES
 
 
 async def test_an_answer_that_is_there_stands_where_it_is_not_to_be_replaced(on: Kept) -> None:
