@@ -11,17 +11,16 @@ import gzip
 import json
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
-from itertools import count
 from random import Random
 from statistics import quantiles
 from time import monotonic
-from typing import Any
 from urllib.parse import urlsplit
 
 from tornado.websocket import WebSocketClosedError
 
 from tests.attack.caller import Caller, ask, contents, event, header, patch, refused, said, token_of
 from tests.attack.finding import Finding
+from tests.attack.greedy import greedy
 from tests.bench.visitor import Visitor
 
 ALPHABET = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.="
@@ -75,34 +74,12 @@ ABUSES: dict[str, tuple[str | bytes, ...]] = {
 }
 
 
-SLOW = "?scene=absorber&damping=added&m1=1e300&played=rest&x2_0=-1.3&window="
-GREEDY: dict[str, dict[str, Any]] = {
-    "a walk of slow links": {
-        "type": "walk",
-        "name": "mine",
-        "text": 'title = "t"\n'
-        + "".join(f'[[step]]\nid = "s{i}"\nfrom = "d31-03"\ncover = []\nstate = "{SLOW}{1 + i}"\n' for i in range(60)),
-    },
-    "a walk of long formulas": {
-        "type": "walk",
-        "name": "mine",
-        "text": 'title = "t"\n'
-        + "".join(f'[[step]]\nid = "s{i}"\nfrom = "d31-03"\nfollows = "{"x_1" * 300}"\n' for i in range(45)),
-    },
-    "dotted keys": {"type": "walk", "name": "mine", "text": "a." * 20_000 + "a = 1"},
-    "a light absorber": {"type": "set", "values": {"m2": 1e-300}},
-    "many digits": {"type": "set", "values": {"m1": 1e300}},
-    "an enormous window": {"type": "set", "values": {"window": 1e176}},
-}
-"""The messages of one client that cost most."""
-
-
 def attack(url: str, short: bool = False) -> list[Finding]:
     """All of it; a short form leaves out what takes long."""
     findings = [*_links(url), *_closed(url), *_token(url)]
     hunts: list[Callable[[str], Awaitable[list[Finding]]]] = [_forged, _abused]
     if not short:
-        hunts += [_slow, _flood, _greedy]
+        hunts += [_slow, _flood, greedy]
     for hunt in hunts:
         findings += asyncio.run(hunt(url))  # type: ignore[arg-type]
     return findings
@@ -237,29 +214,6 @@ async def _flooder(url: str) -> None:
             while monotonic() < end:
                 await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
         await caller.depart()
-
-
-async def _greedy(url: str) -> list[Finding]:
-    """A greedy client: the wait of another while one asks for what costs most, again and again."""
-    witness = await Visitor.arrive(url, "scene=coupled")
-    found = []
-    for name, message in GREEDY.items():
-        calm = await _latency(witness)
-        task = asyncio.create_task(_asks(url, message))
-        meanwhile = await _latency(witness, windows=1)
-        await task
-        detail = f"95 of 100 answers within {calm:.0f} ms before, {meanwhile:.0f} ms meanwhile"
-        found.append(Finding(f"others go on: {name}", meanwhile < max(3 * calm, 50), detail))
-    await witness.depart()
-    return found
-
-
-async def _asks(url: str, message: dict[str, Any]) -> None:
-    client, end, numbers = await Visitor.arrive(url, "scene=absorber&damping=added"), monotonic() + SECONDS, count()
-    while monotonic() < end:
-        more = {"values": {**message["values"], "x2_0": next(numbers) / 1e3}} if "values" in message else {}
-        await client.say({**message, **more})
-    await client.depart()
 
 
 async def _latency(visitor: Visitor, windows: int = 3, changes: int = 100) -> float:

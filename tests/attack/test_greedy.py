@@ -20,7 +20,7 @@ from components.state.link import Link
 from physics import exact, sinusoids, transient
 from physics.transient import DRAWING, EXACT, DampedModes, Effort
 from tests.attack.extremes import Values
-from tests.attack.protocol import GREEDY
+from tests.attack.greedy import GREEDY
 from tests.page.told import unpacked
 
 WALKS = [name for name, message in GREEDY.items() if message["type"] == "walk"]
