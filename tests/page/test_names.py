@@ -47,6 +47,7 @@ MORE: dict[str, list[dict[str, Any]]] = {
         {"task": "hunt", "answer": "shown"},
         {"task": "solve", "c1": 0.1, "c2": 0.2},
         {"task": "solve", "c1": 20.0, "c2": 20.0},
+        {"task": "solve", "c1": 5.0},
         *({"task": "sweep", "swept": name} for name in ("m1", "m2", "k1", "k2")),
     ],
     "absorber": [{"omega": 50.0001, "tuning": "free"}, {"played": "rest", "x1_0": 0.01}],

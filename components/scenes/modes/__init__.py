@@ -19,7 +19,7 @@ from components.scene.frames import FITTED
 from components.scenes.modes import guess, hunt, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
 from components.scenes.modes.guess_case import said
-from components.scenes.modes.numbers import BrakedChain, BrakedNumbers, ComparedNumbers
+from components.scenes.modes.numbers import BrakedChain, ComparedNumbers, RootReadouts
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 
@@ -147,7 +147,7 @@ class ModesScene(Scene):
 
     def readouts(self) -> tuple[Readout, ...]:
         if self._brakes and self.task == "solve":
-            return BrakedNumbers.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
+            return RootReadouts.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
         return ComparedNumbers.readouts(chain.of_scene(self).modes())
 
     def about(self, shown: Picture) -> About:

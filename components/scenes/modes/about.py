@@ -6,7 +6,6 @@ import math
 from dataclasses import replace
 
 from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
-from components.chain.modes import MODES
 from components.chain.parameters import Pair
 from components.quantities.declared import by_name
 from components.quantities.numbers import ten
@@ -36,14 +35,13 @@ def solve_about(chain: TwoMassChain) -> About:
 
 
 def braked_about(chain: TwoMassChain, damping: Pair) -> About:
-    """The exponents of both modes."""
+    """The exponents of all motions, but those that are 0."""
     true = braked_exponents(chain, *damping)
-    found = []
-    for mode, one in zip(MODES, braked_modes(chain, *damping), strict=True):
-        s = one.exponents[0]
+    found: list[CheckedPoint] = []
+    for s in (s for one in braked_modes(chain, *damping).modes for s in one.exponents if s):
         near = min(true, key=lambda pair: math.hypot(float(pair[0].value) - s.real, float(pair[1].value) - s.imag))
         for part, value, point in zip(("Re", "Im"), (s.real, s.imag), near, strict=True):
-            found.append(CheckedPoint(f"{part} $s$", f"The {mode} mode", value, point))
+            found.append(CheckedPoint(f"{part} $s$", f"Root {len(found) // 2 + 1}", value, point))
     return About((bounded("an exponent", 1, "its modulus", found),))
 
 

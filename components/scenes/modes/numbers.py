@@ -4,19 +4,39 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+from typing import Any
 
-from components.chain.modes import MODES, PARTS, directions
+from components.chain.modes import BOTH, MODES, PARTS, directions
 from components.chain.parameters import Pair
-from components.quantities.declared import Declared, LiveNumber
-from components.quantities.numbers import plus, signed, three
+from components.quantities.declared import Declared, Family, LiveNumber
+from components.quantities.numbers import plus, short, signed, three
 from components.scenes.modes.guess import Numbers as GuessNumbers
-from physics.braked_modes import BrakedMode, braked_modes, in_line
+from physics.braked_modes import BrakedMode, BrakedModes, Kind, braked_modes, meeting
 from physics.coupled import Modes, TwoMassChain
+from physics.exact import precise
 from physics.laplace import Driven, transform
 from physics.modes import Mixture, Quadratic
+
+MOTIONS = (*MODES, "third", "fourth")
+"""Places of the free motions of a chain with dashpots, the first two of which are drawn."""
+NAMES = {
+    Kind.DRIFT_BOTH: ("drift", "other motion"),
+    Kind.DRIFT_TWO: ("drift of mass 2", "motion of mass 1"),
+    Kind.REST_EACH: ("slower motion", "faster motion"),
+    Kind.PROPORTIONAL: ("slow mode", "fast mode"),
+    Kind.EXCEPTIONAL: ("the one mode",),
+    Kind.PARTED: ("dies later", "dies sooner"),
+    Kind.TWO_PAIRS: ("slow mode", "fast mode"),
+}
+CROSSED = ("from the slow mode", "from the fast mode")
+NUMBERED = ("motion 1", "motion 2", "motion 3", "motion 4")
+OFTEN = {2: "twice", 3: "three times", 4: "four times"}
+CRITICAL = (Kind.PROPORTIONAL, Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
+"""Where a double root is a mode with critical damping."""
 
 
 @dataclass(frozen=True)
@@ -27,8 +47,13 @@ class BrakedChain:
     damping: Pair
 
     @cached_property
-    def modes(self) -> tuple[BrakedMode, BrakedMode]:
+    def found(self) -> BrakedModes:
         return braked_modes(self.system, *self.damping)
+
+    @cached_property
+    def motions(self) -> dict[str, BrakedMode]:
+        """The free motions with dashpots by their places."""
+        return dict(zip(MOTIONS, self.found.modes, strict=False))
 
     @cached_property
     def brakes(self) -> bool:
@@ -36,31 +61,71 @@ class BrakedChain:
 
     @cached_property
     def amplitudes(self) -> dict[tuple[int, str], complex]:
-        """The complex amplitude of each mass in each mode, the larger one of a mode of size 1."""
-        shapes = [one.shape for one in self.modes] if self.brakes else directions(self.system)
+        """The complex amplitude of each mass in each drawn motion: the larger one has modulus 1."""
+        if self.brakes:
+            return {(i, place): one.shape[i - 1] for place, one in self._drawn for i in BOTH}
+        shapes = directions(self.system)
         return {(i, mode): complex(shapes[MODES.index(mode)][i - 1]) for i, mode in PARTS}
 
     @cached_property
     def exponents(self) -> dict[str, complex]:
-        """The first exponent of each mode."""
+        """The exponent with which each drawn motion is played: its slowest that is not 0, if it has one."""
         if self.brakes:
-            return {mode: one.exponents[0] for mode, one in zip(MODES, self.modes, strict=True)}
+            return {place: next(filter(None, one.exponents), 0j) for place, one in self._drawn}
         return {mode: omega * 1j for mode, omega in zip(MODES, self.system.modes().omega.tolist(), strict=True)}
+
+    @property
+    def _drawn(self) -> list[tuple[str, BrakedMode]]:
+        return [(place, one) for place, one in self.motions.items() if place in MODES]
+
+    @property
+    def named(self) -> bool:
+        """Whether the first two motions are the slow and the fast mode, or come from these."""
+        return self.found.kind in (Kind.PROPORTIONAL, Kind.TWO_PAIRS)
+
+    def name(self, place: str) -> str:
+        """The name of a motion as its title and its root have it."""
+        names = CROSSED if self.found.crossed else NAMES.get(self.found.kind, NUMBERED)
+        return dict(zip(MOTIONS, names, strict=False)).get(place, "")
 
     def plainly(self, coupled: str, loose: str) -> str:
         """The variant of what stands without dashpots alone, with spring 2 or without it."""
         return "" if self.brakes else coupled if self.system.k2 else loose
 
-    def root(self, mode: str) -> str:
-        """The form of the roots of a mode."""
-        return "" if not self.brakes else "pair" if self.modes[MODES.index(mode)].swings else "real"
+    def root(self, place: str) -> str:
+        """The form of the line on the roots of a motion."""
+        one = self.motions.get(place) if self.brakes else None
+        if one is None:
+            return ""
+        if not any(one.exponents):
+            return "drift" if one.repeats == 2 else "rest"
+        if one.swings:
+            return "met" if one.repeats == 2 else "pair"
+        if one.repeats > 1:
+            return "critical" if self.found.kind in CRITICAL else "again"
+        return "single" if len(one.exponents) == 1 else "real" if all(one.exponents) else "settles"
 
     @property
-    def arrows(self) -> str:
-        """The form of the sentence on how the arrows stand to each other."""
-        if not all(one.swings for one in self.modes):
-            return "creeps"
-        return "line" if in_line(self.system, *self.damping) else "apart"
+    def statement(self) -> str:
+        """The form of the sentence on what the free motions are."""
+        kind, shared = self.found.kind, any(one.repeats > 1 for one in self.motions.values())
+        if kind is Kind.PROPORTIONAL:
+            return f"{kind}_late" if not any(one.swings for one in self.motions.values()) else kind
+        if kind is Kind.TWO_PAIRS:
+            return f"{kind}_lags" if self.gap < 0 else f"{kind}_leads"
+        return f"{kind}_met" if kind in (Kind.ONE_PAIR, Kind.FOUR_REAL) and shared else kind
+
+    @property
+    def gap(self) -> Decimal:
+        """c1 k2 - c2 k1 of the numbers as written; below 0 if mass 2 lags behind mass 1 in what swings."""
+        c1, c2, k1, k2 = (Decimal(repr(one)) for one in (*self.damping, self.system.k1, self.system.k2))
+        with precise():
+            return c1 * k2 - c2 * k1
+
+    @property
+    def met(self) -> Pair | tuple[None, None]:
+        """The dashpots at which both pairs met, where they have parted again."""
+        return meeting(self.system, *self.damping) if self.found.kind is Kind.PARTED else (None, None)
 
     @cached_property
     def powers(self) -> list[float]:
@@ -128,21 +193,73 @@ def shape(one: BrakedMode) -> str:
     return f"{three(abs(ratio))} at {three(math.degrees(cmath.phase(ratio)))}°" if off_line(one) else signed(ratio.real)
 
 
+def exponents(one: BrakedMode) -> str:
+    """Its roots as a title has them."""
+    first = one.exponents[0]
+    if one.swings:
+        return f"{three(first.real)} ± {three(first.imag)} i"
+    return three(first.real) if one.repeats > 1 else " and ".join(three(s.real) for s in one.exponents)
+
+
+def of_motion(place: str, value: Callable[[BrakedMode], Any], form: Callable[[Any], str] = three) -> LiveNumber[Any]:
+    """A number of the motion at a place, none where there is no such motion."""
+    return braked(lambda c: value(c.motions[place]) if place in c.motions else None, form=form)
+
+
+def _turn(one: BrakedMode) -> float | None:
+    """The angular frequency, none of a motion that does not swing."""
+    return one.exponents[0].imag if one.swings else None
+
+
+def _rate(one: BrakedMode) -> float:
+    return one.exponents[0].real
+
+
+def _zeta(one: BrakedMode) -> float | None:
+    return -_rate(one) / abs(one.exponents[0]) if one.swings else None
+
+
 class BrakedNumbers(Declared[BrakedChain]):
-    slow_omega = braked(lambda c: c.modes[0].exponents[0].imag, "ω_{−}", "rad/s", "slow")
-    slow_rate = braked(lambda c: c.modes[0].exponents[0].real, "Re s_{−}", "1/s", "slow")
-    fast_omega = braked(lambda c: c.modes[1].exponents[0].imag, "ω_{+}", "rad/s", "fast")
-    fast_rate = braked(lambda c: c.modes[1].exponents[0].real, "Re s_{+}", "1/s", "fast")
-    rate = slow_rate, fast_rate
-    turn = slow_turn, fast_turn = braked.both(lambda c: [one.exponents[0].imag for one in c.modes])
-    other = slow_other, fast_other = braked.both(lambda c: [one.exponents[-1].real for one in c.modes])
-    slow_ratio, fast_ratio = braked.both(lambda c: [shape(one) for one in c.modes])
-    slow_angle, fast_angle = braked.both(lambda c: [off_line(one) for one in c.modes])
+    """The roots of the motions, their shapes, and what the sentence on them says."""
+
+    name = Family(MOTIONS, lambda place: braked(lambda c: c.name(place)), "{}_name")
+    s = Family(MOTIONS, lambda place: of_motion(place, exponents), "{}_s")
+    rate = Family(MOTIONS, lambda place: of_motion(place, _rate), "{}_rate")
+    turn = Family(MODES, lambda place: of_motion(place, _turn), "{}_omega")
+    other = Family(MODES, lambda place: of_motion(place, lambda one: one.exponents[-1].real), "{}_other")
+    zeta = Family(MODES, lambda place: of_motion(place, _zeta), "{}_zeta")
+    repeats = Family(MOTIONS, lambda place: of_motion(place, lambda one: OFTEN.get(one.repeats), str), "{}_repeats")
+    ratio = Family(MOTIONS, lambda place: of_motion(place, shape), "{}_ratio")
+    angle = Family(MODES, lambda place: of_motion(place, off_line), "{}_angle")
     cross = braked(lambda c: Decimal(c.damping[0]) * Decimal(c.system.k2))
-    other_cross = braked(lambda c: Decimal(c.damping[1]) * Decimal(c.system.k1))
+    gap = braked(lambda c: c.gap)
+    c1_met, c2_met = braked.both(lambda c: c.met, short)
     p4 = braked(lambda c: c.powers[4])
     p3, p2 = braked.both(lambda c: c.powers[3:1:-1], plus)
     p1, p0 = braked.both(lambda c: c.powers[1::-1], plus)
+
+
+def _readout(
+    shown: Family[str, LiveNumber[BrakedChain]], symbol: str, unit: str, signs: str, *, named: bool
+) -> Family[str, LiveNumber[BrakedChain]]:
+    """Numbers of the motions as they are compared: of modes if `named`, else of motions that are no modes."""
+
+    def one(place: str) -> LiveNumber[BrakedChain]:
+        index = signs[MOTIONS.index(place)]
+        tint = place if place in MODES else "ink"
+        read, also = shown[place].value, (shown[place], BrakedNumbers.s[place])
+        return braked(lambda c: read(c) if c.named is named else None, f"{symbol}_{{{index}}}", unit, tint, also=also)
+
+    return Family(MOTIONS[: len(signs)], one)
+
+
+class RootReadouts(Declared[BrakedChain]):
+    """The roots as they are compared with those of another picture."""
+
+    mode_turn = _readout(BrakedNumbers.turn, "ω", "rad/s", "−+", named=True)
+    mode_rate = _readout(BrakedNumbers.rate, "Re s", "1/s", "−+", named=True)
+    motion_turn = _readout(BrakedNumbers.turn, "ω", "rad/s", "12", named=False)
+    motion_rate = _readout(BrakedNumbers.rate, "Re s", "1/s", "1234", named=False)
 
 
 class ComparedNumbers(Declared[Modes]):

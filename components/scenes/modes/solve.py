@@ -12,16 +12,17 @@ from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.layout.sheet import Paragraph, either, row, stage, words
-from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, text
+from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, shown_by, text
 from components.quantities.axes import Axis, time_axis
 from components.quantities.declared import AxesInForce, Declared, Family, Form, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, pace, sines
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
-from components.scenes.modes.numbers import BrakedChain
+from components.scenes.modes.numbers import MOTIONS, BrakedChain, RootReadouts
 from components.scenes.modes.numbers import BrakedNumbers as B
 from components.scenes.modes.numbers import EquationNumbers as E
 from components.scenes.modes.numbers import SolvedNumbers as N
+from physics.braked_modes import Kind
 from physics.coupled import TwoMassChain
 from physics.modes import quadratic
 from physics.sampling import time_window
@@ -37,8 +38,8 @@ signal, form = Signal[BrakedChain], Form[BrakedChain]
 
 def _turned(case: BrakedChain, axes: AxesInForce, i: int, mode: str, ahead: float) -> AnySignal:
     """A complex amplitude as it turns: its real part, or the imaginary one, a quarter turn behind."""
-    X, time = case.amplitudes[i, mode], Axes.t(axes)
-    s = case.exponents[mode]
+    X, time = case.amplitudes.get((i, mode), 0j), Axes.t(axes)
+    s = case.exponents.get(mode, 0j)
     if case.brakes:
         return sines(METRES, time, (abs(X), s.imag, cmath.phase(X) + ahead, -s.real))
     return sines(METRES, time, (X.real, s.imag, ahead))
@@ -49,16 +50,43 @@ class Solve(Declared[BrakedChain]):
 
     x = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, QUARTER)), "x{}_{}")
     y = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, 0.0)), "y{}_{}")
-    X = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: c.amplitudes[part].real), "X{}_{}")
-    R = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: abs(c.amplitudes[part])), "R{}_{}")
+    X = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: c.amplitudes.get(part, 0j).real), "X{}_{}")
+    R = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: abs(c.amplitudes.get(part, 0j))), "R{}_{}")
     positive = form(lambda c: c.plainly("sum", "loose" if c.system.k1 else "free"))
     below = form(lambda c: c.plainly("wall" if c.system.k1 else "zero", "zero"))
     ratios = form(lambda c: c.plainly("both", "loose"))
     gamma, product = form.some(2, lambda c: c.plainly("shown", ""))
     slow_shape, fast_shape = form.some(2, lambda c: c.plainly("ratio", "loose"))
-    arrows = form(lambda c: c.arrows if c.brakes else "shown")
+    arrows = form(lambda c: c.statement if c.brakes else "shown")
     braked = form(lambda c: c.brakes)
-    root = Family(chain.MODES, lambda mode: form(lambda c: c.root(mode)), "{}_root")
+    many = form(lambda c: c.brakes and len(c.motions) > len(chain.MODES))
+    root = Family(MOTIONS, lambda place: form(lambda c: c.root(place)), "{}_root")
+    undamped = Scalar[BrakedChain](lambda c, a: not c.brakes)
+    damped = Scalar[BrakedChain](lambda c, a: c.brakes)
+    drawn = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode in c.exponents), "{}_drawn")
+
+
+def _root(place: str) -> Paragraph:
+    """The line on the roots of a motion, by what they are. The first two motions may be modes, or swing."""
+    name, rate = f"{B.name[place]}: $X_2/X_1 = {B.ratio[place]}$,", f"$s = {B.rate[place]}$"
+    lines = {
+        "single": f"{name} {rate} 1/s. It does not swing.",
+        "again": f"{name} {rate} 1/s, {B.repeats[place]}. It does not swing.",
+        "rest": f"{name} $s = 0$: a rest.",
+    }
+    if place not in chain.MODES:
+        return either(Solve.root[place], **lines)
+    pair, both = rf"$s = {B.rate[place]} \pm {B.turn[place]}\, i$ 1/s", f"{rate} and ${B.other[place]}$ 1/s"
+    swings = rf"It swings and dies, $\zeta = {B.zeta[place]}$."
+    lines |= {
+        "pair": f"{name} {pair}. {swings}",
+        "met": f"{name} {pair}, each twice. {swings}",
+        "real": f"{name} {both}. It does not swing.",
+        "critical": rf"{name} {rate} 1/s twice. It is critical: $(A + B t)\, e^{{s t}}$.",
+        "settles": f"{name} {both}. It does not swing; what is left is a displacement.",
+        "drift": f"{name} $s = 0$ twice: $a + b t$.",
+    }
+    return either(Solve.root[place], **{form: f"[{place}|{line}]" for form, line in lines.items()})
 
 
 BRAKED: list[Paragraph] = [
@@ -67,32 +95,53 @@ BRAKED: list[Paragraph] = [
         shown=r"**With dashpots** $D$ has odd powers. With $s = i \omega$ it is zero where "
         rf"${B.p4}\, s^4\, {B.p3}\, s^3\, {B.p2}\, s^2\, {B.p1}\, s\, {B.p0} = 0$:",
     ),
-    *(
-        either(
-            Solve.root[mode],
-            pair=rf"[{mode}|$s = {rate} \pm {turn}\, i$ 1/s: it swings and dies]",
-            real=rf"[{mode}|$s = {rate},\ {other}$ 1/s: it does not swing]",
-        )
-        for mode, rate, turn, other in zip(chain.MODES, B.rate, B.turn, B.other, strict=True)
-    ),
+    *map(_root, MOTIONS),
+    either(Solve.many, shown="The picture shows motions 1 and 2."),
 ]
 """The equation for the exponents, and its roots."""
 
-ARROWS = {
-    "line": rf"**The arrows** stay in line, as $c_1 k_2 = c_2 k_1$ $= {B.cross}$: the shapes are those without "
-    "dashpots, and each mode dies by itself.",
-    "apart": rf"**The arrows** leave the line, by {B.slow_angle}° and {B.fast_angle}°, as $c_1 k_2 = {B.cross}$ is not "
-    rf"$c_2 k_1 = {B.other_cross}$: in neither mode are both masses at 0 together.",
-    "creeps": "**The arrows** of a mode that does not swing do not turn: it creeps home, or stays where it is.",
+IN_LINE = (
+    rf"**The arrows** stay in line, as $c_1 k_2 = c_2 k_1$ $= {B.cross}$: the shapes are those without dashpots, and "
+    "each mode dies by itself."
+)
+OFF_LINE = (
+    rf"**The arrows** leave the line, by {B.angle['slow']}° and {B.angle['fast']}°, as $c_1 k_2 - c_2 k_1 = {B.gap}$ "
+    "is not 0: in neither motion are both masses at 0 together."
+)
+DRIFTS = "with $a + b t$. Nothing brakes the drift."
+BOTH_REST = r"$x_1(0) + (m_1 v_1(0) + m_2 v_2(0))/c_1$"
+MEET = "Roots have met. A root that occurs more than once has one shape"
+STATEMENTS: dict[str, str] = {
+    Kind.DRIFT_BOTH: f"**Nothing ties the masses to a place:** both drift {DRIFTS}",
+    Kind.DRIFT_TWO: f"**Nothing ties mass 2 to a place:** it drifts {DRIFTS}",
+    Kind.REST_EACH: "**$s = 0$:** no spring brings a mass back. What is left at the end is a displacement: "
+    rf"$x_1$ = {BOTH_REST}, and $x_2 - x_1$ = $x_2(0) - x_1(0) + m_2 v_2(0)/c_2$.",
+    Kind.REST_BOTH: "**$s = 0$:** no spring brings both masses back. What is left at the end is a displacement: "
+    f"both rest at {BOTH_REST}.",
+    Kind.REST_TWO: "**$s = 0$:** no spring brings mass 2 back. What is left at the end is a displacement: "
+    "mass 1 is at 0 again, mass 2 rests at $x_2(0) - x_1(0) + m_2 v_2(0)/c_2$.",
+    Kind.PROPORTIONAL: IN_LINE,
+    f"{Kind.PROPORTIONAL}_late": f"{IN_LINE} Neither swings, and the fast mode now outlasts the slow one.",
+    Kind.EXCEPTIONAL: "**Both modes have become one:** one pair of roots, one shape. Its motions are $e^{s t}$ and "
+    r"$t\, e^{s t}$.",
+    Kind.PARTED: rf"**Two pairs with the same $|s|$.** The modes met at $c_1 = {B.c1_met}$, $c_2 = {B.c2_met}$ and "
+    "parted: neither is the slow or the fast one.",
+    f"{Kind.TWO_PAIRS}_lags": f"{OFF_LINE} In both, mass 2 lags behind mass 1.",
+    f"{Kind.TWO_PAIRS}_leads": f"{OFF_LINE} In both, mass 2 leads mass 1.",
+    Kind.ONE_PAIR: "**One motion swings, two do not.** Each has its own shape.",
+    f"{Kind.ONE_PAIR}_met": rf"**One pair of roots swings, one does not.** {MEET}: its motions are $e^{{s t}}$ and "
+    r"$t\, e^{s t}$.",
+    Kind.CREEPING: "**Nothing swings.** Each motion has its own shape: 1 and 2 creep, 3 and 4 die quickly.",
+    Kind.FOUR_REAL: "**Nothing swings.** Four motions, each with its own shape.",
+    f"{Kind.FOUR_REAL}_met": rf"**Nothing swings.** {MEET}: its motions are $e^{{s t}}$, $t\, e^{{s t}}$ and so on.",
 }
-"""The sentences on how the arrows stand to each other."""
+"""The sentence on what the free motions with dashpots are."""
 
 
 def sheet() -> Block:
     picture_ = stage(
         *_shapes(),
-        label="Both modes, each moving at its own frequency, and under each mass its complex amplitude as a rotating "
-        "arrow",
+        label="Free motions of the chain, one above the other, and under each mass its complex amplitude as an arrow",
         grow=480,
         phone=4,
         height=420,
@@ -165,43 +214,47 @@ def _ratios() -> list[Paragraph]:
             Solve.arrows,
             shown=r"**The arrows** are the $X_j e^{i \omega t}$ of the notes of D34, each mass above the tip of its "
             r"own. A real ratio $X_2/X_1$ means that they point the same way or opposite ways.",
-            **ARROWS,
+            **STATEMENTS,
         ),
     ]
 
 
 def _shapes() -> list[Shape]:
-    """Each mode as a chain in motion with its full swing as a ghost, and a rotating arrow under each mass."""
+    """Each drawn motion as a chain with its full swing as a ghost, and a rotating arrow under each mass."""
     shapes: list[Shape] = []
     for mode, (sign, top), omega, ratio in zip(chain.MODES, LOOKS, N.omega, N.ratio, strict=True):
-        foot, axle = (top + 0.185) * H, (top + 0.345) * H
-        shapes += [
-            chain.standing_wall((top + 0.07) * H, 0.115 * H),
-            line(chain.WALL * W, foot, W, foot, style="floor"),
-            *_title(mode, f"*ω*_{{{sign}}} = {omega} rad/s", f"*X*_2/*X*_1 = {ratio}", top),
-        ]
-        places = [chain.rest(i) + METRE * W * var(Solve.x[i, mode]) for i in chain.BOTH]
-        for i in chain.BOTH:
-            full = chain.rest(i) + METRE * W * var(Solve.X[i, mode])
-            shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
-        shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
-        for i, place in zip(chain.BOTH, places, strict=True):
-            rest, tip = chain.rest(i), axle - METRE * W * var(Solve.y[i, mode])
-            shapes += [
-                line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq told"),
-                line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq told"),
-                arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
-                circle(rest, axle, METRE * W * var(Solve.R[i, mode]), tint=f"m{i}", style="orbit told"),
-                line(place, foot, place, tip, tint="mute", style="eq told"),
-                arrow(rest, axle, place, tip, tint=f"m{i}"),
-            ]
+        frequency, name = f"{mode} mode, *ω*_{{{sign}}} = {omega} rad/s", str(B.name[mode])
+        plain = _title(mode, frequency, frequency, f"*X*_2/*X*_1 = {ratio}", top)
+        braked = _title(mode, f"{name}, *s* = {B.s[mode]} 1/s", name, f"*X*_2/*X*_1 = {B.ratio[mode]}", top)
+        titles = [*shown_by(Solve.undamped, *plain), *shown_by(Solve.damped, *braked)]
+        shapes += shown_by(Solve.drawn[mode], *titles, *_moving(mode, top))
     return shapes
 
 
-def _title(mode: str, frequency: str, shape: str, top: float) -> list[Shape]:
-    """The title of a mode over its chain; on a phone its shape stands under the arrows."""
-    title = f"{mode} mode, {frequency}"
-    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.475, ON_NARROW)
+def _moving(mode: str, top: float) -> list[Shape]:
+    foot, axle = (top + 0.185) * H, (top + 0.345) * H
+    places = [chain.rest(i) + METRE * W * var(Solve.x[i, mode]) for i in chain.BOTH]
+    shapes = [chain.standing_wall((top + 0.07) * H, 0.115 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
+    for i in chain.BOTH:
+        full = chain.rest(i) + METRE * W * var(Solve.X[i, mode])
+        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
+    shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
+    for i, place in zip(chain.BOTH, places, strict=True):
+        rest, tip = chain.rest(i), axle - METRE * W * var(Solve.y[i, mode])
+        shapes += [
+            line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq told"),
+            line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq told"),
+            arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
+            circle(rest, axle, METRE * W * var(Solve.R[i, mode]), tint=f"m{i}", style="orbit told"),
+            line(place, foot, place, tip, tint="mute", style="eq told"),
+            arrow(rest, axle, place, tip, tint=f"m{i}"),
+        ]
+    return shapes
+
+
+def _title(mode: str, title: str, narrow: str, shape: str, top: float) -> list[Shape]:
+    """The title of a motion over its chain, and the one of a narrow stage, with the shape under the arrows."""
+    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (narrow, 0.03, ON_NARROW), (shape, 0.475, ON_NARROW)
     return [
         text(chain.WALL * W, (top + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
         for words_, share, show in lines
@@ -220,6 +273,6 @@ def picture(system: TwoMassChain, damping: Pair, window: float | None, frame: Fr
         signals=Solve.signals(case, axes),
         scalars=Solve.scalars(case, axes) | chain.Has.scalars(damping, axes),
         pace=pace(slow or fast, fast),
-        values=plain or B.texts(case, axes),
+        values=plain or B.texts(case, axes) | RootReadouts.texts(case, axes),
         forms=Solve.forms(case),
     )
