@@ -9,12 +9,18 @@ import {stepOf} from "../core/ruler.js"
 
 const BEYOND = "outside the frame"
 const HALVINGS = 40 // of the way between two points, in which a curve turns
+const MOST_PIECES = 3 // of a curve that are described one by one
 const ROWS = 25 // of a table: enough to follow a curve by ear
 
 /** @typedef {import("./plots.js").Plot} Plot */
 /**
- * A curve as it is drawn within the window, in one piece or several; `lines` counts those that lie side by side.
- * @typedef {{name: string, xs: number[], ys: number[], lines: number, motion: ((t: number) => number) | null}} Trace
+ * A curve: its points within the window, all of its pieces, and how many lines lie side by side.
+ * @typedef {{name: string, xs: number[], ys: number[], pieces: Piece[], lines: number,
+ *   motion: ((t: number) => number) | null}} Trace
+ */
+/**
+ * A connected piece of a curve; as cut to the frame it says whether it goes on above or below at its ends.
+ * @typedef {{xs: number[], ys: number[], cutStart?: boolean, cutEnd?: boolean}} Piece
  */
 
 /**
@@ -67,13 +73,13 @@ export function traces(plot) {
   for (const curve of block.curves) {
     const {[curve.x]: xs, [curve.y]: ys} = view.columns[curve.source] ?? {}
     if (!ys?.length || hidden.has(curve.group)) continue
-    const seen = [...xs.keys()].filter(i => isWithin(x, xs[i]))
-    if (!seen.length) continue
     const name = nameOf(curve, plot)
-    const trace = found.get(name) ?? {name, xs: [], ys: [], lines: 1, motion: motionOf(curve, plot)}
-    if (xs[seen[0]] < (trace.xs.at(-1) ?? -Infinity)) trace.lines++
+    const trace = found.get(name) ?? {name, xs: [], ys: [], pieces: [], lines: 1, motion: motionOf(curve, plot)}
+    const seen = [...xs.keys()].filter(i => isWithin(x, xs[i]))
+    if (seen.length && xs[seen[0]] < (trace.xs.at(-1) ?? -Infinity)) trace.lines++
     trace.xs.push(...seen.map(i => xs[i]))
     trace.ys.push(...seen.map(i => ys[i]))
+    join(trace.pieces, connected(xs, ys))
     found.set(name, trace)
   }
   return [...found.values()]
@@ -121,27 +127,181 @@ function nameOf({read, label, group}, {block, host}) {
 /** @param {page.Runs} runs */
 const words = runs => runs.map(({text}) => text).join("")
 
+/** The pieces of a line between its gaps. @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys @returns {Piece[]} */
+function connected(xs, ys) {
+  /** @type {Piece[]} */
+  const found = []
+  for (let i = 0, apart = true; i < ys.length; i++) {
+    const isGap = !Number.isFinite(xs[i]) || !Number.isFinite(ys[i])
+    if (!isGap && apart) found.push({xs: [], ys: []})
+    if (!isGap) found.at(-1)?.xs.push(xs[i])
+    if (!isGap) found.at(-1)?.ys.push(ys[i])
+    apart = isGap
+  }
+  return found
+}
+
+/** Adds pieces, of which the first may go on where the last one ends. @param {Piece[]} known @param {Piece[]} more */
+function join(known, more) {
+  const [last, next] = [known.at(-1), more[0]]
+  const goesOn = last && next && last.xs.at(-1) === next.xs[0] && last.ys.at(-1) === next.ys[0]
+  if (goesOn) {
+    last.xs.push(...next.xs)
+    last.ys.push(...next.ys)
+  }
+  known.push(...more.slice(goesOn ? 1 : 0))
+}
+
 /**
- * Where a curve goes: from, to, its lowest and highest point.
- * @param {Trace} trace @param {page.Ruler} x @param {page.Ruler} y
+ * The parts of a piece inside the frame.
+ * @param {Piece} piece @param {page.Ruler} x @param {page.Ruler} y @returns {Piece[]}
  */
-function course(trace, x, y) {
-  const {name, xs, ys, lines} = trace
-  const [lowest, highest] = extremes(trace)
-  const last = ys.length - 1
-  /** @param {number} i */
-  const height = i => (isWithin(y, ys[i]) ? measured(y, ys[i]) : BEYOND)
-  /** @param {[number, number]} place */
-  const at = ([across, up]) => (isWithin(y, up) ? `${measured(y, up)} at ${measured(x, across)}` : BEYOND)
-  const ends = `lowest ${at(turned(trace, lowest, -1))}, highest ${at(turned(trace, highest, 1))}`
-  const [from, to] = [height(0), height(last)]
-  if (lines > 1) return `${name}, ${lines} lines: ${ends}.`
-  if (!last) return `${name}: ${at([xs[0], ys[0]])}.`
-  if (height(lowest) === height(highest)) return `${name}: ${from} throughout.`
+function inside({xs, ys}, x, y) {
+  /** @type {Piece[]} */
+  const found = []
+  const isSeen = (/** @type {number} */ i) => isWithin(x, xs[i]) && isWithin(y, ys[i])
+  if (xs.length === 1) return isSeen(0) ? [{xs, ys}] : []
+  for (let i = 1; i < xs.length; i++) {
+    const [from, to] = cut([xs[i - 1], ys[i - 1]], [xs[i], ys[i]], x, y)
+    if (from > to) continue
+    const place = (/** @type {number} */ share) => [between(xs, i, share), between(ys, i, share)]
+    let part = from === 0 && isSeen(i - 1) ? found.at(-1) : undefined
+    if (!part) {
+      const [across, up] = place(from)
+      part = {xs: [across], ys: [up], cutStart: isCut(y, ys[i - 1], up)}
+      found.push(part)
+    }
+    const [across, up] = place(to)
+    part.xs.push(across)
+    part.ys.push(up)
+    part.cutEnd = isCut(y, ys[i], up)
+  }
+  return found
+}
+
+/** A number at a share of the way from the one before. @param {number[]} all @param {number} i @param {number} share */
+const between = (all, i, share) => (share === 1 ? all[i] : all[i - 1] + share * (all[i] - all[i - 1]))
+
+/**
+ * Whether a line that leads to an end outside the frame is cut at its upper or lower edge, at a height.
+ * @param {page.Ruler} y @param {number} end @param {number} height
+ */
+function isCut(y, end, height) {
+  const least = Math.min(...edges(y).map(edge => Math.abs(height - edge)))
+  return !isWithin(y, end) && least < 1e-6 * Math.abs(y.end - y.start)
+}
+
+/** The edges of the frame, with the room of isWithin or another. @param {page.Ruler} ruler @param {number} [share] */
+function edges({start, end}, share = 1e-3) {
+  const more = share * Math.abs(end - start)
+  return [Math.min(start, end) - more, Math.max(start, end) + more]
+}
+
+/**
+ * The shares of the way between two points at which a line comes into the frame and leaves it; the first is the larger
+ * where it stays outside (Y.-D. Liang and B. A. Barsky, ACM Trans. Graph. 3 (1984) 1).
+ * @param {number[]} one @param {number[]} two @param {page.Ruler} x @param {page.Ruler} y
+ */
+function cut(one, two, x, y) {
+  let [from, to] = [0, 1]
+  for (const [i, ruler] of [x, y].entries()) {
+    const step = two[i] - one[i]
+    const [low, high] = edges(ruler, ruler === x && step !== 0 ? 0 : undefined)
+    if (step === 0) {
+      if (one[i] < low || one[i] > high) return [1, 0]
+      continue
+    }
+    const [enters, leaves] = step > 0 ? [low, high] : [high, low]
+    from = Math.max(from, (enters - one[i]) / step)
+    to = Math.min(to, (leaves - one[i]) / step)
+  }
+  return [from, to]
+}
+
+/**
+ * The way of a curve within the frame: one sentence for each of its pieces, or where they are many its extremes.
+ * @param {Pick<Trace, "name" | "pieces" | "lines" | "motion">} trace @param {page.Ruler} x @param {page.Ruler} y
+ */
+export function course({name, pieces, lines, motion}, x, y) {
+  const seen = pieces.flatMap(piece => inside(piece, x, y))
+  if (!seen.length) return `${name}: ${BEYOND} throughout.`
+  if (lines > 1 || seen.length > MOST_PIECES) {
+    const what = lines > 1 ? `${lines} lines` : `${seen.length} pieces`
+    return `${name}, ${what}: ${extent(seen, motion, x, y)}.`
+  }
+  if (seen.length === 1) return `${name}: ${way(seen[0], motion, x, y, isAlone(seen[0], pieces, x))}.`
+  const parts = seen.map(one => placed(one, motion, x, y))
+  return `${name}, ${seen.length} pieces: ${parts.join("; ")}.`
+}
+
+/**
+ * The way of one of several pieces, with its place.
+ * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
+ */
+function placed(one, motion, x, y) {
+  const [first, last] = [one.xs[0], one.xs.at(-1) ?? 0].map(place => measured(x, place))
+  const told = way(one, motion, x, y, false)
+  if (isUpright(one)) return told
+  return `from ${first} to ${last} it ${told.startsWith("from ") ? "goes " : ""}${told}`
+}
+
+/** Whether a piece is a point or an upright line. @param {Piece} piece */
+const isUpright = ({xs}) => xs.every(place => place === xs[0])
+
+/**
+ * Whether the only piece inside the frame is all that the curve has within the window.
+ * @param {Piece} one @param {Piece[]} pieces @param {page.Ruler} x
+ */
+function isAlone({cutStart, cutEnd}, pieces, x) {
+  const others = pieces.filter(({xs}) => xs.some(place => isWithin(x, place)))
+  return !cutStart && !cutEnd && others.length <= 1
+}
+
+/**
+ * Lowest and highest points of pieces; where one is cut they lie outside.
+ * @param {Piece[]} seen @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
+ */
+function extent(seen, motion, x, y) {
+  const ends = [-1, 1].map(sign => {
+    const places = seen.map(one => extreme(one, motion, sign))
+    return places.reduce((best, place) => (sign * (place[1] - best[1]) > 0 ? place : best))
+  })
+  const [lowest, highest] = ends.map(([across, up]) =>
+    isWithin(y, up) ? `${measured(y, up)} at ${measured(x, across)}` : BEYOND,
+  )
+  return `lowest ${lowest}, highest ${highest}`
+}
+
+/**
+ * Where a piece is lowest (sign −1) or highest (1); beyond every number where it is cut there.
+ * @param {Piece} one @param {Trace["motion"]} motion @param {number} sign @returns {[number, number]}
+ */
+function extreme(one, motion, sign) {
+  const {xs, ys, cutStart, cutEnd} = one
+  const i = ys.indexOf(ys.reduce((a, b) => (sign > 0 ? Math.max(a, b) : Math.min(a, b))))
+  const isEnd = (i === 0 && cutStart) || (i === ys.length - 1 && cutEnd)
+  return isEnd ? [xs[i], sign * Infinity] : turned({xs, ys, motion}, i, sign)
+}
+
+/**
+ * The way of one piece: from, to, its lowest and highest point.
+ * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y @param {boolean} isWhole
+ */
+function way(one, motion, x, y, isWhole) {
+  const {xs, ys, cutStart, cutEnd} = one
+  const from = cutStart ? BEYOND : measured(y, ys[0])
+  const to = cutEnd ? BEYOND : measured(y, ys.at(-1) ?? 0)
+  const [lowest, highest] = [Math.min(...ys), Math.max(...ys)].map(place => measured(y, place))
+  const isLevel = lowest === highest && !cutStart && !cutEnd
+  if (isUpright(one)) {
+    const at = `at ${measured(x, xs[0])}`
+    return isLevel ? `${from} ${at}` : `upright ${at}, from ${from} to ${to}`
+  }
+  if (isLevel) return isWhole ? `${from} throughout` : `stays at ${from}`
   const steps = ys.slice(1).map((value, i) => value - ys[i])
-  if (steps.every(step => step >= 0)) return `${name}: rises from ${from} to ${to}.`
-  if (steps.every(step => step <= 0)) return `${name}: falls from ${from} to ${to}.`
-  return `${name}: from ${from} to ${to}, ${ends}.`
+  if (steps.every(step => step >= 0)) return `rises from ${from} to ${to}`
+  if (steps.every(step => step <= 0)) return `falls from ${from} to ${to}`
+  return `from ${from} to ${to}, ${extent([one], motion, x, y)}`
 }
 
 /** Curves too fast for a line. @param {Plot} plot */
