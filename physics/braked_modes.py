@@ -26,11 +26,12 @@ DIGITS = 120
 NEAR = 1e-6
 """Roots that are closer than this share of their modulus count as one root."""
 
-Numbers = tuple[Any, ...]  # numbers of mpmath
+Roots = tuple[Any, ...]  # numbers of mpmath
+Direction = tuple[Any, Any]  # X1 and X2, numbers of mpmath
 
 
 class Kind(StrEnum):
-    """What the free motions of a chain with dashpots are, in the order in which the cases are tested."""
+    """Kinds of free motion of a chain with dashpots, in the order in which they are tested."""
 
     DRIFT_BOTH = "drift_both"  # k1 = c1 = 0
     DRIFT_TWO = "drift_two"  # k2 = c2 = 0
@@ -63,7 +64,7 @@ class BrakedMode(NamedTuple):
 
     @property
     def repeats(self) -> int:
-        """How often its root occurs if all of its exponents are one root; else 1."""
+        """The number of times that its root occurs if all of its exponents are one root; else 1."""
         first, *others = self.exponents
         if any(abs(s - first) > NEAR * abs(first) for s in others):
             return 1
@@ -71,9 +72,9 @@ class BrakedMode(NamedTuple):
 
 
 class BrakedModes(NamedTuple):
-    """The free motions of a chain by their shapes; `kind` says what they are and in which order they come.
+    """Free motions of a chain, by their shapes.
 
-    Modes come slow first, other motions with the one that swings first, then by their rates; a rest is the last.
+    Modes come slow first. Other motions come with the one that swings first, then by their rates; a rest is the last.
     """
 
     kind: Kind
@@ -150,7 +151,7 @@ def _pairs_and_real(found: Expansion) -> tuple[list[Any], list[Any]]:
     return [s for s in by_size if s.imag > 0], [s for s in by_size if not s.imag]
 
 
-def _by_mode(pairs: list[Any], real: list[Any]) -> list[Numbers]:
+def _by_mode(pairs: list[Any], real: list[Any]) -> list[Roots]:
     """The roots of the slow and of the fast mode with proportional damping.
 
     The fast mode stops swinging first. If neither swings, both of its roots enclose those of the slow mode.
@@ -208,7 +209,7 @@ def _shape(driven: Driven, ctx: Any, s: Any, *, real: bool = False) -> tuple[com
     return _rounded(_direction(driven, ctx, s), real=real or not _turns(s))
 
 
-def _direction(driven: Driven, ctx: Any, s: Any) -> Numbers:
+def _direction(driven: Driven, ctx: Any, s: Any) -> Direction:
     """X1 and X2 of a root, from the equation with the larger terms."""
     chain = driven.chain
     m1, m2, k1, k2, c1, c2 = map(ctx.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, driven.c1, driven.c))
@@ -217,7 +218,7 @@ def _direction(driven: Driven, ctx: Any, s: Any) -> Numbers:
     return _scaled(ctx, *max(pairs, key=lambda pair: taxicab(pair[0]) + taxicab(pair[1])))
 
 
-def _scaled(ctx: Any, one: Any, two: Any) -> Numbers:
+def _scaled(ctx: Any, one: Any, two: Any) -> Direction:
     """A direction with X1 real and not negative; its larger part has modulus 1."""
     one, two = ctx.mpc(one), ctx.mpc(two)
     size = max(abs(one), abs(two))
@@ -225,7 +226,7 @@ def _scaled(ctx: Any, one: Any, two: Any) -> Numbers:
     return abs(one) / size, two * turn
 
 
-def _rounded(direction: Numbers, *, real: bool) -> tuple[complex, complex]:
+def _rounded(direction: Direction, *, real: bool) -> tuple[complex, complex]:
     one, two = direction
     return complex(one), complex(two.real if real else two)
 

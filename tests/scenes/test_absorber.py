@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from components.language.signals import AnySignal, Responses
@@ -16,10 +18,12 @@ from components.scenes.absorber import Absorber
 from components.scenes.absorber.curves import _tables
 from components.scenes.absorber.duty import Duty
 from physics.coupled import TwoMassChain
+from physics.forced import forced_motion
+from tests.grids import tries
 from tests.page.scripts import played, values_of
 from tests.page.told import Page, change, put
 from tests.scenes.checks import check_picture
-from tests.scenes.said import sentences
+from tests.scenes.said import said, sentences
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
 
@@ -172,7 +176,7 @@ def test_at_a_resonance_the_motion_grows_from_rest() -> None:
     scene = Absorber(own=True, m1=2.0, k1=4.0, F_0=1.0, omega=1.0, m2=1.0, k2=2.0)
     assert scene.shown.scalars["is_grow"] == 1
     assert scene.shown.forms["why"] == "grow"
-    assert scene.shown.values["found1"] == "no xₚ here: it grows without limit"
+    assert scene.shown.values["found1"] == "no Xₚ here: it grows without limit"
     assert scene.shown.values["judged"] == "from rest"
     grown = scene.shown.signals["x1"]
     assert isinstance(grown, Responses)
@@ -187,7 +191,7 @@ def test_hardly_an_ulp_from_a_resonance_is_a_resonance(tuning: str) -> None:
     slow = TwoMassChain(m1=3.0, m2=1.0, k1=1.0, k2=scene.k2).modes().omega[0]
     if tuning == "free":
         scene.set({"tuning": "free", "omega": float(slow)})
-        assert scene.shown.values["found1"] == "no xₚ here: it grows without limit"
+        assert scene.shown.values["found1"] == "no Xₚ here: it grows without limit"
         assert scene.shown.forms["first"] == "none"
     else:
         assert scene.shown.values["found1"].startswith("xₚ: 0.00 m; from rest within")
@@ -285,3 +289,24 @@ def test_twice_the_force_is_seen_as_twice_the_swing_until_the_stage_has_no_room(
     assert small < 0.5 * scale
     assert drawn_to(put(page, F_0=700.0)) == pytest.approx(small), "it grows by Fit alone"
     assert drawn_to(change(page, frame=None)) > 2 * small
+
+
+SIZES = st.floats(-1.0, 1.0).map(lambda power: float(f"{10**power:.3g}"))
+
+
+@settings(max_examples=tries(60), deadline=None)
+@given(SIZES, SIZES, st.sampled_from((0, 1)), st.sampled_from(("particular", "rest")))
+def test_at_a_natural_frequency_only_the_steady_form_is_denied(m2: float, k2: float, mode: int, played_: str) -> None:
+    """There a particular solution exists, t cos; what does not exist has the form X sin."""
+    chain = TwoMassChain(m1=M1, m2=16 * m2, k1=K1, k2=36864 * k2)
+    omega = float(chain.modes().omega[mode])
+    scene = Absorber(m2=16 * m2, k2=36864 * k2, omega=omega, tuning="free", played=played_)
+    text = said(scene)
+    if scene.shown.forms["why"] != "grow":
+        return  # a mode of almost mass 2 alone: its sentence speaks of mass 2
+    assert "no particular solution of the form Xsinωt exists" in text.replace("\N{FUNCTION APPLICATION}", "")
+    assert "no particular solution exists" not in text
+    t = np.linspace(0.0, 40 * math.pi / omega, 4001)
+    x = forced_motion(chain, F_0=F_0, omega=omega, t=t).x[0]
+    halves = [np.abs(part).max() for part in np.array_split(x, 4)]
+    assert halves[3] > halves[1] > 0

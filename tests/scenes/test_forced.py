@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from components.chain.forces import LENGTH
@@ -233,3 +235,14 @@ def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> Non
     swing = scene.sources["response"].data["Xp1"]
     assert np.abs(swing).min() <= least
     assert np.all(np.abs(swing) > 0) == (shown == "log")
+
+
+@given(st.floats(0.0, 4.0))
+def test_the_preset_says_on_which_side_of_the_push_mass_1_swings(omega: float) -> None:
+    """With the push below the slow frequency, then by turns."""
+    Xp1 = float(particular_solution(TwoMassChain(m1=1, m2=1, k1=1, k2=1), 1.0, [omega])[0, 0])
+    assert Forced.watch["All equal"].startswith(
+        "In xₚ mass 1 swings against the push from ω₋ to 1 rad/s, with it up to ω₊"
+    )
+    if min(abs(omega - edge) for edge in (1 / GOLDEN, 1.0, GOLDEN)) > 1e-6:
+        assert (Xp1 < 0) == (1 / GOLDEN < omega < 1.0 or omega > GOLDEN)

@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from components.language.state import Frame
@@ -13,9 +15,10 @@ from components.quantities.numbers import three
 from components.scene.frames import framed
 from components.scenes.phugoid import Phugoid
 from components.scenes.phugoid.swing import AIRCRAFT, SPEEDS
-from physics.phugoid import CUSP_EXCESS, linear_phugoid, period_excess
+from physics.phugoid import CUSP_EXCESS, flight, linear_flight, linear_phugoid, period_excess
 from tests.page.scripts import played
 from tests.page.told import apply_message, picture_wire
+from tests.scenes.chains import number
 
 EXCESSES = (0.1, 0.6, 1.0, 2.5, -0.5)
 
@@ -190,6 +193,24 @@ def test_invariant_is_constant_along_each_curve() -> None:
 )  # fmt: skip
 def test_the_text_says_where_the_linear_theory_stops(excess: float, says: str) -> None:
     assert says in Phugoid(excess=excess).shown.values["verdict"].replace("\xa0", " ")
+
+
+@given(st.floats(-8, -0.83).map(lambda power: 10**power), st.sampled_from((-1, 1)))
+def test_the_error_of_the_heights_is_that_of_the_first_period(size: float, sign: int) -> None:
+    """It shrinks with the swing: over the first period, next to the amplitude of the linear theory."""
+    scene = Phugoid(excess=sign * size)
+    verdict = scene.shown.values["verdict"].replace("\xa0", " ")
+    if "right to 0.1 %" not in verdict:
+        return
+    period = next(one.value for one in scene.readouts() if one.name == "tau_exact")
+    t = np.linspace(0.0, period, 4001)
+    exact, linear = (theory(scene.v_0, scene.g, scene.excess, t).h for theory in (flight, linear_flight))
+    off = 100 * np.max(np.abs(exact - linear)) / (scene.v_0**2 / scene.g * size)
+    assert number(verdict.split("about ")[1].split(" %")[0]) == pytest.approx(off, rel=0.06)
+
+
+def test_the_preset_and_the_text_say_one_error() -> None:
+    assert "about 5 %" in Phugoid.watch["Ripple, 0.1"] and "about 5\xa0%" in Phugoid(excess=0.1).shown.values["verdict"]
 
 
 def test_lateness_of_the_slides_numbers() -> None:

@@ -1,4 +1,5 @@
-"""Absorber: the scene in which a tuned second mass holds a machine still, at a price: two resonances (D34, point 9)."""
+"""Absorber: the scene in which a tuned second mass holds a machine still, at a price: two resonances. It is what the
+notes of D34 call simple vibration damping."""
 
 from __future__ import annotations
 
@@ -47,6 +48,9 @@ def _asked_again(duty: Duty) -> Duty:
     return duty
 
 
+BELOW = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "own": False, "tuning": "tuned"}
+
+
 class Panels(Declared[Any]):
     """The groups of controls that stand."""
 
@@ -59,7 +63,7 @@ class Absorber(Scene):
     slug = "absorber"
     title = "Absorber"
     lecture = "D34"
-    points = "point 9"
+    points = "beyond the slides"
     headline = "A tuned mass holds the machine still; the price is two resonances"
     pictured = (SWING, {})
     spoken = {"machine": N.swing, "resonances": f"{{{N.slow.name}}} and {N.fast.aloud}"}
@@ -70,10 +74,10 @@ class Absorber(Scene):
     start = "Machine"
     watch = WATCH
     presets = {
-        "Below": {},
-        "Resonant": {"omega": 50.0},
-        "Above": {"omega": 60.0},
-        "Own": {"own": True},
+        "Below": BELOW,
+        "Resonant": {**BELOW, "omega": 50.0},
+        "Above": {**BELOW, "omega": 60.0},
+        "Own": {**BELOW, "own": True},
     }
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")

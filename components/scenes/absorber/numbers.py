@@ -101,7 +101,7 @@ def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[st
         told = "" if within is None else f"; {duty.whence} within {length(axis, within)} {axis.full_unit}"
         found = f"xₚ: {length(axis, way)} {axis.full_unit}{told}"
         texts[Numbers.goal[i + 1]] = f"{what} xₚ within {short(axis.place(duty.limits[i]))} {axis.full_unit}"
-        texts[Numbers.found[i + 1]] = found if math.isfinite(way) else "no xₚ here: it grows without limit"
+        texts[Numbers.found[i + 1]] = found if math.isfinite(way) else "no Xₚ here: it grows without limit"
     return by_name(texts)
 
 

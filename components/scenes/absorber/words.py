@@ -101,8 +101,8 @@ _WHY = either(
     adds=f"Here spring 2 pulls with the drive: the absorber only adds to it. {_BOTH[0].upper()}{_BOTH[1:]}",
     over=f"Here spring 2 pulls against the drive, more than twice as hard as that pushes: {_BOTH}",
     grow=(
-        "The drive meets a natural frequency: no particular solution exists. From rest the swing grows in "
-        "proportion to time."
+        r"The drive meets a natural frequency: no particular solution of the form $X \sin \omega t$ exists. From rest "
+        "the swing grows in proportion to time."
     ),
     beat=(
         "The drive is next to a natural frequency: from rest the machine's swing grows for long in proportion to "
@@ -134,7 +134,8 @@ FROM_REST = either(
     f"$\\omega_-$ and {N.part2} {N.x_unit} at $\\omega_+$, {_NEVER}",
     alone=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part2} {N.x_unit} at its "
     f"own frequency, {_NEVER}",
-    grow="The drive meets a natural frequency: no particular solution exists, the swing grows in proportion to time.",
+    grow=r"The drive meets a natural frequency: no particular solution of the form $X \sin \omega t$ exists. The swing "
+    "grows in proportion to time.",
     beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
     aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
     f"stays within {N.rest1} {N.x_unit}.",

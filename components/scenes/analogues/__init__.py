@@ -37,6 +37,18 @@ QUANTITIES = quantities()
 UNHURRIED = (0.5, 10.0)
 """s; periods that are easy to watch as they are."""
 
+USUAL = {
+    "system": "pendulum",
+    "theta_0": 60.0,
+    "pendulum_l": 1.0,
+    "string_T": 70.0,
+    "circuit_L": 1e-3,
+    "circuit_C": 2.5e-8,
+    "wave_wavelength": 100.0,
+    "shaft_J": 0.5,
+    "shaft_k_t": 2000.0,
+}
+
 
 class Analogues(Scene):
     slug = "analogues"
@@ -55,14 +67,14 @@ class Analogues(Scene):
     start_folded = True
     watch = WATCH
     presets = {
-        "10°": {"theta_0": 10.0},
-        "60°": {},
-        "Clock": {"pendulum_l": 0.994, "theta_0": 3.0},
-        "Nearly over": {"theta_0": 179.0},
-        "Guitar": {"system": "string", "string_T": 73.45},
-        "Radio": {"system": "circuit", "circuit_L": 1e-4, "circuit_C": 2.53e-10},
-        "Swell": {"system": "wave", "wave_wavelength": 200.0},
-        "Cavendish": {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5},
+        "10°": {**USUAL, "theta_0": 10.0},
+        "60°": USUAL,
+        "Clock": {**USUAL, "pendulum_l": 0.994, "theta_0": 3.0},
+        "Nearly over": {**USUAL, "theta_0": 179.0},
+        "Guitar": {**USUAL, "system": "string", "string_T": 73.45},
+        "Radio": {**USUAL, "system": "circuit", "circuit_L": 1e-4, "circuit_C": 2.53e-10},
+        "Swell": {**USUAL, "system": "wave", "wave_wavelength": 200.0},
+        "Cavendish": {**USUAL, "system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5},
     }
     opens = presets["10°"]
 

@@ -30,6 +30,18 @@ from components.scenes.coupled.words import VIEWS, Forms
 from physics.energy import mean_energy
 from physics.sampling import drawable, time_window
 
+BOTH = {
+    "m1": 2.0,
+    "m2": 1.0,
+    "k1": 4.0,
+    "k2": 2.0,
+    "x1_0": 1.0,
+    "x2_0": 0.0,
+    "v1_0": 0.0,
+    "v2_0": 0.0,
+    "given_by": "values",
+}
+
 
 class Coupled(Scene):
     slug = "coupled"
@@ -43,13 +55,13 @@ class Coupled(Scene):
     shares = chain.SHARES
     watch = WATCH
     presets = {
-        "Both": {"given_by": "values"},
-        "Slow": {"x1_0": 0.4, "x2_0": 0.8},
-        "Fast": {"x1_0": 0.7, "x2_0": -0.7},
-        "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04, "x1_0": 0.2},
-        "All equal": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
-        "Drift": {"k1": 0.0, "x1_0": 0.3, "v1_0": 0.2, "v2_0": 0.2},
-        "Heavy, light": {"m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0, "x1_0": 0.5},
+        "Both": BOTH,
+        "Slow": {**BOTH, "x1_0": 0.4, "x2_0": 0.8},
+        "Fast": {**BOTH, "x1_0": 0.7, "x2_0": -0.7},
+        "Beats": {**BOTH, "m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04, "x1_0": 0.2},
+        "All equal": {**BOTH, "m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
+        "Drift": {**BOTH, "k1": 0.0, "x1_0": 0.3, "v1_0": 0.2, "v2_0": 0.2},
+        "Heavy, light": {**BOTH, "m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0, "x1_0": 0.5},
     }
 
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)

@@ -22,7 +22,8 @@ from components.scenes.damped.watch import WATCH
 from components.scenes.damped.words import Forms, notes
 from physics.damped import DampedOscillator
 
-USUAL = {"m": 1.0, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
+LIGHT = {"m": 1.0, "c": 1.257, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
+CAR = {**LIGHT, "m": 300.0, "c": 1500.0, "k": 2e4, "x_0": 0.05}
 
 
 class Damped(DashpotScene):
@@ -40,13 +41,13 @@ class Damped(DashpotScene):
     )
     watch = WATCH
     presets = {
-        "Light": {**USUAL, "c": 1.257},
-        "Car": {"m": 300.0, "c": 1500.0, "k": 2e4, "x_0": 0.05},
-        "Worn": {"m": 300.0, "c": 300.0, "k": 2e4, "x_0": 0.05},
-        "Door closer": {"m": 20.0, "c": 90.0, "k": 45.0, "x_0": 0.8},
-        "Critical": {"c": 12.566622},
-        "Thrown": {"c": 18.85, "v_0": -3.0},
-        "No dashpot": {"c": 0.0},
+        "Light": LIGHT,
+        "Car": CAR,
+        "Worn": {**CAR, "c": 300.0},
+        "Door closer": {**LIGHT, "m": 20.0, "c": 90.0, "k": 45.0, "x_0": 0.8},
+        "Critical": {**LIGHT, "c": 12.566622},
+        "Thrown": {**LIGHT, "c": 18.85, "v_0": -3.0},
+        "No dashpot": {**LIGHT, "c": 0.0},
     }
 
     m, k, c, zeta = parts(1.0, 39.48, 1.257)

@@ -83,6 +83,8 @@ class DampedCase(Windowed):
             return "never"
         if self.v_0 * self.x_0 < 0 and abs(self.v_0) > self.crossing_speed and self.motion.first_zero is not None:
             return "crosses"
+        if self.v_0 * self.x_0 > 0:
+            return "out"
         return "thrice" if self.kind == "critical" and not self.v_0 else "home"
 
     @property
@@ -125,6 +127,12 @@ class DampedCase(Windowed):
     def _at(self, times: list[float]) -> tuple[Moment, ...]:
         motion = self.oscillator.motion(self.x_0, self.v_0, times)
         return tuple(map(Moment, times, motion.x.tolist(), motion.v.tolist()))
+
+    @property
+    def turning(self) -> float:
+        """Where it first turns, in m; its start if it never does."""
+        turn = self.motion.first_turn
+        return self._at([0.0 if turn is None else turn])[0].x
 
     @cached_property
     def reach(self) -> float:

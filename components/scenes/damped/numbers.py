@@ -67,6 +67,7 @@ class Numbers(Declared[DampedCase]):
     tau_d = number(lambda c: 2 * math.pi / c.oscillator.omega_d if c.oscillator.omega_d else None)
     home = number(lambda c: c.motion.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None)
     home_3 = number(lambda c: home_thrice(c) if c.said == "thrice" else None)
+    farthest = number(lambda c: signed(c.turning) if c.said == "out" else None)
     zero = number(lambda c: c.motion.first_zero or 0.0 if c.said == "crosses" else None)
     crossing = number(lambda c: c.crossing_speed if c.said == "crosses" else None)
     glide = number(lambda c: scaled(0, abs(c.v_0), 1 / c.oscillator.rates[1]) if c.said == "glide" else None)

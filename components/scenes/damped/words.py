@@ -74,9 +74,10 @@ SENTENCE = either(
     "than undamped.",
     hardly=f"It hardly swings: each turn reaches {N.half} of the one before.",
     plain="Nothing is lost: every swing is as large as the last.",
-    thrice=f"Within 1 % of its start after {N.home} s and never past 0; "
+    thrice=f"It has fallen to 1 % of its start after {N.home} s and never passes 0; "
     f"with three times the damping after {N.home_3} s.",
-    home=f"Within 1 % of its start after {N.home} s and never past 0.",
+    home=f"It has fallen to 1 % of its start after {N.home} s and never passes 0.",
+    out=f"It goes out to {N.farthest} m, turns once, and comes back without passing 0.",
     crosses=f"It passes 0 once, at {N.zero} s, because it was thrown faster than {N.crossing} m/s; let go, "
     "it never would.",
     never="It never passes 0 again.",

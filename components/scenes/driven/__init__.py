@@ -28,6 +28,20 @@ from physics.sampling import drawable
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 
+BELOW = {
+    "kind": "force",
+    "F_0": 2.0,
+    "Y": 0.05,
+    "moment": 0.05,
+    "omega": 4.398,
+    "m": 1.0,
+    "k": 39.48,
+    "c": 2.513,
+    "keep": "c",
+    "x_0": 0.0,
+    "v_0": 0.0,
+}
+
 
 class DrivenScene(DashpotScene):
     slug = "driven"
@@ -46,14 +60,14 @@ class DrivenScene(DashpotScene):
     )
     watch = WATCH
     presets = {
-        "Below": {"kind": "force", "F_0": 2.0, "omega": 4.398, "m": 1.0, "k": 39.48, "c": 2.513, "keep": "c"},
-        "Resonance": {"omega": 6.2833},
-        "Above": {"omega": 12.566},
-        "Strong dashpot": {"omega": 6.2833, "c": 10.05},
-        "No dashpot": {"omega": NATURAL, "c": 0.0},
-        "Beats": {"omega": 5.655, "c": 0.0},
-        "Washboard": {"kind": "base", "Y": 0.05, "omega": 10.053},
-        "Spin-dry": {"kind": "unbalance", "moment": 0.05, "omega": 9.425},
+        "Below": BELOW,
+        "Resonance": {**BELOW, "omega": 6.2833},
+        "Above": {**BELOW, "omega": 12.566},
+        "Strong dashpot": {**BELOW, "omega": 6.2833, "c": 10.05},
+        "No dashpot": {**BELOW, "omega": NATURAL, "c": 0.0},
+        "Beats": {**BELOW, "omega": 5.655, "c": 0.0},
+        "Washboard": {**BELOW, "kind": "base", "omega": 10.053},
+        "Spin-dry": {**BELOW, "kind": "unbalance", "omega": 9.425},
     }
 
     kind = KIND

@@ -21,6 +21,8 @@ from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
 from physics.hanging import Datum, HangingMass
 
+PULLED = {"m": 1.0, "k": 39.4, "g": 9.81, "x_0": 0.2, "v_0": 0.0}
+
 
 class Energy(Scene):
     slug = "energy"
@@ -39,12 +41,12 @@ class Energy(Scene):
     shares = {"mass": "m", "stiffness": "k"}
     watch = WATCH
     presets = {
-        "Pulled down": {},
-        "Pushed up": {"x_0": -0.2},
-        "Kicked at equilibrium": {"x_0": 0.0, "v_0": 1.2},
-        "Heavy": {"m": 2.0},
-        "Soft": {"k": 20.0},
-        "Hanging still": {"x_0": 0.0},
+        "Pulled down": PULLED,
+        "Pushed up": {**PULLED, "x_0": -0.2},
+        "Kicked at equilibrium": {**PULLED, "x_0": 0.0, "v_0": 1.2},
+        "Heavy": {**PULLED, "m": 2.0},
+        "Soft": {**PULLED, "k": 20.0},
+        "Hanging still": {**PULLED, "x_0": 0.0},
     }
 
     m = mass(

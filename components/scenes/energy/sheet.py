@@ -176,7 +176,7 @@ def _law() -> Block:
             slide=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
         ),
         r"[boxed|$m \ddot{x} + k x = 0$]",
-        "[small|Lagrange's method: energy alone.]",
+        "[small|Energy gives the equation for one degree of freedom.]",
         style="derivation",
         grow=LOWER,
         basis=52,

@@ -43,6 +43,13 @@ PARTS = 4.0
 
 STARTS = ("rest", "From rest"), ("steady", "On the particular solution")
 
+EQUAL = {
+    "F_0": 1.0,
+    "omega": 0.8,
+    **dict.fromkeys(("m1", "m2", "k1", "k2"), 1.0),
+    **dict.fromkeys(("c1", "c2", "x1_0", "x2_0", "v1_0", "v2_0"), 0.0),
+}
+
 
 class Forced(Scene):
     slug = "forced"
@@ -56,12 +63,12 @@ class Forced(Scene):
     shares = chain.BRAKED
     watch = WATCH
     presets = {
-        "All equal": {},
-        "At slow": {"omega": SLOW},
-        "At fast": {"omega": FAST},
-        "Still mass 1": {"omega": 1.0, "v2_0": -1.0},
-        "Light mass 2": {"m1": 2.0, "k1": 2.0, "m2": 0.1, "k2": 0.1, "omega": 0.9},
-        "Damped": {"omega": SLOW, "c1": 0.5, "c2": 0.5},
+        "All equal": EQUAL,
+        "At slow": {**EQUAL, "omega": SLOW},
+        "At fast": {**EQUAL, "omega": FAST},
+        "Still mass 1": {**EQUAL, "omega": 1.0, "v2_0": -1.0},
+        "Light mass 2": {**EQUAL, "m1": 2.0, "k1": 2.0, "m2": 0.1, "k2": 0.1, "omega": 0.9},
+        "Damped": {**EQUAL, "omega": SLOW, "c1": 0.5, "c2": 0.5},
     }
 
     F_0 = force(1.0)

@@ -32,6 +32,8 @@ TASKS = {
 VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
 TASK = one_of("guess", VIEWS, "View")
 
+USUAL = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.0, "c2": 0.0}
+
 
 class Tasks(Declared[str]):
     """The view that stands."""
@@ -60,11 +62,11 @@ class ModesScene(Scene):
     shares = chain.BRAKED
     watch = WATCH
     presets = {
-        "Default": {},
-        "All equal": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
-        "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04},
-        "No wall": {"k1": 0.0},
-        "Loose": {"k2": 0.1, "c1": 0.0, "c2": 0.0},
+        "Default": USUAL,
+        "All equal": {**USUAL, "m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
+        "Beats": {**USUAL, "m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04},
+        "No wall": {**USUAL, "k1": 0.0},
+        "Loose": {**USUAL, "k2": 0.1},
     }
     opens = {"task": "hunt"}
 

@@ -29,6 +29,8 @@ from components.scenes.oscillator.numbers import Numbers as N
 from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
 from physics.oscillator import Oscillator
 
+PULLED = {"m": 1.0, "k": 39.4, "x_0": 0.15, "v_0": 0.0}
+
 
 class OscillatorScene(Scene):
     slug = "oscillator"
@@ -44,13 +46,13 @@ class OscillatorScene(Scene):
     shares = {"mass": "m", "stiffness": "k"}
     watch = WATCH
     presets = {
-        "Pulled": {"x_0": 0.15, "v_0": 0.0},
-        "Kicked": {"x_0": 0.0, "v_0": 0.8},
-        "Pushed back": {},
-        "Heavy": {"m": 4.0},
-        "Stiff": {"k": 158.0},
-        "Rest": {"x_0": 0.0, "v_0": 0.0},
-        "No spring": {"k": 0.0, "v_0": 0.02},
+        "Pulled": PULLED,
+        "Kicked": {**PULLED, "x_0": 0.0, "v_0": 0.8},
+        "Pushed back": {**PULLED, "x_0": 0.1, "v_0": -0.8},
+        "Heavy": {**PULLED, "m": 4.0},
+        "Stiff": {**PULLED, "k": 158.0},
+        "Rest": {**PULLED, "x_0": 0.0},
+        "No spring": {**PULLED, "k": 0.0, "x_0": 0.1, "v_0": 0.02},
     }
     opens = {**presets["Pulled"], "view": "swing"}
 

@@ -128,6 +128,7 @@ def lift_plot() -> tuple[Block, ...]:
         words(
             r"$m \ddot{h} = L \cos \theta - m g$. To first order $\ddot{h} = 2 g\, v'/v_0$,",
             r"and $g\, h' + v_0 v' = 0$ as thrust is drag: together $\ddot{h} + 2 (g/v_0)^2\, h' = 0$.",
+            "In a real flight drag changes with speed and damps the motion.",
             style="small",
             phone=15,
         ),
