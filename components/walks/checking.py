@@ -9,6 +9,7 @@ from components.layout.text import rich
 from components.quantities.numbers import excerpt
 from components.state.covers import coverable
 from components.walks.cards import ASKS, asked, sentences
+from components.walks.giveaways import giveaways
 from components.walks.leaks import leaks
 from components.walks.links import Scenes, standing_at
 from components.walks.questions.question import refused
@@ -36,6 +37,7 @@ def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
     for i, step in enumerate(walk.steps, 1):
         for doubt in (*_doubts(step, Subject(walk.name, step, scenes)), *_doubts_of_variants(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {doubt}"
+    yield from giveaways(walk, scenes)
     yield from leaks(walk, scenes)
 
 

@@ -3,14 +3,15 @@ and chain covers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import combinations
 from typing import NamedTuple
 
 from components.language.blocks import Block, PlotBlock, StageBlock, TableBlock, WordsBlock
 from components.language.plots import Curve
-from components.language.shapes import Label
+from components.language.shapes import AnyShape, Label
 from components.language.text import Forms
+from components.layout.controls import Group
 from components.layout.sheet import in_force
 from components.quantities.parameters import names_of
 from components.quantities.refusals import in_words
@@ -19,6 +20,7 @@ from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
 from components.state.scene_sheet import LIVE
 from components.state.standing import Standing
 from components.walks.links import Scenes, standing_at
+from components.walks.texts import live_names
 from components.walks.walk import Step, Walk
 
 ByCover = dict[str, str]
@@ -63,16 +65,30 @@ def _exhibit(standing: Standing, covers: tuple[str, ...]) -> Exhibit:
     shown = dict(_quantities(standing.scene, left, frozenset(covers), frozenset(gone)))
     asked = {name: cover for name, cover in whole.items() if name not in shown}
     by_name = {name: cover for name, cover in asked.items() if cover in covers or not cover.startswith(VALUE)}
-    return Exhibit(_chain(standing.scene), shown, by_name)
+    return Exhibit(chain_of(standing.scene), shown, by_name)
 
 
-def _chain(scene: Scene) -> object:
+def chain_of(scene: Scene) -> object:
     """The scene and its system: the values that scenes share, or where it shows none of these, all its quantities."""
     values = scene.values
     shares = scene.shares and all(values[name] == value for name, value in scene.sharing.items())
     names = set(scene.shares.values()) if shares else scene.quantities() - {"window"}
     names = {*names, *scene.sharing, *names_of(scene.physical)}
     return scene.slug, tuple(sorted((name, values[name]) for name in names))
+
+
+def texts_in_sight(standing: Standing, covers: tuple[str, ...]) -> dict[str, str]:
+    """The live numbers that a picture shows with its covers, each with its text."""
+    picture, gone = without(standing.kind, standing.shown, covers)
+    hidden, sheet = frozenset(covers), standing.kind.sheet()
+    names = {name for block in in_force(sheet, picture.forms) for name in _numbers(block, picture, hidden)}
+    names.update(name for group in standing.kind.groups if group.stands(picture.forms) for name in _facts(group))
+    return {name: picture.values[name] for name in sorted(names.difference(gone)) if picture.values.get(name)}
+
+
+def _facts(group: Group) -> Iterator[str]:
+    """The live numbers in the facts of a group of controls."""
+    yield from (name for row in group.facts for cell in row for name in live_names(cell))
 
 
 def _quantities(
@@ -110,11 +126,18 @@ def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator
     elif isinstance(block, PlotBlock) and PLOT + block.name not in covers:
         for term in block.heading:
             yield from LIVE.findall(term.variants.get(picture.forms.get(term.form, "formula"), ""))
+        yield from (one.text for one in block.handles if one.text)
+        yield from (name for one in block.marks if one.at in picture.scalars for name in LIVE.findall(one.html))
+        yield from _labelled(block.shapes, picture)
     elif isinstance(block, StageBlock) and STAGE not in covers:
-        labels = (
-            one for one in block.shapes if isinstance(one, Label) and all(picture.scalars.get(s, 1) for s in one.show)
-        )
-        yield from (run.text for label in labels for run in label.words if run.kind == "value")
+        yield from _labelled(block.shapes, picture)
+
+
+def _labelled(shapes: Iterable[AnyShape], picture: Picture) -> Iterator[str]:
+    """The live numbers in the words of shapes that are drawn."""
+    for one in shapes:
+        if isinstance(one, Label) and all(picture.scalars.get(name, 1) for name in one.show):
+            yield from (run.text for run in one.words if run.kind == "value")
 
 
 def _text(item: Forms, picture: Picture) -> str:

@@ -127,7 +127,10 @@ function nameOf({read, label, group}, {block, host}) {
 /** @param {page.Runs} runs */
 const words = runs => runs.map(({text}) => text).join("")
 
-/** The pieces of a line between its gaps. @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys @returns {Piece[]} */
+/**
+ * The pieces of a line between its gaps.
+ * @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys @returns {Piece[]}
+ */
 function connected(xs, ys) {
   /** @type {Piece[]} */
   const found = []
@@ -285,7 +288,8 @@ function extreme(one, motion, sign) {
 
 /**
  * The way of one piece: from, to, its lowest and highest point.
- * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y @param {boolean} isWhole
+ * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
+ * @param {boolean} isWhole
  */
 function way(one, motion, x, y, isWhole) {
   const {xs, ys, cutStart, cutEnd} = one

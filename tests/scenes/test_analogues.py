@@ -144,7 +144,7 @@ def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, perio
 
 
 def test_the_balance_is_cavendishs() -> None:
-    assert Analogues.presets["Cavendish"] == {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5}
+    assert {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5}.items() <= Analogues.presets["Cavendish"].items()
 
 
 def test_the_aircraft_of_slide_7_is_found() -> None:

@@ -85,7 +85,7 @@ def test_mass_1_swings_against_the_push_up_to_its_zero_and_with_it_from_there(om
     X = amplitudes(scene)
     assert X is not None
     assert (X[0] < 0) == (omega < 1), "what is said of the slide's chain"
-    assert Forced.watch["All equal"].startswith("From ω₋ to its zero, 1 rad/s, mass 1 swings against the push")
+    assert Forced.watch["All equal"].startswith("In xₚ mass 1 swings against the push from ω₋ to 1 rad/s")
     assert scene.shown.values["way1"] == ("against F" if omega < 1 else "with F")
 
 

@@ -19,6 +19,7 @@ FREE = {
         *(f"pipe_{name}" for name in "Lcn"),
         *("pendulum_g", "pendulum_m", "spring_k", "spring_m", "string_L", "string_n", "wave_g", "wave_rho"),
     },
+    "energy": {"g"},
     "phugoid": {"g", "m", "v_0"},
     "damped": {"zeta"},
     "driven": {"zeta"},

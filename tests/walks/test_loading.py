@@ -178,7 +178,7 @@ title = "t"
 question = "How long?"
 explain = "e"
 state = "?scene=energy"
-cover = ["value:tau"]
+cover = ["value:tau", "value:omega"]
 answer = { of = "tau", unit = "s", tol = 0.1 }
 misses = [{ is = "2 * tau", idea = "i", reply = "r" }]
 """
@@ -210,7 +210,7 @@ def test_an_answer_is_a_quantity_of_the_scene() -> None:
         ('of = "tau"', 'of = "tau", is = 7.5', "answer.is: 7.5 is not what the scene has, 1.00 s."),
         ('of = "tau"', "is = 7.5", "answer: 7.5 is no number of this scene: name the quantity that it is, of = ..."),
         ("2 * tau", "tau + 0.01", "misses[0].is: 1.01099 is within the tolerance of the right answer."),
-        ('["value:tau"]', "[]", "cover: nothing is covered, so that the answer can be read."),
+        ('["value:tau", "value:omega"]', "[]", "cover: nothing is covered, so that the answer can be read."),
         ('explain = "e"', f'explain = "{"word " * 61}"', "explain: it has 61 words, 60 are the most."),
         ("How long?", "Tell.", "question: no sentence ends with a question mark, or begins with Sketch or Mark."),
     ):
@@ -231,7 +231,7 @@ def test_a_walk_ends_in_a_few_sentences() -> None:
 
 
 def test_what_stays_covered_was_covered() -> None:
-    text = ENERGY.replace('["value:tau"]', '["value:tau"]\nstill = ["value:omega"]')
+    text = ENERGY.replace('["value:tau", "value:omega"]', '["value:tau"]\nstill = ["value:omega"]')
     assert told(text) == ["still: “value:omega” is not in cover."]
     assert told(text.replace("omega", "tau")) == ["still: the answer shows nothing that was covered."]
 

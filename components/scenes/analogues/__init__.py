@@ -76,7 +76,7 @@ class Analogues(Scene):
         "Swell": {**USUAL, "system": "wave", "wave_wavelength": 200.0},
         "Cavendish": {**USUAL, "system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5},
     }
-    opens = presets["10°"]
+    opens = {"theta_0": 10.0}
 
     system = one_of("pendulum", SHORT, "System", "The system shown.")
 

@@ -21,7 +21,7 @@ from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
 from physics.hanging import Datum, HangingMass
 
-PULLED = {"m": 1.0, "k": 39.4, "g": 9.81, "x_0": 0.2, "v_0": 0.0}
+PULLED = {"m": 1.0, "k": 39.4, "x_0": 0.2, "v_0": 0.0}
 
 
 class Energy(Scene):

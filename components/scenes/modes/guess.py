@@ -144,6 +144,7 @@ class Forms(Declared[Guess]):
     says = Family(BOTH, lambda i: form(lambda g: kind_of(g.asked.rows[i - 1])), "row{}_says")
     agree = form(agreement)
     D = form(lambda g: "value" if g.asked.apart is None else "product")
+    matrix = form(lambda g: True)
     roots = form(lambda g: "loose" if not g.system.k2 else "two" if g.system.k1 else "wall")
 
 
@@ -178,8 +179,11 @@ def sheet() -> Block:
             ),
             words(
                 "$A = " + _matrix((r"m_1 \omega^2 - k_1 - k_2", "k_2"), ("k_2", r"m_2 \omega^2 - k_2")) + "$",
-                f"${_matrix((N.a11, N.a12), (N.a12, N.a22))}"
-                r" \begin{pmatrix} X_1 \\ X_2 \end{pmatrix} = \begin{pmatrix} 0 \\ 0 \end{pmatrix}$",
+                either(
+                    F.matrix,
+                    shown=f"${_matrix((N.a11, N.a12), (N.a12, N.a22))}"
+                    r" \begin{pmatrix} X_1 \\ X_2 \end{pmatrix} = \begin{pmatrix} 0 \\ 0 \end{pmatrix}$",
+                ),
                 style="system", grow=296, phone=20,
             ),
             grow=222,

@@ -54,7 +54,7 @@ class OscillatorScene(Scene):
         "Rest": {**PULLED, "x_0": 0.0},
         "No spring": {**PULLED, "k": 0.0, "x_0": 0.1, "v_0": 0.02},
     }
-    opens = {**presets["Pulled"], "view": "swing"}
+    opens = {"x_0": PULLED["x_0"], "v_0": PULLED["v_0"], "view": "swing"}
 
     m = mass(
         1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0."

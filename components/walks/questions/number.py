@@ -76,8 +76,11 @@ class NumericStep(Question, frozen=True, kw_only=True):
         """The number that an answer is; ValueError, in words, for what is none."""
         raise NotImplementedError
 
+    @property
+    def unit(self) -> str:
+        return self.answer.unit
+
     def right(self, subject: Subject) -> tuple[float, ...]:
-        """The right numbers, in the unit of the answer."""
         told = tuple(self._of_scene(one, subject) for one in self.answer.quantities)
         return told or self.answer.numbers
 

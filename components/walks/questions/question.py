@@ -70,6 +70,15 @@ class Question(BaseStep, frozen=True, kw_only=True):
         """Minutes that it takes."""
         return self.minutes or self.usual
 
+    @property
+    def unit(self) -> str:
+        """The unit of the number that is asked for."""
+        return ""
+
+    def right(self, subject: Subject) -> tuple[float, ...]:
+        """The right numbers in that unit; none where no number is asked for."""
+        return ()
+
     def problems(self, subject: Subject) -> Iterator[str]:
         """Sentences that say what is wrong with it in its scene, the field first."""
         raise NotImplementedError

@@ -1,0 +1,96 @@
+"""Numbers that give the answer of a question away.
+
+A live number in a formula, a heading, a table or a label gives an answer away if it is the answer, or if the answer
+follows from it in one step, as a period follows from an angular frequency.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import NamedTuple
+
+from components.quantities.numbers import parse_number
+from components.quantities.typed import unit_size
+from components.walks.cards import asked
+from components.walks.leaks import chain_of, texts_in_sight
+from components.walks.links import Scenes, standing_at
+from components.walks.subject import Subject
+from components.walks.walk import Step, Walk
+
+SAME = 0.006
+"""The relative difference below which two numbers of three digits count as one."""
+OVER = frozenset({"s", "ms", "min", "h", "rad/s", "Hz", "1/s"})
+"""Units of answers that may be one over a number, or 2π over it."""
+_NUMBER = re.compile(r"[-−+]?\d+(?:\.\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
+
+
+class Relation(NamedTuple):
+    """A step from a number to an answer: its name, and the units of answers for which it makes sense (none: all)."""
+
+    name: str
+    follow: Callable[[float], float]
+    units: frozenset[str] = frozenset()
+
+
+RELATIONS = (
+    Relation("it is the answer", lambda value: value),
+    Relation("2π over it is the answer", lambda value: 2 * math.pi / value, OVER),
+    Relation("1 over it is the answer", lambda value: 1 / value, OVER),
+)
+
+
+def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
+    """A sentence for each live number from which the answer of a step follows, in its own question or in an earlier
+    step of the same scene and chain.
+
+    Numbers that the question states, or that the scene is set to, are given and give nothing away.
+    """
+    for i, step in enumerate(walk.steps, 1):
+        subject = Subject(walk.name, step, scenes)
+        for where, texts in _in_sight(walk, i, subject, scenes) if step.right(subject) else ():
+            yield from (
+                f"{walk.name}, step {i} ({step.id}), cover: “{name}” is in sight{where}, {text}: {how}."
+                for name, text, how in _telling(step, texts, subject)
+            )
+
+
+def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iterator[tuple[str, dict[str, str]]]:
+    """The live numbers of the question of a step, and of earlier pictures of its chain, each with where it is."""
+    *before, step = walk.steps[:number]
+    yield "", texts_in_sight(subject.standing, step.cover)
+    chain = chain_of(subject.answered.scene)
+    for early in before:
+        for when, link, covers in (("before", early.state, early.cover), ("after", early.shown, early.still)):
+            standing = standing_at(link, scenes)
+            if chain_of(standing.scene) == chain:
+                yield f" {when} the answer of {early.id}", texts_in_sight(standing, covers)
+
+
+def _telling(step: Step, texts: dict[str, str], subject: Subject) -> Iterator[tuple[str, str, str]]:
+    """The live numbers that tell the answer of a step, with their texts and how."""
+    right, unit = step.right(subject), step.unit
+    given = [*_numbers(asked(step, subject)), *_set_to(subject, unit)]
+    for name, text in texts.items():
+        for value in _numbers(text):
+            if not value or _is_one_of(value, given):
+                continue
+            for relation in RELATIONS:
+                if (not relation.units or unit in relation.units) and _is_one_of(relation.follow(value), right):
+                    yield name, text, relation.name
+
+
+def _numbers(text: str) -> list[float]:
+    return [parse_number(found) for found in _NUMBER.findall(text)]
+
+
+def _set_to(subject: Subject, unit: str) -> Iterator[float]:
+    """The quantities that the scene is set to, in SI and in the unit of the answer."""
+    for value in subject.standing.scene.values.values():
+        if isinstance(value, float):
+            yield from (value, value / unit_size(unit))
+
+
+def _is_one_of(value: float, others: Iterable[float]) -> bool:
+    return any(abs(value - one) <= SAME * abs(one) for one in others if one)
