@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Callable
 
 from components import chain
 from components.chain.parameters import Pair
@@ -11,7 +12,7 @@ from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.language.state import Frame
-from components.layout.sheet import Paragraph, either, row, stage, words
+from components.layout.sheet import Paragraph, either, row, stage, when, words
 from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, shown_by, text
 from components.quantities.axes import Axis, time_axis
 from components.quantities.declared import AxesInForce, Declared, Family, Form, Scalar, Signal, by_name
@@ -29,7 +30,7 @@ from physics.sampling import time_window
 
 METRE = 0.105
 """The share of the stage's width that an amplitude of 1 m takes."""
-LOOKS = (("−", 0.0), ("+", 0.5))
+SIGNS, TOPS = "−+", {"slow": 0.0, "fast": 0.5}
 """The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
 METRES = Axis(-1.0, 1.0, "m")
 
@@ -61,9 +62,9 @@ class Solve(Declared[BrakedChain]):
     braked = form(lambda c: c.brakes)
     many = form(lambda c: c.brakes and len(c.motions) > len(chain.MODES))
     root = Family(MOTIONS, lambda place: form(lambda c: c.root(place)), "{}_root")
-    undamped = Scalar[BrakedChain](lambda c, a: not c.brakes)
-    damped = Scalar[BrakedChain](lambda c, a: c.brakes)
+    undamped = form(lambda c: not c.brakes)
     drawn = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode in c.exponents), "{}_drawn")
+    missing = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode not in c.exponents), "{}_missing")
 
 
 def _root(place: str) -> Paragraph:
@@ -139,18 +140,17 @@ STATEMENTS: dict[str, str] = {
 
 
 def sheet() -> Block:
-    picture_ = stage(
-        *_shapes(),
-        label="Free motions of the chain, one above the other, and under each mass its complex amplitude as an arrow",
-        grow=480,
-        phone=4,
-        height=420,
-        style="still",
-    )
     return row(
-        picture_,
+        when(Solve.undamped, _stage("Both modes, each moving at its own frequency", _mode_title)),
+        when(Solve.braked, _stage("Free motions of the chain with dashpots, one above the other", _motion_title)),
         words(*_formulas(), style="facts", grow=408, phone=20),
     )
+
+
+def _stage(what: str, title: Callable[[str], list[Shape]]) -> Block:
+    label = f"{what}, and under each mass its complex amplitude as a rotating arrow"
+    shapes = (shape for mode in chain.MODES for shape in (*title(mode), *_moving(mode)))
+    return stage(*shapes, label=label, grow=480, phone=4, height=420, style="still")
 
 
 def _always(text_: str) -> Paragraph:
@@ -219,19 +219,9 @@ def _ratios() -> list[Paragraph]:
     ]
 
 
-def _shapes() -> list[Shape]:
-    """Each drawn motion as a chain with its full swing as a ghost, and a rotating arrow under each mass."""
-    shapes: list[Shape] = []
-    for mode, (sign, top), omega, ratio in zip(chain.MODES, LOOKS, N.omega, N.ratio, strict=True):
-        frequency, name = f"{mode} mode, *ω*_{{{sign}}} = {omega} rad/s", str(B.name[mode])
-        plain = _title(mode, frequency, frequency, f"*X*_2/*X*_1 = {ratio}", top)
-        braked = _title(mode, f"{name}, *s* = {B.s[mode]} 1/s", name, f"*X*_2/*X*_1 = {B.ratio[mode]}", top)
-        titles = [*shown_by(Solve.undamped, *plain), *shown_by(Solve.damped, *braked)]
-        shapes += shown_by(Solve.drawn[mode], *titles, *_moving(mode, top))
-    return shapes
-
-
-def _moving(mode: str, top: float) -> list[Shape]:
+def _moving(mode: str) -> list[Shape]:
+    """A motion as a chain with its full swing as a ghost, and a rotating arrow under each mass."""
+    top = TOPS[mode]
     foot, axle = (top + 0.185) * H, (top + 0.345) * H
     places = [chain.rest(i) + METRE * W * var(Solve.x[i, mode]) for i in chain.BOTH]
     shapes = [chain.standing_wall((top + 0.07) * H, 0.115 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
@@ -252,11 +242,26 @@ def _moving(mode: str, top: float) -> list[Shape]:
     return shapes
 
 
-def _title(mode: str, title: str, narrow: str, shape: str, top: float) -> list[Shape]:
+def _mode_title(mode: str) -> list[Shape]:
+    """The title of a mode over its chain; on a phone its shape stands under the arrows."""
+    j = chain.MODES.index(mode)
+    title = f"{mode} mode, *ω*_{{{SIGNS[j]}}} = {N.omega[j]} rad/s"
+    return _titled(mode, title, title, f"*X*_2/*X*_1 = {N.ratio[j]}")
+
+
+def _motion_title(mode: str) -> list[Shape]:
+    """The title of a motion with dashpots; on a phone its roots are in the words alone."""
+    name = str(B.name[mode])
+    title = _titled(mode, f"{name}, *s* = {B.s[mode]} 1/s", name, f"*X*_2/*X*_1 = {B.ratio[mode]}")
+    missing = text(chain.WALL * W, (TOPS[mode] + 0.03) * H, "no second shape", "start", tint=mode, style="t2 b")
+    return [*shown_by(Solve.drawn[mode], *title), *shown_by(Solve.missing[mode], missing)]
+
+
+def _titled(mode: str, title: str, narrow: str, shape: str) -> list[Shape]:
     """The title of a motion over its chain, and the one of a narrow stage, with the shape under the arrows."""
     lines = (f"{title}, {shape}", 0.03, ON_WIDE), (narrow, 0.03, ON_NARROW), (shape, 0.475, ON_NARROW)
     return [
-        text(chain.WALL * W, (top + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
+        text(chain.WALL * W, (TOPS[mode] + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
         for words_, share, show in lines
     ]
 
