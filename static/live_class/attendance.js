@@ -1,10 +1,16 @@
-// The attendance of a phone, kept until the class is over: its token, and its answers by question.
+// What a phone keeps of a class until the class is over: its token, the answers that the class has, and those it lacks.
 
 import {browserStorage} from "../core/storage.js"
+import {ask, insist, isMissing, isRefused} from "./requests.js"
 
-/** @typedef {{token: string, answers: Record<string, page.Given>}} Mine */
+/**
+ * Answers by question.
+ * @typedef {Record<string, page.Given>} ByQuestion
+ * @typedef {{token: string, answers: ByQuestion, unsent: ByQuestion}} Mine
+ */
 
 const OF_A_CLASS = /^class-[0-9A-Z]{4}$/
+const DOUBT = 30000 // ms for which a scanned code may be unknown: a restarted server gets its classes back by then
 
 /** @param {string} code */
 const name = code => `class-${code}`
@@ -12,20 +18,41 @@ const name = code => `class-${code}`
 /** @param {string} code @returns {Mine | null} */
 export function mine(code) {
   /** @type {Partial<Mine>} */
-  const {token, answers = {}} = browserStorage.value(name(code)) ?? {}
-  return token ? {token, answers} : null
+  const {token, answers = {}, unsent = {}} = browserStorage.value(name(code)) ?? {}
+  return token ? {token, answers, unsent} : null
 }
 
-/** Another class takes the place of those before. @param {string} code @param {string} token */
-export function enter(code, token) {
+/** Start to keep a class; earlier classes are forgotten. @param {string} code @param {string} token */
+function enter(code, token) {
   browserStorage.forget(...browserStorage.names().filter(key => OF_A_CLASS.test(key)))
-  keep(code, {token, answers: {}})
+  keep(code, {token, answers: {}, unsent: {}})
 }
 
-/** @param {string} code @param {string} question @param {page.Given} vote */
-export function answer(code, question, vote) {
+/**
+ * The code and the token of a class: the token that this browser keeps, or a new one. A wrong code is refused at once;
+ * one from a QR code is asked for again for half a minute.
+ * @param {string} typed @param {string} word of the QR code, "" if the code was typed
+ * @param {(reason: unknown) => void} failed called after each failed try
+ */
+export async function entered(typed, word, failed) {
+  const code = typed.toUpperCase().replace(/[\s-]/g, "")
+  const known = () => ({code, token: mine(code)?.token ?? ""})
+  if (known().token) return known()
+  const doubts = Date.now() + (word ? DOUBT : 0)
+  const isFinal = (/** @type {unknown} */ reason) => isRefused(reason) && !(isMissing(reason) && Date.now() < doubts)
+  const request = () => ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
+  const found = await insist(request, {failed, isFinal})
+  if (known().token) return known() // another tab of this phone has joined meanwhile: both are one follower
+  enter(found.code, found.token)
+  return found
+}
+
+/** @param {string} code @param {(known: Mine) => void} change */
+export function amend(code, change) {
   const known = mine(code)
-  if (known) keep(code, {...known, answers: {...known.answers, [question]: vote}})
+  if (!known) return
+  change(known)
+  keep(code, known)
 }
 
 /** @param {string} code */

@@ -2,36 +2,34 @@
 
 import {element} from "../core/dom.js"
 import {Card} from "../walks/card.js"
-import {answer, mine} from "./attendance.js"
-import {Refusal, ask, pause} from "./requests.js"
+import {Delivery} from "./delivery.js"
+import {ask, insist, pause} from "./requests.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
 const VOTED = "Sent. You can change it until the vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
-const SPREAD = 1500 // ms over which all phones ask what is said of their answers
+const SPREAD = 1500 // ms over which the requests of all phones are spread
+const TOO_LATE = "Your answer to an earlier question came too late."
+const CLOSED = "The vote is closed."
+const PATIENCE = 3000 // ms until the reply to one's own answer follows later
 
 export class ClassQuestion {
   /** @type {page.PutTo | null} */
   question = null
 
+  /** @type {page.PutTo} the question on the card */
+  laid
+
   /** @type {Card | null} */
   card = null
 
-  /** @type {page.Given | null} the answer that was sent last */
-  given = null
-
-  /** @type {number | undefined} */
+  /** @type {number | undefined} until the answer on the card is sent */
   timer
-
-  changes = 0
-
-  isClosed = false // and so it says
-
-  sentTo = "" // the server that has the answer
 
   /** @param {import("./follow.js").Following} following */
   constructor(following) {
     this.following = following
+    this.delivery = new Delivery(following, () => this.#say())
     this.status = element("p", {class: "hint", role: "status"})
   }
 
@@ -39,21 +37,49 @@ export class ClassQuestion {
   async put(question) {
     const before = this.question
     this.question = question
-    const same = before && nameOf(before) === nameOf(question) && isSame(before.card, question.card)
+    const isSame = before && nameOf(before) === nameOf(question) && isEqual(before.card, question.card)
+    const isTakenBack = before?.lesson && !question.lesson
     if (!question.step) this.#leave()
-    else if (!same || !this.card) await this.#lay()
+    else if (!isSame || isTakenBack || !this.card) await this.#lay()
     else this.#resend()
-    if (this.card) this.#close(question)
+    this.#say()
     if (this.card && question.lesson) await this.#teach(question.lesson)
   }
 
-  /** @param {page.PutTo} question which takes no answers, or does again */
-  #close({closed, lesson}) {
-    const isClosed = closed && !lesson
-    this.card?.question.element.toggleAttribute("inert", isClosed)
-    if (isClosed) this.status.textContent = "The vote is closed."
-    else if (this.isClosed) this.status.textContent = this.given ? this.#sent : ""
-    this.isClosed = isClosed
+  /** Says whether the question takes answers, and whether the class has this phone's. */
+  #say() {
+    const {card, question} = this
+    if (!card || !question) return
+    const isClosed = question.closed && !question.lesson
+    card.question.element.toggleAttribute("inert", isClosed)
+    const parts = [this.#earlier, isClosed ? CLOSED : "", this.#ofMine(isClosed)]
+    this.status.textContent = parts.filter(Boolean).join(" ")
+  }
+
+  get #earlier() {
+    return [...this.delivery.refused.keys()].some(question => question !== this.name) ? TOO_LATE : ""
+  }
+
+  /** The state of this phone's answer in a sentence. @param {boolean} isClosed */
+  #ofMine(isClosed) {
+    const {delivery, name, laid, timer} = this
+    const refused = delivery.refused.get(name)
+    if (refused) return `${delivery.sent.has(name) ? "Your last change" : "Your answer"} does not count. ${refused}`
+    if (this.card?.walk.lesson) return ""
+    const isUnsent = delivery.unsent.has(name)
+    if (isUnsent && delivery.isFailing) return "Not sent yet; trying again."
+    if (timer !== undefined || isClosed) return ""
+    if (delivery.isSent(name)) return laid.card?.poll ? VOTED : SENT
+    return laid.vote > 1 && !isUnsent ? `A new vote, number ${laid.vote}: answer once more.` : ""
+  }
+
+  get name() {
+    return nameOf(this.laid)
+  }
+
+  /** The newest answer to this question, sent or not. */
+  get given() {
+    return this.card && this.delivery.answer(this.name)
   }
 
   /** A picture of another scene has no card yet. @param {Drawn} shown */
@@ -68,18 +94,16 @@ export class ClassQuestion {
     const {page, shown} = this.following
     // Its plot may not be there before the picture that belongs to it.
     if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
-    this.isClosed = false
+    this.laid = question
     this.card = new Card(this.#walk(question.card, question.place), page)
     this.card.question.element.after(this.status)
     const {changed} = this.card.question
     this.card.question.changed = () => {
       changed()
-      this.changes++
       clearTimeout(this.timer)
-      this.status.textContent = ""
-      this.timer = setTimeout(() => this.#send(), MOMENT)
+      this.timer = setTimeout(() => this.#give(), MOMENT)
+      this.#say()
     }
-    this.status.textContent = question.vote > 1 ? `A new vote, number ${question.vote}: answer once more.` : ""
     this.#restore()
     page.redraw() // plots have made way for it
   }
@@ -89,90 +113,92 @@ export class ClassQuestion {
     const [sheet, answers] = [{steps: [step]}, {of: () => null}]
     const {code: seed} = this.following
     const own = {seed, sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
-    return {...own, unfolded: false, show: () => this.#send(), forward: none, back: none, again: none, open: none}
+    return {...own, unfolded: false, show: () => this.#give(), forward: none, back: none, again: none, open: none}
   }
 
-  get #sent() {
-    return this.card?.walk.step.poll ? VOTED : SENT
-  }
-
-  get #name() {
-    return nameOf(/** @type {page.PutTo} */ (this.question))
-  }
-
-  /** @returns {page.Given | null} */
-  #vote() {
-    const {walk, step, vote} = /** @type {page.PutTo} */ (this.question)
+  /** Sends the answer on the card. */
+  #give() {
+    const {walk, step, vote} = this.laid
     const given = this.card?.question.given()
-    if (!given) return null
-    return {walk, step, vote, ...given}
+    this.#settle()
+    if (given && !this.card?.walk.lesson) this.delivery.give(this.name, {walk, step, vote, ...given})
+    this.#say()
   }
 
-  /** The answers on their way, one after the other: none takes the place of a newer one. @type {Promise<unknown>} */
-  sending = Promise.resolve()
-
-  #send() {
-    this.sending = this.sending.then(() => this.#sendNow()).catch(error => console.warn(error))
-  }
-
-  async #sendNow() {
-    const vote = this.question?.lesson ? null : this.#vote()
-    if (!vote) return
-    const {changes, card} = this
-    try {
-      await ask(`${this.following.code}/answer`, {method: "PUT", body: vote, word: this.following.token})
-      answer(this.following.code, nameOf(vote), vote)
-      if (card !== this.card) return // the lecture has gone on
-      this.given = vote
-      this.sentTo = this.following.server
-      if (card?.walk.lesson) return
-      if (changes === this.changes) this.status.textContent = this.#sent
-    } catch (reason) {
-      if (!(reason instanceof Refusal)) throw reason
-      if (card !== this.card || card?.walk.lesson) return
-      this.status.textContent = reason.status ? reason.message : "Not sent yet; trying again."
-      if (reason.passes) this.timer = setTimeout(() => this.#send(), 2000)
-    }
-  }
-
-  /** A server that has begun anew may not have the answer. */
-  async #resend() {
-    const {card, given} = this
-    if (!given || card?.walk.lesson || this.following.server === this.sentTo) return
-    await pause(Math.random() * SPREAD)
-    if (card === this.card && given === this.given && !this.following.stream.over) this.#send()
-  }
-
-  /** The answer from before the page was loaded anew. */
-  #restore() {
-    this.given = mine(this.following.code)?.answers[this.#name] ?? null
-    if (!this.given) return
-    this.card?.question.restore(this.given)
+  #settle() {
     clearTimeout(this.timer)
-    this.status.textContent = this.#sent
+    this.timer = undefined
+  }
+
+  /** The stream is back: so is the server. */
+  wake() {
+    this.delivery.wake()
+  }
+
+  close() {
+    this.#leave()
+    this.delivery.close()
+  }
+
+  /** A restarted server may have lost the answer. */
+  async #resend() {
+    const {card, delivery} = this
+    if (!this.given || delivery.isTaken(this.name)) return
+    await pause(Math.random() * SPREAD)
+    const {closed, lesson} = /** @type {page.PutTo} */ (this.question)
+    if (card === this.card && !closed && !lesson) delivery.resend(this.name)
+  }
+
+  /** Shows the answer that was given before: the page was loaded again, or the question comes back. */
+  #restore() {
+    const {given} = this
+    if (!given) return
+    this.card?.question.restore(given)
+    this.#settle()
     this.#resend()
   }
 
-  /** @param {page.Lesson} lesson what it teaches everybody; of one's own answer the server says more */
+  /** Shows the lesson; if this phone has answered, with the reply to its answer. @param {page.Lesson} lesson */
   async #teach(lesson) {
     const {card} = this
-    clearTimeout(this.timer)
-    this.status.textContent = ""
+    if (this.timer !== undefined) this.#give()
     if (!card || card.walk.lesson) return
     card.walk.lesson = lesson
-    await Promise.race([this.sending, pause(SPREAD)]) // of an answer that is on its way
+    this.#say()
+    const own = this.#ownLesson(card)
+    const first = await Promise.race([own, pause(PATIENCE)])
     if (card !== this.card) return // the lecture has gone on
+    card.teach(first ?? lesson)
+    if (!first) own.then(late => this.#teachLate(card, late))
+  }
+
+  /** A reply that took long: the card is laid again for it. @param {Card} card @param {page.Lesson | null} lesson */
+  async #teachLate(card, lesson) {
+    if (!lesson || card !== this.card) return
+    await this.#lay()
+    if (!this.card) return
+    this.card.walk.lesson = lesson
+    this.card.teach(lesson)
+    this.#say()
+  }
+
+  /**
+   * The lesson with the reply to this phone's answer; null without an answer.
+   * @param {Card} card @returns {Promise<page.Lesson | null>}
+   */
+  async #ownLesson(card) {
     const {given} = this
-    if (!given) return card.teach(lesson)
-    await pause(Math.random() * SPREAD)
-    if (card !== this.card) return
     const {code, token} = this.following
-    const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => null)
-    if (card === this.card) card.teach(taught?.lesson ?? lesson)
+    if (!given) return null
+    await pause(Math.random() * SPREAD)
+    const request = () =>
+      card === this.card ? ask(`${code}/answer`, {method: "POST", body: given, word: token}) : null
+    const taught = await insist(async () => request(), {woken: () => this.delivery.retry.signal}).catch(() => null)
+    return taught?.lesson ?? null
   }
 
   #leave() {
-    clearTimeout(this.timer)
+    if (this.timer !== undefined) this.#give()
     this.card?.leave()
     this.card?.page.redraw()
     this.card = null
@@ -185,4 +211,4 @@ const none = () => {}
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
 
 /** @param {unknown} one @param {unknown} other */
-const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other)
+const isEqual = (one, other) => JSON.stringify(one) === JSON.stringify(other)

@@ -9,8 +9,8 @@ import {tabStorage} from "../core/storage.js"
 import {turnTheme} from "../shell/theme.js"
 import {ClassQuestion} from "./class_question.js"
 import {FollowBar} from "./follow_bar.js"
-import {enter, forget, mine} from "./attendance.js"
-import {Refusal, ask} from "./requests.js"
+import {entered, forget} from "./attendance.js"
+import {Refusal} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
@@ -55,10 +55,17 @@ export class Following {
     this.stream = new Stream(code, token, {
       news: news => this.#hear(news),
       refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
-      connected: (is, why) => this.bar.connected(is, why),
+      connected: (is, why) => this.#connected(is, why),
       outdated,
       sleeps: true,
     })
+  }
+
+  /** @param {boolean} is @param {string} [why] not */
+  #connected(is, why) {
+    const isBack = is && this.bar.away
+    this.bar.connected(is, why)
+    if (isBack) this.asked.wake()
   }
 
   /** The server that was heard last. */
@@ -144,6 +151,7 @@ export class Following {
   /** @param {string} sentence */
   #over(sentence) {
     this.stream?.close()
+    this.asked.close()
     this.bar.over()
     this.page?.leave()
     forget(this.code)
@@ -166,17 +174,6 @@ function outdated() {
   )
 }
 
-/** The token that this browser keeps, or a new one. @param {string} typed @param {string} word of the QR code */
-async function entered(typed, word) {
-  const code = typed.toUpperCase().replace(/[\s-]/g, "")
-  const known = () => ({code, token: mine(code)?.token ?? ""})
-  if (known().token) return known()
-  const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
-  if (known().token) return known() // another tab of this phone came in meanwhile: both are one
-  enter(found.code, found.token)
-  return found
-}
-
 async function begin() {
   const query = new URLSearchParams(location.search)
   const typed = query.get("class") ?? ""
@@ -191,11 +188,17 @@ async function begin() {
   }
   try {
     if (!/^[\s-]*([0-9a-z][\s-]*){4}$/i.test(typed)) throw new Refusal("A code has four letters and digits.", 404)
-    const {code, token} = await entered(typed, query.get("join") ?? "")
+    const {code, token} = await entered(typed, query.get("join") ?? "", say)
     globalThis.oscillations = new Following(code, token)
   } catch (reason) {
     wait(inWords(reason))
   }
+}
+
+/** @param {unknown} reason why the class is not there yet */
+function say(reason) {
+  const heading = document.querySelector(".class-wait h1")
+  if (heading) heading.textContent = `${inWords(reason)} Trying again.`
 }
 
 /** A field for another code. @param {string} sentence */

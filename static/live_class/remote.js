@@ -3,7 +3,7 @@
 import {button, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
-import {Refusal, ask, pause} from "./requests.js"
+import {Refusal, ask, insist, isMissing} from "./requests.js"
 
 const DOUBTS = 30 // looks at a class that is not there until that is believed: its server may begin anew
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
@@ -29,25 +29,10 @@ async function pairedWith(code, ticket, say) {
   const name = `remote-${code}-${ticket}`
   const kept = /** @type {page.Paired | null} */ (tabStorage.value(name))
   if (kept) return kept
-  const paired = await untilAnswered(() => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}}), say)
+  const request = () => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}})
+  const paired = await insist(request, {failed: reason => say(inWords(reason))})
   tabStorage.keep(name, paired)
   return paired
-}
-
-/**
- * Asks until there is an answer: what is refused for a moment only is asked once more.
- * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say
- * @returns {Promise<Answer>}
- */
-async function untilAnswered(question, say) {
-  try {
-    return await question()
-  } catch (reason) {
-    if (!(reason instanceof Refusal && reason.passes)) throw reason
-    say(reason.message)
-  }
-  await pause(ASKING)
-  return untilAnswered(question, say)
 }
 
 class Remote {
@@ -121,8 +106,8 @@ class Remote {
 
   /** @param {unknown} reason */
   #failed(reason) {
-    const status = reason instanceof Refusal ? reason.status : 0
-    const isOver = status === 404 // it was ended: there is nothing to wait for
+    const status = reason instanceof Refusal && reason.isSaid ? reason.status : 0
+    const isOver = isMissing(reason) // it was ended: there is nothing to wait for
     this.over ||= isOver || (status === 403 && this.doubts++ >= DOUBTS)
     const why = isOver ? inWords(reason) : "This is no remote control of a class now."
     if (this.over) this.host.replaceChildren(element("h1", {}, why))

@@ -2,19 +2,23 @@
 
 import {inWords} from "../core/notes.js"
 
-const LIMIT = 10000 // ms for one question: a dead connection may never say that it is
+const LIMIT = 10000 // ms for one request: a dead connection may never report an error
+const SHORTEST = 300 // ms until the second try; each pause is twice the one before
+const LONGEST = 8000
+const PASSING = new Set([408, 425, 429])
 
-/** A refusal of the server's, in a sentence; `status` is 0 where nobody answers. */
+/** A refusal in a sentence. `status` is 0 if the server does not answer; `isSaid` if the sentence is the server's. */
 export class Refusal extends Error {
-  /** @param {string} sentence @param {number} status */
-  constructor(sentence, status) {
+  /** @param {string} sentence @param {number} status @param {boolean} [isSaid] */
+  constructor(sentence, status, isSaid = false) {
     super(sentence)
     this.status = status
+    this.isSaid = isSaid
   }
 
-  /** Whether it may be answered another time. */
+  /** Whether another try may succeed. An error page of a proxy says nothing about the class. */
   get passes() {
-    return !this.status || this.status === 429 || this.status >= 500
+    return !this.isSaid || this.status >= 500 || PASSING.has(this.status)
   }
 }
 
@@ -25,8 +29,39 @@ export class Refusal extends Error {
  */
 export async function ask(path, {method = "GET", body, word = "", signal} = {}) {
   const answer = await asked(path, {method, body, word, signal})
-  return answer.status === 204 ? null : answer.json()
+  if (answer.status === 204) return null
+  return answer.json().catch(reason => {
+    throw new Refusal(`The server's answer cannot be read: ${inWords(reason)}.`, 0)
+  })
 }
+
+/**
+ * Repeat a request with growing pauses until it is answered; throw a final refusal.
+ * `failed` is called after each other failure; `woken` gives the signal that ends the current pause.
+ * @template Answer @param {() => Promise<Answer>} request
+ * @param {{failed?: (reason: unknown) => void, woken?: () => AbortSignal, isFinal?: (reason: unknown) => boolean}} [how]
+ * @returns {Promise<Answer>}
+ */
+export async function insist(request, how = {}, tries = 0) {
+  const {failed, woken, isFinal = isRefused} = how
+  try {
+    return await request()
+  } catch (reason) {
+    if (isFinal(reason)) throw reason
+    failed?.(reason)
+  }
+  await pause(pauseAfter(tries), woken?.())
+  return insist(request, how, tries + 1)
+}
+
+/** Whether the class refuses for good. @param {unknown} reason */
+export const isRefused = reason => reason instanceof Refusal && !reason.passes
+
+/** Whether the server does not know the class, as a restarted one does not. @param {unknown} reason */
+export const isMissing = reason => reason instanceof Refusal && reason.isSaid && reason.status === 404
+
+/** The pause after a number of failures, in ms. Clients that failed together come back apart. @param {number} tries */
+export const pauseAfter = tries => Math.min(SHORTEST * 2 ** tries, LONGEST) * (0.5 + Math.random())
 
 /** @param {string} path @param {How} how */
 export async function asked(path, {method = "GET", body, word = "", signal = AbortSignal.timeout(LIMIT)}) {
@@ -43,8 +78,8 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
     throw new Refusal(`The server does not answer: ${inWords(reason)}.`, 0)
   }
   if (answer.ok) return answer
-  const said = await answer.json().catch(() => ({}))
-  throw new Refusal(said.sentence ?? "The class does not answer.", answer.status)
+  const said = await answer.json().catch(() => null)
+  throw new Refusal(said?.sentence ?? "The class does not answer.", answer.status, Boolean(said?.sentence))
 }
 
 /**

@@ -1,6 +1,6 @@
 // The stream of what is new in a live class: taken up anew where it breaks, and replaced by questions where none comes.
 
-import {Refusal, ask, asked, pause} from "./requests.js"
+import {Refusal, ask, asked, pause, pauseAfter} from "./requests.js"
 
 const PATIENCE = 3000 // ms until an attempt that brings nothing is given up
 const HASTE = 150 // ms, in its place, for the first try of a page that wakes: its old connections may be dead
@@ -10,8 +10,6 @@ const BUSY = 250 // ms of a patience, in which a page that was too busy to liste
 const CONNECTIONS = 6 // that a browser keeps to one server
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
-const SHORTEST = 300 // ms until another try, twice as long after each
-const LONGEST = 8000
 const TRIAL = 60000 // ms, after which a stream is tried again where none came through
 const SLEEP = 1e8 // ms, more than a day: until the page is seen again
 const DOUBT = 30000 // ms for which a class is not there until that is believed: its server may begin anew
@@ -127,7 +125,7 @@ export class Stream {
       this.close()
       this.listener.refused(refusal)
     } else if (!this.over) this.listener.connected(false, refusal?.message)
-    return Math.min(SHORTEST * 2 ** this.tries++, LONGEST) * (0.5 + Math.random())
+    return pauseAfter(this.tries++)
   }
 
   /** All that a stream brings, until it ends. @param {AbortSignal} signal */
@@ -207,7 +205,11 @@ export class Stream {
     this.#heard()
     this.number = news.number ?? ""
     this.over = Boolean(news.ended)
-    this.listener.news(news)
+    try {
+      this.listener.news(news)
+    } catch (reason) {
+      console.warn(reason) // a fault of the page says nothing about the connection
+    }
   }
 
   close() {

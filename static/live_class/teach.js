@@ -8,7 +8,7 @@ import {JoinBadge} from "./join_badge.js"
 import {Copies} from "./copies.js"
 import {JoinScreen} from "./join_screen.js"
 import {poll} from "./poll.js"
-import {Refusal, ask, pause} from "./requests.js"
+import {Refusal, ask, isMissing, pause} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
@@ -170,7 +170,7 @@ export class Teach {
       await ask(`${code}/lead`, {method: "POST", body: order, word: key})
       return true
     } catch (reason) {
-      if (reason instanceof Refusal && reason.status === 404 && order.type !== "end") {
+      if (isMissing(reason) && order.type !== "end") {
         await this.reopen()
         return this.#sent(order)
       }

@@ -158,7 +158,7 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
         page.close()
 
 
-RESENT = "oscillations.asked.sentTo && oscillations.asked.sentTo === oscillations.asked.following.server"
+RESENT = "oscillations.asked.given && oscillations.asked.delivery.isTaken(oscillations.asked.name)"
 """Whether the server has the answer that the phone kept: it sends it again after a while."""
 
 

@@ -58,6 +58,11 @@ globalThis.SVGTextElement = class {}
 export function clock() {
   mock.timers.enable({apis: ["setTimeout", "setInterval", "Date"], now: 0})
   mock.method(Math, "random", () => 0.5)
+  mock.method(AbortSignal, "timeout", ms => {
+    const control = new AbortController()
+    setTimeout(() => control.abort(new DOMException("The operation timed out.", "TimeoutError")), ms)
+    return control.signal
+  })
 }
 
 /** Lets time pass, and all be done that is due. @param {number} ms */
@@ -82,17 +87,18 @@ export class FakeServer {
   answers = () => {}
 
   constructor() {
-    globalThis.fetch = (address, {signal}) => this.#fetch(address, signal)
+    globalThis.fetch = (address, how) => this.#fetch(address, how)
   }
 
-  #fetch(address, signal) {
+  #fetch(address, how) {
+    const {signal} = how
     const path = String(address).replace("http://lecture.example/class/", "")
     this.asked.push({path, at: Date.now(), signal})
     return new Promise((done, failed) => {
       if (signal.aborted) failed(signal.reason)
       signal.addEventListener("abort", () => failed(signal.reason))
       try {
-        const answer = this.answers(path, signal)
+        const answer = this.answers(path, signal, how)
         if (answer) done(answer)
       } catch (reason) {
         failed(reason)

@@ -170,6 +170,22 @@ test("a server that begins anew has half a minute to have the class again, the i
   assert.deepEqual(heard.refused, ["Not there."])
 })
 
+test("a fault of the page that hears the news does not end the stream", async () => {
+  mock.method(console, "warn", () => {})
+  let last
+  server.answers = (path, signal) => (last = events(signal)).answer
+  begin()
+  heard.news.push = () => {
+    throw new TypeError("a fault")
+  }
+  await pass(10)
+  last.say({number: "a.1"})
+  last.say({number: "a.2"})
+  await pass(5000)
+  assert.equal(server.asked.length, 1)
+  assert.ok(!heard.connected.includes(""))
+})
+
 test("a stream that has fallen silent is taken up anew", async () => {
   const streams = []
   server.answers = (path, signal) => streams[streams.push(events(signal)) - 1].answer
