@@ -335,12 +335,13 @@ declare namespace page {
   }
 
   /** Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
-   * a question that comes back. */
+   * a question that comes back. A vote that was `answered` takes no more answers: the class has seen the answer. */
   interface PutQuestion extends Ordered {
     type: "put"
     walk: SaidName
     step: SaidName
     vote: number
+    answered: boolean
   }
 
   /** Hands in a walk from the instructor's own file, whose questions can be put from now on. */
@@ -386,7 +387,8 @@ declare namespace page {
   type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | EndRoom
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-   * teaches once the answer is shown; a vote that is `closed` takes no answers. Without a step none is. */
+   * teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
+   * shown, which is hidden again. Without a step none is. */
   interface PutTo {
     walk: string
     step: string
@@ -394,6 +396,7 @@ declare namespace page {
     place: string
     vote: number
     closed: boolean
+    answered: boolean
     lesson: Lesson | null
   }
 

@@ -30,11 +30,12 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
     """Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
-    a question that comes back."""
+    a question that comes back. A vote that was `answered` takes no more answers: the class has seen the answer."""
 
     walk: SaidName
     step: SaidName
     vote: Annotated[int, Meta(ge=0, le=9)] = 0
+    answered: bool = False
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
@@ -79,7 +80,8 @@ Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | 
 
 class PutTo(Struct, frozen=True, kw_only=True):
     """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-    teaches once the answer is shown; a vote that is `closed` takes no answers. Without a step none is."""
+    teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
+    shown, which is hidden again. Without a step none is."""
 
     walk: str = ""
     step: str = ""
@@ -87,6 +89,7 @@ class PutTo(Struct, frozen=True, kw_only=True):
     place: str = ""
     vote: int = 1
     closed: bool = False
+    answered: bool = False
     lesson: Lesson | None = None
 
 

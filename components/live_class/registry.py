@@ -163,20 +163,22 @@ class Registry:
                 await self._keep(room, clock=msgspec.structs.replace(order, at=at))
             case HandWalk(name=name, text=text):
                 await self._take(room, name, text, network)
-            case PutQuestion(walk=walk, step=step, vote=asked):
+            case PutQuestion(walk=walk, step=step, vote=asked, answered=answered):
                 put = room.question
                 same = (put.walk, put.step) == (walk, step)
                 again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
                 vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
                 asked_anew = self.bank_of(room).put(walk, step, vote)
-                is_closed = same and put.closed and vote == put.vote
-                await self._keep(room, question=msgspec.structs.replace(asked_anew, closed=is_closed))
+                is_same = same and vote == put.vote
+                answered = answered or (is_same and (put.lesson is not None or put.answered))
+                closed = answered or (is_same and put.closed)
+                await self._keep(room, question=msgspec.structs.replace(asked_anew, closed=closed, answered=answered))
             case ShowAnswer():
                 put = room.question
                 if not put.step:
                     raise ValueError("No question is open now.")
                 lesson = self.bank_of(room).lesson(Given(walk=put.walk, step=put.step))
-                await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
+                await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson, answered=False))
             case CloseVote():
                 if not room.question.step:
                     raise ValueError("No question is open now.")

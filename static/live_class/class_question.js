@@ -10,6 +10,7 @@ const VOTED = "Sent. You can change it until the vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which the requests of all phones are spread
 const TOO_LATE = "Your answer to an earlier question came too late."
+const ANSWERED = "This question has been answered. It takes no more answers."
 const CLOSED = "The vote is closed."
 const PATIENCE = 3000 // ms until the reply to one's own answer follows later
 
@@ -52,7 +53,8 @@ export class ClassQuestion {
     if (!card || !question) return
     const isClosed = question.closed && !question.lesson
     card.question.element.toggleAttribute("inert", isClosed)
-    const parts = [this.#earlier, isClosed ? CLOSED : "", this.#ofMine(isClosed)]
+    const closed = question.answered ? ANSWERED : CLOSED
+    const parts = [this.#earlier, isClosed ? closed : "", this.#ofMine(isClosed)]
     this.status.textContent = parts.filter(Boolean).join(" ")
   }
 

@@ -12,10 +12,11 @@ const LONGEST = 40000 // characters of an order
 const AGAIN = 1000 // ms until it is sent again
 
 /**
- * A room, the remote control that was let in, the question that is put, the last vote on each, and when it was led.
- * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean}} Put
+ * A room, the remote control that was let in, the question that is put, the last vote on each, the last of
+ * which the answer was shown, and when it was led.
+ * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
- *   seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
+ *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
  * @typedef {Record<string, page.Voted>} Ballot by the names of those who gave them
  */
 
@@ -47,9 +48,11 @@ export class Copies {
   hear({question, answers}) {
     if (this.room.isLost) return
     if (question) {
-      const {walk, step, vote, lesson, closed} = question
-      const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed} : null
-      this.save({put, last: put ? {...this.room.last, [`${walk}/${step}`]: vote} : this.room.last})
+      const {walk, step, vote, lesson, closed, answered} = question
+      const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed, answered} : null
+      const {last, shown} = this.room
+      const known = {[`${walk}/${step}`]: vote}
+      this.save({put, last: put ? {...last, ...known} : last, shown: lesson ? {...shown, ...known} : shown})
     }
     const {put} = this.room
     if (answers && put) this.stale.add(voteOf(put))
@@ -90,6 +93,16 @@ export class Copies {
     this.#wait()
   }
 
+  /** The last vote on a question; 0 if there was none. @param {string} question */
+  last(question) {
+    return this.room.last?.[question] ?? 0
+  }
+
+  /** Whether the class has seen the answer to a question since the last vote. @param {string} question */
+  isAnswered(question) {
+    return this.last(question) > 0 && this.room.shown?.[question] === this.last(question)
+  }
+
   /** A walk from a file that is asked goes along. @param {string} name @param {string} text */
   take(name, text) {
     this.walks.set(name, text)
@@ -103,7 +116,10 @@ export class Copies {
     this.save(await ask(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
     /** @type {page.Order[]} */
     const orders = [...this.walks].map(([name, text]) => ({type: "walk", name, text}))
-    if (put) orders.push({type: "put", walk: put.walk, step: put.step, vote: put.vote})
+    if (put) {
+      const {walk, step, vote, answered = false} = put
+      orders.push({type: "put", walk, step, vote, answered})
+    }
     if (put?.isClosed) orders.push({type: "close"})
     if (put?.isShown) orders.push({type: "show"})
     const lost = [...this.answers.values()].flatMap(parcels)

@@ -120,7 +120,7 @@ export class Delivery {
     if (this.#settle(question, tried) && isNews) this.refused.set(question, message)
   }
 
-  /** Whether this is the newest answer; a newer one stays unsent. @param {string} question @param {page.Given} [answer] */
+  /** Whether it is the newest: a newer one stays unsent. @param {string} question @param {page.Given} [answer] */
   #settle(question, answer) {
     if (this.unsent.get(question) !== answer) return false
     this.unsent.delete(question)

@@ -24,7 +24,7 @@ export function ownWay(code, asks) {
   const stream = new Stream(code, token, {
     news: ({question, ended}) => {
       if (question) {
-        const isOpen = question.step && !question.lesson
+        const isOpen = question.step && !question.lesson && !question.answered
         line.textContent = isOpen ? `a question is open: ${question.place}` : code
         asks(isOpen ? `${question.walk}/${question.step}` : "")
       }

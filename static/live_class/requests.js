@@ -36,11 +36,15 @@ export async function ask(path, {method = "GET", body, word = "", signal} = {}) 
 }
 
 /**
+ * How to repeat a request: `failed` is called after each failure; `woken` gives the signal that ends the current pause;
+ * a final failure is not repeated.
+ * @typedef {{failed?: (reason: unknown) => void, woken?: () => AbortSignal,
+ *   isFinal?: (reason: unknown) => boolean}} Insisting
+ */
+
+/**
  * Repeat a request with growing pauses until it is answered; throw a final refusal.
- * `failed` is called after each other failure; `woken` gives the signal that ends the current pause.
- * @template Answer @param {() => Promise<Answer>} request
- * @param {{failed?: (reason: unknown) => void, woken?: () => AbortSignal, isFinal?: (reason: unknown) => boolean}} [how]
- * @returns {Promise<Answer>}
+ * @template Answer @param {() => Promise<Answer>} request @param {Insisting} [how] @returns {Promise<Answer>}
  */
 export async function insist(request, how = {}, tries = 0) {
   const {failed, woken, isFinal = isRefused} = how

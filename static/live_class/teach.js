@@ -130,6 +130,7 @@ export class Teach {
     // By another window of the instructor's.
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
+    if (news.question && this.isTakenBack(walk)) this.votes.open()
     if (news.answers || news.question || news.lost === false) this.votes.count()
     else if (news.here !== undefined) this.votes.update()
     if (news.remotes) this.joinScreen.wait(news.remotes)
@@ -206,17 +207,11 @@ export class Teach {
   walked(walk) {
     if (!this.news.number) return // it is not known yet what has been asked
     if (walk?.numbers) return walk.go(walk.place) // in a class all have the numbers of the file
-    if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) {
-      const isShown = this.#isShown(walk)
-      this.put = nameOf(walk)
-      this.sheet = walk?.sheet
-      this.votes.begin(walk)
-      if (walk && isShown) walk.show(true)
-      else if (walk?.step) this.#put(walk)
-      else this.order({type: "withdraw"})
-    } else if (walk?.card && this.votes.card !== walk.card) {
+    if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) this.#arrive(walk)
+    else if (walk?.card && this.votes.card !== walk.card) {
       this.votes.begin(walk)
       if (walk.lesson && this.shown) this.votes.open() // its card has been laid anew
+      else if (this.shown) this.#put(walk) // its answer was taken back
     }
     if (walk?.lesson && !this.shown) {
       this.shown = true
@@ -227,6 +222,24 @@ export class Teach {
   }
 
   shown = false
+
+  /** Another step: one whose answer the class has seen is shown with it. @param {Walk | null} walk */
+  async #arrive(walk) {
+    const isShown = this.#isShown(walk)
+    const isTakenBack = this.isTakenBack(walk)
+    const put = (this.put = nameOf(walk))
+    this.sheet = walk?.sheet
+    this.votes.begin(walk)
+    if (!walk?.step) return this.order({type: "withdraw"})
+    if (!isShown) await this.#put(walk)
+    const isAnswered = isShown || (this.copies.isAnswered(put) && !isTakenBack)
+    if (isAnswered && put === this.put && !walk.lesson) walk.show(true)
+  }
+
+  /** Whether the class has seen the answer to this question, which is hidden again. @param {Walk | null} walk */
+  isTakenBack(walk) {
+    return Boolean(this.news.question?.answered && !walk?.lesson && this.#isAsked(walk))
+  }
 
   /** Whether the class has seen the answer: a page loaded anew does not ask once more. @param {Walk | null} walk */
   #isShown(walk) {
@@ -247,15 +260,9 @@ export class Teach {
       if (!(await this.order({type: "walk", name, text}))) return
       this.copies.take(name, text)
     }
-    if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: this.#last(name, step.id)})
-  }
-
-  /**
-   * A question that comes back stands at its last vote; 0 where there was none.
-   * @param {string} walk @param {string} step
-   */
-  #last(walk, step) {
-    return this.copies.room.last?.[`${walk}/${step}`] ?? 0
+    if (put !== this.put) return
+    const [vote, answered] = [this.copies.last(put), this.copies.isAnswered(put)] // it comes back as it was left
+    this.order({type: "put", walk: name, step: step.id, vote, answered})
   }
 
   /** Asks for a vote on what is asked aloud. */
@@ -275,7 +282,8 @@ export class Teach {
     if (!walk?.step || walk.lesson) return
     this.votes.close()
     const vote = (this.news.question?.vote ?? 1) + 1
-    this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, vote}).then(() => this.votes.count())
+    const {sheet, step} = walk
+    this.order({type: "put", walk: sheet.name, step: step.id, vote, answered: false}).then(() => this.votes.count())
   }
 
   end() {

@@ -28,6 +28,7 @@ export class Votes {
     this.once = chip("Vote again", () => teach.again())
     this.hide = chip("Hide the votes", () => this.close())
     this.end = chip("Close the vote", () => teach.close())
+    this.answer = chip("Show the answer", () => teach.lecture.walks.walk?.show(true))
     this.chips = element("div", {class: "chips"})
     this.element = element("div", {class: "votes"}, this.all, this.status, this.chips)
   }
@@ -98,13 +99,17 @@ export class Votes {
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
     const words = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
     this.status.textContent = tally ? words : "" // what is not counted yet is not 0
-    if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : card.last
+    const isTakenBack = this.teach.isTakenBack(walk)
+    const next = isTakenBack ? "Vote again" : this.waits ? "Show the votes" : card.last
+    if (!walk.lesson) card.forward.textContent = next
     if (!walk.lesson) card.forward.classList.remove("waiting")
     const {closed} = this.teach.news.question ?? {}
-    if (closed && !walk.lesson) this.status.append(". The vote is closed.")
-    const isAsked = !walk.lesson
+    if (closed && !walk.lesson)
+      this.status.append(isTakenBack ? ". The answer has been shown." : ". The vote is closed.")
+    const isAsked = !walk.lesson && !isTakenBack
     const tools = [
       ...(this.isOpen ? [this.hide] : []),
+      ...(isTakenBack ? [this.answer] : []),
       ...(isAsked && (this.isOpen || closed) ? [this.once] : []),
       ...(isAsked && !closed ? [this.end] : []),
     ]

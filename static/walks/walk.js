@@ -179,6 +179,7 @@ export class Walk {
   forward(always = false) {
     const teach = this.lecture.classes.led
     if (this.lesson) this.next()
+    else if (teach?.isTakenBack(this)) teach.again()
     else if (teach?.votes.waits) teach.votes.open()
     else if (this.step.poll) this.walks.goOn()
     else this.show(always || Boolean(teach))

@@ -144,6 +144,33 @@ async def test_asked_again_the_first_vote_is_kept(in_class: Opened) -> None:
         assert phones[again["phone"]] != again["answer"]  # of one phone, under one number
 
 
+async def test_a_vote_whose_answer_was_shown_takes_no_more_answers(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
+        walk, step = CHOICE
+        late = Given(walk=walk, step=step, option=0)
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
+        await registry.vote(room, "one", late)
+        await registry.obey(room, ShowAnswer())
+        assert not room.question.answered
+        for _ in range(2):  # taken back, and put again by a page that is loaded again
+            await registry.obey(room, PutQuestion(walk=walk, step=step, vote=1))
+            assert room.question.answered and room.question.closed and room.question.lesson is None
+            with pytest.raises(ValueError, match="closed"):
+                await registry.vote(room, "two", late)
+        await registry.obey(room, ShowAnswer())
+        assert room.question.lesson and not room.question.answered
+        await registry.obey(room, PutQuestion(walk=NUMBER[0], step=NUMBER[1]))
+        assert not room.question.answered and not room.question.closed
+        await registry.obey(room, PutQuestion(walk=walk, step=step, vote=1, answered=True))  # from another step
+        assert room.question.answered and room.question.closed
+        tally = await registry.tally(room)
+        assert tally and tally.now.answered == 1
+        await registry.obey(room, PutQuestion(walk=walk, step=step, vote=2))
+        assert not room.question.answered and not room.question.closed
+        tally = await registry.tally(room)
+        assert tally and tally.before and tally.before.answered == 1
+
+
 async def test_numbers_points_and_sketches(in_class: Opened) -> None:
     async with in_class() as (registry, room):
         drawn: list[int | None] = [round(10 * i) for i in range(101)]
