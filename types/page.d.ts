@@ -421,7 +421,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "taken"
+    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "end" | "taken"
     step: string
     remotes: string[] | null
   }
@@ -474,6 +474,12 @@ declare namespace page {
     vote: number
     answered: number
     right: number
+  }
+
+  /** The number of answers that a class stores, and of the questions that they answer. */
+  interface Stored {
+    answers: number
+    questions: number
   }
 
   /** A question that a class has answered, a step of a walk: its place there, from 1 on, its votes, and the wrong
@@ -530,9 +536,10 @@ declare namespace page {
     digits: string
   }
 
-  /** A press of a button on a remote control; `step` is the one to go to. */
+  /** A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
+   * whether to end the class, and ends it if that is asked already. */
   interface Done {
-    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go"
+    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "end"
     step: SaidName
   }
 

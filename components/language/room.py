@@ -117,7 +117,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "taken"] = ""
+    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "end", "taken"] = ""
     step: str = ""
     remotes: tuple[str, ...] | None = None
 
@@ -176,6 +176,13 @@ class VoteSummary(Struct, frozen=True, kw_only=True):
     vote: int
     answered: int
     right: int
+
+
+class Stored(Struct, frozen=True, kw_only=True):
+    """The number of answers that a class stores, and of the questions that they answer."""
+
+    answers: int
+    questions: int
 
 
 class StepSummary(Struct, frozen=True, kw_only=True):
@@ -241,9 +248,10 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A press of a button on a remote control; `step` is the one to go to."""
+    """A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
+    whether to end the class, and ends it if that is asked already."""
 
-    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close", "go"]
+    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "end"]
     step: SaidName = ""
 
 

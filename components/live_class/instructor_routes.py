@@ -8,7 +8,7 @@ from components.language.room import Order, Reopen, RestoreAnswers, Tally
 from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
-from components.live_class.summary import summary
+from components.live_class.summary import stored, summary
 from components.live_class.votes_csv import votes_csv
 from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
@@ -101,6 +101,14 @@ class SumUp(ClassHandler):
     async def get(self, code: str) -> None:
         room = await self.led(code)
         self.reply(await self.in_turn(summary(self.classes.registry, room)))
+
+
+class CountStored(ClassHandler):
+    """The handler of the number of answers that the end of the class deletes."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        self.reply(await self.outcome(stored(self.classes.registry, room)))
 
 
 class TakeAnswers(ClassHandler):

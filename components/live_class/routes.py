@@ -8,7 +8,15 @@ from typing import Any
 from components.live_class.codes import Keys
 from components.live_class.context import ClassContext
 from components.live_class.follower_routes import Answers, Enter, Events, MovedByCode, Now, TimeOfDay
-from components.live_class.instructor_routes import CopyAnswers, CountAnswers, LeadClass, OpenClass, SumUp, TakeAnswers
+from components.live_class.instructor_routes import (
+    CopyAnswers,
+    CountAnswers,
+    CountStored,
+    LeadClass,
+    OpenClass,
+    SumUp,
+    TakeAnswers,
+)
 from components.live_class.lead_routes import MovedByWord, PassLead
 from components.live_class.publisher import Publisher
 from components.live_class.question_bank import QuestionBank
@@ -41,6 +49,7 @@ class LiveClass:
             rf"/class/{CODE}/answers": CopyAnswers,
             rf"/class/{CODE}/answers.csv": TakeAnswers,
             rf"/class/{CODE}/summary": SumUp,
+            rf"/class/{CODE}/stored": CountStored,
             rf"/class/{CODE}/word": PassLead,
             rf"/class/{CODE}/tickets": LetIn,
             rf"/class/{CODE}/remote": RemoteControl,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TypeAlias
 
-from components.language.room import StepSummary, VoteSummary
+from components.language.room import StepSummary, Stored, VoteSummary
 from components.layout.text import rich
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
@@ -27,6 +27,14 @@ async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
         asked[walk, step].append(int(vote))
     told = [await _summary(registry, room, *one, sorted(votes)) for one, votes in asked.items() if bank.judges(*one)]
     return [one for one in told if one]
+
+
+async def stored(registry: Registry, room: ClassRoom) -> Stored:
+    """Count what is deleted when the class ends; votes on questions asked aloud count too."""
+    names = await registry.store.questions(room.code)
+    counts = {name: len(await registry.store.votes(room.code, name)) for name in names}
+    questions = {name.rpartition("/")[0] for name, count in counts.items() if count}
+    return Stored(answers=sum(counts.values()), questions=len(questions))
 
 
 async def _summary(

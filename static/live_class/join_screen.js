@@ -2,12 +2,10 @@
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
-import {save} from "../export/save.js"
+import {Ending, saveAnswers} from "./ending.js"
 import {place} from "./join_badge.js"
-import {ask, asked} from "./requests.js"
+import {ask} from "./requests.js"
 import {summary} from "./summary.js"
-
-const PATIENCE = 60000 // ms for the answers of a whole lecture
 
 export class JoinScreen {
   /** @type {HTMLDialogElement | null} */
@@ -23,11 +21,13 @@ export class JoinScreen {
 
   said = element("p", {class: "done", role: "status"})
 
-  ends = false // a second press of the button ends the class
-
   /** @param {import("./teach.js").Teach} teach */
   constructor(teach) {
     this.teach = teach
+    this.ending = new Ending(teach.room, {
+      end: () => teach.end(),
+      tell: sentence => teach.lecture.page.notice.tell(sentence),
+    })
   }
 
   toggle() {
@@ -69,8 +69,8 @@ export class JoinScreen {
       ["Remote control", () => this.#try(() => this.#remote())],
       ["Another computer", () => this.#try(() => this.#handOver())],
       ["Summary", () => this.#try(() => summary(this.teach.room))],
-      ["Answers as CSV", () => this.#try(() => this.#csv())],
-      ["End the class", () => this.#end()],
+      ["Answers as CSV", () => this.#try(() => saveAnswers(this.teach.room))],
+      ["End the class", () => this.#try(() => this.ending.open())],
     ])
     const chips = deeds.map(([name, act]) => chip(name, act))
     return [...chips, button({class: "act filled"}, () => this.close(), "Close (J)")]
@@ -81,21 +81,13 @@ export class JoinScreen {
     if (this.here) this.here.textContent = String(here)
   }
 
-  /** A second press ends it. */
-  #end() {
-    if (this.ends) return this.teach.end()
-    this.#say("problem", "Press again to end the class: the code and all answers are deleted.")
-    this.ends = true
-  }
-
   /** @param {"done" | "problem"} kind @param {string} sentence */
   #say(kind, sentence) {
-    this.ends = false
     this.said.className = kind
     this.said.textContent = sentence
   }
 
-  /** Does something, or says why not. @param {() => Promise<void>} act */
+  /** Does something, or says why not. @param {() => Promise<unknown>} act */
   async #try(act) {
     try {
       this.#say("done", "")
@@ -103,12 +95,6 @@ export class JoinScreen {
     } catch (reason) {
       this.#say("problem", inWords(reason))
     }
-  }
-
-  async #csv() {
-    const {code, key} = this.teach.room
-    const answer = await asked(`${code}/answers.csv`, {word: key, signal: AbortSignal.timeout(PATIENCE)})
-    save(`class-${code}.csv`, await answer.blob(), "text/csv")
   }
 
   /** A word with which another computer leads the class. */

@@ -1,6 +1,6 @@
 // A phone as the instructor's remote control: let in by the first screen, then two large buttons.
 
-import {button, element, marked} from "../core/dom.js"
+import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
 import {Refusal, ask, insist, isMissing} from "./requests.js"
@@ -73,7 +73,26 @@ class Remote {
       button({class: deed === "next" ? "act filled" : "act"}, () => this.#do({deed}), name),
     )
     const contents = button({class: "act"}, () => this.#list(), "Contents")
-    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons, contents))
+    const end = chip("End the class", () => this.#confirm())
+    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons, contents), end)
+  }
+
+  /** The first screen asks as well, and says what is deleted. */
+  #confirm() {
+    this.#do({deed: "end"})
+    const back = () => {
+      this.#do({deed: "close"})
+      this.#enter()
+    }
+    const words = element(
+      "p",
+      {},
+      "The lecturer's screen shows how many answers this deletes. They can be saved there.",
+    )
+    const cancel = button({class: "act filled"}, back, "Cancel")
+    const end = button({class: "act"}, () => this.#do({deed: "end"}), "End the class")
+    this.host.replaceChildren(element("h1", {}, "End the class?"), words, this.state)
+    this.host.append(element("div", {class: "remote-deeds"}, cancel, end))
   }
 
   /** The steps of the walk by their titles, in the place of the buttons: a press goes there. */

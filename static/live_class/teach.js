@@ -141,7 +141,8 @@ export class Teach {
   #obey({deed, step}) {
     const {walks} = this.lecture
     const {walk} = walks
-    if (deed === "close") this.joinScreen.close()
+    if (deed === "close" && !this.joinScreen.ending.close()) this.joinScreen.close()
+    else if (deed === "end") this.joinScreen.ending.press()
     else if (deed === "taken") this.#over("Another computer leads this class now.")
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
@@ -297,6 +298,7 @@ export class Teach {
     this.stream.close()
     clearInterval(this.looking)
     clearInterval(this.saving)
+    this.joinScreen.ending.close()
     this.joinScreen.close()
     this.votes.leave()
     this.sign.remove()

@@ -23,6 +23,9 @@ async def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_mad
                 assert (await lesson.vote(token, **CHOICE, vote=vote, option=option)).status == 204
         await lesson.order("put", **NUMBER)
         assert (await lesson.vote(tokens[0], **NUMBER, text="1e9")).status == 204
+        stored = await called(url, f"/class/{lesson.code}/stored", word=lesson.key)
+        assert stored.json == {"answers": 9, "questions": 2}
+        assert (await called(url, f"/class/{lesson.code}/stored", word=tokens[0])).status == 404
         choice, number = (await called(url, path, word=lesson.key)).json
         assert (choice["walk"], choice["step"], choice["place"]) == ("d31", "d31-03", 3)
         assert [(one["answered"], one["right"]) for one in choice["votes"]] == [(4, 1), (4, 2)]
@@ -46,6 +49,9 @@ explain = "The question was asked aloud."
 """
 
 
+STORED = {"answers": 1, "questions": 1}
+
+
 async def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
     async with teaching() as (_, url):
         lesson = await Class.open(url)
@@ -57,6 +63,7 @@ async def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
         assert (await lesson.vote(token, **poll, option=2)).status == 409
         tally = (await called(url, f"/class/{lesson.code}/tally", word=lesson.key)).json
         assert tally["now"]["options"] == [0, 1]
+        assert (await called(url, f"/class/{lesson.code}/stored", word=lesson.key)).json == STORED
         assert (await called(url, f"/class/{lesson.code}/summary", word=lesson.key)).json == []
         table = (await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)).text
         rows = list(csv.DictReader(table.splitlines()))

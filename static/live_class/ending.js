@@ -1,0 +1,96 @@
+// The end of a class: what it deletes, and the answers as CSV before that.
+
+import {button, element} from "../core/dom.js"
+import {inWords} from "../core/notes.js"
+import {save} from "../export/save.js"
+import {ask, asked} from "./requests.js"
+
+const PATIENCE = 60000 // ms for the answers of a whole lecture
+
+export class Ending {
+  /** @type {HTMLDialogElement | null} */
+  dialog = null
+
+  isOpening = false
+
+  /** @param {page.Opened} room @param {{end: () => void, tell: (sentence: string) => void}} acts */
+  constructor(room, {end, tell}) {
+    this.room = room
+    this.end = end
+    this.tell = tell
+  }
+
+  /** Ask whether to end the class; throw a Refusal if the server cannot say what that deletes. */
+  async open() {
+    if (this.dialog || this.isOpening) return
+    this.isOpening = true
+    const {code, key} = this.room
+    /** @type {page.Stored} */
+    const stored = await ask(`${code}/stored`, {word: key}).finally(() => (this.isOpening = false))
+    const said = element("p", {class: "done", role: "status"})
+    const end = button({class: "act"}, () => this.#end(said), "End the class")
+    const cancel = button({class: "act"}, () => this.close(), "Cancel")
+    const csv = button({class: "act"}, () => this.#save(said, end), "Save the answers as CSV")
+    const buttons = stored.answers ? [csv, end, cancel] : [cancel, end]
+    buttons[0].classList.add("filled")
+    const about = {class: "asking class-ending", "aria-labelledby": "ending"}
+    const heading = element("h1", {id: "ending"}, `End the class ${code}?`)
+    this.dialog = element("dialog", about, heading, element("p", {}, deleted(stored)), said)
+    this.dialog.append(element("div", {class: "tools"}, ...buttons))
+    this.dialog.addEventListener("close", () => this.close()) // by Esc
+    document.body.append(this.dialog)
+    this.dialog.showModal()
+    buttons[0].focus()
+  }
+
+  /** A press on a remote control: the first asks, the second ends the class. */
+  press() {
+    if (this.dialog) this.end()
+    else this.open().catch(reason => this.tell(inWords(reason)))
+  }
+
+  /** @param {HTMLElement} said */
+  #end(said) {
+    said.textContent = "Ending the class."
+    this.end()
+  }
+
+  /** Whether it was open. */
+  close() {
+    const {dialog} = this
+    this.dialog = null
+    dialog?.remove()
+    return dialog !== null
+  }
+
+  /** @param {HTMLElement} said @param {HTMLElement} end the button that comes next */
+  async #save(said, end) {
+    said.textContent = ""
+    try {
+      const name = await saveAnswers(this.room)
+      said.textContent = `Saved as ${name}.`
+      end.focus()
+    } catch (reason) {
+      said.textContent = `Not saved. ${inWords(reason)}`
+    }
+    said.className = said.textContent.startsWith("Saved") ? "done" : "problem"
+  }
+}
+
+/** What the end of a class deletes, in a sentence. @param {page.Stored} stored */
+export function deleted({answers, questions}) {
+  if (!answers) return "Nobody has answered yet. The code stops working, and phones leave the class."
+  const what = `${counted(answers, "answer")} to ${counted(questions, "question")}`
+  return `This deletes ${what}. The code stops working, and phones leave the class.`
+}
+
+/** @param {number} count @param {string} one */
+const counted = (count, one) => `${count} ${one}${count === 1 ? "" : "s"}`
+
+/** Save all answers of a class as a file; return its name. @param {page.Opened} room */
+export async function saveAnswers({code, key}) {
+  const answer = await asked(`${code}/answers.csv`, {word: key, signal: AbortSignal.timeout(PATIENCE)})
+  const name = `class-${code}.csv`
+  save(name, await answer.blob(), "text/csv")
+  return name
+}
