@@ -513,9 +513,11 @@ declare namespace page {
     key: string
   }
 
-  /** Asks for a word with which another computer leads the class from now on, at the page of this link. */
+  /** Asks for a word with which another computer leads the class from now on, at the page of this link. `shown` has
+   * the vote after which the class saw the answer, by question. */
   interface HandOver {
     query: string
+    shown: Record<string, number>
   }
 
   /** Takes the lead of a class with such a word, good once. */
@@ -523,10 +525,11 @@ declare namespace page {
     word: string
   }
 
-  /** A room that another computer led, the link of the page that it showed, the walks from its files, by name, and
-   * what was kept of its remote control. */
+  /** A room that another computer led, the link of the page that it showed, the answers that the class saw, the walks
+   * from its files, by name, and what was kept of its remote control. */
   interface TakenOver extends Opened {
     query: string
+    shown: Record<string, number>
     walks: Record<string, string>
     control: string
   }

@@ -221,9 +221,11 @@ class Paired(Struct, frozen=True, kw_only=True):
 
 
 class HandOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Asks for a word with which another computer leads the class from now on, at the page of this link."""
+    """Asks for a word with which another computer leads the class from now on, at the page of this link. `shown` has
+    the vote after which the class saw the answer, by question."""
 
     query: Annotated[str, Meta(max_length=4000)]
+    shown: Annotated[dict[Annotated[str, Meta(max_length=201)], int], Meta(max_length=100)] = {}
 
 
 class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -233,10 +235,11 @@ class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class TakenOver(Opened, frozen=True, kw_only=True):
-    """A room that another computer led, the link of the page that it showed, the walks from its files, by name, and
-    what was kept of its remote control."""
+    """A room that another computer led, the link of the page that it showed, the answers that the class saw, the walks
+    from its files, by name, and what was kept of its remote control."""
 
     query: str
+    shown: dict[str, int]
     walks: dict[str, str]
     control: str
 

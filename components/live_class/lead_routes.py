@@ -8,6 +8,7 @@ from components.language.room import HandOver, TakenOver, TakeOver, Ticket
 from components.live_class.codes import as_code, digest, new_word
 from components.live_class.follower_routes import MINUTE, MISSES, TOO_MANY
 from components.live_class.handler import ClassHandler
+from components.live_class.instructor_routes import LONGEST_ORDER
 from components.live_class.remotes import CONTROL
 from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.visitors import network_of
@@ -25,14 +26,15 @@ class Lent(msgspec.Struct, frozen=True):
 
     key: str
     query: str
+    shown: dict[str, int]
 
 
 class PassLead(ClassHandler):
     """The handler of the word that another computer leads a class with: given to who leads it, taken once."""
 
     async def post(self, code: str) -> None:
-        room, asked = await self.led(code), self.body(HandOver)
-        word, lent = new_word(), msgspec.json.encode(Lent(self.word, asked.query))
+        room, asked = await self.led(code), self.body(HandOver, LONGEST_ORDER)
+        word, lent = new_word(), msgspec.json.encode(Lent(self.word, asked.query, asked.shown))
         await self.outcome(self.classes.registry.store.lend(_name(room.code), digest(word), lent, MOMENT))
         self.reply(Ticket(address=self.address(f"{room.code}-{word}")))
 
@@ -49,7 +51,7 @@ class PassLead(ClassHandler):
         await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
         opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
         control = room.parts.get(CONTROL, b"").decode()
-        self.reply(TakenOver(query=lent.query, walks=room.own, control=control, **opened))
+        self.reply(TakenOver(query=lent.query, shown=lent.shown, walks=room.own, control=control, **opened))
 
 
 class MovedByWord(LectureHandler):

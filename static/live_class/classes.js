@@ -8,6 +8,8 @@ export class Classes {
   /** @type {import("./teach.js").Teach | null} the class that this page leads */
   led = null
 
+  code = "" // of the class whose numbers and order of answers this page has: it leads the class, or has led it
+
   put = "" // the step that the lecture asks while this page looks around
 
   /** @param {LectureHost} lecture */
@@ -29,6 +31,7 @@ export class Classes {
     try {
       const {teach} = await later("live_class/teach")
       this.led = await teach(this.lecture)
+      this.code = this.led.room.code
     } catch (reason) {
       this.lecture.page.notice.tell(inWords(reason))
     }
@@ -41,9 +44,9 @@ export class Classes {
     else this.lecture.page.notice.tell("A vote needs a live class: press T.")
   }
 
-  /** Whether this page leads a class, or is about to come back to its own. */
-  get leads() {
-    return Boolean(this.led ?? tabStorage.text(LED))
+  /** Whether this page has the numbers of a class: it leads one, has led one, or is about to come back to its own. */
+  get hasNumbers() {
+    return Boolean(this.code || tabStorage.text(LED))
   }
 
   opening = false // one class, however often the key is pressed

@@ -99,9 +99,11 @@ export class JoinScreen {
 
   /** A word with which another computer leads the class. */
   async #handOver() {
-    const {code, key} = this.teach.room
-    const {query} = this.teach.lecture.page.shown
-    const {address} = await ask(`${code}/word`, {method: "POST", body: {query}, word: key})
+    const {copies, lecture, room} = this.teach
+    const {code, key} = room
+    const query = `${lecture.page.shown.query}${lecture.hall.ending}`
+    const body = {query, shown: Object.fromEntries(Object.entries(copies.room.shown ?? {}).slice(-100))}
+    const {address} = await ask(`${code}/word`, {method: "POST", body, word: key})
     const words = element(
       "div",
       {class: "class-words"},

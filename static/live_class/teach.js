@@ -1,7 +1,7 @@
 // The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
 
 import {button, chip, element} from "../core/dom.js"
-import {inWords} from "../core/notes.js"
+import {inWords, note} from "../core/notes.js"
 import {blank} from "../shell/blank.js"
 import {LED, tabStorage} from "../core/storage.js"
 import {JoinBadge} from "./join_badge.js"
@@ -16,6 +16,7 @@ import {Votes} from "./votes.js"
 const LOOK = 50 // ms between looks at the clock
 const OFF = 0.04 // s by which followers may be off before they are told anew
 const AGAIN = 1000 // ms until an order is sent again
+const PASSED = "led by another computer"
 const SAVING = 60000 // ms between notes that the class goes on
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
@@ -51,6 +52,8 @@ export class Teach {
     this.joinScreen = new JoinScreen(this)
     this.badge = new JoinBadge(room, () => this.joinScreen.toggle())
     this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.joinScreen.toggle())
+    // Of a class that was passed on.
+    for (const old of document.querySelectorAll("button.class-code, .class-corner")) old.remove()
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code
     this.stream = this.#listen()
@@ -143,7 +146,7 @@ export class Teach {
     const {walk} = walks
     if (deed === "close" && !this.joinScreen.ending.close()) this.joinScreen.close()
     else if (deed === "end") this.joinScreen.ending.press()
-    else if (deed === "taken") this.#over("Another computer leads this class now.")
+    else if (deed === "taken") this.#pass()
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
     else if (deed === "votes") this.votes.open()
@@ -292,8 +295,26 @@ export class Teach {
     this.order({type: "end"})
   }
 
+  /** Another computer leads: this page keeps what it shows, the code of the class too. */
+  #pass() {
+    this.#leave()
+    this.sign.disabled = this.badge.element.disabled = true
+    const words = element("span", {role: "status"}, PASSED)
+    this.sign.replaceChildren(element("b", {}, this.room.code), words)
+    this.badge.say(PASSED)
+    if (![words, this.badge.state].some(part => part.checkVisibility())) note(`The class is ${PASSED}.`) // on a phone
+  }
+
   /** @param {string} sentence */
   #over(sentence) {
+    this.#leave()
+    this.sign.remove()
+    this.badge.leave()
+    delete document.documentElement.dataset.class
+    this.lecture.page.notice.tell(sentence)
+  }
+
+  #leave() {
     this.isOver = true
     this.stream.close()
     clearInterval(this.looking)
@@ -301,14 +322,10 @@ export class Teach {
     this.joinScreen.ending.close()
     this.joinScreen.close()
     this.votes.leave()
-    this.sign.remove()
-    this.badge.leave()
-    delete document.documentElement.dataset.class
     this.copies.forget()
     tabStorage.forget(LED)
     this.lecture.classes.led = null
     this.lecture.messages.send({type: "lead", code: "", key: ""})
-    this.lecture.page.notice.tell(sentence)
   }
 }
 

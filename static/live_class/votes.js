@@ -128,8 +128,10 @@ export class Votes {
   }
 
   leave() {
+    const {card} = this
     this.#clear()
     this.element.remove()
     this.card = null
+    if (card && !card.walk.lesson) card.forward.textContent = card.last
   }
 }

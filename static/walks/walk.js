@@ -47,7 +47,7 @@ export class Walk {
 
   /** The seed of an order that is one for a class, and another for each visitor alone. */
   get seed() {
-    return this.lecture.classes.led?.room.code ?? ownSeed()
+    return this.lecture.classes.code || ownSeed()
   }
 
   /** @returns {page.StepCard} */
@@ -58,7 +58,7 @@ export class Walk {
 
   /** A step of a walk with the numbers that this visitor has. @param {page.StepCard} step */
   numbered(step) {
-    if (this.lecture.classes.leads) return step
+    if (this.lecture.classes.hasNumbers) return step
     const stands = this.numbers && step === this.sheet.steps[this.place]
     return variant(step, stands ? this.numbers : seedOf(step))
   }
