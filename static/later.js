@@ -9,6 +9,7 @@ const MISSING = "Part of this page could not be loaded; it follows as soon as th
 const PARTS = {
   "compare/ghosts": () => import("./compare/ghosts.js"),
   "compare/predict": () => import("./compare/predict.js"),
+  "export/articles": () => import("./export/articles.js"),
   "export/handout": () => import("./export/handout.js"),
   "export/print": () => import("./export/print.js"),
   "export/take": () => import("./export/take.js"),

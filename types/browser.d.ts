@@ -6,6 +6,11 @@ declare const Bokeh: BokehModel
 
 declare var oscillations: any
 
+/** A page of ours in a frame. */
+interface Window {
+  oscillations?: any
+}
+
 /** Columns of numbers by source and name. */
 type Columns = Record<string, Record<string, Float64Array>>
 

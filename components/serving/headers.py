@@ -27,8 +27,14 @@ def policy(ancestors: str, scripts: Iterable[str] = ()) -> str:
     hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
     parts = ["default-src 'none'", "style-src 'self' 'unsafe-inline'", "img-src 'self' data: blob:"]
     if hashes:
-        parts += [f"script-src 'self' {hashes}", "connect-src 'self'", "font-src 'self'"]
-    return "; ".join([*parts, "base-uri 'none'", "form-action 'none'", f"frame-ancestors {ancestors}"])
+        parts += [f"script-src 'self' {hashes}", "connect-src 'self'", "font-src 'self'", "frame-src 'self'"]
+    return "; ".join([*parts, "base-uri 'none'", "form-action 'none'", f"frame-ancestors {_with_self(ancestors)}"])
+
+
+def _with_self(ancestors: str) -> str:
+    """Return who may frame a page. Its own page may: that prepares a handout in a hidden frame."""
+    others = [one for one in ancestors.split() if one not in ("'self'", "'none'")]
+    return " ".join([*others, "'self'"])
 
 
 @lru_cache(maxsize=4)

@@ -56,8 +56,19 @@ class Shelf {
   }
 }
 
+/** The name of a frame that shares nothing with the tab that it is in. */
+export const APART = "oscillations-apart"
+const apart = globalThis.window?.name === APART ? new Map() : null
+
+/** What a page in such a frame keeps, as long as it is there. */
+const own = apart && {
+  getItem: (/** @type {string} */ name) => apart.get(name) ?? null,
+  setItem: (/** @type {string} */ name, /** @type {string} */ text) => apart.set(name, text),
+  removeItem: (/** @type {string} */ name) => apart.delete(name),
+}
+
 export const browserStorage = new Shelf(() => localStorage)
-export const tabStorage = new Shelf(() => sessionStorage)
+export const tabStorage = new Shelf(() => /** @type {Storage} */ (own ?? sessionStorage))
 
 // Names of what one module keeps in a tab and another looks for.
 export const LED = "class-room" // that the tab leads a class

@@ -122,17 +122,18 @@ class Easel {
 }
 
 /**
- * Without a caption where the parameters and the link stand beside it; narrower, its type is larger beside it.
- * @param {Plot} plot @param {boolean} [captioned] @param {number} [wide] @returns {Picture}
+ * A plot, without a caption where the parameters and the link stand next to it. `wide` is the width of the picture,
+ * `high` the height of the frame in it, both in units.
+ * @param {Plot} plot @param {boolean} [captioned] @param {number} [wide] @param {number} [high] @returns {Picture}
  */
-export function plotPicture(plot, captioned = true, wide = WIDE) {
+export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * wide) / WIDE) {
   const {block, page, view} = plot
   const easel = new Easel(wide)
   easel.write(`${block.title}.`, "t1 b title")
   const terms = legend(plot)
   if (terms.length) easel.list(terms)
   else if (block.marks.length) easel.y += LINE // for flags over the frame
-  const frame = frameFor(plot, wide)
+  const frame = frameFor(plot, wide, high)
   const host = element("div", {class: "easel-part"})
   host.style.width = long(wide)
   host.style.height = long(frame.top + frame.height + 30)
@@ -148,15 +149,15 @@ export function plotPicture(plot, captioned = true, wide = WIDE) {
 
 /**
  * The room around the frame: for its numbers, names and flags, which on the page may stand out of it.
- * @param {Plot} plot @param {number} wide
+ * @param {Plot} plot @param {number} wide @param {number} high
  */
-function frameFor(plot, wide) {
+function frameFor(plot, wide, high) {
   const {frame, host, block} = plot
   const left = Math.max(frame.left, ...numbered(plot).y.labels.map(label => textWidth(label) + 7)) + 10
   const names = block.curves.map(({label}) => 1.15 * textWidth(label.map(({text}) => text).join("")) + 14)
   const right = Math.max(host.clientWidth / unitSize() - frame.left - frame.width, 40, ...names)
   const most = wide - left - right
-  const height = block.square ? Math.min((most * frame.height) / frame.width, most) : (HIGH * wide) / WIDE
+  const height = block.square ? Math.min((most * frame.height) / frame.width, most) : high
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
 }
 

@@ -57,6 +57,15 @@ export class Walks {
     this.walk?.go(place)
   }
 
+  /**
+   * The steps of a walk as articles for a handout.
+   * @param {string} name @param {boolean} isAnswered @param {(place: number) => void} begins
+   */
+  async onPaper(name, isAnswered, begins) {
+    const [{articles}] = await Promise.all([later("export/articles"), this.enter(name)])
+    return articles(/** @type {Walk} */ (this.walk), isAnswered, begins)
+  }
+
   /** A step that is chosen in the contents. @param {string} name @param {number} place */
   choose(name, place) {
     this.enter(name, place)
