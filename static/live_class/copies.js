@@ -27,6 +27,8 @@ export class Copies {
   /** @type {number | undefined} */
   timer
 
+  isBehind = false // it has no copies of what was answered before: they are taken without pauses
+
   /** @param {Room} room */
   constructor(room) {
     this.room = room
@@ -60,7 +62,7 @@ export class Copies {
   }
 
   #wait() {
-    if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), COPYING)
+    if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), this.isBehind ? 0 : COPYING)
   }
 
   /** All that was answered before this computer led the class. */
@@ -75,6 +77,7 @@ export class Copies {
         last[`${walk}/${step}`] ??= votes[votes.length - 1].vote
       }
     this.save({last})
+    this.isBehind = true
     this.#wait()
   }
 
@@ -89,6 +92,7 @@ export class Copies {
       this.answers.set(vote, answers)
       browserStorage.keep(copyOf(GIVEN, code, vote), answers) // of too many this page alone has them
     } else this.stale.add(vote)
+    this.isBehind &&= Boolean(answers) && this.stale.size > 0
     this.timer = undefined
     this.#wait()
   }
