@@ -119,7 +119,7 @@ def _taken_over(lecture: Page, other: Page) -> None:
     with lecture.expect_response(re.compile("/word$")) as answer:
         lecture.get_by_role("button", name="Another computer").click()
     other.goto(answer.value.json()["address"])
-    expect(lecture.get_by_text("Another computer leads this class now.")).to_be_visible()
+    expect(lecture.get_by_text("led by another computer").first).to_be_visible()
     other.wait_for_function(f"{LED}?.news.question?.step === 'pull' && oscillations.walks.walk?.card", timeout=AGAIN)
     assert other.evaluate("oscillations.walks.walk.sheet.name") == "mine"
     expect(other.locator(".notice")).to_be_hidden()

@@ -109,6 +109,7 @@ MESSAGES: dict[str, Send] = {
     "GET /class/CODE/answers of none": lambda client, n: client.lead(f"answers?question=d34/none-{n}/1"),
     "GET /class/CODE/answers.csv": lambda client, n: client.lead("answers.csv"),
     "GET /class/CODE/summary": lambda client, n: client.lead("summary"),
+    "GET /class/CODE/stored": lambda client, n: client.lead("stored"),
     "POST /class/CODE/word": lambda client, n: client.lead("word", "POST", {"query": f"{n}".ljust(4000, "x")}),
     "PUT /class/CODE/word": lambda client, n: client.lead("word", "PUT", {"word": f"{n}"}),
     "PUT /class/CODE/word of none": lambda client, n: client.ask(f"/class/{code(n)}/word", "PUT", {"word": ""}),
