@@ -13,7 +13,6 @@ const PARTS = {
   "export/handout": () => import("./export/handout.js"),
   "export/print": () => import("./export/print.js"),
   "export/take": () => import("./export/take.js"),
-  "input/hint": () => import("./input/hint.js"),
   "input/key_list": () => import("./input/key_list.js"),
   "input/pointer": () => import("./input/pointer.js"),
   "live_class/excursion": () => import("./live_class/excursion.js"),

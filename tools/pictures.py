@@ -37,8 +37,8 @@ SHARE = 0.001
 """Of the pixels, above which a picture is listed."""
 TRIES = 20
 """Pictures, of which the last two have to be the same."""
-BEFORE = "localStorage.setItem('grabbed', 'yes'); localStorage.setItem('seed', '1')"
-"""No hint comes, at whatever moment, and answers stand in one order."""
+BEFORE = "localStorage.setItem('seed', '1')"
+"""Answers are listed in one order."""
 STOP = """share => {
   const {clock} = oscillations
   clock.playing = false

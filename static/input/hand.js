@@ -1,31 +1,19 @@
 // The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
 
-import {using} from "../later.js"
 import {polynomial, roots} from "../core/signals.js"
-import {browserStorage} from "../core/storage.js"
 import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
-const GRABBED = "grabbed"
 const QUARTER = Math.PI / 2 // of a turn
 const STILL = 40 // pixels a second, below which a hand rests
 
 export class Hand {
-  /** @type {Grab | null | undefined} what is held; undefined until something has been */
-  grab
-
-  /** @type {import("./hint.js").Hint | undefined} until something has been grabbed */
-  hint
+  /** @type {Grab | null} what is held */
+  grab = null
 
   /** @param {PartHost} page */
   constructor(page) {
     this.page = page
-  }
-
-  /** Says once what a hand can do. */
-  introduce() {
-    if (browserStorage.text(GRABBED) === null)
-      using("input/hint", ({Hint}) => this.page.left || this.grab !== undefined || (this.hint ??= new Hint(this.page)))
   }
 
   /** @param {page.Grab} spec */
@@ -35,8 +23,6 @@ export class Hand {
 
   /** @param {page.Grab} spec */
   take(spec) {
-    browserStorage.keep(GRABBED, "yes")
-    this.hint?.leave()
     if (this.grab?.spec === spec) return this.grab.again()
     const {clock, compare} = this.page
     const now = compare.named(clock.t)
@@ -46,7 +32,6 @@ export class Hand {
 
   /** @param {Drawn} shown */
   update(shown) {
-    this.hint?.update()
     if (this.grab?.hear(shown)) {
       const {grab} = this
       this.grab = null

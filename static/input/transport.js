@@ -142,7 +142,6 @@ export class Transport {
     const lines = [
       this.problem,
       clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "",
-      this.page.hand.hint?.aside,
       ...this.notes,
     ]
     if (!reword(this.note, lines.filter(Boolean).join(" "))) return

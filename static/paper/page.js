@@ -166,7 +166,6 @@ export class Page {
   speak() {
     using("paper/voice", ({Voice}) => this.left || this.voice || this.parts.push((this.voice = new Voice(this))))
     using("export/print", ({Print}) => this.left || this.print || this.parts.push((this.print = new Print(this))))
-    this.hand.introduce()
   }
 
   async #joinNext() {

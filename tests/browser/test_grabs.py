@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, Route, expect
+from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
@@ -39,22 +39,6 @@ FLICKED = """async name => {
   delete performance.now
 }"""
 RESTED = "performance.now() > oscillations.page.hand.grab.trail.at(-1).when + 200"  # letting go is no flick any more
-HINTED = """() => {
-  const {page} = oscillations, {clock} = page, drawn = clock.draw
-  const places = () => page.stages.flatMap(({grips}) => [...(grips?.grips.values() ?? [])]).map(({x, y}) => [x, y])
-  const was = JSON.stringify(places()), {update} = page.hand.hint
-  const later = setTimeout
-  window.setTimeout = call => later(call) // the moment it waits is no part of this
-  clock.draw = () => {} // no frame comes between
-  update()
-  window.setTimeout = later
-  return new Promise(done => later(() => {
-    const is = JSON.stringify(places())
-    clock.draw = drawn
-    done([was, is, page.hand.hint.element.isConnected])
-  }, 0))
-}"""
-"""The places of all grips before and after a hint looked for its own, with no frame in between."""
 NEAR = 1  # pixels
 
 
@@ -143,35 +127,6 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     page.wait_for_function(
         f"(oscillations.clock.playing || {str(not was['begins']).lower()}) && !oscillations.page.hand.grab"
     )
-
-
-def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., Page], open_scene: Open) -> None:
-    """However late its script is: it would move the page under a hand."""
-    page, late = new_page(390, 844, fresh=True), list[Route]()
-    page.route("**/input/hint.js", lambda route: late.append(route))
-    open_scene(page, scene="coupled")
-    next(new_grips(page, "coupled")).focus()
-    page.keyboard.press("ArrowRight")
-    page.wait_for_function("oscillations.page.hand.grab")
-    for _ in range(200):
-        if late:
-            break
-        passed(page, 1)
-    late[0].continue_()
-    page.wait_for_function("performance.getEntriesByType('resource').some(one => one.name.endsWith('/hint.js'))")
-    passed(page)
-    assert page.evaluate("oscillations.page.hand.hint === undefined")
-
-
-def test_a_hint_looks_for_room_and_leaves_what_can_be_grabbed_where_it_is_seen(
-    new_page: Callable[..., Page], open_scene: Open
-) -> None:
-    """It draws other instants for that: a hand that comes before the next frame must not take what stood there."""
-    page = open_scene(new_page(390, 844, fresh=True), scene="coupled")
-    page.wait_for_function("oscillations.page.hand.hint")
-    stopped(page)
-    was, now, stood = page.evaluate(HINTED)
-    assert stood and was == now
 
 
 @pytest.mark.parametrize("slug", ["oscillator", "coupled"])
@@ -353,29 +308,6 @@ def test_a_value_that_cannot_be_stays_at_the_last_good_one_and_says_why(page: Pa
     page.mouse.up()
 
 
-def test_the_hint_stands_on_the_stage_until_something_is_grabbed(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="energy")
-    hint = page.locator(".block.stage > .hint")
-    expect(hint).to_be_visible()
-    lines = hint.evaluate("hint => hint.offsetHeight / parseFloat(getComputedStyle(hint).lineHeight)")
-    assert round(lines) <= 2, "not squeezed"
-    page.get_by_role("slider", name="Mass, start").focus()
-    page.keyboard.press("ArrowDown")
-    expect(hint).to_have_count(0)
-    open_scene(page, scene="coupled")
-    expect(page.get_by_text("Drag what moves")).to_have_count(0)
-
-
-def test_the_hint_stands_in_one_place_whatever_the_window(new_page: Callable[..., Page], open_scene: Open) -> None:
-    page = open_scene(new_page(568, 320, fresh=True), scene="oscillator")
-    note, hint = page.locator(".transport .note"), page.locator(".block.stage > .hint")
-    expect(note).to_contain_text("Drag what moves")
-    expect(hint).to_be_hidden()
-    page.set_viewport_size({"width": 1280, "height": 720})
-    expect(hint).to_be_visible()
-    expect(note).not_to_contain_text("Drag what moves")
-
-
 def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Open) -> None:
     for step, free in (("d31-02", False), ("d31-03", True)):
         open_scene(page, walk="d31", step=step)
@@ -384,4 +316,3 @@ def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Op
         page.keyboard.press("PageDown")
         page.wait_for_function("oscillations.walks.walk.lesson")
         assert mass.evaluate("grip => !grip.closest('[inert]')") is free
-        page.wait_for_function(f"Boolean(document.querySelector('.hint:not([hidden])')) === {str(free).lower()}")

@@ -16,12 +16,6 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 UNANCHORED = ":root, body {overflow-anchor: none}"
 """A browser that does not keep in place by itself what it shows."""
-NO_HINT = """({hand, clock}) => {
-  hand.grab ??= null
-  hand.hint?.leave()
-  clock.touch()
-}"""
-"""As for who has taken something before: no hint comes a moment later, with a line over what is measured."""
 STANDS = "([block, top]) => Math.abs(block.getBoundingClientRect().top - top) <= 1"
 """Whether a block is where it was: lines that come above it move it until the next frame at most."""
 BOXES = """plot => [plot.querySelector(".pill"), ...plot.querySelectorAll(".scale text")].map(part => {
@@ -60,7 +54,6 @@ def test_a_finger_drags_a_handle_from_where_it_has_taken_it_and_not_the_page(
     page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), **query)
     handle = page.get_by_role("slider", name=name, exact=True)
     page.add_style_tag(content=UNANCHORED)
-    page.evaluate(f"({NO_HINT})(oscillations.page)")
     x, y = middle(handle)
     plot = page.locator(".block.plot").filter(has=handle)
     before = top(plot)
@@ -81,7 +74,6 @@ def test_lines_that_come_above_move_nothing_under_a_hand(part: str, page: Page, 
     page.set_viewport_size({"width": 390, "height": 700})
     open_scene(page, scene="forced")
     page.add_style_tag(content=UNANCHORED)
-    page.evaluate(f"({NO_HINT})(oscillations.page)")
     page.evaluate("oscillations.clock.playing = false")
     held = page.locator(part).first
     page.mouse.move(*middle(held))
