@@ -41,6 +41,10 @@ export class Contents {
     this.element.close()
   }
 
+  leave() {
+    this.element.remove()
+  }
+
   #fill() {
     const {sheets} = this
     const close = chip("Close", () => this.close())

@@ -253,7 +253,8 @@ export class Walk {
   }
 
   leave() {
-    this.contents?.close()
+    this.contents?.leave()
+    this.contents = null
     this.#putAway()
     this.place = -1
     this.lecture.classes.led?.walked(null)

@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.halls import TAUGHT
-from tests.browser.waiting import passed, played
+from tests.browser.waiting import QUIET, passed, played
 from tests.grids import spread
 from tests.serving.server import Server
 
@@ -392,3 +392,26 @@ def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -
     page.evaluate("oscillations.change(() => ({covered: []}))")
     page.wait_for_function("!oscillations.shown.state.covered.length")
     page.wait_for_function(f"{shown}.every(Boolean)")
+
+
+def test_a_walk_that_is_left_leaves_no_dialog_and_no_listener(walk: Callable[..., Page]) -> None:
+    page = walk("d31-03")
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable")
+
+    def left() -> tuple[float, int]:
+        page.evaluate("oscillations.walks.walk.open()")
+        expect(page.locator("dialog.contents")).to_be_visible()
+        page.evaluate("oscillations.walks.leave()")
+        page.wait_for_function("!oscillations.walks.walk")
+        dialogs = page.locator("dialog.contents").count()
+        session.send("HeapProfiler.collectGarbage")
+        metrics = session.send("Performance.getMetrics")["metrics"]
+        page.evaluate("oscillations.walks.comeBack()")
+        page.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
+        return next(one["value"] for one in metrics if one["name"] == "JSEventListeners"), dialogs
+
+    found = [left() for _ in range(6)]
+    session.detach()
+    assert [dialogs for _, dialogs in found] == [0] * len(found)
+    assert found[-1][0] - found[1][0] < len(found), "no listener for each walk"
