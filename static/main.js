@@ -7,6 +7,7 @@ import {Busy} from "./core/busy.js"
 import {Connection} from "./net/connection.js"
 import {Hall} from "./shell/hall.js"
 import {frame} from "./core/dom.js"
+import {guarded, report, watch} from "./core/faults.js"
 import {listen} from "./input/keys.js"
 import {Messages} from "./net/messages.js"
 import {Page, extrasFor} from "./paper/page.js"
@@ -50,6 +51,7 @@ export class Lecture {
       packet => this.#unpacked(packet),
       (told, asked) => this.#hear(told, asked),
       error => this.#fail(error),
+      report,
     )
     this.undo = new Undo(
       (open, about) => this.#go(open, about),
@@ -179,7 +181,7 @@ export class Lecture {
     return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).usual : "")
   }
 
-  /** After something that cannot be read or fetched: the connection is taken up anew, or this page by a new one. */
+  /** Connects again after something that could not be read or fetched. */
   #fail(/** @type {unknown} */ error) {
     console.warn(error)
     if (!this.page) throw error
@@ -188,36 +190,56 @@ export class Lecture {
 
   /** @param {Told} told @param {Asked | null} asked */
   #hear(told, asked) {
-    if (told.type === "shown") this.undo.record(told.state, asked ?? {})
+    guarded(() => asked?.answered?.(told))
     if (told.type === "about") this.page.about?.show(told)
     if (told.type === "file") download(told)
-    asked?.answered?.(told)
-    // What goes wrong with one picture does not keep the next from being shown.
-    const show = () => (told.type === "shown" ? this.#show(told, asked) : undefined)
-    this.turning = this.turning.then(show, show)
+    if (told.type !== "shown") return
+    guarded(() => this.undo.record(told.state, asked ?? {}))
+    this.turning = this.turning.then(() => this.#show(told, asked)).catch(report)
   }
 
   /** @param {Drawn} shown @param {Asked | null} asked */
   async #show(shown, asked) {
-    this.hall.stand(shown.state)
+    guarded(() => this.hall.stand(shown.state))
     if (shown.scene === this.page?.spec.slug) {
-      this.#wait() // before, so that it is not overwritten, and after for what has been
+      guarded(() => this.#wait()) // before, so that it is not overwritten, and after for what has been
       this.page.apply(shown, asked)
-      this.hall.shown(this.page)
-      this.#wait()
+      guarded(() => this.hall.shown(this.page))
+      guarded(() => this.#wait())
     } else if (!(await this.#turn(shown))) return
     const refused = Object.keys(shown.errors).length > 0
     if (asked?.start && !refused && !shown.state.before) this.page.clock.restart()
-    this.#write(shown, Boolean(asked?.turn) && !refused)
-    this.walks.shown(shown)
+    guarded(() => this.#write(shown, Boolean(asked?.turn) && !refused))
+    guarded(() => this.walks.shown(shown))
   }
 
   /** The page of another scene takes the place of the one that stands; its figures join it. @param {Drawn} shown */
   async #turn(shown) {
     document.documentElement.dataset.ready = "false"
+    const fetched = await this.#fetched(shown.sheet)
+    const page = fetched && this.#built(fetched, shown)
+    if (!page) document.documentElement.dataset.ready = "true" // the page before stays
+    return Boolean(page)
+  }
+
+  /** The sheet and modules of a page; null where they cannot be fetched. @param {string} address of the sheet */
+  async #fetched(address) {
     try {
-      const sheet = await this.sheets.fetch(shown.sheet)
-      const page = new Page(sheet, await extrasFor(sheet), this)
+      const sheet = await this.sheets.fetch(address)
+      return {sheet, extras: await extrasFor(sheet)}
+    } catch (error) {
+      this.#fail(error)
+      return null
+    }
+  }
+
+  /**
+   * Builds the page of another scene and shows it; null where a script fails.
+   * @param {{sheet: page.SceneSheet, extras: import("./paper/page.js").Extras}} fetched @param {Drawn} shown
+   */
+  #built({sheet, extras}, shown) {
+    try {
+      const page = new Page(sheet, extras, this)
       const before = this.page
       page.controls.presets.element.append(this.undo.element)
       page.panel.append(this.hall.tab())
@@ -229,12 +251,11 @@ export class Lecture {
       this.page = page
       this.shell.turned(sheet, Boolean(before))
       this.#whole(page, before)
+      return page
     } catch (error) {
-      this.#fail(error)
-      document.documentElement.dataset.ready = "true" // the page before stands
-      return false
+      report(error)
+      return null
     }
-    return true
   }
 
   /** @param {Page} page @param {Page} [before] */
@@ -266,6 +287,7 @@ export class Lecture {
 
 /** The page brings its first picture with it, packed as all that is told. */
 export function begin() {
+  watch()
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
   const [came] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
   const {waiting, ...state} = (came?.type === "reload" && tabStorage.value(UNANSWERED)) || history.state || {}

@@ -41,19 +41,21 @@ export class Messages {
   /** @type {number | undefined} */
   reminder
 
-  /** @type {Promise<void>} what has come is heard in its order */
+  /** @type {Promise<unknown>} what has come is heard in its order */
   heard = Promise.resolve()
 
   /**
-   * `unpack` reads what comes, `hear` takes what is told and, where that is an answer, the message that it answers;
-   * `fail` is told what cannot be read.
+   * `unpack` reads a packet. `hear` takes a message and, if it is an answer, what it answers. `fail` is called with the
+   * reason why a packet cannot be read, `report` with an exception of `hear`: the connection is not to blame for that.
    * @param {(packet: Packet) => Promise<Told>} unpack
-   * @param {(told: Told, asked: Asked | null) => void} hear @param {(error: unknown) => void} fail
+   * @param {(told: Told, asked: Asked | null) => void} hear
+   * @param {(error: unknown) => void} fail @param {(error: unknown) => void} report
    */
-  constructor(unpack, hear, fail) {
+  constructor(unpack, hear, fail, report) {
     this.unpack = unpack
     this.hear = hear
     this.fail = fail
+    this.report = report
   }
 
   /**
@@ -170,15 +172,15 @@ export class Messages {
   /** @param {Packet} packet */
   receive(packet) {
     const {wires} = this
-    const told = this.unpack(packet)
-    // What a wire brought that has been lost since is of no use: the next one brings it again.
-    const take = async () => {
-      const read = await told
-      if (wires === this.wires) this.#hear(read)
-    }
-    this.heard = this.heard.then(take).catch(error => {
-      if (wires === this.wires) this.fail(error)
-    })
+    const unpacked = this.unpack(packet)
+    // Packets of a wire that has been lost are ignored: the next one brings them again.
+    const current = () => wires === this.wires
+    this.heard = this.heard
+      .then(() => unpacked)
+      .then(
+        told => current() && this.#hear(told),
+        error => current() && this.fail(error),
+      )
   }
 
   /**
@@ -203,7 +205,11 @@ export class Messages {
   /** @param {Told} told @param {Asked | null} asked */
   #take(told, asked) {
     if (told.type === "shown") this.state = told.state
-    this.hear(told, asked)
+    try {
+      this.hear(told, asked)
+    } catch (error) {
+      this.report(error)
+    }
   }
 }
 

@@ -6,6 +6,7 @@ import {Controls, isPicker} from "../input/controls.js"
 import {Clock} from "../core/clock.js"
 import {Compare} from "../compare/compare.js"
 import {element, frame, unitSize} from "../core/dom.js"
+import {guarded} from "../core/faults.js"
 import {Hand} from "../input/hand.js"
 import {later, using} from "../later.js"
 import {Live} from "./live.js"
@@ -102,7 +103,7 @@ export class Page {
   apply(shown, asked = null) {
     this.shown = shown
     unitSize() // and with it all that the style sheet is asked for, before anything is written
-    for (const part of this.parts) part.update?.(shown, asked)
+    for (const part of this.parts) guarded(() => part.update?.(shown, asked))
     this.redraw()
     requestAnimationFrame(() =>
       requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))),
@@ -130,13 +131,13 @@ export class Page {
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
-    this.live.draw(named)
+    guarded(() => this.live.draw(named))
     const timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
-    if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
+    if (!this.measured) this.stages.forEach(stage => guarded(() => stage.measure(this.plots)))
     this.measured = true
-    this.compare.frame(t)
-    this.stages.forEach(stage => stage.frame(named))
-    this.plots.forEach(plot => plot.draw(named, t, timeText))
+    guarded(() => this.compare.frame(t))
+    this.stages.forEach(stage => guarded(() => stage.frame(named)))
+    this.plots.forEach(plot => guarded(() => plot.draw(named, t, timeText)))
   }
 
   /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */
@@ -185,7 +186,7 @@ export class Page {
 
   leave() {
     this.left = true
-    for (const part of this.parts) part.leave?.()
+    for (const part of this.parts) guarded(() => part.leave?.())
     this.root.remove()
   }
 

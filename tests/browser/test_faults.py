@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from components.scenes import SCENES
 from tests.attack.stage import faults_of
 from tests.browser.fixtures import READY
-from tests.browser.waiting import QUIET, unfold
+from tests.browser.waiting import QUIET, played, unfold
 from tests.grids import spread
 from tests.scenes.checks import EXTREME_LINKS
 from tests.serving.server import Server
@@ -37,6 +37,28 @@ globalThis.heard = []
 messages.receive = function (message) { receive.call(this, message); receive.call(this, message) }
 messages.hear = (told, asked) => { heard.push(told.answer); hear(told, asked) }
 """
+
+BREAKABLE = """() => {
+  const lecture = oscillations, {page} = lecture
+  const parts = page.parts.map((part, i) => [part, "update", `part ${i}`]).filter(([part]) => part.update)
+  const stages = page.stages.map((stage, i) => [stage, "frame", `stage ${i}`])
+  const plots = page.plots.map((plot, i) => [plot, "draw", `plot ${i}`])
+  const others = [[page.live, "draw", "live"], [page.compare, "frame", "compare"], [lecture.undo, "record", "undo"],
+    [lecture.hall, "stand", "hall"], [lecture.hall, "shown", "hall shown"], [lecture.address, "write", "address"],
+    [lecture.walks, "shown", "walks"]]
+  globalThis.counts = {}
+  const all = [...parts, ...stages, ...plots, ...others]
+  for (const [host, method, name] of all) {
+    const act = host[method]
+    host[method] = function (...given) {
+      if (globalThis.broken === `${name}.`) throw Error(`The broken thing is ${name}.`)
+      counts[`${name}.`] = 1
+      return act.apply(this, given)
+    }
+  }
+  return all.map(([, , name]) => `${name}.`)
+}"""
+"""Makes whatever takes a picture count its calls in `counts`, or fail where it is `broken`; the names of all."""
 
 
 @pytest.mark.parametrize("query", EXTREME_LINKS)
@@ -81,7 +103,6 @@ def test_a_phase_beyond_doubles_is_drawn_somewhere(page: Page, open_scene: Open)
 
 
 def test_a_picture_that_fails_does_not_keep_the_next_from_being_shown(browser: Browser, server: Server) -> None:
-    """Without the fixture of pages, which a fault in the console would fail."""
     page = browser.new_page(bypass_csp=True)
     page.goto(f"{server.url}?scene=coupled")
     page.wait_for_function(READY)
@@ -91,6 +112,43 @@ def test_a_picture_that_fails_does_not_keep_the_next_from_being_shown(browser: B
     page.wait_for_function("!Object.hasOwn(oscillations.page, 'apply')")
     type_in(page, "k2", "8")
     page.wait_for_function("oscillations.shown.settings.k2.value === 8")
+    assert page.evaluate("oscillations.messages.wires") == 0
+    page.close()
+
+
+@pytest.mark.parametrize("slug", ["coupled", "accuracy"])
+def test_an_exception_in_one_part_stops_no_other_and_is_told_once(slug: str, browser: Browser, server: Server) -> None:
+    """Without the fixture of pages, which a fault in the console would fail."""
+    page = browser.new_page(bypass_csp=True)
+    logged: list[str] = []
+    page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: logged.append(f"not caught: {error}"))
+    page.goto(f"{server.url}?scene={slug}")
+    page.wait_for_function(READY)
+    page.wait_for_function("oscillations.page.print && oscillations.page.voice")  # the last parts to come
+    names = page.evaluate(BREAKABLE)
+    for i, name in enumerate(names):
+        page.evaluate("name => Object.assign(globalThis, {broken: name, counts: {}})", name)
+        page.evaluate("k1 => oscillations.send({type: 'set', values: {k1}})", 2 + i / 100)
+        page.wait_for_function(QUIET)
+        played(page, 2)
+        counts = page.evaluate("counts")
+        assert [other for other in names if other != name and not counts.get(other)] == [], name
+        assert any(name in line for line in logged) and not any("not caught" in line for line in logged), name
+    assert page.evaluate("[oscillations.messages.wires, document.documentElement.dataset.connected]") == [0, "true"]
+    assert page.evaluate("oscillations.shown.settings.k1.value") == pytest.approx(2 + (len(names) - 1) / 100)
+    expect(page.locator(".remark")).to_have_count(1)
+    expect(page.locator(".remark")).to_contain_text(names[0])
+    page.close()
+
+
+def test_a_fault_of_what_a_button_does_is_told(browser: Browser, server: Server) -> None:
+    page = browser.new_page(bypass_csp=True)
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(READY)
+    page.evaluate("() => { oscillations.page.compare.toggle = () => { throw Error('Hold is broken') } }")
+    page.get_by_role("button", name="Hold").click()
+    expect(page.locator(".remark")).to_contain_text("Hold is broken")
     page.close()
 
 

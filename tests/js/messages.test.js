@@ -18,11 +18,27 @@ function anew() {
     async told => told,
     () => {},
     error => assert.fail(error),
+    error => assert.fail(error),
   )
   messages.state = STATE
   messages.before = () => [OWN]
   messages.attach({send: message => sent.push(message)}, true)
   return {messages, sent}
+}
+
+/** Messages over a wire, one of which waits for its answer; `failed` and `reported` are what they are told of. */
+function asking(unpack, hear) {
+  const [sent, failed, reported] = [[], [], []]
+  const messages = new Messages(
+    unpack,
+    hear,
+    error => failed.push(error.message),
+    error => reported.push(error.message),
+  )
+  messages.attach({send: message => sent.push(message)}, false)
+  messages.send({type: "act", name: "first"})
+  messages.send({type: "act", name: "second"})
+  return {messages, sent, failed, reported}
 }
 
 const kinds = sent => sent.map(({type}) => type)
@@ -54,4 +70,38 @@ test("a wire that is lost meanwhile takes nothing with it", async () => {
   messages.attach({send: message => sent.push(message)}, true)
   await answer(messages, {is_busy: false})
   assert.deepEqual(kinds(sent), ["walk", "walk", "open"])
+})
+
+const shown = number => ({type: "shown", answer: number, state: STATE})
+
+test("an exception of what hears a message is no fault of the connection, and the next message is sent", async () => {
+  const {messages, sent, failed, reported} = asking(
+    async told => told,
+    () => {
+      throw new Error("!")
+    },
+  )
+  for (const count of [1, 2]) {
+    messages.receive(shown(messages.asked.message.number))
+    await messages.heard
+    assert.equal(reported.length, count)
+  }
+  assert.deepEqual(failed, [])
+  assert.deepEqual(
+    sent.map(({name}) => name),
+    ["first", "second"],
+  )
+  assert.ok(messages.rests)
+})
+
+test("a packet that cannot be read is a fault of the connection", async () => {
+  const {messages, failed, reported} = asking(
+    async () => {
+      throw new Error("!")
+    },
+    () => {},
+  )
+  messages.receive({})
+  await messages.heard
+  assert.deepEqual([failed, reported], [["!"], []])
 })

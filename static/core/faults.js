@@ -1,0 +1,39 @@
+// Faults of our own scripts: logged, told to the visitor once, and kept from stopping what else is to be done.
+
+import {inWords, note} from "./notes.js"
+
+/** @type {Set<string>} faults that have been logged: one in a frame comes again with each frame */
+const logged = new Set()
+
+let told = false
+
+/** Logs a fault once, and tells the visitor of the first one. @param {unknown} reason */
+export function report(reason) {
+  if (!logged.has(String(reason))) console.error(reason)
+  logged.add(String(reason))
+  tell(reason)
+}
+
+/** @param {unknown} reason */
+function tell(reason) {
+  if (told) return
+  told = true
+  note(`Part of this page does not work (${inWords(reason)}). The rest does; reloading the page may help.`)
+}
+
+/** Runs one of several things that do not need each other: a fault in it is reported. @param {() => unknown} act */
+export function guarded(act) {
+  try {
+    const done = act()
+    if (done instanceof Promise) done.catch(report)
+  } catch (reason) {
+    report(reason)
+  }
+}
+
+/** Tells of faults that nothing catches, as in what a button does; the browser logs these itself. */
+export function watch() {
+  // Without an error it is the browser's own notice, such as that of a ResizeObserver that had to wait.
+  addEventListener("error", ({error}) => error && tell(error))
+  addEventListener("unhandledrejection", ({reason}) => tell(reason))
+}
