@@ -193,9 +193,16 @@ export class Lecture {
     guarded(() => asked?.answered?.(told))
     if (told.type === "about") this.page.about?.show(told)
     if (told.type === "file") download(told)
+    const {answer} = told
+    if (told.type === "kept") this.#next(() => this.page.keep(answer, asked))
     if (told.type !== "shown") return
     guarded(() => this.undo.record(told.state, asked ?? {}))
-    this.turning = this.turning.then(() => this.#show(told, asked)).catch(report)
+    this.#next(() => this.#show(told, asked))
+  }
+
+  /** Pictures are shown in their order. @param {() => unknown} act */
+  #next(act) {
+    this.turning = this.turning.then(act).catch(report)
   }
 
   /** @param {Drawn} shown @param {Asked | null} asked */

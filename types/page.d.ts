@@ -137,6 +137,11 @@ declare namespace page {
     progress: Progress | null
   }
 
+  /** The answer to letting go where the page stays as it was told last. */
+  interface Kept extends Told {
+    type: "kept"
+  }
+
   /** A file to keep, and its media type. */
   interface File extends Told {
     type: "file"
@@ -187,7 +192,7 @@ declare namespace page {
     is_busy: boolean
   }
 
-  type ToldAny = Shown | File | AboutNumbers | Taught | Walking
+  type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking
 
   /** A link to another scene: what is `given`, and the parameters of this scene that are taken along. */
   interface Onward {

@@ -156,6 +156,10 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
     progress: Progress | None
 
 
+class Kept(Told, frozen=True, kw_only=True, tag="kept"):
+    """The answer to letting go where the page stays as it was told last."""
+
+
 class File(Told, frozen=True, kw_only=True, tag="file"):
     """A file to keep, and its media type."""
 
@@ -208,7 +212,7 @@ class Walking(Told, frozen=True, kw_only=True, tag="walking"):
     is_busy: bool = False
 
 
-ToldAny: TypeAlias = Shown | File | AboutNumbers | Taught | Walking
+ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking
 
 
 class Onward(Struct, frozen=True, kw_only=True):

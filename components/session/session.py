@@ -17,10 +17,12 @@ from components.language.messages import (
     AskCsv,
     GiveAnswer,
     Given,
+    Kept,
     Lead,
     RunOrder,
     RunWalk,
     Said,
+    SetValues,
     Shown,
     Taught,
     Walking,
@@ -133,7 +135,7 @@ class Session:
             reply = self._packed(before, answer, (SORRY,))
         if reply:
             self.send(reply)
-        if self.now is not before:
+        if self.running or not self.now.is_told_like(before):
             self._tell_class()
 
     def _decoded(self, data: object) -> Said:
@@ -164,7 +166,16 @@ class Session:
         if answer is not None and answer == self.now.number:
             return self._packed(self.now, answer)
         after = self._ordered(said.order) if isinstance(said, RunOrder) else changed(self.now, said, self.scenes)
-        return self._stand(dataclasses.replace(after, number=answer), answer)
+        after = dataclasses.replace(after, number=answer)
+        if self._is_kept(said, after):
+            self.now = after
+            return packed(Kept(answer=answer))
+        return self._stand(after, answer)
+
+    def _is_kept(self, said: Said, after: Standing) -> bool:
+        """Whether a hand has let go of what then stays as it was told: its picture is not sent again."""
+        lets_go = isinstance(said, SetValues) and said.holding is False and not said.values
+        return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
 
     def _ordered(self, order: str) -> Standing:
         if self.running is None:

@@ -92,6 +92,19 @@ class Standing:
             step=self.step,
         )
 
+    def is_told_like(self, other: Standing) -> bool:
+        """Whether the browser would be told the same of both; False also where that would take long to find out."""
+        pairs = zip(self._drawn_of, other._drawn_of, strict=True)
+        return all(mine is its for mine, its in pairs) and self._marks == other._marks
+
+    @property
+    def _drawn_of(self) -> tuple[object, ...]:
+        return self.scene, self.held, self.before, self.drawn.picture, self.drawn.beside
+
+    @property
+    def _marks(self) -> tuple[object, ...]:
+        return self.drawn.frame, self.drawn.fitted, self.covered, self.step
+
     @property
     def query(self) -> str:
         """The link to it."""

@@ -28,7 +28,7 @@ ORDER = 4
 
 
 class Packet(TypedDict):
-    """A message as Bokeh sends it. `sheet` is the address of the sheet whose usual text it refers to, or ""."""
+    """A message, packed. `sheet` is the address of the sheet whose usual text it refers to, or ""."""
 
     sheet: str
     data: bytes
@@ -68,6 +68,11 @@ def _in_bytes(columns: Sequence[Steps]) -> bytes:
     whole = np.concatenate([differences[start + ORDER : end] for start, end in pairwise(ends)])
     folded = (whole << 1) ^ (whole >> 31)
     return folded.astype("<u4").view(np.uint8).reshape(-1, 4).T.tobytes()
+
+
+def in_one(packet: Packet) -> bytes:
+    """Return a message as the socket carries it: the address of the sheet, a line feed, the data."""
+    return packet["sheet"].encode() + b"\n" + packet["data"]
 
 
 def on_page(packet: Packet) -> str:

@@ -4,6 +4,9 @@ import {bokeh} from "./bokeh.js"
 
 /** @typedef {{send: (message: page.Said) => void, close: () => void}} Wire */
 
+const LINE_FEED = 10
+const TOLD = "told" // the type of a message of the server
+
 /** @type {boolean} whether Bokeh knows the model */
 let defined = false
 
@@ -11,7 +14,7 @@ let defined = false
 function define() {
   if (defined) return
   defined = true
-  const {ModelEvent, server_event} = Bokeh.require("core/bokeh_events")
+  const {ModelEvent} = Bokeh.require("core/bokeh_events")
   class Said extends ModelEvent {
     event_name = "said"
 
@@ -19,13 +22,6 @@ function define() {
       return {model: this.origin, data: this.data}
     }
   }
-  class Told extends ModelEvent {
-    /** @param {{model: BokehModel} & Packet} values */
-    static from_values({model, ...packet}) {
-      return Object.assign(new Told(), {origin: model, packet})
-    }
-  }
-  server_event("told")(Told)
   class Wire extends Bokeh.require("model").Model {
     static __name__ = "Wire"
     static __module__ = "components.session.panel_bridge"
@@ -33,11 +29,6 @@ function define() {
     /** @param {page.Said} message */
     send(message) {
       this.document.event_manager.send_event(Object.assign(new Said(), {origin: this, data: message}))
-    }
-
-    /** @param {unknown} event */
-    _process_event(event) {
-      if (event instanceof Told) this.receive(event.packet)
     }
   }
   Bokeh.require("base").default_resolver.register(Wire)
@@ -55,15 +46,26 @@ export async function connect(token, receive, lost) {
   const session = await Bokeh.require("client/connection").pull_session(address.href, token, null)
   const {document: shared} = session
   const [wire] = shared.roots()
-  wire.receive = receive
+  const hear = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
+  shared.on_message(TOLD, hear)
   shared.on_event("connection_lost", lost)
   shared.notify_idle(wire) // Panel tells nothing before it has heard of this
-  return {send: message => wire.send(message), close: () => close(session, wire)}
+  return {send: message => wire.send(message), close: () => close(session, hear)}
 }
 
-/** Bokeh keeps every document in a list of its own. @param {BokehModel} session @param {BokehModel} wire */
-function close(session, wire) {
-  wire.receive = () => {}
+/** The parts of a message: components/state/wire.py. @param {ArrayBuffer} message @returns {Packet} */
+function packetIn(message) {
+  const bytes = new Uint8Array(message)
+  const end = bytes.indexOf(LINE_FEED)
+  return {sheet: new TextDecoder().decode(bytes.subarray(0, end)), data: message.slice(end + 1)}
+}
+
+/**
+ * Closes a session. Bokeh keeps every document in a list of its own.
+ * @param {BokehModel} session @param {(message: ArrayBuffer) => void} hear
+ */
+function close(session, hear) {
+  session.document.remove_on_message(TOLD, hear)
   session.close()
   const index = Bokeh.documents.indexOf(session.document)
   if (index >= 0) Bokeh.documents.splice(index, 1)

@@ -110,6 +110,16 @@ export class Page {
     )
   }
 
+  /**
+   * Takes the answer to letting go where the picture stays: only those that wait for it are told.
+   * @param {Drawn["answer"]} answer @param {import("../net/messages.js").Asked | null} asked
+   */
+  keep(answer, asked) {
+    const shown = {...this.shown, answer}
+    guarded(() => this.hand.update(shown))
+    guarded(() => this.compare.update(shown, asked))
+  }
+
   /** The curves switched off, by group. */
   get hidden() {
     return this.shown.state.hidden ?? this.spec.hidden

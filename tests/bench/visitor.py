@@ -17,6 +17,8 @@ from urllib.request import urlopen
 from tornado.httpclient import HTTPError, HTTPRequest
 from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
+from components.session.panel_bridge import TOLD
+
 PATIENCE = 30.0  # seconds until a missing answer is an error
 
 # What a browser tells of itself as soon as the page is there.
@@ -160,10 +162,10 @@ class Visitor:
         """The messages in a patch, without their columns."""
         told = []
         for event in content.get("events", []):
-            values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
-            if "sheet" in values:
-                usual = await self._usual(values["sheet"])
-                text = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(buffers.pop(0))
+            if event.get("msg_type") == TOLD:
+                sheet, _, data = buffers.pop(0).partition(b"\n")
+                usual = await self._usual(sheet.decode())
+                text = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(data)
                 told.append(json.loads(text.partition(b"\n")[0]))
         return told
 

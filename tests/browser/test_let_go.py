@@ -133,6 +133,31 @@ def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
     page.wait_for_function(f"({GHOSTS})() === 0")
 
 
+ANSWERS = """() => {
+  const {messages} = oscillations, {hear} = messages
+  globalThis.answers = []
+  messages.hear = (told, asked) => { answers.push(told.type); hear(told, asked) }
+}"""
+
+
+def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> None:
+    """Typed, by a key, on a slider, by a grip; what waits for the end of the change does not miss it."""
+    opened(page, open_scene)
+    page.evaluate(ANSWERS)
+    grip = page.locator("[data-grab*=x_0]").first
+    for pictures, change in (
+        (1, lambda: typed(page, "m", "1.02")),
+        (1, lambda: page.locator("input[name=k-slider]").press("ArrowRight")),
+        (2, lambda: (grip.press("ArrowUp"), grip.press("Enter"))),  # taken, then moved
+    ):
+        page.wait_for_function(f"{QUIET} && !oscillations.page.compare.before")
+        page.evaluate("answers.length = 0")
+        change()
+        page.wait_for_function(f"answers.includes('kept') && {QUIET}")
+        assert page.evaluate("answers") == ["shown"] * pictures + ["kept"]
+    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+
+
 def test_a_finger_lets_go(new_page: Callable[..., Page], open_scene: Open) -> None:
     page = new_page(width=390, height=844, has_touch=True)
     opened(page, open_scene)

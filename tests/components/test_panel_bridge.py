@@ -7,11 +7,20 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bokeh.document import Document
+from bokeh.document.events import DocumentPatchedEvent
+from bokeh.protocol import Protocol
 
 from components.scenes.coupled import Coupled
+from components.session.panel_bridge import SceneView
+from components.session.session import Session
+from components.state.standing import fitted
+from components.state.wire import in_one
 from tests.page.told import Page
 
 LONG = "x" * 100_000
+MOST_AROUND = 185
+"""Bytes of a Bokeh message around one of ours: header 60, metadata 2, content 103, header of the buffer 15."""
 NESTED: list[Any] = []
 for _ in range(200):
     NESTED = [NESTED]
@@ -61,3 +70,19 @@ def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -
     page = Page(Coupled())
     assert page.say({"type": "set", "values": {"k2": -0.0}, "number": number})["answer"] is None
     assert page.say({"type": "set", "values": {"k2": 3.0}, "number": 7})["answer"] == 7
+
+
+def test_bokeh_adds_little_to_a_message() -> None:
+    document, events = Document(), list[DocumentPatchedEvent]()
+    session = Session(fitted(Coupled()))
+    SceneView(session).get_root(document)
+    document.on_change(events.append)
+    send, packets = session.send, []
+    session.send = lambda packet: (packets.append(packet), send(packet))  # type: ignore[func-returns-value]
+    session.hear({"type": "set", "values": {"k2": 3.0}, "number": 1})
+    ((packet,), (event,)) = packets, events
+    message = Protocol().create("PATCH-DOC", [event])
+    (buffer,) = message.buffers
+    assert bytes(buffer.data) == in_one(packet)
+    parts = (message.header_json, message.metadata_json, message.content_json, f'{{"id": "{buffer.id}"}}')
+    assert sum(map(len, parts)) <= MOST_AROUND

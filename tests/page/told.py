@@ -81,6 +81,11 @@ class Page:
         before = len(self.packets)
         self.session.hear(data)
         assert len(self.packets) == before + 1, "every message has one answer"
+        return self.told
+
+    @property
+    def told(self) -> dict[str, Any]:
+        """The last message of the session."""
         return unpacked(self.packets[-1])
 
     def opening(self) -> dict[str, Any]:
