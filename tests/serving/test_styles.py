@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -32,6 +33,39 @@ def all_rules() -> list[tuple[str, list[str]]]:
     sheet = tinycss2.parse_stylesheet(style_sheet().decode(), skip_comments=True, skip_whitespace=True)
     assert not [node.message for node in sheet if node.type == "error"]
     return list(rules(sheet))
+
+
+MODE = re.compile(r"^ *\S.*? (screen|hall|panel|window) (\(.*\))$|^ +(screen|hall|panel|window) (\(.*\))$", re.M)
+QUERY = re.compile(r"@(?:container (\w+)|media)([^{]*)\{")
+EM = re.compile(r"([\d.]+)em\b")
+
+
+def modes() -> set[tuple[str, str]]:
+    """The container and the condition of each layout mode that the style sheet's head lists."""
+    found = MODE.findall((STYLES / "style.css").read_text("utf-8"))
+    return {(one or other, condition or alone) for one, condition, other, alone in found}
+
+
+def sizes_asked() -> set[tuple[str, str]]:
+    """Each container or window and each condition on its size in a part of the style sheet, in px."""
+    asked = [query for path in PARTS for query in QUERY.findall(path.read_text("utf-8"))]
+    plain = {
+        (name or "window", EM.sub(lambda found: f"{16 * float(found[1]):g}px", text).strip()) for name, text in asked
+    }
+    return {(name, text) for name, text in plain if re.search("width|height", text)}
+
+
+def test_each_layout_mode_is_named_once_and_no_query_asks_for_another() -> None:
+    assert len(modes()) > 20
+    assert sizes_asked() == modes()
+
+
+def test_scripts_ask_for_no_size_of_the_screen() -> None:
+    """They read what the style sheet makes of it."""
+    scripts = [path.read_text("utf-8") for path in STYLES.parent.glob("**/*.js")]
+    asked = [query for text in scripts for query in re.findall(r"matchMedia\(([^)]*\)?)", text)]
+    assert asked
+    assert [query for query in asked if re.search("width|height", query)] == []
 
 
 def test_every_part_is_on_the_wire_once_and_alone() -> None:
