@@ -114,7 +114,9 @@ export class Lecture {
 
   /** Shows what waits for the server as it was set. */
   #wait() {
-    if (this.page) showWaiting(this.page, this.messages.waiting)
+    if (!this.page) return
+    showWaiting(this.page, this.messages.waiting)
+    this.connection.status.waits(this.messages.changes, this.shell.titleOf(this.messages.turnsTo))
   }
 
   #connected() {
@@ -163,7 +165,7 @@ export class Lecture {
   /** A preset: fitted anew, from t = 0; the back button returns from it. @param {page.State["parameters"]} sets */
   take(sets) {
     const open = this.#changed(({parameters}) => ({frame: null, parameters: {...parameters, ...sets}}))
-    this.#go(open, {turn: true, start: true})
+    this.#go(open, {turn: true, start: true, sets})
   }
 
   /** Another state, of the same values. @param {(state: page.State) => Partial<page.State>} to */

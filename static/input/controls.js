@@ -24,6 +24,7 @@ class Presets {
 
   /** @param {page.Panel} panel @param {Take} take */
   constructor({start, folded, presets}, take) {
+    this.presets = presets
     this.buttons = presets.map(preset =>
       presetButton(preset, () => {
         this.taken = preset
@@ -43,11 +44,24 @@ class Presets {
     return (this.taken?.name === preset && this.taken.watch) || ""
   }
 
+  /** The preset whose values all wait for the server is shown as chosen, and that it waits. @param {Waits} waiting */
+  wait(waiting) {
+    const late = this.presets.map(({sets}) => isWithin(Object.entries(sets), waiting))
+    for (const [i, one] of this.buttons.entries()) {
+      one.classList.toggle("waits", late[i])
+      if (late.includes(true)) one.setAttribute("aria-pressed", String(late[i]))
+    }
+  }
+
   /** @param {string | null} preset */
   update(preset) {
     for (const one of this.buttons) one.setAttribute("aria-pressed", String(one.dataset.preset === preset))
   }
 }
+
+/** @param {[string, page.Value][]} values @param {Waits} waiting */
+const isWithin = (values, waiting) =>
+  values.length > 0 && values.every(([name, value]) => JSON.stringify(waiting.get(name)) === JSON.stringify(value))
 
 /** @param {page.PresetButton} preset @param {() => void} take */
 function presetButton({name, label, outline: drawing}, take) {
@@ -153,10 +167,11 @@ export class Controls {
 
   /** The values that have been set and wait for an answer stay as they are. @param {Waits} waiting */
   wait(waiting) {
+    this.presets.wait(waiting)
     for (const [name, slider] of this.sliders) slider.wait(waiting.get(name))
     for (const {span, hint, names} of this.hints) {
       const count = names.filter(name => waiting.has(name)).length
-      span.textContent = count ? `${count} change${count > 1 ? "s wait" : " waits"}` : hint
+      span.textContent = count ? `${count} value${count > 1 ? "s wait" : " waits"}` : hint
     }
   }
 

@@ -5,10 +5,10 @@ const AGAIN = 1000 // ms until what a new session had no time for is sent again
 
 /**
  * All that is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
- * starts anew with its answer, whether it is there for a new session alone, who waits for its answer, and what undo
- * makes of it.
- * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, answered?: (told: Told) => void,
- *   way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
+ * starts anew with its answer, the values that it `sets` if it is made later, whether it is there for a new session
+ * alone, who waits for its answer, and what undo makes of it.
+ * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
+ *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
  * @typedef {Envelope & {message: page.Said}} Asked
  * @typedef {Envelope & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
  */
@@ -128,7 +128,26 @@ export class Messages {
 
   /** The values that wait for a wire, by parameter: the newest, or the text that was typed. @returns {Waits} */
   get waiting() {
-    return new Map(this.behind ? this.#queue.flatMap(({message}) => Object.entries(givenIn(message))) : [])
+    return new Map(this.#late.flatMap(({message, sets}) => Object.entries(sets ?? givenIn(message))))
+  }
+
+  /** The number of changes that wait for a wire: what one message changes is one. */
+  get changes() {
+    return this.#late.length
+  }
+
+  /** The scene that waits to be opened, or "". */
+  get turnsTo() {
+    const opens = this.#late.flatMap(({message}) =>
+      typeof message !== "function" && message.type === "open" ? message.state.scene : [],
+    )
+    const scene = opens.at(-1) ?? ""
+    return scene === this.state.scene ? "" : scene
+  }
+
+  /** Messages of the visitor that wait for a wire. */
+  get #late() {
+    return this.behind ? this.#queue.filter(({anew}) => !anew) : []
   }
 
   /** The messages that wait, made plain: for a page that takes the place of this one. @returns {page.Said[]} */

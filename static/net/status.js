@@ -1,14 +1,16 @@
-// The state of the connection in words, in place of the links to other scenes, which would not work without one.
+// The state of the connection in words, and what waits for it.
 
-import {chip, element, svg} from "../core/dom.js"
+import {chip, element, reword, svg} from "../core/dom.js"
 
 const MOMENT = 4000 // ms for which it is said that all is well again
-const LOST = "The picture still plays; your changes wait."
-const REFUSED = "A proxy or firewall blocks WebSockets to the server. The picture still plays; nothing can be changed."
+const LOST = "Your changes wait for the server."
+const REFUSED = "A proxy or firewall blocks WebSockets to the server; your changes wait until it lets them through."
 
 export class Status {
   due = 0
   refused = false
+  waiting = "" // what waits, in words
+  isOutdated = false // the page is about to be replaced
 
   /** @type {number | undefined} */
   countdown
@@ -42,14 +44,24 @@ export class Status {
     if (pause) this.countdown = setInterval(() => this.#count(), 1000)
   }
 
+  /** Says what waits for the server. @param {number} changes @param {string} title of a scene to be opened, or "" */
+  waits(changes, title) {
+    const count = changes ? `${changes} ${changes > 1 ? "changes wait" : "change waits"}.` : ""
+    this.waiting = [count, title && `${title} opens then.`].filter(Boolean).join(" ")
+    this.#count()
+  }
+
   #count() {
+    if (this.isOutdated) return
     const seconds = Math.ceil((this.due - performance.now()) / 1000)
-    this.next.textContent = seconds > 0 ? `Next try in ${seconds} s.` : "Trying."
+    const next = seconds > 0 ? `Next try in ${seconds} s.` : "Trying."
+    reword(this.next, [this.waiting, next].filter(Boolean).join(" "))
   }
 
   /** The server has another version of the page. */
   outdated() {
     clearInterval(this.countdown)
+    this.isOutdated = true
     this.next.textContent = "There is a new version: the page reloads as soon as you pause."
   }
 

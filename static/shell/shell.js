@@ -40,6 +40,11 @@ export class Shell {
     })
   }
 
+  /** The title of a scene; "" of none. @param {string} slug */
+  titleOf(slug) {
+    return this.links.find(link => link.dataset.scene === slug)?.textContent ?? ""
+  }
+
   /** Where in the lecture a scene is. @param {string} slug */
   #place(slug) {
     const place = this.links.findIndex(link => link.dataset.scene === slug)

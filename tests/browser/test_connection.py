@@ -66,10 +66,9 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     opened(page, server)
     page.context.set_offline(True)
     alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_have_text("Not connected. The picture still plays; your changes wait.")
-    expect(page.get_by_role("navigation", name="Scenes")).to_be_hidden()
+    expect(alert).to_have_text("Not connected. Your changes wait for the server.")
     page.locator("input[name=k2-slider]").fill("0.5")
-    expect(page.get_by_text("1 change waits")).to_be_visible()
+    expect(page.get_by_text("1 value waits")).to_be_visible()
     expect(page.locator(".control.waits")).to_have_count(1)
     page.set_viewport_size({"width": 320, "height": 568})
     page.get_by_role("button", name="Hold").click(trial=True)  # what is said lies over nothing for good
@@ -81,9 +80,51 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
     expect(alert).to_be_hidden()
     page.wait_for_function(SETTLED)
-    expect(page.get_by_text("1 change waits")).to_be_hidden()
+    expect(page.get_by_text("1 value waits")).to_be_hidden()
     expect(page.locator(".control.waits")).to_have_count(0)
-    expect(page.get_by_role("navigation", name="Scenes")).to_be_visible()
+
+
+def test_a_preset_and_a_scene_that_wait_are_shown_as_chosen(page: Page, server: Server) -> None:
+    opened(page, server)
+    lost(page)
+    beats = page.get_by_role("button", name="Beats")
+    beats.click()
+    expect(beats).to_have_class(re.compile("waits"))
+    expect(beats).to_have_attribute("aria-pressed", "true")
+    expect(page.locator(".control.waits")).not_to_have_count(0)
+    expect(page.locator(".lost .next")).to_contain_text("1 change waits.")
+    page.locator("input[name=k2-slider]").fill("0.5")
+    expect(beats).not_to_have_class(re.compile("waits"))  # other values than its own wait now
+    beats.click()
+    page.get_by_role("link", name="Forced").click()
+    expect(page.locator(".lost .next")).to_contain_text("Forced opens then.")
+    page.context.set_offline(False)
+    page.wait_for_function(f"oscillations.page.spec.slug === 'forced' && {SETTLED}")
+    expect(page.locator(".waits:not(h1)")).to_have_count(0)
+
+
+@pytest.mark.parametrize("width", [320, 390, 700, 1000, 1280, 1920])
+def test_a_page_without_a_connection_keeps_its_way_to_scenes_and_to_the_start(
+    width: int, browser: Browser, server: Server
+) -> None:
+    """On a first visit too, on which the tour is offered."""
+    context = calm_context(browser, {"width": width, "height": 720}, bypass_csp=True)
+    page = context.new_page()
+    opened(page, server)
+    expect(page.locator(".new-here")).to_be_visible()
+    for is_lost in (False, True):
+        if is_lost:
+            lost(page)
+            expect(page.locator(".lost")).to_be_visible()
+        menu = page.locator(".scene-menu summary")
+        if menu.is_visible():
+            menu.click()
+        page.get_by_role("link", name="Coupled", exact=True).click(trial=True)
+        ways = page.locator("a[href='./']:visible")
+        ways.last.click(trial=True)
+        if menu.is_visible():
+            menu.click()
+    context.close()
 
 
 def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, server: Server) -> None:
