@@ -2,7 +2,7 @@
 
 import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
-import {whileHeld} from "./held.js"
+import {focusByHand, whileHeld} from "./held.js"
 import {withUnit} from "../core/numbers.js"
 import {clamp} from "../core/ruler.js"
 import {polynomial} from "../core/signals.js"
@@ -142,7 +142,7 @@ export class Grips {
       grip.grip.classList.remove("held")
       this.#let(grip)
     })
-    grip.grip.focus({preventScroll: true}) // held already: what is said of it may move the page
+    focusByHand(grip.grip)
     this.#take(grip)
   }
 

@@ -1,7 +1,7 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
 import {element, long, reword, textWidth, units} from "../core/dom.js"
-import {whileHeld} from "./held.js"
+import {focusByHand, whileHeld} from "./held.js"
 import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 
@@ -225,7 +225,7 @@ export class Handles {
       clock.playing = playing
       clock.touch()
     })
-    pill.element.focus({preventScroll: true}) // held already: what is said of it may move the page
+    focusByHand(pill.element)
   }
 
   /** @param {Setter[]} pills */

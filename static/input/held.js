@@ -1,5 +1,23 @@
 // A pointer that holds something: followed until it lets go, while the page stands still under it.
 
+const BY_HAND = "by-hand" // has the focus from a pointer: no ring until a key is pressed
+
+/**
+ * Gives a part the focus, so that keys go on with it, without the ring, which only keys need.
+ * @param {HTMLElement} part
+ */
+export function focusByHand(part) {
+  part.focus({preventScroll: true}) // what is said of it may move the page
+  if (part.classList.contains(BY_HAND)) return
+  const ended = new AbortController()
+  const end = () => {
+    part.classList.remove(BY_HAND)
+    ended.abort()
+  }
+  part.classList.add(BY_HAND)
+  for (const event of ["keydown", "focus"]) part.addEventListener(event, end, {signal: ended.signal})
+}
+
 /**
  * Follows a pointer that `host` has captured.
  * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end

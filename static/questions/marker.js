@@ -2,6 +2,7 @@
 
 import {short, withUnit} from "../core/numbers.js"
 import {element, long, set, unitSize} from "../core/dom.js"
+import {focusByHand} from "../input/held.js"
 import {clamp} from "../core/ruler.js"
 import {EVERYWHERE, places} from "../paper/places.js"
 
@@ -49,7 +50,7 @@ export class Marker {
     event.preventDefault()
     event.stopPropagation()
     this.layer.setPointerCapture(event.pointerId)
-    this.pill.focus({preventScroll: true})
+    focusByHand(this.pill)
     this.put(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
   }
 

@@ -3,6 +3,7 @@
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
+import {focusByHand} from "../input/held.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
@@ -60,8 +61,7 @@ export class Pad {
     this.layer.addEventListener("pointerdown", event => {
       event.preventDefault()
       event.stopPropagation()
-      this.layer.classList.add("by-hand")
-      this.layer.focus({preventScroll: true})
+      focusByHand(this.layer)
       this.layer.setPointerCapture(event.pointerId)
       this.last = null
       this.#draw(event)
@@ -121,7 +121,6 @@ export class Pad {
     const size = event.shiftKey ? 10 : 1
     const move = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key]
     if (!move && event.key !== "Enter") return
-    this.layer.classList.remove("by-hand")
     event.preventDefault()
     event.stopPropagation()
     if (!move) this.pen.down = !this.pen.down

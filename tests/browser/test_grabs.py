@@ -129,6 +129,43 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     )
 
 
+OUTLINE = "getComputedStyle(document.activeElement).outlineStyle"
+
+
+def check_ring(page: Page, part: Locator) -> None:
+    """A finger on a part shows no ring around it, a key then does."""
+    part.scroll_into_view_if_needed()
+    finger, (x, y) = Finger(page), middle(part)
+    finger.down(x, y)
+    finger.move(x + 5, y - 5)
+    assert page.evaluate(OUTLINE) == "none"
+    finger.up()
+    page.wait_for_function(f"!oscillations.page.hand.grab && {QUIET}")
+    assert page.evaluate(OUTLINE) == "none", part
+    assert page.evaluate("document.activeElement !== document.body"), part
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate(OUTLINE) == "solid", part
+
+
+@pytest.mark.parametrize("slug", spread([*SCENES]))
+def test_a_finger_shows_no_focus_ring_and_a_key_does(
+    slug: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), scene=slug)
+    stopped(page)
+    parts = page.locator(":is(.grip, .pill[data-grab]):visible")
+    for i in range(min(parts.count(), 3)):
+        check_ring(page, parts.nth(i))
+
+
+@pytest.mark.parametrize(("step", "part"), [("d31-04", ".drawing"), ("d31-12", ".pill-mark")])
+def test_a_finger_that_answers_shows_no_focus_ring(
+    step: str, part: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), walk="d31", step=step, folded=True)
+    check_ring(page, page.locator(part).first)
+
+
 @pytest.mark.parametrize("slug", ["oscillator", "coupled"])
 def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
     slug: str, new_page: Callable[..., Page], open_scene: Open
