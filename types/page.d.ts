@@ -34,12 +34,14 @@ declare namespace page {
 
   /** Sets quantities by name, in SI: from sliders and handles.
    *
-   * While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
-   * key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way. */
+   * While a hand is `holding` on to what is drawn, the axes that it moves `along` and the scale of the stage stay; the
+   * others grow. When it has let go, or a slider or key has, an axis that is hardly used is fitted again, but none that
+   * the hand moved `along`. Without `holding` a value is on its way. */
   interface SetValues extends FromBrowser {
     type: "set"
     values: Record<SaidName, number | null>
     holding?: boolean | null
+    along?: SaidName[]
   }
 
   /** Sets a quantity by the text of its field, in the unit that it shows. */

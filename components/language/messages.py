@@ -51,12 +51,14 @@ class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_un
 class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
     """Sets quantities by name, in SI: from sliders and handles.
 
-    While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
-    key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way.
+    While a hand is `holding` on to what is drawn, the axes that it moves `along` and the scale of the stage stay; the
+    others grow. When it has let go, or a slider or key has, an axis that is hardly used is fitted again, but none that
+    the hand moved `along`. Without `holding` a value is on its way.
     """
 
     values: Annotated[dict[SaidName, float | None], Meta(max_length=50)]
     holding: bool | None = None
+    along: Annotated[tuple[SaidName, ...], Meta(max_length=8)] = ()
 
 
 class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):

@@ -8,7 +8,7 @@ fitted anew when a hand lets go.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -132,23 +132,26 @@ def paced(frame: Frame, pace: Pace) -> Pace:
     return pace if frame.speed is None else Pace(frame.speed, pace.limit)
 
 
-def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) -> Frame:
+def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None, still: Collection[str] = ()) -> Frame:
     """The frame, wide enough for what must be seen on the axes; `scale` is the largest at which the stage has room.
 
-    Window and speed stand, and so does a range that holds what is drawn; one that does not grows to round numbers.
+    Window and speed stay, and so does a range that holds what is drawn, or of an axis in `still`. Other ranges grow to
+    round numbers.
     """
     spans = {name: _range_in(frame, name, axis) for name, axis in axes.items()}
-    ranges = {name: span if name == TIME_AXIS else _grown(span, axes[name]) for name, span in spans.items()}
+    stay = {TIME_AXIS, *still}
+    ranges = {name: span if name in stay else _grown(span, axes[name]) for name, span in spans.items()}
     scales = [one for one in (frame.scale, scale) if one is not None]
     return replace(frame, ranges=ranges, scale=min(scales, default=None))
 
 
-def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]]) -> Frame:
-    """The frame, fitted anew along each axis of which all that is `drawn`, on the axes of one picture or two, uses less
-    than a quarter. The time window stands: curves fill it."""
+def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]], still: Collection[str] = ()) -> Frame:
+    """The frame, fitted again along each axis of which all that is `drawn`, on the axes of one picture or two, uses
+    less than a quarter. The time window stays, since curves fill it, and so do the axes in `still`."""
     if frame.given:
         return frame
-    hardly = {name for name in frame.ranges if name != TIME_AXIS and _is_hardly_used(frame, fitted, name, drawn)}
+    names = frame.ranges.keys() - {TIME_AXIS, *still}
+    hardly = {name for name in names if _is_hardly_used(frame, fitted, name, drawn)}
     ranges = {name: fitted.ranges[name] if name in hardly else span for name, span in frame.ranges.items()}
     tiny = frame.scale and fitted.scale and frame.scale < USED * fitted.scale
     return replace(frame, ranges=ranges, scale=fitted.scale if tiny else frame.scale)

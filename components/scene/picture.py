@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Collection, Hashable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Literal, Protocol
@@ -91,10 +91,9 @@ class Framed:
     fitted: Frame
     beside: Picture | None = None
 
-    @property
-    def loosened(self) -> Frame:
-        """The frame, fitted anew along each axis that is hardly used; what is held counts."""
-        return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one])
+    def loosened(self, still: Collection[str] = ()) -> Frame:
+        """The frame, fitted again along each axis that is hardly used, except those in `still`; what is held counts."""
+        return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one], still)
 
 
 class Drawable(Protocol):
@@ -138,30 +137,34 @@ def draw(
     framing: Framing = "fitted",
     frame: Frame = FITTED,
     before: Frame | None = None,
+    along: Collection[str] = (),
 ) -> Framed:
     """The picture of a scene, with the one held in the same frame; fitted where nothing can be drawn in the one given.
 
-    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew. ValueError, in
-    words, where there is no picture.
+    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew. In a frame that
+    is kept for a hand that moves `along` some axes, the others grow. ValueError, in words, where there is no picture.
     """
     with in_words():
-        drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before)
+        drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before, along)
         return _with_held(drawn, scene, held) if held else drawn
 
 
-def _in_frame(scene: Drawable, framing: Framing, frame: Frame, before: Frame | None) -> Framed:
+def _in_frame(scene: Drawable, framing: Framing, frame: Frame, before: Frame | None, along: Collection[str]) -> Framed:
     try:
         drawn = drawing(scene, frame)
-        return drawn if framing == "kept" else _grown(drawn, scene, before)
+        if framing == "grown":
+            return _grown(drawn, scene, before)
+        return _grown(drawn, scene, None, along) if along else drawn
     except (ValueError, ArithmeticError):
         return drawing(scene)
 
 
-def _grown(drawn: Framed, scene: Drawable, before: Frame | None) -> Framed:
+def _grown(drawn: Framed, scene: Drawable, before: Frame | None, along: Collection[str] = ()) -> Framed:
+    """The picture in a frame that holds it, but for the axes that a hand moves `along` and then the stage's scale."""
     if before is not None:
         drawn = drawing(scene, refitted(drawn.frame, before, drawn.fitted))
     for _ in range(ROUNDS):
-        frame = grown(drawn.frame, drawn.picture.axes, drawn.picture.fits)
+        frame = grown(drawn.frame, drawn.picture.axes, None if along else drawn.picture.fits, along)
         if frame == drawn.frame:
             break
         drawn = drawing(scene, frame)

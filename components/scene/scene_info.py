@@ -47,6 +47,8 @@ class SceneInfo(param.Parameterized):
     """The plot that stands for it on the start page, else its first, and the values that it is drawn with."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than commands: their buttons show whether the scene is there."""
+    steady: ClassVar[tuple[str, ...]] = ()
+    """The axes that are not fitted again when a hand lets go, however little of them is used."""
     work: ClassVar[type[Running] | None] = None
     """The work of a scene that measures instead of playing: its progress stands in the transport's place."""
     onward: ClassVar[tuple[Onward, ...]] = ()

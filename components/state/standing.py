@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -37,7 +37,7 @@ class Standing:
     `covered`  the plots, numbers and sentences that are not told
     `step`     the step of a walk that it belongs to, "d34/d34-07"; with a seed "d34/d34-07/5"
     `shared`   the system that goes along to other scenes
-    `in_hand`  whether a hand holds on to what is drawn: then its frame stands, though something leaves it
+    `in_hand`  whether a hand holds on to what is drawn: then the axes that it moves along stay
     `number`   of the message that led here: one that comes again is not done again
     `own`      walks from the visitor's files, by name
     """
@@ -121,8 +121,11 @@ def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
     return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
 
 
-def with_values(now: Standing, values: Values, *, holding: bool = False, released: bool = False) -> Standing:
-    """The standing with other values: in its frame, which grows where it must, but in the hand that is `holding`.
+def with_values(
+    now: Standing, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
+) -> Standing:
+    """The standing with other values: in its frame, which grows where it must, but not for a hand that is `holding`,
+    except for the axes that it does not move `along`.
 
     Another window is chosen by its field; another way of showing things fits anew what it changes. ValueError, in
     words, for values that the scene cannot have.
@@ -131,28 +134,31 @@ def with_values(now: Standing, values: Values, *, holding: bool = False, release
     if scene is now.scene and not released:
         return now
     ways = not now.kind.quantities() >= now.scene.differing(values)
-    return _redrawn(now, scene, "kept" if holding else "grown", refits=ways)
+    return _redrawn(now, scene, "kept" if holding else "grown", along, refits=ways)
 
 
-def _redrawn(now: Standing, scene: Scene, framing: Framing = "grown", *, refits: bool) -> Standing:
+def _redrawn(
+    now: Standing, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
+) -> Standing:
     """The standing with another scene of its kind, in its frame; a new way of showing `refits` what it changes."""
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
         frame = msgspec.structs.replace(frame, window=None)
-    drawn = draw(scene, held, framing, frame, now.drawn.fitted if refits else None)
+    drawn = draw(scene, held, framing, frame, now.drawn.fitted if refits else None, along)
     return replace(now, scene=scene, held=held, drawn=drawn)
 
 
 def _done(now: Standing, command: Command) -> Standing:
-    """When a hand lets go, the frame grows where it must, and what is hardly used of it is fitted anew, but in a step
-    of a walk and while something waits to be predicted."""
-    said = command.holding if isinstance(command, SetValues) else None
+    """When a hand lets go, the frame grows where it must, and what is hardly used of it is fitted again, but not in a
+    step of a walk, while something waits to be predicted, or along the hand's way."""
+    said, along = (command.holding, command.along) if isinstance(command, SetValues) else (None, ())
     values = asked_values(now.scene, command)
     try:
-        after = with_values(now, values, holding=bool(said), released=now.in_hand and not said)
+        after = with_values(now, values, holding=bool(said), along=along, released=now.in_hand and not said)
     except ValueError as error:
         raise refusal(now.scene, command, error) from error
-    if said is False and not (now.step or now.covered) and (frame := after.drawn.loosened) != after.drawn.frame:
+    frame = after.drawn.loosened({*along, *now.kind.steady})
+    if said is False and not (now.step or now.covered) and frame != after.drawn.frame:
         after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
     return _predicted(replace(after, in_hand=bool(said)), now.before or now, begins=now.before is None)
 

@@ -35,6 +35,9 @@ export class Compare {
 
   deed = "" // of undo: what the frame does when a hand lets go belongs to it
 
+  /** @type {string[]} the axes that a handle has been moved along since the last time that a hand let go */
+  along = []
+
   /** @type {Drawn | null} */
   last = null
 
@@ -100,8 +103,8 @@ export class Compare {
   /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
   #letGo() {
     const {deed} = this
-    if (deed) this.page.host.messages.send({type: "set", values: {}, holding: false}, {deed})
-    Object.assign(this, {deed: "", press: ""})
+    if (deed) this.page.host.messages.send({type: "set", values: {}, holding: false, along: this.along}, {deed})
+    Object.assign(this, {deed: "", press: "", along: []})
   }
 
   /** Keeps this picture under the next one, which is drawn in its frame. */

@@ -10,6 +10,7 @@ import {polynomial} from "../core/signals.js"
 const FINGER = 44 // pixels, the least that a finger hits
 const STEP = 4 // pixels that an arrow key moves; with Shift it is one
 const LEAP = 40 // pixels that Page Up and Page Down move
+const REACH = 60 // pixels, the least that a finger moves for all of a range that has an end
 
 /** Where keys lead on the screen, to the right and up. @type {Record<string, [number, number]>} */
 const KEYS = {
@@ -134,10 +135,12 @@ export class Grips {
     const under = document.elementsFromPoint(event.clientX, event.clientY)
     const all = [...this.grips.values()].filter(one => under.includes(one.grip))
     const grip = all.reduce((best, one) => (far(one) < far(best) ? one : best), hit)
-    const off = {x: x - grip.x, y: y - grip.y}
+    const lever = event.pointerType === "touch" ? leverOf(grip.grab, this.all) : EQUAL
+    const off = {x: x - grip.x, y: y - lever.finger(grip.y)}
     grip.grip.setPointerCapture(event.pointerId)
     grip.grip.classList.add("held")
-    const move = (/** @type {PointerEvent} */ moved) => this.#move({x: at(moved).x - off.x, y: at(moved).y - off.y})
+    const move = (/** @type {PointerEvent} */ moved) =>
+      this.#move({x: at(moved).x - off.x, y: lever.thing(at(moved).y - off.y)})
     whileHeld(grip.grip, move, () => {
       grip.grip.classList.remove("held")
       this.#let(grip)
@@ -198,6 +201,29 @@ export class Grips {
   /** @param {Grip} grip */
   #let(grip) {
     if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all)
+  }
+}
+
+/**
+ * How a finger moves a thing up and down: the place of the finger for one of the thing, and the other way round.
+ * @typedef {{finger: (y: number) => number, thing: (y: number) => number}} Lever
+ * @type {Lever}
+ */
+const EQUAL = {finger: y => y, thing: y => y}
+
+/**
+ * A finger is not as fine as a mouse: where a height has an end that is near, it moves farther than the thing.
+ * @param {page.Grab} grab @param {Named} all @returns {Lever}
+ */
+function leverOf({ways}, all) {
+  const trade = ways.find(way => way.kind === "trade")
+  if (!trade) return EQUAL
+  const level = polynomial(trade.zero, all)
+  const range = Math.abs(polynomial(trade.unit, all) * all[trade.head]) / 2
+  const gain = Math.min(1, range / REACH)
+  return {
+    finger: y => level + (y - level) / (y < level ? gain : 1),
+    thing: y => level + (y - level) * (y < level ? gain : 1),
   }
 }
 

@@ -78,6 +78,11 @@ class Grab {
     return named
   }
 
+  /** The axes that it is moved along. */
+  get along() {
+    return [...new Set(this.spec.ways.map(({axis}) => axis).filter(Boolean))]
+  }
+
   /** @param {string} axis */
   #ruler(axis) {
     return this.page.shown.view.axes[axis] ?? PLAIN
@@ -182,7 +187,7 @@ class Grab {
 
   /** @param {Record<string, number>} values @param {boolean} [holding] */
   #send(values, holding = true) {
-    this.page.send({type: "set", values, holding})
+    this.page.send({type: "set", values, holding, along: this.along})
     this.first ||= this.page.host.messages.last
   }
 

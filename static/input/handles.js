@@ -203,9 +203,10 @@ export class Handles {
   #moveTo(pill, place) {
     const axis = this.#axis(pill)
     const inside = onAxis(place, axis)
-    if (!pill.handle) this.plot.page.clock.seek(inside)
-    else
-      this.plot.page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
+    const {page, block} = this.plot
+    if (!pill.handle) return page.clock.seek(inside)
+    page.compare.along = [block.x, block.y] // what has been moved stays where it was let go
+    page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
   }
 
   /** A pill moves as far as the hand, wherever that has taken it. @param {PointerEvent} event @param {Pill} pill */

@@ -166,6 +166,85 @@ def test_a_finger_that_answers_shows_no_focus_ring(
     check_ring(page, page.locator(part).first)
 
 
+def held_by_finger(page: Page, grip: Locator) -> tuple[Finger, dict[str, Any]]:
+    """A finger on a grip of a stage, and where that is."""
+    page.evaluate("() => { oscillations.clock.playing = false; oscillations.clock.seek(0) }")
+    grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
+    passed(page)
+    finger, was = Finger(page), grip.evaluate(PLACE)
+    finger.down(was["x"], was["y"])
+    page.wait_for_function(QUIET)
+    return finger, was
+
+
+def follows(page: Page, finger: Finger, grip: Locator, x: float, y: float) -> tuple[float, float]:
+    """How far a grip is from a finger that has moved to a place, when the server has answered."""
+    finger.move(x, y)
+    page.wait_for_function(QUIET)
+    passed(page)
+    now = grip.evaluate(PLACE)
+    return now["x"] - x, now["y"] - y
+
+
+EXCESS = "oscillations.shown.settings.excess.value"
+
+
+def test_a_finger_sets_the_height_of_the_aircraft_as_finely_as_it_can(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    """Downwards it follows the finger. Upwards its way to standstill is short: the finger has 60 pixels for that."""
+    page = open_scene(new_page(390, 844, has_touch=True), scene="phugoid", excess=0.1)
+    grip = page.locator(".grip[data-grab=excess]:visible").first
+    finger, was = held_by_finger(page, grip)
+    x, y, opens = was["x"], was["y"], page.evaluate(EXCESS)
+    for down in (8, 16, 60, 100):
+        assert follows(page, finger, grip, x, y + down) == pytest.approx((0, 0), abs=NEAR)
+    found = []
+    for up in range(8, 60, 8):
+        follows(page, finger, grip, x, y - up)
+        found.append(page.evaluate(EXCESS))
+    assert found == sorted(found, reverse=True) and len(set(found)) == len(found), "each step counts"
+    assert found[0] > opens - 0.2 and found[-1] > -1
+    follows(page, finger, grip, x, y - 70)
+    assert page.evaluate(EXCESS) == pytest.approx(-1)
+    finger.up()
+    page.wait_for_function("!oscillations.page.hand.grab")
+
+
+def test_a_height_over_a_plot_follows_the_finger_beyond_it(new_page: Callable[..., Page], open_scene: Open) -> None:
+    """The axes grow when the finger lets go."""
+    page = open_scene(new_page(390, 844, has_touch=True), scene="driven")
+    grip = page.locator(".grip[aria-label^=Height]:visible").first
+    finger, was = held_by_finger(page, grip)
+    for up in (10, 40, 80, 140):
+        assert follows(page, finger, grip, was["x"], was["y"] - up) == pytest.approx((0, 0), abs=NEAR)
+    end = page.evaluate("oscillations.shown.view.axes.M.end")
+    finger.up()
+    page.wait_for_function(f"oscillations.shown.view.axes.M.end > {end}")
+
+
+@pytest.mark.parametrize("part", [".grip[data-grab='x1_0 x2_0']", ".pill[data-grab=x2_0]"])
+def test_the_axes_of_a_plane_stay_when_a_finger_lets_go(
+    part: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), scene="modes", task="hunt", x1_0=0.2, x2_0=1.5)
+    axis = "(({start, end}) => [start, end])(oscillations.shown.view.axes.x)"
+    before = page.evaluate(axis)
+    handle = page.locator(f"{part}:visible").first
+    handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
+    x, y = middle(handle)
+    finger = Finger(page)
+    finger.down(x, y)
+    finger.move(x, y + 60)
+    page.wait_for_function(f"oscillations.shown.settings.x2_0.value < 1 && {QUIET}")
+    finger.move(x, y + 100)
+    page.wait_for_function(f"oscillations.shown.settings.x2_0.value < 0.3 && {QUIET}")
+    finger.up()
+    page.wait_for_function(f"!oscillations.page.hand.grab && !oscillations.page.compare.deed && {QUIET}")
+    passed(page)
+    assert page.evaluate(axis) == before
+
+
 @pytest.mark.parametrize("slug", ["oscillator", "coupled"])
 def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
     slug: str, new_page: Callable[..., Page], open_scene: Open

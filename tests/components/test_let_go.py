@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
+from components.language.shapes import Grab
 from components.language.state import Frame, State
 from components.quantities.axes import TIME_AXIS, Axis, nice_axis, widest
 from components.scene import Picture
@@ -21,6 +22,7 @@ from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import read_query
 from components.state.wire import Packet
+from tests.page.hand import grabs
 from tests.page.told import Page, put
 from tests.scenes.checks import as_arguments, quantities
 
@@ -109,6 +111,44 @@ def test_one_sweep_of_a_stiffness_and_back_shows_the_swing_again() -> None:
     state = let_go(page)
     assert frame_of(page.shown).ranges["x"] == pytest.approx(opens)
     assert "x" not in (state.frame or FITTED).ranges
+
+
+GRABS = [(slug, grab) for slug in MOVING for _, grab in grabs(SCENES[slug]) if grab.ways[0].parameter]
+
+
+@pytest.mark.parametrize(("slug", "grab"), GRABS, ids=lambda one: one if isinstance(one, str) else one.label)
+def test_the_axes_that_a_hand_moves_along_stay_and_the_others_grow(slug: str, grab: Grab) -> None:
+    """While it holds on, by far and by little; when it lets go, by little."""
+    page = Page(SCENES[slug]())
+    along = sorted({way.axis for way in grab.ways if way.axis in page.shown.axes})
+    name = grab.ways[0].parameter
+    _, high = page.shown.spans.get(name, quantities(SCENES[slug])[name].softbounds)
+    frame = frame_of(page.shown)
+    for share in (1.0, 0.9, 0.03):
+        say(page, type="set", values={name: share * high}, holding=True, along=along)
+        now = frame_of(page.shown)
+        assert all(now.ranges[axis] == frame.ranges[axis] for axis in along)
+        assert (now.scale, now.window) == (frame.scale, frame.window)
+        for axis in set(page.shown.axes) - {*along, TIME_AXIS} if along else ():
+            (low, top), (least, most) = sorted(now.ranges[axis]), page.shown.axes[axis].seen
+            assert low <= least and most <= top, axis
+    say(page, type="set", values={}, holding=False, along=along)
+    last = frame_of(page.shown)
+    assert all(span(last, axis) >= span(now, axis) for axis in along)
+
+
+def span(frame: Frame, axis: str) -> float:
+    low, high = frame.ranges[axis]
+    return abs(high - low)
+
+
+def test_the_plane_of_modes_stays_whatever_lets_go() -> None:
+    page = Page(SCENES["modes"](task="hunt"))
+    for value in (2.0, 0.2):
+        say(page, type="set", values={"x1_0": value, "x2_0": value})
+    wide = frame_of(page.shown)
+    let_go(page)
+    assert frame_of(page.shown) == wide
 
 
 def test_what_is_used_to_a_quarter_stands() -> None:

@@ -4,7 +4,7 @@ import {mock} from "node:test"
 
 class FakeElement extends EventTarget {
   children = []
-  classList = {add() {}, remove() {}}
+  classList = {add() {}, contains: () => false, remove() {}}
   dataset = {}
   style = {}
 

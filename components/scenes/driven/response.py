@@ -90,7 +90,6 @@ def _width() -> list[Shape]:
         "Height at r = 1, Q",
         Quotient(across="y", zero=RESPONSE.at("y0"), unit=RESPONSE.per_y, parameter="zeta", moves=R.Q.name,
                  over=R.half.name, least=0.2),
-        inside=RESPONSE,
     )  # fmt: skip
     return shown_by(
         R.width,

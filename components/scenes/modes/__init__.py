@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from components import chain
+from components.chain.signals import Axes
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
@@ -69,6 +70,7 @@ class ModesScene(Scene):
         "Loose": {**USUAL, "k2": 0.1},
     }
     opens = {"task": "hunt"}
+    steady = (Axes.x.name,)
 
     task = TASK
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
