@@ -205,7 +205,7 @@ export class Grips {
 }
 
 /**
- * How a finger moves a thing up and down: the place of the finger for one of the thing, and the other way round.
+ * A lever between a finger and the height of a thing: the place of each for one of the other.
  * @typedef {{finger: (y: number) => number, thing: (y: number) => number}} Lever
  * @type {Lever}
  */

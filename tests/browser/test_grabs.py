@@ -178,7 +178,7 @@ def held_by_finger(page: Page, grip: Locator) -> tuple[Finger, dict[str, Any]]:
 
 
 def follows(page: Page, finger: Finger, grip: Locator, x: float, y: float) -> tuple[float, float]:
-    """How far a grip is from a finger that has moved to a place, when the server has answered."""
+    """The way from a finger that has moved to a place to the grip, when the server has answered."""
     finger.move(x, y)
     page.wait_for_function(QUIET)
     passed(page)
