@@ -143,7 +143,7 @@ export class Grips {
       this.#move({x: at(moved).x - off.x, y: lever.thing(at(moved).y - off.y)})
     whileHeld(grip.grip, move, () => {
       grip.grip.classList.remove("held")
-      this.#let(grip)
+      this.#let(grip, true)
     })
     focusByHand(grip.grip)
     this.#take(grip)
@@ -198,9 +198,9 @@ export class Grips {
     hand.grab?.rest()
   }
 
-  /** @param {Grip} grip */
-  #let(grip) {
-    if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all)
+  /** @param {Grip} grip @param {boolean} [isPointer] that lets go */
+  #let(grip, isPointer = false) {
+    if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all, isPointer)
   }
 }
 

@@ -78,11 +78,6 @@ class Grab {
     return named
   }
 
-  /** The axes that it is moved along. */
-  get along() {
-    return [...new Set(this.spec.ways.map(({axis}) => axis).filter(Boolean))]
-  }
-
   /** @param {string} axis */
   #ruler(axis) {
     return this.page.shown.view.axes[axis] ?? PLAIN
@@ -143,10 +138,14 @@ class Grab {
     this.trail = []
   }
 
-  /** Letting go: the motion starts as soon as all is answered, with the velocity of the hand. @param {Named} all */
-  release(all) {
+  /**
+   * Letting go: the motion starts as soon as all is answered, with the velocity of the hand. Axes of a plot stay where
+   * a pointer has let go of what it moved along them.
+   * @param {Named} all @param {boolean} isPointer
+   */
+  release(all, isPointer) {
     this.leaving = true
-    this.#send(this.#flick(all), false)
+    this.#send(this.#flick(all), false, isPointer ? this.spec.ways.filter(isOnPlot) : [])
   }
 
   /** The values that a flick gives; without one none, but the frame may grow again. @param {Named} all */
@@ -185,9 +184,10 @@ class Grab {
     return {[parameter]: digits(of === "phase" ? Math.atan2(place, lag) : Math.hypot(place, lag))}
   }
 
-  /** @param {Record<string, number>} values @param {boolean} [holding] */
-  #send(values, holding = true) {
-    this.page.send({type: "set", values, holding, along: this.along})
+  /** @param {Record<string, number>} values @param {boolean} [holding] @param {page.AnyWay[]} [ways] whose axes stay */
+  #send(values, holding = true, ways = this.spec.ways) {
+    const along = [...new Set(ways.map(({axis}) => axis).filter(Boolean))]
+    this.page.send({type: "set", values, holding, along})
     this.first ||= this.page.host.messages.last
   }
 
@@ -263,6 +263,13 @@ function rounded(value, pixel) {
   const step = 10 ** Math.floor(Math.log10(pixel))
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }
+
+/** Whether a way is along an axis of a plot: fitting that again would move it from the hand. @param {page.AnyWay} way */
+const isOnPlot = way =>
+  "zero" in way && typeof way.zero !== "number" && way.zero.terms.some(([, names]) => names.some(isOfPlot))
+
+/** @param {string} name such as plane.x0 */
+const isOfPlot = name => name.includes(".")
 
 /** An angle without whole turns. @param {number} angle */
 const turned = angle => angle - 4 * QUARTER * Math.round(angle / (4 * QUARTER))

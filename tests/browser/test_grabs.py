@@ -35,7 +35,7 @@ FLICKED = """async name => {
     now += 16
     hand.grab.move({x: grip.x + 8, y: grip.y}, all)
   }
-  hand.grab.release(all)
+  hand.grab.release(all, true)
   delete performance.now
 }"""
 RESTED = "performance.now() > oscillations.page.hand.grab.trail.at(-1).when + 200"  # letting go is no flick any more

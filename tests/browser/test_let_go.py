@@ -143,6 +143,7 @@ ANSWERS = """() => {
 def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> None:
     """Typed, by a key, on a slider, by a grip; what waits for the end of the change does not miss it."""
     opened(page, open_scene)
+    page.evaluate("() => { oscillations.clock.playing = false; oscillations.clock.seek(0) }")
     page.evaluate(ANSWERS)
     grip = page.locator("[data-grab*=x_0]").first
     for pictures, change in (
