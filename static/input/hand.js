@@ -264,7 +264,7 @@ function rounded(value, pixel) {
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }
 
-/** Whether a way is along an axis of a plot: fitting that again would move it from the hand. @param {page.AnyWay} way */
+/** Whether a way is along an axis of a plot, which then must not be fitted again. @param {page.AnyWay} way */
 const isOnPlot = way =>
   "zero" in way && typeof way.zero !== "number" && way.zero.terms.some(([, names]) => names.some(isOfPlot))
 
