@@ -108,7 +108,7 @@ class CountStored(ClassHandler):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        self.reply(await self.outcome(stored(self.classes.registry, room)))
+        self.reply(await self.in_turn(stored(self.classes.registry, room)))
 
 
 class TakeAnswers(ClassHandler):

@@ -60,7 +60,7 @@ class Shelf {
 export const APART = "oscillations-apart"
 const apart = globalThis.window?.name === APART ? new Map() : null
 
-/** What a page in such a frame keeps, as long as it is there. */
+/** Storage of a page in such a frame, which lasts as long as the page. */
 const own = apart && {
   getItem: (/** @type {string} */ name) => apart.get(name) ?? null,
   setItem: (/** @type {string} */ name, /** @type {string} */ text) => apart.set(name, text),

@@ -1,4 +1,4 @@
-// What a phone keeps of a class until the class is over: its token, the answers that the class has, and those it lacks.
+// The part of a phone in a class, kept until the class is over: its token, its answers, and those still unsent.
 
 import {browserStorage} from "../core/storage.js"
 import {ask, insist, isMissing, isRefused} from "./requests.js"

@@ -77,7 +77,7 @@ export class Ending {
   }
 }
 
-/** What the end of a class deletes, in a sentence. @param {page.Stored} stored */
+/** Says in a sentence how much the end of a class deletes. @param {page.Stored} stored */
 export function deleted({answers, questions}) {
   if (!answers) return "Nobody has answered yet. The code stops working, and phones leave the class."
   const what = `${counted(answers, "answer")} to ${counted(questions, "question")}`

@@ -2,6 +2,7 @@
 
 import {unpacked} from "../net/columns.js"
 import {element, frame} from "../core/dom.js"
+import {watch} from "../core/faults.js"
 import {inWords} from "../core/notes.js"
 import {Page, extrasFor} from "../paper/page.js"
 import {Sheets} from "../net/sheets.js"
@@ -177,6 +178,7 @@ function outdated() {
 async function begin() {
   const query = new URLSearchParams(location.search)
   const typed = query.get("class") ?? ""
+  watch()
   theme()
   if (query.has("remote")) {
     const {control} = await import("./remote.js")

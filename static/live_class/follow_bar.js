@@ -42,7 +42,7 @@ export class FollowBar {
     const behind = news.lost ? "The lecturer's page is not connected; this is what it showed last." : ""
     const calm = news.question?.place || "the lecture"
     this.line.textContent = this.away
-      ? this.why || "The picture still plays; the connection comes back by itself."
+      ? this.why || "Not connected; the connection comes back by itself."
       : behind || calm
     this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
     if (shown) this.own.href = `./?${shown.query}`

@@ -35,7 +35,7 @@ class Room {
 const said = (status, sentence) => () => Response.json({sentence}, {status})
 const page = status => () => new Response("<html>", {status})
 
-/** How the server is away: what it answers to a request, which `take` would do. */
+/** Ways of being away: each gives the answer to a request, which `take` would do. */
 const WAYS = {
   offline: () => {
     throw new TypeError("Failed to fetch")
@@ -58,7 +58,7 @@ const WAYS = {
     }),
 }
 
-/** What a phone asks for, and whether that has arrived. */
+/** Requests of a phone, each with a check that it has arrived. */
 const REQUESTS = {
   "an answer": () => {
     const delivery = delivered()

@@ -13,7 +13,7 @@ from tests.live_class.served import LECTURE
 
 ANSWERS = 5000
 VOTES = 3
-READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally")
+READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "stored")
 """Below the address of a class, for its instructor."""
 
 
