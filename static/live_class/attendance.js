@@ -1,4 +1,4 @@
-// The part of a phone in a class, kept until the class is over: its token, its answers, and those still unsent.
+// The part of a phone in a class: its token, and its answers, sent and unsent. It is kept until the class is over.
 
 import {browserStorage} from "../core/storage.js"
 import {ask, insist, isMissing, isRefused} from "./requests.js"
