@@ -56,9 +56,13 @@ class DashpotScene(Scene):
     shares = {"mass": "m", "stiffness": "k", "damping": "c"}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """The damping that follows from a change: zeta from c, or c from zeta. ValueError where there is none."""
+        """Return the damping that follows from a change: zeta from c, or c from zeta.
+
+        Raises ValueError where there is none. A link without a spring and without zeta keeps c: it has no zeta.
+        """
         by_zeta = "zeta" in changed and ("c" not in changed or self.keep == "zeta")
-        if not by_zeta and ("c" in changed or self.keep == "c"):
+        keeps_c = self.keep == "c" or (before is None and not self.k)
+        if not by_zeta and ("c" in changed or keeps_c):
             if not self.k or not changed & {"m", "k", "c", "zeta"}:
                 return {}
             with precise():
@@ -71,5 +75,5 @@ class DashpotScene(Scene):
         return {"c": rounded("the damping c = 2ζ√(k m)", damping)} if changed & {"m", "k", "zeta"} else {}
 
     def derived(self) -> frozenset[str]:
-        """The one of c and zeta that follows from the other."""
-        return frozenset({"zeta"} if self.keep == "c" else {"c"})
+        """Return the one of c and zeta that follows from the other; without a spring there is no zeta."""
+        return frozenset({"zeta"} if self.keep == "c" or not self.k else {"c"})
