@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from typing import NamedTuple
 from unicodedata import normalize
 
-from components.quantities.axes import Axis
-from components.quantities.numbers import excerpt
+from components.quantities.axes import TIME_AXIS, Axis
+from components.quantities.numbers import excerpt, shortest
 from components.scene.picture import Picture
-from components.scene.traces import Columns
+from components.scene.traces import BAND, FIRST_PERIODS, FLOOR, PER_FIRST_PERIOD, TIME, Columns, Traces
 
 SI = {
     "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
@@ -17,23 +18,99 @@ SI = {
 }  # fmt: skip
 """Of units that axes count in though columns do not, what the columns are in."""
 
+MEAN = "_mean"
+"""The end of the name of a column that is drawn as its mean over a period."""
+FIRST = (
+    f"Rows: the first {FIRST_PERIODS} periods of the fastest motion with {PER_FIRST_PERIOD} points in each. "
+    "The window ends at t = {end} s; the table {bands} covers all of it."
+)
+WHOLE = (
+    "Rows: the whole window. NAME_lo and NAME_hi are the bounds of a motion NAME that is too fast for a curve; "
+    "NAME_mean is its mean over a period. The table {source} has the motion itself at the start of the window."
+)
+
+
+class Table(NamedTuple):
+    """Columns for a file in SI units, the unit of each, and a sentence on its rows where they need one.
+
+    `plane` says that it is a path in a plane, of which no axis shows the times.
+    """
+
+    columns: Columns
+    units: Mapping[str, str]
+    note: str = ""
+    plane: bool = False
+
+
+def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[str, Table]:
+    """Return the tables of a picture by name: each source that is drawn, or the table that files have in its place.
+
+    `axes` are the names of the axes that columns are drawn on, by source and column. A source of motions over time
+    has all of them in its table, also those too fast to be drawn; the table of bands then covers the whole window.
+    """
+    replaced = {source for table in picture.tables.values() for source in table.instead}
+    found: dict[str, Table] = {}
+    for source in {**picture.traces, **picture.columns}:
+        on = {name: picture.axes[axis] for name, axis in axes.get(source, {}).items() if axis in picture.axes}
+        if trace := picture.traces.get(source):
+            found |= _over_time(picture, source, trace, on, axes)
+        elif source not in {*replaced, *found}:
+            found[source] = _table(picture.columns[source], on)
+    for name, table in picture.tables.items():
+        found[name] = Table(table.seen(picture.columns), table.units, table.note)
+    return {name: table for name, table in found.items() if table.columns.keys() - {TIME_AXIS}}
+
+
+def _over_time(
+    picture: Picture, source: str, trace: Traces, on: Mapping[str, Axis], axes: Mapping[str, Mapping[str, str]]
+) -> dict[str, Table]:
+    """The table of a source of motions, and where it has not all of the window, the table of their bands."""
+    on = {**on, **{name: on[high] for name, (_, high) in trace.layers.items() if high in on}}
+    motions = _table(trace.file, on)
+    if trace.whole:
+        return {source: motions}
+    bands = BAND if source == TIME else f"{source}_{BAND}"
+    bounds = {name: column for name, column in picture.columns.get(bands, {}).items() if name != TIME_AXIS}
+    means = _means(trace, picture.columns.get(source, {}))
+    drawn = {name: column for name, column in picture.sources[source].items() if name not in trace.averaged}
+    edges = {name: picture.axes[axis] for name, axis in axes.get(bands, {}).items() if axis in picture.axes}
+    on_bands = {**on, **edges, **{f"{name}{MEAN}": axis for name, axis in on.items()}}
+    window = _table({**drawn, **bounds, **means}, on_bands)
+    return {
+        source: motions._replace(note=FIRST.format(bands=bands, end=shortest(trace.end))),
+        bands: window._replace(note=WHOLE.format(source=source)),
+    }
+
+
+def _means(trace: Traces, columns: Columns) -> Columns:
+    """The columns that are drawn as means, of layers the differences of their edges."""
+    moving = trace.moving or ()
+    known = trace.averaged & columns.keys()
+    edges = {name: trace.edges(name) for name in moving if known.issuperset(trace.edges(name))}
+    return {
+        f"{name}{MEAN}": columns[of[-1]] - columns[of[0]] if of[1:] else columns[name] for name, of in edges.items()
+    }
+
+
+def _table(columns: Columns, on: Mapping[str, Axis]) -> Table:
+    """The columns that are drawn; a path in a plane keeps its times, though no axis shows them."""
+    names = [name for name, column in columns.items() if len(column) and name in on and name != FLOOR]
+    plane = TIME_AXIS in columns and TIME_AXIS not in names
+    names = [TIME_AXIS, *names] if plane else names
+    return Table({name: columns[name] for name in names}, {name: unit_of(on.get(name)) for name in names}, plane=plane)
+
 
 def with_units(picture: Picture, axes: Mapping[str, Mapping[str, str]], source: str = "") -> Columns:
-    """The columns of a source under names such as "x1 [m]"; those of the first source that has any, if none is named.
+    """Return the columns of a table under names such as "x1 [m]"; of the first, if none is named.
 
-    `axes` are the names of the axes that columns are drawn on, by source and column. ValueError for a source without
-    numbers, which names those that have some.
+    `axes` as in `tables_of`. ValueError, with their names, if there is no such table.
     """
-    found = {
-        of: {name: column for name, column in columns.items() if len(column) and name in ("t", *axes.get(of, ()))}
-        for of, columns in picture.sources.items()
-    }
-    known = [of for of, columns in found.items() if columns]
-    chosen = source or known[0]
-    if chosen not in known:
-        raise ValueError(f"“{excerpt(source)}” has no numbers here: choose one of {', '.join(known)}.")
-    drawn = axes.get(chosen, {})
-    return {headed(name, unit_of(picture.axes.get(drawn.get(name, "")))): one for name, one in found[chosen].items()}
+    found = tables_of(picture, axes)
+    chosen = source or next(iter(found))
+    if chosen not in found:
+        raise ValueError(f"“{excerpt(source)}” has no numbers here: choose one of {', '.join(found)}.")
+    table = found[chosen]
+    return {headed(name, table.units[name]): column for name, column in table.columns.items()}
 
 
 def headed(name: str, unit: str) -> str:

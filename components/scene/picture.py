@@ -15,6 +15,7 @@ from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.refusals import check_sendable, in_words
+from components.scene.file_table import FileTable
 from components.scene.frames import FITTED, grown, loosened, paced, refitted, together
 from components.scene.traces import Columns, Traces
 
@@ -34,6 +35,7 @@ class Picture:
     `axes`      range and labels of each axis, by name; TIME_AXIS is the time window, which the clock runs through
     `signals`   what moves, by name: see components.quantities.motion
     `traces`    the signals that are drawn over time, by source
+    `tables`    the tables that files have in place of some sources, by name
     `pace`      the speeds of the clock
     `scalars`   numbers that the stage and the marks use
     `values`    the texts of the live numbers, by name
@@ -48,6 +50,7 @@ class Picture:
     axes: dict[str, Axis]
     signals: Mapping[str, AnySignal] = field(default_factory=dict)
     traces: Mapping[str, Traces] = field(default_factory=dict)
+    tables: Mapping[str, FileTable] = field(default_factory=dict)
     pace: Pace = Pace()  # noqa: RUF009 (frozen)
     scalars: dict[str, float] = field(default_factory=dict)
     values: dict[str, str] = field(default_factory=dict)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -18,9 +19,15 @@ from physics.sampling import SAMPLES_PER_CYCLE, Sinusoid, curve_or_band, drawabl
 
 Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
+TIME = "time"
+"""The source of the curves over the time window."""
 BAND = "band"
 """The source of the bands that stand for curves too fast to be drawn."""
+FLOOR = "zero"
+"""The column that a stack of bands begins at; files leave it out."""
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
+PER_PERIOD, FIRST_PERIODS, PER_FIRST_PERIOD = 20, 20, 40
+"""Points of a file in a period of the fastest motion: the fewest, and those in the first periods of a longer window."""
 
 
 def samples(end: float, fastest: float) -> int:
@@ -35,10 +42,13 @@ def resolved(end: float, fastest: float) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Traces:
-    """Curves that the browser draws of signals, at `count` instants of [0, end] (s).
+    """Curves that the browser draws of signals, at `count` instants of [0, end] (s), and the same motions in a file.
 
-    A curve has the name of its signal, or `signals` says what that is called. `exact` gives the physics' numbers of
-    each curve at any instants, in SI units: they are asked for when they are read.
+    `names` are the curves that are drawn. A curve has the name of its signal, or `signals` maps it to that.
+    `exact` gives the physics' numbers at any instants in SI units, when they are read.
+    `fastest` is the frequency (rad/s) that a file has to resolve, `moving` the columns of a file: those that are drawn
+    if it is None. `layers` maps a column of a file to the lower and the upper edge of the band that shows it.
+    `averaged` are columns that the picture itself has, as means over a period.
     """
 
     end: float
@@ -46,6 +56,10 @@ class Traces:
     names: tuple[str, ...]
     exact: Callable[[Floats], Columns]
     signals: Mapping[str, str] = field(default_factory=dict)
+    fastest: float = 0.0
+    moving: tuple[str, ...] | None = None
+    layers: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    averaged: frozenset[str] = frozenset()
 
     @property
     def t(self) -> Floats:
@@ -55,11 +69,42 @@ class Traces:
     @cached_property
     def columns(self) -> Columns:
         """The instants t and the numbers of each curve there."""
-        exact = self.exact(self.t)
-        columns = {"t": self.t, **{name: exact[name] for name in self.names}}
-        for column in columns.values():
-            column.setflags(write=False)
-        return columns
+        return _frozen(self.t, self._exact_drawn if self.names else {}, self.names)
+
+    @property
+    def drawn(self) -> Columns:
+        """The numbers of each curve alone, to be sent in place of its signal."""
+        return {name: column for name, column in self.columns.items() if name in self.names}
+
+    @property
+    def whole(self) -> bool:
+        """Whether a file resolves all motions over the whole window."""
+        return resolved(self.end, self.fastest)
+
+    @cached_property
+    def file(self) -> Columns:
+        """Return the instants t and the numbers of all motions for a file: at most 1134 rows.
+
+        Each period of the fastest motion has at least 20 rows. If the window is too long for that, the rows are the
+        first 20 periods.
+        """
+        names = self.names if self.moving is None else self.moving
+        if not names:
+            return {"t": self.t}
+        t = self._instants
+        return _frozen(t, self._exact_drawn if len(t) == self.count and self.whole else self.exact(t), names)
+
+    @property
+    def _instants(self) -> Floats:
+        if not self.whole:
+            last = FIRST_PERIODS * 2 * np.pi / self.fastest
+            return np.linspace(0.0, last, FIRST_PERIODS * PER_FIRST_PERIOD + 1)
+        steps = math.ceil(PER_PERIOD * self.end * self.fastest / (2 * np.pi))
+        return np.linspace(0.0, self.end, max(self.count, steps + 1))
+
+    @cached_property
+    def _exact_drawn(self) -> Columns:
+        return self.exact(self.t)
 
     @property
     def needed(self) -> frozenset[str]:
@@ -67,21 +112,49 @@ class Traces:
         return frozenset(self.signals.get(name, name) for name in self.names)
 
     def less(self, names: Iterable[str]) -> Traces:
-        """Without some of the curves."""
+        """Without some of the curves, in a file too."""
         gone = frozenset(names)
-        return replace(self, names=tuple(name for name in self.names if name not in gone))
+        moving = self.moving and tuple(name for name in self.moving if not gone.intersection(self.edges(name)))
+        return replace(self, names=tuple(name for name in self.names if name not in gone), moving=moving)
+
+    def edges(self, name: str) -> tuple[str, ...]:
+        """The columns that show a motion: its curve, or the edges of its layer."""
+        return self.layers.get(name, (name,))
+
+
+def _frozen(t: Floats, exact: Columns, names: Iterable[str]) -> Columns:
+    columns = {"t": t, **{name: exact[name] for name in names}}
+    for column in columns.values():
+        column.setflags(write=False)
+    return columns
 
 
 def over_time(
     end: float, fastest: float, signals: Iterable[Name], exact: Callable[[Floats], Mapping[Signal[Any], Floats]],
-    source: str = "time",
+    source: str = TIME, moving: Iterable[Name] | None = None, layers: Mapping[Any, tuple[Name, Name]] | None = None,
+    averaged: Iterable[Name] = (),
 ) -> dict[str, Traces]:  # fmt: skip
     """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
-    `exact` gives the physics' numbers of each signal.
+    `exact` gives the physics' numbers of each signal. `moving` are the motions of a file, among them those too fast to
+    be drawn; `layers` are those that a plot shows between two edges, `averaged` the columns that are means.
     """
-    names = tuple(one.name for one in signals)
-    return {source: Traces(end, samples(end, fastest), names, lambda t: by_name(exact(t)))}
+    between = {one.name: (low.name, high.name) for one, (low, high) in (layers or {}).items()}
+    found = Traces(
+        end,
+        samples(end, fastest),
+        names_of(signals),
+        lambda t: by_name(exact(t)),
+        fastest=fastest,
+        moving=None if moving is None else names_of(moving),
+        layers=between,
+        averaged=frozenset(names_of(averaged)),
+    )
+    return {source: found}
+
+
+def names_of(signals: Iterable[Name]) -> tuple[str, ...]:
+    return tuple(one.name for one in signals)
 
 
 def trace(

@@ -182,8 +182,9 @@ def _traces_less(
     """The traces that are left, and the columns, with those of sources in which something is drawn of other signals."""
     left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
     lost = {source for source, one in left.items() if signals & one.needed}
-    columns = {**picture.columns, **{source: picture.sources[source] for source in lost}}
-    return {source: one for source, one in left.items() if source not in lost}, columns
+    columns = dict(picture.columns)
+    columns |= {source: {**picture.traces[source].drawn, **columns.get(source, {})} for source in lost}
+    return {source: replace(one, names=()) if source in lost else one for source, one in left.items()}, columns
 
 
 def _columns_less(columns: Mapping[str, Mapping[str, Kept]], gone: set[tuple[str, str]]) -> dict[str, dict[str, Kept]]:

@@ -11,12 +11,12 @@ from itertools import chain
 from urllib.parse import quote
 
 from components.language.messages import File
+from components.language.plots import Region
 from components.layout.choices import word
 from components.quantities.numbers import excerpt, shortest
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
-from components.scene.columns import headed, in_ascii, unit_of
-from components.scene.traces import Columns
+from components.scene.columns import Table, headed, in_ascii, tables_of
 from components.state.scene_sheet import column_axes, plots
 from components.state.standing import Standing
 
@@ -30,10 +30,15 @@ class CsvTable:
     name: str
     head: tuple[str, ...]
     rows: list[tuple[object, ...]]
+    notes: tuple[str, ...] = ()
 
 
 def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
-    """The numbers of all plots that are seen, a table a file; several are packed. `page` is its address."""
+    """Return the numbers of all plots that are seen, a table a file; several are packed. `page` is its address.
+
+    A table of motions has at most 1134 rows, one of bands at most 681. The physics is evaluated at most once for each
+    of these instants, in the scenes with dashpots in arithmetic of 80 digits.
+    """
     scene, head = told.scene, comments(told, picture, page)
     found = tables(told.kind, picture) or readouts(told, picture)
     if len(found) < 2:
@@ -60,7 +65,7 @@ def as_csv(table: CsvTable, head: Iterable[str]) -> bytes:
     """One table, unrounded, under lines that begin with #. All is ASCII and no comment has a comma or a quotation mark:
     a spreadsheet, which knows of no comments, shows each in one cell."""
     text = io.StringIO(newline="")
-    text.write(_noted(head))
+    text.write(_noted([*head, *table.notes]))
     writer = csv.writer(text)
     writer.writerow(table.head)
     writer.writerows(table.rows)
@@ -97,26 +102,38 @@ def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
 
 def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
     """The columns of each plot, a line each; the edges of a stack are explained by its layers."""
+    found, home = tables_of(picture, column_axes(scene)), _home(picture)
     for plot in plots(scene):
-        curves = [
-            c for c in plot.curves if plot.y in picture.axes and len(picture.sources.get(c.source, {}).get(c.y, ()))
-        ]
-        layers = [r for r in plot.regions if r.read and len(picture.sources.get(r.source, {}).get(r.high, ()))]
-        names = [*dict.fromkeys(curve.y for curve in curves)]
-        names += [f"{layer.read} = {layer.high} - {layer.low}" for layer in layers]
-        if names:
+        sources = {*(curve.source for curve in plot.curves), *(layer.source for layer in plot.regions)}
+        here = {home.get(source, source) for source in sources} & found.keys()
+        known = {name for of in here for name in found[of].columns}
+        names = [*dict.fromkeys(curve.y for curve in plot.curves if curve.y in known)]
+        names += [text for layer in plot.regions for text in _layer(picture, layer, known)]
+        if names and plot.y in picture.axes:
             yield f"{', '.join(names)}: {plot.title}"
 
 
+def _home(picture: Picture) -> dict[str, str]:
+    """The table that has the numbers of a source, where that is another."""
+    return {source: name for name, table in picture.tables.items() for source in table.instead}
+
+
+def _layer(picture: Picture, layer: Region, known: set[str]) -> Iterator[str]:
+    """The column of a layer, or the difference of those of its edges."""
+    trace = picture.traces.get(layer.source)
+    own = [name for name, edges in (trace.layers if trace else {}).items() if edges == (layer.low, layer.high)]
+    if own:
+        yield from (name for name in own if name in known)
+    elif layer.read and {layer.low, layer.high} <= known:
+        yield f"{layer.read} = {layer.high} - {layer.low}"
+
+
 def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
-    """The columns of all sources that are drawn. Sources with the same columns are pieces of one table, whose first
-    column says which."""
-    pieces: dict[tuple[str, ...], dict[str, Columns]] = {}
-    for source, columns in picture.sources.items():
-        drawn = _drawn(scene, picture, source, columns)
-        if drawn:
-            pieces.setdefault(tuple(drawn), {})[source] = columns
-    return [_table(scene, picture, _with_times(names, sources), sources) for names, sources in pieces.items()]
+    """Return the tables of a picture. Those with the same columns are one, whose first column says which."""
+    pieces: dict[tuple[bool, tuple[str, ...]], dict[str, Table]] = {}
+    for name, table in tables_of(picture, column_axes(scene)).items():
+        pieces.setdefault((table.plane, tuple(table.columns)), {})[name] = table
+    return [_table(names, found) for (_, names), found in pieces.items()]
 
 
 def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
@@ -129,25 +146,14 @@ def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
     return [CsvTable("numbers", head, [tuple(one.value for one in found)])]
 
 
-def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) -> list[str]:
-    axes = column_axes(scene).get(source, {})
-    return [name for name, column in columns.items() if len(column) and axes.get(name) in picture.axes]
-
-
-def _with_times(names: tuple[str, ...], sources: dict[str, Columns]) -> tuple[str, ...]:
-    """A path in a plane has its times beside it, though no axis shows them."""
-    timed = "t" not in names and all("t" in columns for columns in sources.values())
-    return ("t", *names) if timed else names
-
-
-def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources: dict[str, Columns]) -> CsvTable:
-    first = next(iter(sources))
-    axes = {name: picture.axes.get(axis) for name, axis in column_axes(scene)[first].items()}
-    head = tuple(headed(name, unit_of(axes.get(name))) for name in names)
+def _table(names: tuple[str, ...], found: dict[str, Table]) -> CsvTable:
+    first, *others = found.items()
+    head = tuple(headed(name, first[1].units[name]) for name in names)
     bodies = {
-        source: zip(*(columns[name].tolist() for name in names), strict=True) for source, columns in sources.items()
+        name: zip(*(column.tolist() for column in table.columns.values()), strict=True) for name, table in found.items()
     }
-    if len(sources) == 1:
-        return CsvTable(first, head, list(bodies[first]))
-    rows = chain.from_iterable(((source, *row) for row in body) for source, body in bodies.items())
-    return CsvTable("-".join(names[1:]), ("curve", *head), list(rows))
+    notes = tuple(dict.fromkeys(in_ascii(table.note).replace(",", ";") for table in found.values() if table.note))
+    if not others:
+        return CsvTable(first[0], head, list(bodies[first[0]]), notes)
+    rows = chain.from_iterable(((name, *row) for row in body) for name, body in bodies.items())
+    return CsvTable("-".join(names[1:]), ("curve", *head), list(rows), notes)

@@ -17,11 +17,12 @@ import pytest
 
 from components.chain import of_scene
 from components.scene import Scene
+from components.scene.columns import tables_of
 from components.scenes import SCENES
 from components.state.csv_export import as_csv, tables
 from components.state.csv_export import comments as comments_of
 from components.state.link import read_query
-from components.state.scene_sheet import plots
+from components.state.scene_sheet import column_axes, plots
 from components.state.standing import fitted
 from tests.grids import sample
 from tests.page.scripts import call
@@ -69,13 +70,30 @@ def test_pandas_reads_every_column_of_every_plot_to_the_last_digit(slug: str) ->
         drawn = [plot for plot in plots(SCENES[slug]) if plot.x in scene.shown.axes and plot.y in scene.shown.axes]
         files = taken(scene)
         assert (page_counts(scene) > 1) == (len(files) > 1), "so the button says on the page"
-        for content in files.values() if drawn else ():
+        for file, content in files.items() if drawn else ():
             assert b"$" not in content, "no formula's source"
-            table = pd.read_csv(io.BytesIO(content), comment="#")
-            for rows in [rows for _, rows in table.groupby("curve")] if "curve" in table else [table]:
-                columns = {name.split(" [")[0]: rows[name].to_numpy() for name in rows if name != "curve"}
-                sources = [source.data for source in scene.sources.values() if columns.keys() <= source.data.keys()]
-                assert any(all(np.array_equal(columns[name], data[name]) for name in columns) for data in sources)
+            table, name = pd.read_csv(io.BytesIO(content), comment="#"), table_of(file, slug)
+            for source, rows in table.groupby("curve") if "curve" in table else [(name, table)]:
+                numbers, rows = scene.frame(source), rows.drop(columns="curve", errors="ignore")
+                assert list(numbers) == list(rows)
+                for head, column in numbers.items():
+                    assert np.array_equal(rows[head].to_numpy(), column, equal_nan=True)
+
+
+def table_of(file: str, slug: str) -> str:
+    """The name of the table in a file, "" for the only one."""
+    return file.removeprefix(slug).removeprefix("-").removesuffix(".csv")
+
+
+@scenes
+def test_the_numbers_of_a_file_are_those_that_are_drawn(slug: str) -> None:
+    """In windows whose motions are drawn as curves."""
+    for values in ({}, *choices(SCENES[slug])):
+        scene = SCENES[slug](**values)
+        found = tables_of(scene.shown, column_axes(SCENES[slug]))
+        for name, data in scene.sources.items():
+            shared = found[name].columns.keys() & data.data.keys() if name in found else ()
+            assert all(np.array_equal(found[name].columns[one], data.data[one]) for one in shared if "t" in shared)
 
 
 @scenes
@@ -210,7 +228,7 @@ def test_a_frame_has_the_columns_of_a_source_under_the_names_of_the_export(slug:
             continue  # pieces of one table are sources of their own
         found = pd.DataFrame(scene.frame(table.name))
         assert set(table.head) <= set(found.columns)
-        assert [tuple(row) for row in found[list(table.head)].to_numpy().tolist()] == table.rows
+        assert np.array_equal(found[list(table.head)].to_numpy(), np.array(table.rows), equal_nan=True)
     with pytest.raises(ValueError, match="“nothing” has no numbers here: choose one of "):
         scene.frame("nothing")
 

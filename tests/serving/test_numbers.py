@@ -69,7 +69,7 @@ def test_the_file_says_where_it_is_from(server: Server) -> None:
 
 
 def test_what_is_covered_stays_out(server: Server) -> None:
-    assert "e1 [J]" in ask(server.url, COUPLED).text
+    assert "T1 [J]" in ask(server.url, COUPLED).text
     reply = ask(server.url, f"{COUPLED}&cover=plot:energy")
     assert reply.status == 200 and "x1 [m]" in reply.text and "[J]" not in reply.text
     whole = ask(server.url, "/data.csv?walk=d34&step=d34-07").text

@@ -178,10 +178,10 @@ def rest_of(
     room = 0.08 * (high - low)
     ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
     axis = replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
-    if not motion.in_doubles:
-        return axis, {"rest": {"t": motion.t, **columns}}, {}
-    traces = Traces(end, motion.t.size, tuple(columns), lambda t: _exact(moved(duty, t)))
-    return axis, {"rest": {}}, {"rest": traces}
+    names = tuple(columns)
+    drawn, sent = (names, {}) if motion.in_doubles else ((), {"t": motion.t, **columns})
+    traces = Traces(end, motion.t.size, drawn, lambda t: _exact(moved(duty, t)), fastest=duty.fastest, moving=names)
+    return axis, {"rest": sent}, {"rest": traces}
 
 
 def _exact(motion: FromStart) -> Columns:

@@ -126,7 +126,8 @@ def traces_of(case: AnalogueCase) -> Traces:
     """Curves of x and q, drawn of signals on the axis of q; none where they are too fast to draw."""
     of = {Signals.x.name: Signals.rule.name, Signals.q.name: Signals.level.name}
     names = tuple(of) if case.drawable else ()
-    return Traces(case.end, samples(case.end, case.omega), names, lambda t: exact(case, t), of)
+    count = samples(case.end, case.omega)
+    return Traces(case.end, count, names, lambda t: exact(case, t), of, fastest=case.omega, moving=tuple(of))
 
 
 class Lateness(Declared[AnalogueCase]):

@@ -101,7 +101,9 @@ class Coupled(Scene):
         pulled = forces(free.chain, free.motion(t), size) if self.view == "forces" else Forces()
         averaged = stacked and not drawable(2 * fast, t)
         energies = () if averaged else curves.EDGES if stacked else curves.LEVELS
-        names = (*(one for one, *_ in curves.motions(free) if resolved or one.name in lines), *energies)
+        motions = [one for one, *_ in curves.motions(free)]
+        names = (*(one for one in motions if resolved or one.name in lines), *energies)
+        moving = (*motions, *(curves.LAYERS if stacked else curves.LEVELS))
         parts = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
         parts |= starting.turns(self, free.omega.tolist(), time)
         return Picture(
@@ -112,7 +114,15 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=parts | Signals.signals(case, axes) | pulled.signals,
-            traces=over_time(end, fast, names, lambda t: curves.exact(case, t)),
+            traces=over_time(
+                end,
+                fast,
+                names,
+                lambda t: curves.exact(case, t),
+                moving=moving,
+                layers=curves.BETWEEN,
+                averaged=curves.EDGES if averaged else (),
+            ),
             scalars={**drawn.scalars, **curves.places(case, axes), **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -73,6 +73,8 @@ class Signals(chain.FreeSignals):
 S = Signals
 LAYERS: tuple[Signal[CoupledCase], ...] = (S.T1, S.V1, S.V2, S.T2)
 EDGES, LEVELS = (tuple(family.values()) for family in (S.e, S.E))
+BETWEEN = dict(zip(LAYERS, pairwise(EDGES), strict=True))
+"""The edges of each energy in the stack."""
 
 
 def exact(case: CoupledCase, t: Floats) -> dict[Signal[CoupledCase], Floats]:
@@ -80,11 +82,16 @@ def exact(case: CoupledCase, t: Floats) -> dict[Signal[CoupledCase], Floats]:
     moved = _by_modes(case.free, t)
     motion = {one: moved[modes].x[i] for one, i, modes in motions(case.free)}
     levels = {S.E[one]: np.full_like(t, level) for one, level in case.levels.items()}
-    return motion | edges(chain_energy(case.free.chain, case.free.motion(t))) | levels
+    energy = chain_energy(case.free.chain, case.free.motion(t))
+    return motion | dict(zip(LAYERS, _layers(energy), strict=True)) | edges(energy) | levels
+
+
+def _layers(energy: ChainEnergy) -> list[Floats]:
+    return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
 
 
 def edges(energy: ChainEnergy) -> dict[Signal[CoupledCase], Floats]:
-    layers = [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
+    layers = _layers(energy)
     return dict(zip(EDGES, accumulate([np.zeros_like(layers[0]), *layers]), strict=True))
 
 

@@ -14,7 +14,7 @@ from components.layout.sheet import choice, column, desk, either, row, stage, ta
 from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, line, shown_by, text
 from components.quantities.parameters import one_of
 from components.scene.traces import traced
-from components.scenes.coupled.curves import EDGES, LAYERS, Axes, Places
+from components.scenes.coupled.curves import BETWEEN, LAYERS, Axes, Places
 from components.scenes.coupled.curves import Signals as S
 from components.scenes.coupled.numbers import Numbers as N
 from components.scenes.coupled.starting import GIVEN
@@ -117,7 +117,7 @@ def _displacements(i: int) -> Block:
     )  # fmt: skip
 
 
-STACK = tuple(zip(EDGES, EDGES[1:], LAYERS, ("m1", "k1fill", "k2fill", "m2"), strict=False))
+STACK = tuple((*BETWEEN[one], one, tint) for one, tint in zip(LAYERS, ("m1", "k1fill", "k2fill", "m2"), strict=True))
 """The edges of each energy, and its tint."""
 
 

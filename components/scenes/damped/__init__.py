@@ -14,7 +14,7 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.damped.about import damped_about
 from components.scenes.damped.case import DampedCase
-from components.scenes.damped.curves import Signals, axes_of, columns_of, drawn, exact, instants
+from components.scenes.damped.curves import LAYERS, STACK, Signals, axes_of, columns_of, drawn, exact, instants, moving
 from components.scenes.damped.numbers import Numbers as N
 from components.scenes.damped.places import Arrows, Places, stairs_of
 from components.scenes.damped.sheet import damped_sheet
@@ -74,12 +74,21 @@ class Damped(DashpotScene):
         case = self._case(frame)
         axes = framed(frame, axes_of(case))
         t = instants(case)
+        shown = drawn(case, t)
         forces = Arrows.scalars(case, axes) if self.view == "forces" else {}
         return Picture(
             columns=columns_of(case, t),
             axes=axes,
             signals=Signals.signals(case, axes),
-            traces=over_time(case.end, case.fastest, drawn(case, t), lambda t: exact(case, t)),
+            traces=over_time(
+                case.end,
+                case.fastest,
+                shown,
+                lambda t: exact(case, t),
+                moving=moving(case),
+                layers=LAYERS,
+                averaged={*STACK, Signals.P} - {*shown},
+            ),
             scalars=Places.scalars(case, axes) | stairs_of(case, axes) | forces,
             pace=pace(case.omega, case.omega),
             values=N.texts(case, axes),

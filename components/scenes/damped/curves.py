@@ -69,7 +69,7 @@ class Signals(Declared[DampedCase]):
     lower = signal(lambda c, a: _part(c, a, -c.envelope, 0))
     slow = signal(lambda c, a: _part(c, a, c.fading.late[0], 0))
     fast = signal(lambda c, a: _part(c, a, c.fading.late[1], 1))
-    none = signal(lambda c, a: derived(0.0))
+    zero = signal(lambda c, a: derived(0.0))
     T = signal(lambda c, a: _square(Signals.v, Axes.v(a), Axes.E(a), 0.5, c.oscillator.m), Axes.E)
     V = signal(lambda c, a: _square(Signals.x, Axes.x(a), Axes.E(a), 0.5, c.oscillator.k), Axes.E)
     E = signal(lambda c, a: total(Signals.V, Signals.T))
@@ -78,7 +78,9 @@ class Signals(Declared[DampedCase]):
     P = signal(lambda c, a: _square(Signals.v, Axes.v(a), Axes.P(a), c.oscillator.c), Axes.P)
 
 
-STACK = (Signals.none, Signals.V, Signals.E, Signals.E_0)
+STACK = (Signals.zero, Signals.V, Signals.E, Signals.E_0)
+LAYERS = {Signals.T: (Signals.V, Signals.E), Signals.heat: (Signals.E, Signals.E_0)}
+"""What the stack shows between two of its edges."""
 
 
 def exact(case: DampedCase, t: Floats) -> dict[Signal[DampedCase], Floats]:
@@ -88,21 +90,34 @@ def exact(case: DampedCase, t: Floats) -> dict[Signal[DampedCase], Floats]:
     slow, fast = (size * np.exp(-rate * t) for size, rate in zip(case.fading.late, one.rates, strict=True))
     upper = case.envelope * np.exp(-one.rates[0] * t)
     return {
-        S.x: motion.x, S.upper: upper, S.lower: -upper, S.slow: slow, S.fast: fast, S.none: np.zeros_like(t),
-        S.V: V, S.E: V + T, S.E_0: np.full_like(t, case.E_0), S.P: 2 * half_square("P", one.c, motion.v),
+        S.x: motion.x, S.upper: upper, S.lower: -upper, S.slow: slow, S.fast: fast, S.zero: np.zeros_like(t),
+        S.V: V, S.T: T, S.E: V + T, S.E_0: np.full_like(t, case.E_0), S.heat: case.E_0 - (V + T),
+        S.P: 2 * half_square("P", one.c, motion.v),
     }  # fmt: skip
 
 
 def drawn(case: DampedCase, t: Floats) -> list[Signal[DampedCase]]:
     """The signals that are drawn as curves over time."""
     found = [Signals.x] if drawable(case.oscillator.omega_d, t) else []
-    if case.kind == "under":
-        found += [Signals.upper, Signals.lower]
-    if parts_shown(case):
-        found += [Signals.slow, Signals.fast]
-    if drawable(2 * case.oscillator.omega_d, t):
-        found += [*STACK, Signals.P] if case.oscillator.c else STACK
-    return found
+    energies = [*STACK, *_power(case)] if drawable(2 * case.oscillator.omega_d, t) else []
+    return [*found, *_shape(case), *energies]
+
+
+def moving(case: DampedCase) -> list[Signal[DampedCase]]:
+    """All of them, and the energies that are drawn as layers."""
+    S = Signals
+    heat = [S.heat] if case.oscillator.c else []
+    return [S.x, *_shape(case), S.V, S.T, S.E, S.E_0, *heat, *_power(case)]
+
+
+def _shape(case: DampedCase) -> list[Signal[DampedCase]]:
+    """The envelope of a swing, or the two exponentials."""
+    envelope = [Signals.upper, Signals.lower] if case.kind == "under" else []
+    return [*envelope, *([Signals.slow, Signals.fast] if parts_shown(case) else [])]
+
+
+def _power(case: DampedCase) -> list[Signal[DampedCase]]:
+    return [Signals.P] if case.oscillator.c else []
 
 
 def parts_shown(case: DampedCase) -> bool:

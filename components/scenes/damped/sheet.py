@@ -88,7 +88,7 @@ def _energy() -> Block:
         title="Energy against time: potential, kinetic, and what has become heat in the dashpot; the sum is constant",
         curves=(curve(S.E_0, tint="total", width="sum", group="total"),),
         bands=(
-            region(S.none, S.V, tint="V", group=S.V, read="*V*"),
+            region(S.zero, S.V, tint="V", group=S.V, read="*V*"),
             region(S.V, S.E, tint="T", group=S.T, read="*T*"),
             region(S.E, S.E_0, tint="k2fill", group=S.heat, read="heat"),
         ),
@@ -115,7 +115,7 @@ def _power() -> Block:
         y=Axes.P,
         title="Power that the dashpot takes, against time",
         curves=(curve(S.P, tint="T", width="line", signal=S.P),),
-        bands=(region(S.none, S.P, tint="T", alpha=0.25, group=S.P),),
+        bands=(region(S.zero, S.P, tint="T", alpha=0.25, group=S.P),),
         heading=(
             term(S.P, "line", "T", formula=rf"P = c v^2 = {S.P}"),
             phrase("", "none", "T", formula=f"{N.P_unit}"),

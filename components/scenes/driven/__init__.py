@@ -16,7 +16,18 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.driven.about import driven_about
 from components.scenes.driven.case import KINDS, DrivenCase
-from components.scenes.driven.curves import END, RESPONSE, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
+from components.scenes.driven.curves import (
+    END,
+    RESPONSE,
+    Places,
+    Resonance,
+    Signals,
+    axes_of,
+    columns_of,
+    drawn,
+    exact,
+    moving,
+)
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import corners_of
 from components.scenes.driven.sheet import KIND, driven_sheet
@@ -105,7 +116,7 @@ class DrivenScene(DashpotScene):
             columns=columns_of(case, axes),
             axes=axes,
             signals=Signals.signals(case, axes),
-            traces=over_time(case.end, case.fastest, drawn(case), lambda t: exact(case, t)),
+            traces=over_time(case.end, case.fastest, drawn(case), lambda t: exact(case, t), moving=moving(case)),
             scalars=Places.scalars(case, axes) | Resonance.scalars(case, axes) | corners_of(case, axes),
             pace=pace(min(case.omega_n, case.omega or case.omega_n), max(case.omega_n, case.omega)),
             values=N.texts(case, axes),

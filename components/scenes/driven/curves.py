@@ -94,8 +94,11 @@ def exact(case: DrivenCase, t: Floats) -> dict[Signal[DrivenCase], Floats]:
 
 def drawn(case: DrivenCase) -> list[Signal[DrivenCase]]:
     """The signals that are drawn as curves over time."""
-    if not drawable(case.fastest, case.t):
-        return []
+    return moving(case) if drawable(case.fastest, case.t) else []
+
+
+def moving(case: DrivenCase) -> list[Signal[DrivenCase]]:
+    """x, its parts where they are told apart, the base, and the lines between which a swing grows."""
     base = [Signals.y] if case.shaken else []
     if case.split:
         return [Signals.x, Signals.x_c, *(base or [Signals.x_p])]

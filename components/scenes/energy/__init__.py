@@ -14,7 +14,17 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, axes_of
-from components.scenes.energy.curves import ENERGY, PLANETS, Places, Signals, drawn, exact, planets_of, well_columns
+from components.scenes.energy.curves import (
+    ENERGY,
+    PLANETS,
+    Places,
+    Signals,
+    drawn,
+    exact,
+    moving,
+    planets_of,
+    well_columns,
+)
 from components.scenes.energy.numbers import Forms
 from components.scenes.energy.numbers import Numbers as N
 from components.scenes.energy.sheet import hanging_sheet
@@ -98,7 +108,7 @@ class Energy(Scene):
             columns={**bands, "well": well_columns(case, axes)},
             axes=axes,
             signals=Signals.signals(case, axes),
-            traces=over_time(case.end, 2 * case.omega, signals, lambda t: exact(case, t)),
+            traces=over_time(case.end, 2 * case.omega, signals, lambda t: exact(case, t), moving=moving(case)),
             scalars=Places.scalars(case, axes) | planets_of(case, axes),
             pace=pace(case.omega, case.omega),
             values=N.texts(case, axes),

@@ -74,9 +74,16 @@ def drawn(case: HangingCase) -> tuple[list[Signal[HangingCase]], dict[str, Colum
     for one, (parts, base) in swings.items():
         if not drawable(max(part.omega for part in parts), case.t):
             bands |= trace(one, parts, case.t, np.full_like(case.t, base))[1]
+    slow = [one for one in moving(case) if band_columns(one.name)[0] not in bands]
+    return slow, bands_over_time(case.t, bands)
+
+
+def moving(case: HangingCase) -> list[Signal[HangingCase]]:
+    """x, the energies that are shown, and their levels."""
+    S = Signals
+    terms = [S.spring, S.gravity] if case.apart else []
     levels = [S.total, S.constant] if case.datum == "slide" else [S.total]
-    slow = [one for one in swings if band_columns(one.name)[0] not in bands]
-    return [*slow, *levels], bands_over_time(case.t, bands)
+    return [S.x, S.T, S.V, *terms, *levels]
 
 
 class Well(Declared[HangingCase]):

@@ -125,7 +125,8 @@ class Forced(Scene):
             columns={**bands_over_time(t, bands), "energy": {"t": t, **by_name(work)} if work else {}, **swing.columns},
             axes=axes,
             signals=case.signals(size, time, push) | pushed.signals,
-            traces={"time": Traces(case.end, t.size, tuple(curves), case.exact), **limit},
+            traces={"time": _traces(case, t.size, tuple(curves)), **limit},
+            tables={"response": swing.table},
             scalars={**drawn.scalars, **swing.scalars, **pushed.scalars, **dashpots},
             pace=pace(slow or fast or self.omega, case.fastest),
             scale=drawn.scale,
@@ -153,6 +154,10 @@ class Forced(Scene):
             drive = {"F_0": self.F_0, "omega": self.omega}
             return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end)
         return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end)
+
+
+def _traces(case: AnyCase, count: int, drawn: tuple[str, ...]) -> Traces:
+    return Traces(case.end, count, drawn, case.exact, fastest=case.fastest, moving=case.moving)
 
 
 def _span(extremes: chain.Extremes, curves: Columns) -> tuple[float, float]:

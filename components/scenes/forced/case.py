@@ -41,9 +41,9 @@ class Signals(chain.Signals):
 
 
 class Work(Declared[Any]):
-    """The gain of T + V since the start, the work of the drive, and what both begin at."""
+    """The gain of T + V since the start, the work of the drive, and the floor under both."""
 
-    gain, work, none = Column[Any].some(3, "energy")
+    gain, work, zero = Column[Any].some(3, "energy")
 
 
 S = Signals
@@ -117,6 +117,16 @@ class ForcedCase:
         if not self.chain.k2:
             return {"plus": fast}
         return {"minus": slow, "plus": fast} | ({"still": antiresonance(self.chain)} if self.stills else {})
+
+    @property
+    def split(self) -> bool:
+        """Whether the parts are worth drawing."""
+        raise NotImplementedError
+
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """The displacements, with their parts where these are worth drawing."""
+        return tuple(of[i].name for i in BOTH for of in ((S.x, S.x_p, S.x_c) if self.split else (S.x,)))
 
     @property
     def limits(self) -> dict[Signal[Any], Growth]:

@@ -110,7 +110,7 @@ class Undamped(ForcedCase):
 
     def exact(self, t: Floats) -> Columns:
         """The curves to the last digits."""
-        return self._traced(t)[0]
+        return of_both(*self._parts(t))
 
     def _in_doubles(self, t: Floats) -> Columns:
         """At times that resolve it. Parts that are huge and opposite are left out: see `limits`."""
@@ -121,17 +121,18 @@ class Undamped(ForcedCase):
         return of_both((S.x, particular + complementary), (S.x_p, particular), (S.x_c, complementary))
 
     def _traced(self, t: Floats) -> tuple[Columns, Columns]:
-        """The motion and its parts to the last digits, as curves, or as bands where too fast to draw."""
-        motion, *parts = self.modes.apart(t) if self.split else (self.modes.motion(t),)
-        drawn = list(zip((S.x, S.x_p, S.x_c), (motion.x, *parts), strict=False))
-        if drawable(self.fastest, t):
-            return of_both(*drawn), {}
-        curves, bands = Columns(), Columns()
+        """The motion and its parts where they are too fast to draw: as curves or as bands."""
+        drawn, curves, bands = self._parts(t), Columns(), Columns()
         for i in BOTH:
             for part, x in drawn:
                 curve, band = self._trace(part, i, t, x[i - 1]) if self.split else ({}, self._band(i, t))
                 curves, bands = curves | curve, bands | band
         return curves, bands
+
+    def _parts(self, t: Floats) -> list[tuple[Both, Floats]]:
+        """The displacements and their parts to the last digits."""
+        motion, *parts = self.modes.apart(t) if self.split else (self.modes.motion(t),)
+        return list(zip((S.x, S.x_p, S.x_c), (motion.x, *parts), strict=False))
 
     def _trace(self, part: Both, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
         """Of the displacement of mass i (1, 2) or one of its parts."""
@@ -159,7 +160,7 @@ class Undamped(ForcedCase):
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:
         """The gain of T + V since the start and the work of the drive."""
         energy = chain_energy(self.chain, self.modes.motion(t)).total
-        return {Work.gain: energy - energy[0], Work.work: self.modes.work(t), Work.none: np.zeros_like(t)}
+        return {Work.gain: energy - energy[0], Work.work: self.modes.work(t), Work.zero: np.zeros_like(t)}
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
         """The clock's: the free motion of the start plus each mode's response, regular at resonance."""

@@ -139,7 +139,7 @@ class Dying(ForcedCase):
         """The gain of T + V since the start, and the work of the drive: what is between them is heat."""
         energy = chain_energy(self.chain, self.motion(t)).total
         work = self._integrated(t, lambda s: self.modes.F_0 * np.sin(self.modes.omega * s) * self._v(s)[0])
-        return {Work.gain: energy - energy[0], Work.none: np.zeros_like(t), Work.work: work}
+        return {Work.gain: energy - energy[0], Work.zero: np.zeros_like(t), Work.work: work}
 
     def heat(self, t: Floats) -> Floats:
         """The heat of the dashpots since the start, from the velocities."""

@@ -22,6 +22,7 @@ from components.layout.stage import PlotFrame, Shape, arrow, circle
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
 from components.quantities.declared import Column, Declared, Scalar, by_name
+from components.scene.file_table import FileTable
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
 from components.scenes.forced.case import MARKS, Axes
@@ -30,7 +31,7 @@ from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.words import Forms as F
-from physics.absorber import damped_amplitude
+from physics.absorber import damped_amplitude, damped_solution
 from physics.forced import particular_solution
 
 BRANCHES = ("", "12", "2", "1")
@@ -49,7 +50,8 @@ REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
 TALL = 5.0
 """The frame is this many times as high as the swing under a steady force."""
-
+POLES = "nan: at a natural frequency there is no steady amplitude."
+"""Said of the table of amplitudes without dashpots."""
 
 RESPONSE = PlotFrame("response")
 scalar, column = Scalar[AnyCase], Column[AnyCase]
@@ -81,6 +83,7 @@ class DrawnResponse:
     columns: dict[str, Columns]
     axes: dict[str, Axis]
     scalars: dict[str, float]
+    table: FileTable
 
 
 def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
@@ -104,7 +107,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns[Swings.omega.source] = _column(w, swings)
-    return DrawnResponse(columns, axes, _marks(case, across, up, log, signed))
+    return DrawnResponse(columns, axes, _marks(case, across, up, log, signed), _table(case, w, swings))
 
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
@@ -172,6 +175,32 @@ def _branches(
     ends = list(accumulate(kept.sum(axis=1).tolist()))
     parts = {i: slice(begin, end) for (_, i), begin, end in zip(edges, [0, *ends], ends, strict=False) if end > begin}
     return rows[kept], parts
+
+
+def _table(case: AnyCase, w: Floats, swings: Floats) -> FileTable:
+    """The amplitudes for a file, a row for each frequency: signed, or with dashpots their sizes and the lags."""
+    w, first = np.unique(w, return_index=True)
+    branches, units = tuple(f"branch{i}" for i in range(len(BRANCHES))), {"omega": "rad/s", "Xp1": "m", "Xp2": "m"}
+    if isinstance(case, Undamped):
+        return FileTable(branches, lambda: _with_poles(case, w, swings[:, first]), units, {}, POLES)
+    of = {"phi1": "Xp1", "phi2": "Xp2"}
+    lags = dict.fromkeys(of, "rad")
+    return FileTable(branches, lambda: _with_lags(case, w, swings[:, first]), units | lags, of)
+
+
+def _with_poles(case: Undamped, w: Floats, swings: Floats) -> Columns:
+    poles = [case.marks[name] for name in ("minus", "plus") if name in case.marks] if case.modes.F_0 else []
+    inside = [pole for pole in poles if w.size and w[0] < pole < w[-1]]
+    places = np.searchsorted(w, inside)
+    X = np.insert(swings, places, np.nan, axis=1)
+    return _column(np.insert(w, places, inside), X if case.chain.k2 else np.array([X[0], np.zeros_like(X[0])]))
+
+
+def _with_lags(case: Dying, w: Floats, swings: Floats) -> Columns:
+    modes = case.modes
+    each = [damped_solution(case.chain, modes.c, modes.F_0, omega, modes.c1) for omega in w.tolist()]
+    phi1, phi2 = -np.angle(np.array(each).reshape(-1, 2).T) % (2 * math.pi)
+    return _column(w, swings) | {"phi1": phi1, "phi2": phi2}
 
 
 def _column(w: Floats, X: Floats) -> Columns:

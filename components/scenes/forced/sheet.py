@@ -123,7 +123,7 @@ def _energy() -> Block:
         title="Gain of kinetic and potential energy since the start, with the heat of dashpots where there are any, "
         "and the work of the drive: they are equal",
         bands=(
-            region(Work.none, Work.gain, tint="k2fill"),
+            region(Work.zero, Work.gain, tint="k2fill"),
             region(Work.gain, Work.work, tint="T", alpha=0.25, group="heat", read="heat"),
         ),
         curves=(curve(Work.work, tint="F", width="dash", label="work"),),

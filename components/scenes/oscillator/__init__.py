@@ -85,7 +85,7 @@ class OscillatorScene(Scene):
             axes=axes,
             signals=moving.signals(swing, counted),
             traces={
-                **over_time(swing.end, swing.omega, drawn, lambda t: exact(swing, t)),
+                **over_time(swing.end, swing.omega, drawn, lambda t: exact(swing, t), moving=ROWS),
                 "loop": Traces(*swing.loop, tuple(row.name for row in ROWS), lambda t: by_name(exact(swing, t))),
             },
             scalars=scalars_of(swing, axes),

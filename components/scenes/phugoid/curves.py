@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,17 @@ from components.language.signals import AnySignal
 from components.quantities.axes import ONE, Axis
 from components.quantities.declared import AxesInForce, Column, Declared, Family, Signal, by_name
 from components.quantities.motion import QUARTER, derived, sampled, scaled, sines
-from components.scene.traces import Columns, Floats, Traces, band_columns, bands_over_time, over_time, samples, trace
+from components.scene.traces import (
+    TIME,
+    Columns,
+    Floats,
+    Traces,
+    band_columns,
+    bands_over_time,
+    over_time,
+    samples,
+    trace,
+)
 from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.swing import CORNER, POINTS, Swing
 from physics.phugoid import CUSP_EXCESS, flight, lanchester, linear_flight, linear_phugoid
@@ -78,9 +89,9 @@ class Lift(Signals):
 
 
 def _share(swing: Swing, axes: AxesInForce) -> AnySignal:
-    axis, t = Axes.share(axes), instants(swing)
-    if not drawable(2 * swing.fastest, t):
-        return derived(axis.place(exact(swing, t)[Shares.share][0]))
+    axis = Axes.share(axes)
+    if means := _mean_shares(swing):
+        return derived(axis.place(means[Shares.share.name][0]))
     V = _speed(swing, axes) * (1 / float(swing.lap.u[0]))
     return derived(axis.place(1.0) * V * V)
 
@@ -96,7 +107,7 @@ class Shares(Signals):
     """Kinetic shares of the energies, their means where the window does not resolve them: of the aircraft's, counted
     from its lowest point, and of the spring's; the floor and the ceiling."""
 
-    nothing = signal(lambda s, a: derived(Axes.share(a).place(0.0)))
+    zero = signal(lambda s, a: derived(Axes.share(a).place(0.0)))
     all = signal(lambda s, a: derived(Axes.share(a).place(1.0)))
     share = signal(_share)
     twin = signal(_twin)
@@ -116,13 +127,11 @@ def exact(swing: Swing, t: Floats) -> dict[Signal[Swing], Floats]:
     flown, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
     V, nothing, S = flown.V / swing.v_0, np.zeros_like(t), Signals
     share, twin = (flown.V / (swing.lap.u[0] * swing.v_0)) ** 2, np.sin(swing.linear.omega * t) ** 2
-    if not drawable(2 * swing.fastest, t):
-        share, twin = nothing + share.mean(), nothing + 0.5
     return {
         S.x: flown.x, S.y: flown.h, S.x_lin: linear.x, S.y_lin: linear.h,
         S.h: flown.h, S.h_lin: linear.h, Lift.lift: V * V, Lift.lift_linear: 2 * V - 1,
         S.v: flown.gain(swing.v_0, swing.g), S.v_lin: swing.gain * np.cos(swing.linear.omega * t),
-        Shares.nothing: nothing, Shares.share: share, Shares.all: nothing + 1, Shares.twin: twin,
+        Shares.zero: nothing, Shares.share: share, Shares.all: nothing + 1, Shares.twin: twin,
     }  # fmt: skip
 
 
@@ -131,18 +140,24 @@ def curves(swing: Swing, end: float) -> tuple[dict[str, Traces], dict[str, Colum
     they are too fast for a line, or have a corner."""
     t = instants(swing)
     drawn, bands = _over_time(swing, t)
-    traces = over_time(swing.end, swing.fastest, drawn, lambda t: exact(swing, t))
-    columns = bands_over_time(t, bands)
+    means = [Shares.zero, Shares.share, Shares.all, Shares.twin]
+    traces = over_time(
+        swing.end, swing.fastest, drawn, lambda t: exact(swing, t), moving=_moving(swing), averaged=means
+    )
+    columns = bands_over_time(t, bands) | ({TIME: _mean_shares(swing)} if swing.show == "exchange" else {})
     last = max(swing.end, min(end / swing.length / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
     ahead = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
-    if drawable(swing.fastest, ahead):
-        traces |= over_time(last, 3 * swing.fastest, PATH, lambda t: exact(swing, t), "path")
-    else:
+    path = over_time(
+        last, 3 * swing.fastest, PATH if drawable(swing.fastest, ahead) else (), lambda t: exact(swing, t), "path", PATH
+    )
+    traces |= {source: replace(one, fastest=swing.fastest) for source, one in path.items()}
+    if not drawable(swing.fastest, ahead):
         low, high = swing.length * swing.lap.h.min(), swing.length * swing.lap.h.max()
         x = {Signals.x.name: exact(swing, ahead)[Signals.x]}
         columns["path_band"] = x | _band(Signals.y, ahead, low, high)
     if abs(swing.lap.C) < CORNER:
-        return {}, columns | {source: one.columns for source, one in traces.items()}
+        bare = {source: replace(one, names=()) for source, one in traces.items()}
+        return bare, columns | {source: one.drawn | columns.get(source, {}) for source, one in traces.items()}
     return traces, columns
 
 
@@ -154,16 +169,36 @@ def _over_time(swing: Swing, t: Floats) -> tuple[list[Signal[Swing]], Columns]:
     else:
         for one, size, phase in ((Signals.h_lin, swing.climb, -QUARTER), (Signals.v_lin, swing.gain, QUARTER)):
             bands |= trace(one, [Sinusoid(size, swing.linear.omega, phase)], t)[1]
-    others = [Signals.h, Signals.v, *([Lift.lift, Lift.lift_linear] if swing.show == "lift" else [])]
+    others = [Signals.h, Signals.v, *_lifts(swing)]
     if drawable(swing.omega, t):
         drawn += others
     else:
         numbers = exact(swing, t)
         for one in others:
             bands |= _band(one, t, numbers[one].min(), numbers[one].max())
-    if swing.show == "exchange":
-        drawn += [Shares.nothing, Shares.share, Shares.all, *([Shares.twin] if swing.excess else [])]
+    if swing.show == "exchange" and not _mean_shares(swing):
+        drawn += [Shares.zero, Shares.share, Shares.all, *([Shares.twin] if swing.excess else [])]
     return drawn, bands
+
+
+def _moving(swing: Swing) -> list[Signal[Swing]]:
+    """The motions over time in a file."""
+    shares = [Shares.share, *([Shares.twin] if swing.excess else [])] if swing.show == "exchange" else []
+    return [Signals.h_lin, Signals.v_lin, Signals.h, Signals.v, *_lifts(swing), *shares]
+
+
+def _lifts(swing: Swing) -> list[Signal[Swing]]:
+    return [Lift.lift, Lift.lift_linear] if swing.show == "lift" else []
+
+
+def _mean_shares(swing: Swing) -> Columns:
+    """The edges of the stacks of shares as means over the window, where this does not resolve them."""
+    t = instants(swing)
+    if drawable(2 * swing.fastest, t):
+        return {}
+    levels = {Shares.zero: 0.0, Shares.share: exact(swing, t)[Shares.share].mean(), Shares.all: 1.0}
+    twin = {Shares.twin: 0.5} if swing.excess else {}
+    return by_name({one: np.full_like(t, level) for one, level in (levels | twin).items()})
 
 
 def _band(one: Signal[Swing], t: Floats, *levels: float) -> Columns:

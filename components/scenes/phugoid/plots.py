@@ -168,7 +168,7 @@ def _shares(name: str, edge: Signal[Swing], upper: str, lower: str, title: str, 
         y=Axes.share,
         title=title,
         bands=(
-            region(Shares.nothing, edge, tint="T", label=lower),
+            region(Shares.zero, edge, tint="T", label=lower),
             region(edge, Shares.all, tint="V", label=upper),
         ),
         x_labels=low,
