@@ -308,15 +308,17 @@ function way(one, motion, x, y, isWhole) {
   return `from ${from} to ${to}, ${extent([one], motion, x, y)}`
 }
 
-/** Curves too fast for a line. @param {Plot} plot */
+/** Curves too fast for a line, or too fast at first. @param {Plot} plot */
 function bands(plot) {
   const {block, view, hidden} = plot
-  const {y} = axes(plot)
-  return block.regions.flatMap(({of, source, low, high, group}) => {
-    const {[low]: lows, [high]: highs} = view.columns[source] ?? {}
+  const {x, y} = axes(plot)
+  return block.regions.flatMap(({of, source, x: across, low, high, group}) => {
+    const {[across]: xs, [low]: lows, [high]: highs} = view.columns[source] ?? {}
     if (!of || !lows?.length || !highs?.length || hidden.has(group)) return []
     const ends = `${measured(y, Math.min(...lows))} and ${measured(y, Math.max(...highs))}`
-    return [`${indexed(of)}: too fast to be drawn as a line; it fills the band between ${ends}.`]
+    const last = xs?.at(-1) ?? x.end
+    const until = last < x.end * (1 - 1e-4) ? `up to ${measured(x, last)} ` : ""
+    return [`${indexed(of)}: ${until}too fast to be drawn as a line; it fills the band between ${ends}.`]
   })
 }
 

@@ -20,6 +20,7 @@ from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
 from tests.page.scripts import each
 from tests.page.told import Page, put
+from tests.scenes.chains import number
 from tests.scenes.presets import readout, taken
 from tests.scenes.said import read, said
 
@@ -239,3 +240,87 @@ def test_mass_spring_and_dashpot_come_along() -> None:
     page = Page(SCENES["damped"](m=2.0, c=3.0))
     told = page.say({"type": "open", "state": {"scene": "driven"}, "carried": True, "number": 1})
     assert told["state"]["parameters"] == {"m": 2.0, "c": 3.0}
+
+
+def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
+    follows a band."""
+    told, t = scene.shown, scene.shown.traces["time"].t
+    if "x" in told.traces["time"].names:
+        line = told.traces["time"].columns["x"]
+        return t, line, line
+    if not (late := told.columns["late"]):
+        return t, *(told.columns["band"][end] for end in ("x_lo", "x_hi"))
+    first = len(t) - len(late["t"])
+    low, high = (np.concatenate([told.columns["ringing"][end][:first], late["x"]]) for end in ("x_lo", "x_hi"))
+    return t, low, high
+
+
+@settings(max_examples=tries(200), deadline=None)
+@given(st.sampled_from(KINDS), st.floats(-6, 6), st.floats(-5, 1), st.floats(0.1, 300), st.floats(-0.1, 0.1))
+def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
+    kind: str, power: float, damping: float, window: float, x_0: float
+) -> None:
+    """Of a motion that a line shows, or a band, or at first a band and then a line; but for half a pixel."""
+    scene = DRIVEN(kind=kind, omega=2 * math.pi * 10**power, zeta=10**damping, window=window, x_0=x_0)
+    t, low, high = shown_x(scene)
+    pixel = 0.005 * scene.shown.axes["x"].end
+    rows = np.linspace(0, len(t) - 1, 40).astype(int)
+    one = DrivenOscillator(m=scene.m, c=scene.c, k=scene.k)
+    x = one.motion(scene.omega, getattr(scene, SIZES[kind]), x_0=x_0, t=t[rows], kind=kind).x
+    assert np.all(low[rows] - pixel <= x) and np.all(x <= high[rows] + pixel)
+    assert max(-low.min(), high.max()) <= scene.shown.axes["x"].end
+
+
+@pytest.mark.parametrize("omega", [0.01, 0.05, 0.1, 0.2])
+def test_the_quasi_static_limit_is_seen(omega: float) -> None:
+    """So slow a push is followed at once: from a tenth of the window on x is a line, the static one to 1 %."""
+    scene = DRIVEN(omega=omega)
+    t, low, high = shown_x(scene)
+    later, static = t > 0.1 * scene.shown.axes["t"].end, scene.F_0 / scene.k
+    assert np.array_equal(low[later], high[later]), "a line"
+    np.testing.assert_allclose(low[later], static * np.sin(omega * t[later]), atol=0.02 * static)
+    rings = np.any(low != high)
+    assert rings == any(note.startswith("At first x rings") for note in scene.shown.notes)
+    assert not any(note.startswith("The motion is too fast") for note in scene.shown.notes)
+    assert "x" in DRIVEN(omega=1e6).shown.traces["time"].names, "what is too fast is too small to be seen"
+
+
+@settings(max_examples=tries(200), deadline=None)
+@given(st.sampled_from(KINDS), st.sampled_from([-1, 1]), st.floats(-17, -1), st.booleans())
+def test_next_to_resonance_it_says_how_it_grows_at_first_and_how_far(
+    kind: str, side: int, power: float, started: bool
+) -> None:
+    scene = DRIVEN(kind=kind, omega=math.sqrt(39.48) * (1 + side * 10**power), c=0.0, x_0=0.1 * started)
+    told, forms = sentence(scene), scene.shown.forms
+    one = DrivenOscillator(m=scene.m, c=0.0, k=scene.k)
+    exactly = one.at_resonance(scene.omega)
+    assert (forms["size"] == "grows") == exactly and ("no steady size" in said(scene)) == exactly
+    if "grow" not in told and "adds" not in told:
+        return
+    assert ("at first" in told or "At first" in told) == (forms["size"] == "nearly") == (not exactly)
+    if not exactly:
+        size = abs(one.response(scene.omega, getattr(scene, SIZES[kind]), kind))
+        assert readout(scene, "X") == size and f"X={scene.shown.values['X']}" in "".join(said(scene).split())
+    growth, period = number(scene.shown.values["growth"]), 2 * math.pi / scene.omega
+    swings = np.linspace(0, 6 * period, 6000)
+    x = one.motion(scene.omega, getattr(scene, SIZES[kind]), t=swings, kind=kind).x
+    tops = [np.abs(x[1000 * i : 1000 * (i + 1)]).max() for i in range(6)]
+    assert np.diff(tops)[1:] == pytest.approx(growth, rel=0.02)
+
+
+@settings(max_examples=tries(100), deadline=None)
+@given(st.floats(0.021, 0.59), SOME)
+def test_both_points_of_half_power_lie_on_the_power_at_one_height(zeta: float, m: float) -> None:
+    scene = DRIVEN(zeta=zeta, m=m)
+    at, axes, data = scene.shown.scalars, scene.shown.axes, scene.sources["below"].data
+    width = axes["r"].end / axes["r"].place(axes["r"].end) * (at["half_r1"] - at["half_r0"])
+    assert width == pytest.approx(2 * scene.value.zeta * math.sqrt(scene.k / scene.m), rel=1e-9)
+    r = np.array([at["half_r0"], at["half_r1"]]) * axes["r"].factor * math.sqrt(scene.m / scene.k)
+    M = np.abs(magnification(r, scene.value.zeta))
+    assert axes["M"].place(0.25 / scene.value.zeta) == pytest.approx(at["half_Q"])
+    np.testing.assert_allclose(2 * scene.value.zeta * (r * M) ** 2, 0.25 / scene.value.zeta, rtol=1e-9)
+    share = data["power"] * 2 * scene.value.zeta
+    lost = (np.asarray(data["omega"]) * np.asarray(data["M"])) ** 2
+    np.testing.assert_allclose(share, lost * (scene.m / scene.k) * (2 * scene.value.zeta) ** 2, rtol=1e-9)
+    assert share.max() == pytest.approx(1.0, rel=1e-6)

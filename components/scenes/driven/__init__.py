@@ -26,7 +26,9 @@ from components.scenes.driven.curves import (
     columns_of,
     drawn,
     exact,
+    fast_in,
     moving,
+    ringing,
 )
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import corners_of
@@ -34,7 +36,6 @@ from components.scenes.driven.sheet import KIND, driven_sheet
 from components.scenes.driven.watch import WATCH
 from components.scenes.driven.words import Forms, notes
 from physics.driven import DrivenOscillator
-from physics.sampling import drawable
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
@@ -67,6 +68,7 @@ class DrivenScene(DashpotScene):
         "kind = base: m x'' + c (x' - y') + k (x - y) = 0; y = Y sin(omega t)",
         "kind = unbalance: m x'' + c x' + k x = moment omega^2 sin(omega t); moment = m_0 e",
         "r = omega/omega_n; M = |X| over F_0/k or over Y or over moment/m; lag = -arg X",
+        "power = 2 zeta (r M)^2: the power lost over its largest; times Q = 1/(2 zeta)",
         "P_in and P_lost are means over the last 2 pi/omega; 0 before t = 0",
     )
     watch = WATCH
@@ -111,7 +113,7 @@ class DrivenScene(DashpotScene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)
-        axes = framed(frame, axes_of(case))
+        axes, fast = framed(frame, axes_of(case)), fast_in(case)
         return Picture(
             columns=columns_of(case, axes),
             axes=axes,
@@ -122,7 +124,7 @@ class DrivenScene(DashpotScene):
             values=N.texts(case, axes),
             live=Signals.live(axes),
             forms=Forms.forms(case),
-            notes=notes(case, not drawable(case.fastest, case.t)),
+            notes=notes(case, Signals.x in fast, ringing(case), Signals.y in fast),
             spans={"omega": (0.0, END * case.omega_n)},
         )
 

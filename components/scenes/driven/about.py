@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from components.scene import Picture
 from components.scene.about import About, Place, bounded, drawn_as_bands, few_of, rows
+from components.scene.traces import BAND
 from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.curves import RINGING
 from components.scenes.driven.curves import Resonance as R
 from components.scenes.driven.curves import Signals as S
 from physics.reference_damped import driven_points, response_points
@@ -22,4 +24,5 @@ def driven_about(picture: Picture, case: DrivenCase) -> About:
         bounded("the response and the lag", 16, "itself, as far as rounding $r$ allows", found),
     )
     work = "The work put in and the work lost in a cycle are equal once the complementary part has died."
-    return About(tables, work if one.c and case.pushed else "", drawn_as_bands(picture.sources, x))
+    bands = {BAND: picture.sources.get(BAND, {}) | picture.sources.get(RINGING, {})}
+    return About(tables, work if one.c and case.pushed else "", drawn_as_bands(bands, x))

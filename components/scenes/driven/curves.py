@@ -14,7 +14,7 @@ from components.layout.stage import PlotFrame, wire
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, damped, driven, sines, total
-from components.scene.traces import Columns, Floats, bands_about_zero
+from components.scene.traces import Columns, Floats, band_columns, bands_over_time
 from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.power import Power, powers_of
 from physics.driven import highest, lag, magnification
@@ -30,6 +30,8 @@ LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
 EVEN = np.linspace(0.0, 1.0, 91)
 NEAR = np.geomspace(1e-4, 0.6, 24)
 ENDS = range(2)
+RINGING, LATE = "ringing", "late"
+"""The sources of the bands and lines of what is too fast for a line at first alone."""
 X, POWER, RESPONSE, PHASE = map(PlotFrame, ("x", "power", "response", "phase"))
 
 signal, scalar = Signal[DrivenCase], Scalar[DrivenCase]
@@ -40,7 +42,7 @@ class Axes(Declared[DrivenCase]):
 
 
 def axes_of(case: DrivenCase) -> dict[str, Axis]:
-    reach = max(case.reach, case.size if case.kind == "base" else 0.0) or 1.0
+    reach = case.tallest
     powers = [column for one, column in powers_of(case).items() if one is not Power.t]
     least = min((float(column.min(initial=0.0)) for column in powers), default=0.0)
     most = max((float(column.max(initial=0.0)) for column in powers), default=0.0) or 1.0
@@ -93,8 +95,46 @@ def exact(case: DrivenCase, t: Floats) -> dict[Signal[DrivenCase], Floats]:
 
 
 def drawn(case: DrivenCase) -> list[Signal[DrivenCase]]:
-    """The signals that are drawn as curves over time."""
-    return moving(case) if drawable(case.fastest, case.t) else []
+    """The signals that are drawn as curves over the whole window."""
+    return [one for one in moving(case) if one not in fast_in(case)]
+
+
+def fast_in(case: DrivenCase) -> dict[Signal[DrivenCase], tuple[Floats, Floats]]:
+    """The motions of which something too fast for a line is seen: its middle and the reach of the band about it.
+
+    Where a part has died so far that nothing is seen of it, the band is as narrow as the line that goes on.
+    """
+    if not case.split:
+        nothing = np.zeros_like(case.t)
+        return {} if drawable(case.fastest, case.t) else {one: (nothing, nothing + case.reach) for one in moving(case)}
+    found = {}
+    if case.trembles or case.settled:
+        found[Signals.x] = case.slow_part, case.fast_size
+    if case.trembles:
+        found[Signals.x_p] = np.zeros_like(case.t), np.full_like(case.t, abs(case.X))
+    if case.settled:
+        found[Signals.x_c] = np.zeros_like(case.t), case.ringing
+    if case.shaken and case.steady_is_fast:
+        found[Signals.y] = np.zeros_like(case.t), np.full_like(case.t, case.size)
+    return {one: found[one] for one in moving(case) if one in found}
+
+
+def ringing(case: DrivenCase) -> bool:
+    """Whether x and the part that dies are too fast for a line at first alone."""
+    return Signals.x_c in fast_in(case) and not case.trembles and case.settled < case.t.size
+
+
+def late(case: DrivenCase) -> Columns:
+    """x, and the part that dies, from when nothing is seen any more of the ringing that is too fast for a line."""
+    t = case.t[case.settled :]
+    numbers = exact(case, t)
+    return by_name({Late.t: t, **{one: numbers[one] for one in (Signals.x, Signals.x_c)}})
+
+
+class Late(Declared[DrivenCase]):
+    """The instants of the curves that begin when a fast part has died."""
+
+    t = Column[DrivenCase](LATE)
 
 
 def moving(case: DrivenCase) -> list[Signal[DrivenCase]]:
@@ -106,9 +146,12 @@ def moving(case: DrivenCase) -> list[Signal[DrivenCase]]:
 
 
 class Resonance(Declared[DrivenCase]):
-    """The response and the lag over r, what drives, the steady swing in force, and the width at half the power."""
+    """The response and the lag over r, what drives, the steady swing in force, and the width at half the power.
 
-    omega, M, lag = Column[DrivenCase].some(3, "below")
+    The power lost in the dashpot is drawn with its peak at Q, the height of the response at r = 1.
+    """
+
+    omega, M, lag, power = Column[DrivenCase].some(4, "below")
     driven = Family(KINDS, lambda kind: scalar(lambda c, a: c.kind == kind), "{}")
     r_at = scalar(lambda c, a: Axes.r(a).place(c.omega))
     root2 = scalar(lambda c, a: Axes.r(a).place(math.sqrt(2.0) * c.omega_n))
@@ -120,8 +163,9 @@ class Resonance(Declared[DrivenCase]):
     width = scalar(lambda c, a: bool(c.half_power))
     Q = scalar(lambda c, a: Axes.M(a).place(0.5 / c.zeta) if c.half_power else 0.0)
     one_at = scalar(lambda c, a: Axes.r(a).place(c.omega_n))
-    half_r = Family(ENDS, lambda i: scalar(lambda c, a: c.half_power and Axes.r(a).place(c.half_power[i][0])))
-    half_M = Family(ENDS, lambda i: scalar(lambda c, a: c.half_power and Axes.M(a).place(c.half_power[i][1])))
+    half_r = Family(ENDS, lambda i: scalar(lambda c, a: c.half_power and Axes.r(a).place(c.half_power[i])))
+    half_Q = scalar(lambda c, a: Axes.M(a).place(0.25 / c.zeta) if c.half_power else 0.0)
+    past_half = scalar(lambda c, a: Axes.r(a).place(c.past_half * c.omega_n) if c.half_power else 0.0)
 
 
 class Places(dashpot.Has):
@@ -145,18 +189,21 @@ def columns_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, Columns]:
     X = magnification(r, case.zeta, case.kind)
     lags = np.array([lag(complex(one)) if np.isfinite(one) else math.pi / 2 for one in X])
     found = by_name({Resonance.omega: r * case.omega_n, Resonance.M: np.abs(X), Resonance.lag: lags})
+    if case.half_power:
+        found |= by_name({Resonance.power: 2 * case.zeta * (r * np.abs(X)) ** 2})
     below, above = ({name: column[at] for name, column in found.items()} for at in (r < 1, r > 1))
     sides = {"below": found, "above": {}} if case.zeta else {"below": below, "above": above}
     return {**sides, "power": by_name(powers_of(case)), **_bands(case)}
 
 
 def _bands(case: DrivenCase) -> dict[str, Columns]:
-    """The band that x stays within, where it is too fast for a line: the steady part and what is left of the start."""
-    if drawable(case.fastest, case.t):
-        return bands_about_zero(case.t, {})
-    reach = np.full_like(case.t, case.reach)
-    if case.split:
-        one = case.complementary
-        fading = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
-        reach = abs(case.X) + fading * np.exp(-one.slow * case.t)
-    return bands_about_zero(case.t, {Signals.x: reach})
+    """The bands of what is too fast for a line, over the window or while it rings, and the lines that follow then."""
+    whole, early, rings = Columns(), Columns(), ringing(case)
+    for one, (middle, size) in fast_in(case).items():
+        ends = dict(zip(band_columns(one.name), (middle - size, middle + size), strict=True))
+        if rings and one in (Signals.x, Signals.x_c):
+            early |= {name: column[: case.settled + 1] for name, column in ends.items()}
+        else:
+            whole |= ends
+    found = {**bands_over_time(case.t, whole), RINGING: early and {"t": case.t[: case.settled + 1], **early}}
+    return {**found, LATE: late(case) if rings else {}}

@@ -17,7 +17,7 @@ class Numbers(Declared[DrivenCase]):
     x_unit = AxisUnit(Axes.x)
     r = number(lambda c: c.r, "r", tint="F")
     zeta = number(lambda c: c.zeta, "ζ", tint="T")
-    X = number(lambda c: (abs(c.X) if c.steady else math.inf) if c.pushed else None, "X", "m", "m1")
+    X = number(lambda c: (math.inf if c.resonant else abs(c.X)) if c.pushed else None, "X", "m", "m1")
     phi = number(lambda c: c.lag if c.pushed else None, "φ", "rad", "m1", angle=True)
     phi_minus = number(lambda c: -c.lag, form=plus)
     M = number(lambda c: c.M)

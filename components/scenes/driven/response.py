@@ -22,6 +22,7 @@ from physics.driven import Drive, lag, magnification
 
 FAINT = (0.0, 0.5, 1.0)
 """The damping ratios of the curves behind."""
+BEHIND = "faint: *ζ* = 0, 0.5, 1"
 LEFT = Room(40, 14, top=10)
 
 
@@ -58,11 +59,12 @@ def response_plot() -> PlotBlock:
         x=Axes.r,
         y=Axes.M,
         title="Size of the steady swing against r, the drive frequency over the natural one",
-        curves=_lines(R.M, R.M_at, "response"),
+        curves=(*_lines(R.M, R.M_at, "response"), curve(R.power, source="below", tint="T", width="line")),
         x_column=R.omega,
         heading=(
             term("response", "sum", "m1", form=F.kind, force=r"k |X| / F_0", base="|X| / Y", unbalance="m |X| / m_0 e"),
-            phrase("", "none", "mute", formula="faint: *ζ* = 0, 0.5, 1"),
+            phrase(R.power, "line", "T", form=F.peaks, shown="power lost, peak at *Q*"),
+            phrase("", "none", "mute", form=F.flat, shown=BEHIND),
         ),
         x_labels=False,
         room=LEFT,
@@ -83,9 +85,10 @@ def response_plot() -> PlotBlock:
 
 
 def _width() -> list[Shape]:
-    """The width at half the power on a bracket, and the height at r = 1, which is Q: its line sets the damping."""
-    low, high, one = (RESPONSE.x(var(place)) for place in (R.half_r[0], R.half_r[1], R.one_at))
-    start, y, height = (RESPONSE.y(var(place)) for place in (R.half_M[0], R.half_M[1], R.Q))
+    """The width of the power at half its peak, and the height at r = 1, which is Q: its line sets the damping."""
+    low, high, one, past = (RESPONSE.x(var(at)) for at in (R.half_r[0], R.half_r[1], R.one_at, R.past_half))
+    y, height = (RESPONSE.y(var(at)) for at in (R.half_Q, R.Q))
+    aside = RESPONSE.top + 0.19 * (RESPONSE.bottom - RESPONSE.top)
     held = grab(
         "Height at r = 1, Q",
         Quotient(across="y", zero=RESPONSE.at("y0"), unit=RESPONSE.per_y, parameter="zeta", moves=R.Q.name,
@@ -93,16 +96,16 @@ def _width() -> list[Shape]:
     )  # fmt: skip
     return shown_by(
         R.width,
-        line(low, start, low, y, style="level", tint="ink"),
         line(low, y, high, y, style="thin", tint="ink"),
-        circle(low, start, 3.5, tint="m1"),
-        circle(high, y, 3.5, tint="m1"),
-        text(high + 10, y + 5, f"Δ*ω* = {N.width} rad/s at half the power", "start", style="halo", show=ON_WIDE),
-        text(high + 10, y + 5, f"Δ*ω* = {N.width} rad/s", "start", style="halo", show=ON_NARROW),
-        text(high + 10, y + 20, "at half the power", "start", style="halo", show=ON_NARROW),
+        circle(low, y, 3.5, tint="T"),
+        circle(high, y, 3.5, tint="T"),
+        text(past + 10, y + 5, f"Δ*ω* = {N.width} rad/s at half the power", "start", style="halo", show=ON_WIDE),
+        text(past + 10, y + 5, f"Δ*ω* = {N.width} rad/s", "start", style="halo", show=ON_NARROW),
+        text(past + 10, y + 20, "at half the power", "start", style="halo", show=ON_NARROW),
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
         circle(one + 60, height, 5, style="ghost", tint="T", grab=held),
         text(one + 70, height + 5, f"*Q* = {N.Q}", "start", style="b halo"),
+        text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo"),
     )
 
 

@@ -8,8 +8,9 @@ from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.quantities.parameters import one_of
+from components.scene.traces import band as band_of
 from components.scene.traces import traced
-from components.scenes.driven.curves import POWER, Axes, X
+from components.scenes.driven.curves import LATE, POWER, RINGING, Axes, X
 from components.scenes.driven.curves import Signals as S
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import polygon
@@ -47,33 +48,44 @@ def driven_sheet() -> Block:
 
 def _displacement() -> Block:
     line, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
+    dying, dying_band = traced(S.x_c, tint="xc", width="dash", read="complementary", signal=S.x_c)
+    steady, steady_band = traced(S.x_p, tint="xp", read="steady", signal=S.x_p)
+    early = [
+        band_of(one, RINGING, tint=tint, group=one.name, of=one.name) for one, tint in ((S.x_c, "xc"), (S.x, "m1"))
+    ]
+    base, base_band = traced(S.y, tint="xp", read="base", signal=S.y)
     return plot(
         X,
         x=Axes.t,
         y=Axes.x,
         title="Displacement against time",
         curves=(
-            curve(S.x_c, tint="xc", width="dash", read="complementary", signal=S.x_c),
-            curve(S.x_p, tint="xp", read="steady", signal=S.x_p),
-            curve(S.y, tint="xp", read="base", signal=S.y),
+            dying,
+            curve(S.x_c, source=LATE, tint="xc", width="dash", read="complementary"),
+            steady,
+            base,
             curve(S.upper, tint="m1", width="thin", read="envelope"),
             curve(S.lower, tint="m1", width="thin", group=S.upper),
             line,
+            curve(S.x, source=LATE, tint="m1", width="sum", read="x"),
         ),
-        bands=(band,),
+        bands=(base_band, steady_band, dying_band, band, *early),
         heading=(
             term(S.x, "sum", "m1", formula="x(t)"),
             phrase(
                 S.x_p, "line", "xp", form=F.x_p,
-                dies=rf"steady ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
-                stays=rf"particular ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
+                dies=rf"steady $X \sin(\omega\,t\, {N.phi_minus})$",
+                stays=rf"particular $X \sin(\omega\,t\, {N.phi_minus})$",
             ),
             term(S.y, "line", "xp", form=F.y, formula=rf"y = {N.Y} \sin({N.omega}\,t)"),
             phrase(
                 S.x_c, "dash", "xc", form=F.x_c,
-                dies=rf"dying part $e^{{-{N.decay}\,t}}$", stays="other part, which stays",
+                dies=rf"dying $e^{{-{N.decay}\,t}}$", stays="other part, which stays",
             ),
-            phrase(S.upper, "line", "m1", form=F.upper, formula=rf"growth $\pm {N.rate}\, t$"),
+            phrase(
+                S.upper, "line", "m1", form=F.upper,
+                always=rf"growth $\pm {N.rate}\, t$", first=rf"growth at first $\pm {N.rate}\, t$",
+            ),
         ),
         room=SIDES,
         cursor="time",

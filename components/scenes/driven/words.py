@@ -22,6 +22,7 @@ SIZES = (
     r"\dfrac{r^2}{\sqrt{(1 - r^2)^2 + (2 \zeta r)^2}}",
 )
 GROWTH = rf"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{{m1}}{{X = {N.rate}\, t}}$ grows"
+NEARLY = rf"$c = 0,\ \omega \approx \omega_n$: steady [m1|$X = {N.X}$ m], at first $\tint{{m1}}{{{N.rate}\, t}}$"
 
 form = Form[DrivenCase]
 
@@ -33,7 +34,7 @@ def _holds(case: DrivenCase) -> str:
     if not case.size:
         return "idle"
     if case.grows:
-        return "grows_on" if case.x_0 or case.v_0 else "grows"
+        return ("grows" if case.resonant else "nearly") + ("_on" if case.x_0 or case.v_0 else "")
     r, dashpot = case.r, 2 * case.zeta * case.r
     if not case.zeta and not math.isfinite(case.M):
         return "near"
@@ -55,7 +56,7 @@ def _part(case: DrivenCase) -> str:
 class Forms(Declared[DrivenCase]):
     kind = form(lambda c: c.kind)
     driven = Family(KINDS, lambda kind: form(lambda c: c.kind == kind), "{}")
-    size = form(lambda c: "grows" if c.swells else c.kind)
+    size = form(lambda c: ("grows" if c.resonant else "nearly") if c.swells else c.kind)
     steady = form(lambda c: c.pushed and c.steady)
     quality = form(lambda c: c.kind if c.kind != "base" and c.zeta else "")
     work = form(lambda c: ("base" if c.shaken else "push") if c.pushed and c.steady and c.oscillator.c else "")
@@ -63,7 +64,8 @@ class Forms(Declared[DrivenCase]):
     x_p = form(lambda c: "" if c.shaken else _part(c))
     y = form(lambda c: "formula" if c.shaken else "")
     x_c = form(_part)
-    upper = form(lambda c: "formula" if c.swells else "")
+    peaks, flat = form(lambda c: bool(c.half_power)), form(lambda c: not c.half_power)
+    upper = form(lambda c: ("always" if c.resonant else "first") if c.swells else "")
     power = form(lambda c: bool(powers_of(c)))
 
 
@@ -80,6 +82,7 @@ FACTS: tuple[Paragraph, ...] = (
         base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = {N.M}}}$",
         unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = {N.M}}}$",
         grows=GROWTH,
+        nearly=NEARLY,
     ),
     either(Forms.steady, shown=rf"[m1|$X = {N.X}$ m, $\phi = {N.phi}$ rad]"),
     either(
@@ -101,6 +104,8 @@ SENTENCE = either(
     alone="**At resonance the dashpot alone holds the push.**",
     grows=f"**Nothing holds the push: each swing grows by the same {N.growth} m.**",
     grows_on=f"**Nothing holds the push: in the end each swing grows by {N.growth} m.**",
+    nearly=f"**Nothing holds the push at first: each swing grows by {N.growth} m, until a long beat turns it.**",
+    nearly_on=f"**At first the push adds {N.growth} m to its response in each swing; a long beat takes it away.**",
     near="**Next to resonance and without a dashpot the swing grows for very long.**",
     more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
     alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
@@ -111,10 +116,15 @@ SENTENCE = either(
 )
 
 
-def notes(case: DrivenCase, too_fast: bool) -> tuple[str, ...]:
+def notes(case: DrivenCase, banded: bool, later: bool, base: bool) -> tuple[str, ...]:
+    """Say which parts are left out, and what the bands of x and of the base are: `later` a line follows that of x."""
     found = []
     if case.pushed and not case.split and not case.grows:
         found.append("The steady and the complementary part are far larger than their sum here, so they are not drawn.")
-    if too_fast:
+    if later:
+        found.append("At first x rings too fast to be drawn as a line in this window: it stays within the band.")
+    elif banded:
         found.append("The motion is too fast to be drawn as a line in this window: the band is what it stays within.")
+    if base:
+        found.append("The base moves too fast to be drawn as a line in this window: it stays within its band.")
     return tuple(found)
