@@ -30,7 +30,7 @@ WHOLE = (
 )
 
 
-class Table(NamedTuple):
+class NumberTable(NamedTuple):
     """Columns for a file in SI units, the unit of each, and a sentence on its rows where they need one.
 
     `plane` says that it is a path in a plane, of which no axis shows the times.
@@ -42,14 +42,14 @@ class Table(NamedTuple):
     plane: bool = False
 
 
-def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[str, Table]:
+def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[str, NumberTable]:
     """Return the tables of a picture by name: each source that is drawn, or the table that files have in its place.
 
     `axes` are the names of the axes that columns are drawn on, by source and column. A source of motions over time
     has all of them in its table, also those too fast to be drawn; the table of bands then covers the whole window.
     """
     replaced = {source for table in picture.tables.values() for source in table.instead}
-    found: dict[str, Table] = {}
+    found: dict[str, NumberTable] = {}
     for source in {**picture.traces, **picture.columns}:
         on = {name: picture.axes[axis] for name, axis in axes.get(source, {}).items() if axis in picture.axes}
         if trace := picture.traces.get(source):
@@ -57,13 +57,13 @@ def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[s
         elif source not in {*replaced, *found}:
             found[source] = _table(picture.columns[source], on)
     for name, table in picture.tables.items():
-        found[name] = Table(table.seen(picture.columns), table.units, table.note)
+        found[name] = NumberTable(table.seen(picture.columns), table.units, table.note)
     return {name: table for name, table in found.items() if table.columns.keys() - {TIME_AXIS}}
 
 
 def _over_time(
     picture: Picture, source: str, trace: Traces, on: Mapping[str, Axis], axes: Mapping[str, Mapping[str, str]]
-) -> dict[str, Table]:
+) -> dict[str, NumberTable]:
     """The table of a source of motions, and where it has not all of the window, the table of their bands."""
     on = {**on, **{name: on[high] for name, (_, high) in trace.layers.items() if high in on}}
     motions = _table(trace.file, on)
@@ -92,12 +92,14 @@ def _means(trace: Traces, columns: Columns) -> Columns:
     }
 
 
-def _table(columns: Columns, on: Mapping[str, Axis]) -> Table:
+def _table(columns: Columns, on: Mapping[str, Axis]) -> NumberTable:
     """The columns that are drawn; a path in a plane keeps its times, though no axis shows them."""
     names = [name for name, column in columns.items() if len(column) and name in on and name != FLOOR]
     plane = TIME_AXIS in columns and TIME_AXIS not in names
     names = [TIME_AXIS, *names] if plane else names
-    return Table({name: columns[name] for name in names}, {name: unit_of(on.get(name)) for name in names}, plane=plane)
+    return NumberTable(
+        {name: columns[name] for name in names}, {name: unit_of(on.get(name)) for name in names}, plane=plane
+    )
 
 
 def with_units(picture: Picture, axes: Mapping[str, Mapping[str, str]], source: str = "") -> Columns:

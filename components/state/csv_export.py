@@ -16,7 +16,7 @@ from components.layout.choices import word
 from components.quantities.numbers import excerpt, shortest
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
-from components.scene.columns import Table, headed, in_ascii, tables_of
+from components.scene.columns import NumberTable, headed, in_ascii, tables_of
 from components.state.scene_sheet import column_axes, plots
 from components.state.standing import Standing
 
@@ -130,7 +130,7 @@ def _layer(picture: Picture, layer: Region, known: set[str]) -> Iterator[str]:
 
 def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     """Return the tables of a picture. Those with the same columns are one, whose first column says which."""
-    pieces: dict[tuple[bool, tuple[str, ...]], dict[str, Table]] = {}
+    pieces: dict[tuple[bool, tuple[str, ...]], dict[str, NumberTable]] = {}
     for name, table in tables_of(picture, column_axes(scene)).items():
         pieces.setdefault((table.plane, tuple(table.columns)), {})[name] = table
     return [_table(names, found) for (_, names), found in pieces.items()]
@@ -146,7 +146,7 @@ def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
     return [CsvTable("numbers", head, [tuple(one.value for one in found)])]
 
 
-def _table(names: tuple[str, ...], found: dict[str, Table]) -> CsvTable:
+def _table(names: tuple[str, ...], found: dict[str, NumberTable]) -> CsvTable:
     first, *others = found.items()
     head = tuple(headed(name, first[1].units[name]) for name in names)
     bodies = {

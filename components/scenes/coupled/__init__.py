@@ -96,33 +96,20 @@ class Coupled(Scene):
         own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         energy = whole_axis(case.levels["total"], "J")
         axes = framed(frame, by_name({Axes.t: time_axis(own_window), Axes.x: own, Axes.E: energy}))
-        size, time, stacked = Axes.x(axes), Axes.t(axes), self.energy == "parts"
+        size, time = Axes.x(axes), Axes.t(axes)
         drawn = chain.to_scale(free.chain, extremes, size, frame.scale)
         pulled = forces(free.chain, free.motion(t), size) if self.view == "forces" else Forces()
-        averaged = stacked and not drawable(2 * fast, t)
-        energies = () if averaged else curves.EDGES if stacked else curves.LEVELS
-        motions = [one for one, *_ in curves.motions(free)]
-        names = (*(one for one in motions if resolved or one.name in lines), *energies)
-        moving = (*motions, *(curves.LAYERS if stacked else curves.LEVELS))
         parts = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
         parts |= starting.turns(self, free.omega.tolist(), time)
         return Picture(
             columns={
-                "time": by_name(curves.edges(mean_energy(free, t))) if averaged else {},
+                "time": by_name(curves.edges(mean_energy(free, t))) if case.averaged(t) else {},
                 **bands_over_time(t, bands),
                 "modes": chain.direction_lines(Places.line, free.chain, 4 * max(abs(size.start), abs(size.end))),
             },
             axes=axes,
             signals=parts | Signals.signals(case, axes) | pulled.signals,
-            traces=over_time(
-                end,
-                fast,
-                names,
-                lambda t: curves.exact(case, t),
-                moving=moving,
-                layers=curves.BETWEEN,
-                averaged=curves.EDGES if averaged else (),
-            ),
+            traces=curves.traces_of(case, t, bands),
             scalars={**drawn.scalars, **curves.places(case, axes), **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,

@@ -15,10 +15,11 @@ from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, Signal
 from components.quantities.motion import derived, scaled, total
-from components.scene.traces import Columns, Floats, trace
+from components.scene.traces import Columns, Floats, Traces, band_columns, over_time, trace
 from components.scenes.coupled.starting import GIVEN
 from physics.coupled import FreeModes, Motion
 from physics.energy import ChainEnergy, chain_energy
+from physics.sampling import drawable
 
 NAMED = 0.8
 """The names in the plane stand at this share of the way to its edge."""
@@ -38,6 +39,10 @@ class CoupledCase:
         """The energies of the modes and their sum, which stay as they are."""
         slow, fast = self.free.energy.tolist()
         return {"slow": slow, "fast": fast, "total": float(self.free.energy.sum())}
+
+    def averaged(self, t: Floats) -> bool:
+        """Whether the energies of masses and springs are drawn as means: they swing too fast for the instants t."""
+        return self.energy == "parts" and not drawable(2 * float(self.free.omega[1]), t)
 
 
 signal = Signal[CoupledCase]
@@ -109,6 +114,18 @@ def motions(free: FreeModes) -> Iterator[tuple[Signal[CoupledCase], int, tuple[i
         yield S.x_part[i, "slow"], i - 1, (0,) if free.omega[1] else (0, 1)
         if free.omega[1]:
             yield S.x_part[i, "fast"], i - 1, (1,)
+
+
+def traces_of(case: CoupledCase, t: Floats, bands: Columns) -> dict[str, Traces]:
+    """The curves over the instants t, but those that are `bands`; a file has all motions and the energies shown."""
+    found = [one for one, *_ in motions(case.free)]
+    lines = [one for one in found if band_columns(one.name)[0] not in bands]
+    stacked, averaged = case.energy == "parts", case.averaged(t)
+    drawn, shown = (() if averaged else EDGES, LAYERS) if stacked else (LEVELS, LEVELS)
+    return over_time(
+        float(t[-1]), float(case.free.chain.modes().omega[1]), [*lines, *drawn], lambda t: exact(case, t),
+        moving=[*found, *shown], layers=BETWEEN, averaged=EDGES if averaged else (),
+    )  # fmt: skip
 
 
 def traced_motion(free: FreeModes, t: Floats) -> tuple[Columns, Columns]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from components.language.blocks import Block
+from components.language.plots import Curve, Region
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.quantities.parameters import one_of
@@ -46,30 +47,37 @@ def driven_sheet() -> Block:
     )
 
 
-def _displacement() -> Block:
+def _motions() -> tuple[tuple[Curve, ...], tuple[Region, ...]]:
+    """The curves of x(t), and the bands of those that are too fast for a line, always or at first."""
     line, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
     dying, dying_band = traced(S.x_c, tint="xc", width="dash", read="complementary", signal=S.x_c)
     steady, steady_band = traced(S.x_p, tint="xp", read="steady", signal=S.x_p)
-    early = [
-        band_of(one, RINGING, tint=tint, group=one.name, of=one.name) for one, tint in ((S.x_c, "xc"), (S.x, "m1"))
-    ]
     base, base_band = traced(S.y, tint="xp", read="base", signal=S.y)
+    early = (
+        band_of(one, RINGING, tint=tint, group=one.name, of=one.name) for one, tint in ((S.x_c, "xc"), (S.x, "m1"))
+    )
+    curves = (
+        dying,
+        curve(S.x_c, source=LATE, tint="xc", width="dash", read="complementary"),
+        steady,
+        base,
+        curve(S.upper, tint="m1", width="thin", read="envelope"),
+        curve(S.lower, tint="m1", width="thin", group=S.upper),
+        line,
+        curve(S.x, source=LATE, tint="m1", width="sum", read="x"),
+    )
+    return curves, (base_band, steady_band, dying_band, band, *early)
+
+
+def _displacement() -> Block:
+    curves, bands = _motions()
     return plot(
         X,
         x=Axes.t,
         y=Axes.x,
         title="Displacement against time",
-        curves=(
-            dying,
-            curve(S.x_c, source=LATE, tint="xc", width="dash", read="complementary"),
-            steady,
-            base,
-            curve(S.upper, tint="m1", width="thin", read="envelope"),
-            curve(S.lower, tint="m1", width="thin", group=S.upper),
-            line,
-            curve(S.x, source=LATE, tint="m1", width="sum", read="x"),
-        ),
-        bands=(base_band, steady_band, dying_band, band, *early),
+        curves=curves,
+        bands=bands,
         heading=(
             term(S.x, "sum", "m1", formula="x(t)"),
             phrase(
