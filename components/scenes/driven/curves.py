@@ -125,10 +125,12 @@ def ringing(case: DrivenCase) -> bool:
 
 
 def late(case: DrivenCase) -> Columns:
-    """x, and the part that dies, from when nothing is seen any more of the ringing that is too fast for a line."""
+    """x, and the part that dies, from when nothing is seen any more of the ringing that is too fast for a line.
+
+    They are drawn, so doubles will do: more digits would take longer than a picture may.
+    """
     t = case.t[case.settled :]
-    numbers = exact(case, t)
-    return by_name({Late.t: t, **{one: numbers[one] for one in (Signals.x, Signals.x_c)}})
+    return by_name({Late.t: t, Signals.x: case.drawn(t)[0], Signals.x_c: case.complementary.at(t)})
 
 
 class Late(Declared[DrivenCase]):
