@@ -10,7 +10,7 @@ from unicodedata import normalize
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.numbers import excerpt, shortest
 from components.scene.picture import Picture
-from components.scene.traces import BAND, FIRST_PERIODS, FLOOR, PER_FIRST_PERIOD, TIME, Columns, Traces
+from components.scene.traces import BAND, FIRST_PERIODS, FLOOR, PER_PERIOD, TIME, Columns, Traces
 
 SI = {
     "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
@@ -21,7 +21,7 @@ SI = {
 MEAN = "_mean"
 """The end of the name of a column that is drawn as its mean over a period."""
 FIRST = (
-    f"Rows: the first {FIRST_PERIODS} periods of the fastest motion with {PER_FIRST_PERIOD} points in each. "
+    f"Rows: the first {FIRST_PERIODS} periods of the fastest motion with {PER_PERIOD} points in each. "
     "The window ends at t = {end} s; the table {bands} covers all of it."
 )
 WHOLE = (

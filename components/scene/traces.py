@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -26,8 +25,8 @@ BAND = "band"
 FLOOR = "zero"
 """The column that a stack of bands begins at; files leave it out."""
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
-PER_PERIOD, FIRST_PERIODS, PER_FIRST_PERIOD = 20, 20, 40
-"""Points of a file in a period of the fastest motion: the fewest, and those in the first periods of a longer window."""
+PER_PERIOD, FIRST_PERIODS = 20, 10
+"""The fewest points of a file in a period of the fastest motion, and the periods of a window too long for that."""
 
 
 def samples(end: float, fastest: float) -> int:
@@ -79,28 +78,27 @@ class Traces:
     @property
     def whole(self) -> bool:
         """Whether a file resolves all motions over the whole window."""
-        return resolved(self.end, self.fastest)
+        return PER_PERIOD * self.end * self.fastest <= 2 * np.pi * (self.count - 1)
 
     @cached_property
     def file(self) -> Columns:
-        """Return the instants t and the numbers of all motions for a file: at most 1134 rows.
+        """Return the instants t and the numbers of all motions for a file: at most 1281 rows.
 
         Each period of the fastest motion has at least 20 rows. If the window is too long for that, the rows are the
-        first 20 periods.
+        first 10 periods.
         """
         names = self.names if self.moving is None else self.moving
         if not names:
             return {"t": self.t}
         t = self._instants
-        return _frozen(t, self._exact_drawn if len(t) == self.count and self.whole else self.exact(t), names)
+        return _frozen(t, self._exact_drawn if self.whole else self.exact(t), names)
 
     @property
     def _instants(self) -> Floats:
         if not self.whole:
             last = FIRST_PERIODS * 2 * np.pi / self.fastest
-            return np.linspace(0.0, last, FIRST_PERIODS * PER_FIRST_PERIOD + 1)
-        steps = math.ceil(PER_PERIOD * self.end * self.fastest / (2 * np.pi))
-        return np.linspace(0.0, self.end, max(self.count, steps + 1))
+            return np.linspace(0.0, last, FIRST_PERIODS * PER_PERIOD + 1)
+        return self.t
 
     @cached_property
     def _exact_drawn(self) -> Columns:
@@ -132,12 +130,13 @@ def _frozen(t: Floats, exact: Columns, names: Iterable[str]) -> Columns:
 def over_time(
     end: float, fastest: float, signals: Iterable[Name], exact: Callable[[Floats], Mapping[Signal[Any], Floats]],
     source: str = TIME, moving: Iterable[Name] | None = None, layers: Mapping[Any, tuple[Name, Name]] | None = None,
-    averaged: Iterable[Name] = (),
+    averaged: Iterable[Name] = (), moves: float | None = None,
 ) -> dict[str, Traces]:  # fmt: skip
     """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
     `exact` gives the physics' numbers of each signal. `moving` are the motions of a file, among them those too fast to
-    be drawn; `layers` are those that a plot shows between two edges, `averaged` the columns that are means.
+    be drawn; `layers` are those that a plot shows between two edges, `averaged` the means. `moves` is the
+    frequency that a file resolves, if that is another.
     """
     between = {one.name: (low.name, high.name) for one, (low, high) in (layers or {}).items()}
     found = Traces(
@@ -145,7 +144,7 @@ def over_time(
         samples(end, fastest),
         names_of(signals),
         lambda t: by_name(exact(t)),
-        fastest=fastest,
+        fastest=fastest if moves is None else moves,
         moving=None if moving is None else names_of(moving),
         layers=between,
         averaged=frozenset(names_of(averaged)),

@@ -36,7 +36,7 @@ class CsvTable:
 def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
     """Return the numbers of all plots that are seen, a table a file; several are packed. `page` is its address.
 
-    A table of motions has at most 1134 rows, one of bands at most 681. The physics is evaluated at most once for each
+    A table of motions has at most 1281 rows, one of bands at most 681. The physics is evaluated at most once for each
     of these instants, in the scenes with dashpots in arithmetic of 80 digits.
     """
     scene, head = told.scene, comments(told, picture, page)

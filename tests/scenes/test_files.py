@@ -240,11 +240,11 @@ def test_a_long_window_says_what_its_rows_are_and_has_the_bounds() -> None:
     (time,), (band,) = (
         [table for table in tables(SCENES["coupled"], scene.shown) if table.name == name] for name in ("time", "band")
     )
-    assert [note.split(";")[0][:27] for note in time.notes] == ["Rows: the first 20 periods "]
+    assert [note.split(";")[0][:27] for note in time.notes] == ["Rows: the first 10 periods "]
     assert [note.split(".")[0] for note in band.notes] == ["Rows: the whole window"]
     assert f"# {time.notes[0]}\r\n".encode() in as_csv(time, ["here"])
     assert {"x1_lo [m]", "x1_hi [m]", "x2_fast_hi [m]", "T1_mean [J]", "T2_mean [J]"} < set(band.head)
-    last = 40 * math.pi / of_scene(scene).modes().omega[1]
+    last = 20 * math.pi / of_scene(scene).modes().omega[1]
     assert (time.rows[-1][0], band.rows[-1][0]) == (pytest.approx(last), 1000)
     motion, bounds = taken(fitted(scene))["time"], taken(fitted(scene))["band"]
     for name in ("x1", "x2"):

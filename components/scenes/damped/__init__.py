@@ -85,6 +85,7 @@ class Damped(DashpotScene):
                 case.fastest,
                 shown,
                 lambda t: exact(case, t),
+                moves=case.oscillator.omega_d,
                 moving=moving(case),
                 layers=LAYERS,
                 averaged={*STACK, Signals.P} - {*shown},

@@ -108,7 +108,9 @@ class Energy(Scene):
             columns={**bands, "well": well_columns(case, axes)},
             axes=axes,
             signals=Signals.signals(case, axes),
-            traces=over_time(case.end, 2 * case.omega, signals, lambda t: exact(case, t), moving=moving(case)),
+            traces=over_time(
+                case.end, 2 * case.omega, signals, lambda t: exact(case, t), moving=moving(case), moves=case.omega
+            ),
             scalars=Places.scalars(case, axes) | planets_of(case, axes),
             pace=pace(case.omega, case.omega),
             values=N.texts(case, axes),
