@@ -28,7 +28,7 @@ from components.quantities.axes import TIME_AXIS
 from components.quantities.parameters import AnyParameter, Quantity
 from components.scene import Scene
 from components.scenes import SCENES
-from components.session.opening import standing_of
+from components.session.links import standing_of
 from components.state.beside import HIDDEN, WINDOW, holdable
 from components.state.covers import NEXT, coverable
 from components.state.link import Link

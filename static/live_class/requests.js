@@ -36,7 +36,7 @@ export async function ask(path, {method = "GET", body, word = "", signal} = {}) 
 }
 
 /**
- * Options for repeating a request: `failed` is called after each failure; `woken` gives the signal that ends the current pause;
+ * Options for repeating a request: `failed` is called after each failure; `woken` gives the signal that ends a pause;
  * a final failure is not repeated.
  * @typedef {{failed?: (reason: unknown) => void, woken?: () => AbortSignal,
  *   isFinal?: (reason: unknown) => boolean}} Insisting
