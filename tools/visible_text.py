@@ -52,9 +52,9 @@ def states(count: int, start: int, slugs: list[str], decades: float) -> list[Lin
         def keep(link: Link) -> None:
             found.append(link)
 
-        drawing = given(links(SCENES[slug], decades))(keep)
+        drawing: Any = given(links(SCENES[slug], decades))
         most = settings(max_examples=-(-count // len(slugs)), phases=[Phase.generate], database=None, deadline=None)
-        test: Any = settings(most, suppress_health_check=list(HealthCheck))(drawing)
+        test: Any = settings(most, suppress_health_check=list(HealthCheck))(drawing(keep))
         seed(start)(test)()
     return found
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import Phase, given, settings
 
 from components.scenes import SCENES
-from components.session.opening import standing_of
+from components.session.links import standing_of
 from components.state.link import Link, read_query
 from tests.grids import tries
 from tests.scenes.checks import as_arguments

@@ -19,7 +19,7 @@ from components.layout.sheet import in_force
 from components.quantities.refusals import in_words
 from components.scene.traces import BAND, band_columns
 from components.scenes import SCENES
-from components.session.opening import standing_of
+from components.session.links import standing_of
 from components.state.csv_export import as_csv, as_file, tables
 from components.state.link import Link
 from components.state.scene_sheet import plots
