@@ -10,8 +10,11 @@ from components.session.worker import prepare, work
 from components.walks.registry import all_walks
 from physics.accuracy_worker import restrain
 
+NICENESS = 5
+"""On a busy machine the server has three times the time of this process, for which visitors wait too."""
+
 if __name__ == "__main__":
     walks = all_walks(map(Path, sys.argv[1:]), SCENES)
     prepare(walks, SCENES)  # at once, since somebody waits: with low priority it may take minutes
-    restrain()
+    restrain(NICENESS)
     work(walks, SCENES, sys.stdin.buffer, sys.stdout.buffer)

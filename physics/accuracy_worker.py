@@ -44,10 +44,10 @@ def tell(**message: Any) -> None:
     print(json.dumps(message), flush=True)
 
 
-def restrain() -> None:
-    """Low priority and little memory, where the operating system knows such limits."""
+def restrain(niceness: int = NICENESS) -> None:
+    """Lower the priority and limit the memory of this process, if the operating system can."""
     if hasattr(os, "nice"):
-        os.nice(NICENESS)
+        os.nice(niceness)
     if resource is not None:
         with suppress(ValueError, OSError):  # a lower limit is in force already
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))

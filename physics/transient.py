@@ -269,7 +269,7 @@ def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -
             return [rounded(name, _decimal(value)) for name, value in zip(QUANTITIES, values, strict=True)], spent
         digits *= 2
     raise ValueError(
-        f"the motion at t = {t:.3g} s takes more digits than there is time for; "
+        f"the motion at t = {t:.3g} s takes more digits of arithmetic than are allowed: "
         "another time window or other values take fewer"
     )
 

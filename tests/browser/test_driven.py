@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.test_hearing import described
+from tests.browser.descriptions import described
 
 pytestmark = pytest.mark.browser
 SIZES = ((1280, 720), (1366, 768), (1920, 1080))

@@ -12,17 +12,11 @@ from playwright.sync_api import Page, expect
 
 from components.quantities.numbers import short, three
 from components.scenes import SCENES
+from tests.browser.descriptions import described
 
 pytestmark = pytest.mark.browser
 
 Open = Callable[..., Page]
-SAYS = "name => document.getElementById(`says-${name}`).textContent"
-TOLD = 'name => document.getElementById(`says-${name}`)?.textContent !== ""'
-
-
-def described(page: Page, name: str) -> str:
-    page.wait_for_function(TOLD, arg=name)
-    return str(page.evaluate(SAYS, name))
 
 
 def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:

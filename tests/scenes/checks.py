@@ -102,7 +102,7 @@ def numbers_of(picture: Picture) -> dict[str, Columns]:
     try:
         return picture.sources
     except ValueError as reason:
-        assert "doubles" in str(reason) or "there is time for" in str(reason), reason
+        assert "doubles" in str(reason) or "more digits of arithmetic" in str(reason), reason
         return picture.columns
 
 
