@@ -163,6 +163,8 @@ def test_every_verdict_on_the_absorber_is_decided_by_what_it_says() -> None:
                 assert (
                     swing < alone and -2 * scene.F_0 < pull < 0 and not (same and scene.shown.values["swing"] != "0.00")
                 )
+            case "own" | "little":
+                assert swing < alone and abs(scene.F_0 + pull) <= 0.011 * scene.F_0
             case "more":
                 assert swing > alone and near < 0.2
             case "adds":
@@ -171,7 +173,18 @@ def test_every_verdict_on_the_absorber_is_decided_by_what_it_says() -> None:
                 assert swing > alone and near >= 0.2 and pull < -2 * scene.F_0
             case _:
                 raise AssertionError(why)
-    assert seen == {"still", "almost", "same", "less", "more", "adds", "over", "grow", "beat", "aside"}
+    assert seen - {"own", "little"} == {
+        "still",
+        "almost",
+        "same",
+        "less",
+        "more",
+        "adds",
+        "over",
+        "grow",
+        "beat",
+        "aside",
+    }
 
 
 def check_growth(scene: Absorber, why: str, near: float) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from components.layout.sheet import either
 from components.quantities.declared import Declared, Form
+from components.quantities.numbers import three
 from components.quantities.parameters import one_of
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
@@ -41,12 +42,24 @@ VERDICTS = {
     "rest": f"With it, within {N.rest1} {N.x_unit}",
 }
 
+NEAR_OWN = 0.005
+"""Relative distance of the drive from the machine's own frequency within which the machine needs hardly any force."""
+
 form = Form[Duty]
 
 
 def _kind(duty: Duty) -> str:
     """The form of the amplitudes: of a particular solution where there is one."""
     return "damped" if duty.c else "undamped" if np.all(np.isfinite(duty.X)) else "none"
+
+
+def _why(duty: Duty) -> str:
+    """The form of the reason for the verdict. Two forces that agree in three digits leave nothing to explain it by."""
+    if duty.c:
+        return "damped"
+    if duty.verdict != "less" or three(duty.pull) != three(duty.F_0):
+        return duty.verdict
+    return "own" if abs(duty.omega / duty.own - 1) < NEAR_OWN else "little"
 
 
 def _why_rest(duty: Duty) -> str:
@@ -58,7 +71,7 @@ def _why_rest(duty: Duty) -> str:
 class Forms(Declared[Duty]):
     first = form(_kind)
     second = form(lambda d: "still" if d.verdict == "still" else _kind(d).replace("none", ""))
-    why = form(lambda d: "damped" if d.c else d.verdict)
+    why = form(_why)
     why_rest = form(_why_rest)
     rest = form(lambda d: d.from_rest)
     formulas = form(lambda d: not d.from_rest)
@@ -91,6 +104,15 @@ _WHY = either(
     less=(
         r"$k_2 \ne m_2 \omega^2$: spring 2 pulls "
         f"with {N.pull} {N.F_unit} at the most, the drive pushes with {N.push}. What is left moves the machine."
+    ),
+    own=(
+        r"$\omega \approx \sqrt{k_1/m_1}$: at this frequency mass 1 on spring 1 needs hardly any other force to swing. "
+        f"So spring 2 must pull as hard as the drive pushes, with {N.push}. It does so where the machine swings "
+        f"{N.swing} {N.x_unit}."
+    ),
+    little=(
+        r"$k_2 \ne m_2 \omega^2$, but spring 2 pulls almost as hard as the drive pushes, "
+        f"with {N.push}. Little is left to move the machine: it swings {N.swing} {N.x_unit}."
     ),
     almost=(
         r"$k_2 \approx m_2 \omega^2$: spring 2 pulls almost as hard as the drive pushes, "
@@ -135,10 +157,11 @@ FROM_REST = either(
     alone=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part2} {N.x_unit} at its "
     f"own frequency, {_NEVER}",
     grow=r"The drive meets a natural frequency: no particular solution of the form $X \sin \omega t$ exists. The swing "
-    "grows in proportion to time.",
-    beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
-    aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
-    f"stays within {N.rest1} {N.x_unit}.",
+    "that the drive adds grows in proportion to time.",
+    beat="Next to a natural frequency the swing that the drive adds to the machine grows for long in proportion to "
+    "time, then it beats.",
+    aside="Next to a natural frequency at which almost mass 2 alone swings, the swing that the drive adds to mass 2 "
+    f"grows for long. The machine's stays within {N.rest1} {N.x_unit}.",
     damped=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out, each "
     f"term to 1 % within {N.dies}.",
     alike=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out.",
