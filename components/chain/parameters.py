@@ -25,8 +25,8 @@ def masses_and_springs(
     return (
         mass(m1, symbol="m_1", tint="m1", says=f"is the mass {first}. Type any value above 0."),
         mass(m2, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0."),
-        stiffness(k1, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."),
-        stiffness(k2, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up."),
+        stiffness(k1, symbol="k_1", says="ties mass 1 to the wall. 0 takes the spring away; type any value from 0 up."),
+        stiffness(k2, symbol="k_2", says="couples the masses. 0 takes the spring away; type any value from 0 up."),
     )
 
 

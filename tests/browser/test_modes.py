@@ -72,9 +72,9 @@ def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="modes", task="hunt")
     drag(page, at(page, "plane", 0.9, 0.2), at(page, "plane", 0.5, 1.0))
     expect(page.get_by_text("Found: a straight line, the slow mode.")).to_be_visible()
-    expect(page.get_by_text("The lines:")).to_be_hidden()
+    expect(page.get_by_text("The directions of the modes:")).to_be_hidden()
     page.get_by_role("button", name="Reveal").click()
-    expect(page.get_by_text("The lines:")).to_be_visible()
+    expect(page.get_by_text("The directions of the modes:")).to_be_visible()
     before = page.evaluate("oscillations.clock.t")
     page.wait_for_function(f"oscillations.clock.t !== {before}")
 

@@ -64,7 +64,7 @@ class Absorber(Scene):
     title = "Absorber"
     lecture = "D34"
     points = "beyond the slides"
-    headline = "A tuned mass holds the machine still; the price is two resonances"
+    headline = "A tuned mass can hold the machine still; the price is two resonances"
     pictured = (SWING, {})
     spoken = {"machine": N.swing, "resonances": f"{{{N.slow.name}}} and {N.fast.aloud}"}
     equations = (

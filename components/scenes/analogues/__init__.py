@@ -55,7 +55,7 @@ class Analogues(Scene):
     title = "Analogues"
     lecture = "D31"
     points = "point 7"
-    headline = "Nine systems, one equation: only the names change"
+    headline = "Nine systems, one equation for small swings"
     spoken = {"period": N.period, "frequency": N.frequency}
     equations = (
         "inertia q'' + stiffness q = 0; of a pendulum and a rocking body: theta'' + omega_n^2 sin(theta) = 0",

@@ -10,7 +10,7 @@ from components.chain.signals import Axes
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.sheet import choice, column, desk, when, words
+from components.layout.sheet import Paragraph, choice, column, desk, when, words
 from components.quantities.declared import Declared, Family, Form
 from components.quantities.parameters import Values, angular_frequency, finite, one_of
 from components.quantities.readouts import Readout
@@ -24,9 +24,9 @@ from components.scenes.modes.numbers import BrakedChain, ComparedNumbers, RootRe
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 
-TASKS = {
+TASKS: dict[str, Paragraph] = {
     "guess": "Drag the point: where is no extra force needed?",
-    "solve": "Change the chain: can the two frequencies ever meet?",
+    "solve": solve.TASK,
     "sweep": "Sweep one value: which frequency follows it, and where do the two come near?",
     "hunt": "Drag the start: from where is the path a straight line?",
 }
@@ -52,7 +52,7 @@ class ModesScene(Scene):
     title = "Modes"
     lecture = "D34"
     points = "points 3, 4"
-    headline = "Both masses agree on a shape at just two frequencies"
+    headline = "Undamped masses agree on a shape at two frequencies"
     pictured = (guess.SHAPE, {"task": "guess"})
     spoken = {"slow mode": ComparedNumbers.omega_slow, "fast mode": ComparedNumbers.omega_fast}
     equations = (

@@ -41,7 +41,6 @@ FOUND = 0.03
 SWINGS, PER_SWING, MOST = 40, 96, 1281
 """The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
 
-TASK = "Drag the start, the ring, until the path is a straight line. There are two such directions."
 ANSWER = one_of("hidden", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer")
 
 
@@ -67,7 +66,15 @@ class Hunt(Declared[HuntCase]):
     share_fast = Scalar[HuntCase](lambda c, a: c.shares[1])
     verdict = Form[HuntCase](lambda c: found(c.system, c.shares))
     answer = Form[HuntCase](lambda c: c.revealed)
+    hunt_task = Form[HuntCase](lambda c: "two" if c.system.k1 and c.system.k2 else "every")
     line = chain.lines_of("answer")
+
+
+TASK = either(
+    Hunt.hunt_task,
+    two="Drag the start, the ring, until the path is a straight line. There are two such directions.",
+    every="Drag the start, the ring: with a spring missing, is any path not a straight line?",
+)
 
 
 PLANE = PlotFrame("plane")
@@ -108,7 +115,8 @@ def _verdict() -> Paragraph:
 def _answer() -> Paragraph:
     return either(
         Hunt.answer,
-        shown=rf"The lines: [slow|$X_2/X_1 = {N.answer_slow}$] and [fast|$X_2/X_1 = {N.answer_fast}$].",
+        shown=rf"The directions of the modes: [slow|$X_2/X_1 = {N.answer_slow}$] and "
+        rf"[fast|$X_2/X_1 = {N.answer_fast}$].",
     )
 
 

@@ -63,8 +63,16 @@ class Solve(Declared[BrakedChain]):
     many = form(lambda c: c.brakes and len(c.motions) > len(chain.MODES))
     root = Family(MOTIONS, lambda place: form(lambda c: c.root(place)), "{}_root")
     undamped = form(lambda c: not c.brakes)
+    solve_task = form(lambda c: "braked" if c.brakes else "plain")
     drawn = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode in c.exponents), "{}_drawn")
     missing = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode not in c.exponents), "{}_missing")
+
+
+TASK = either(
+    Solve.solve_task,
+    plain="Change the chain: can the two frequencies ever meet?",
+    braked="Change a dashpot: how many of the free motions still swing?",
+)
 
 
 def _root(place: str) -> Paragraph:

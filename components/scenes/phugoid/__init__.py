@@ -45,7 +45,7 @@ class Phugoid(Scene):
     title = "Phugoid"
     lecture = "D31"
     points = "points 8 to 10"
-    headline = "Left alone, an aircraft swings; only its speed sets the period"
+    headline = "Without losses, an aircraft oscillates; speed sets the period, not mass"
     pictured = (PATH, {"excess": 0.5})
     spoken = {"period by the linear theory": N.tau, "this swing": N.late}
     equations = (
