@@ -152,9 +152,9 @@ def exchange_plots() -> tuple[Block, ...]:
             low=True,
         ),
         words(
-            r"$\tfrac{1}{2} m\,v^2 = \tfrac{1}{2} m\,v_0^2 + m\,v_0 v' + \tfrac{1}{2} m\,v'^2$: what is traded for "
-            r"$m\,g\,h'$ is the middle term, of first order, at $\omega$. A spring exchanges squares, "
-            r"$\tfrac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
+            r"$\tfrac{1}{2} m\,v^2 = \tfrac{1}{2} m\,v_0^2 + m\,v_0 v' + \tfrac{1}{2} m\,v'^2$. Of a small $v'$ the "
+            r"last term is too small to count: the middle one is traded for $m\,g\,h'$, at $\omega$. A spring "
+            r"exchanges squares, $\tfrac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
             style="small",
             phone=16,
         ),
