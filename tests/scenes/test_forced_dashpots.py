@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from components.chain.forces import LENGTH, on_masses
+from components.language.state import Frame
 from components.scenes.forced import Forced
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.response import response_plot
@@ -142,3 +143,16 @@ def test_about_these_numbers_finds_no_number_beyond_its_bound(c1: float, c2: flo
     scene = Forced(c1=c1, c2=c2, x1_0=0.5)
     for table in scene.about(scene.shown).tables:
         assert table.rows and all(point.off <= table.limit for point in table.rows), table
+
+
+@pytest.mark.parametrize("c2", [0.0, 0.86])
+@pytest.mark.parametrize("curve", ["size", "signed", "log"])
+def test_a_frame_from_right_to_left_has_the_same_curves(c2: float, curve: str) -> None:
+    forward, back = (
+        Forced(c2=c2, curve=curve).picture(Frame(ranges={"omega": ends}, given=True)).columns
+        for ends in ((0.3, 3.0), (3.0, 0.3))
+    )
+    for source in ("response", *(f"branch{i}" for i in range(4))):
+        assert forward[source].keys() == back[source].keys()
+        for name, values in forward[source].items():
+            np.testing.assert_array_equal(values, back[source][name])

@@ -113,13 +113,13 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
     """Frequencies, the amplitudes there, and which of them each branch has."""
     # Down to 0; on a log axis far below the frame, where a number is left to draw.
-    w, branches = _branches(_cuts(case), BESIDE if log else 0.0, across.start, across.end)
+    w, branches = _branches(_cuts(case), BESIDE if log else 0.0, *sorted((across.start, across.end)))
     return w, particular_solution(case.chain, case.modes.F_0, w), branches
 
 
 def _curve(case: Dying, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
     """As above, of one branch, finite everywhere: over the axis, and more about each peak, as it is wide."""
-    low, high = across.start, across.end
+    low, high = sorted((across.start, across.end))
     grid = np.geomspace(low, high, 4 * POINTS) if log else np.linspace(low, high, 4 * POINTS)
     peaks = [
         exponent.imag + side * max(-exponent.real, CLOSEST * exponent.imag) * WIDTHS
