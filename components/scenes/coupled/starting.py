@@ -35,7 +35,7 @@ class Begun(Protocol):
 
 
 def amplitude(mode: str, sign: str, default: float) -> Quantity:
-    says = f"is how far mass 1 swings in the {mode} mode. Type any value from 0 up."
+    says = f"is the amplitude of mass 1 in the {mode} mode; without spring 2, of the mass that moves. Any value from 0."
     return not_negative(
         default, symbol=f"X_{sign}", unit="m", label=f"amplitude of the {mode} mode", tint=mode,
         allowed="an amplitude is a finite number, 0 or more", softbounds=(0.0, 1.0), says=says,
