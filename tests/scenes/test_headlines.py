@@ -67,6 +67,17 @@ def test_hunt_asks_for_two_directions_only_where_other_starts_give_no_line(
         assert np.linalg.svd(centred, compute_uv=False)[1] <= 1e-9 * np.abs(path).max() * path.shape[1]
 
 
+@many
+@given(CHAINS, st.sampled_from(("m1", "m2", "k1", "k2")))
+def test_the_shapes_of_a_sweep_mirror_each_other_with_spring_2_only(values: dict[str, float], swept: str) -> None:
+    text, ratio = said(ModesScene(task="sweep", swept=swept, **values)), TwoMassChain(**values).modes().ratio
+    assert ("With spring 2 the two shapes mirror each other" in text) == bool(values["k2"] or swept == "k2")
+    if values["k2"]:
+        np.testing.assert_allclose(-ratio[0] * ratio[1], values["m1"] / values["m2"], rtol=1e-12)
+    else:
+        assert ratio.tolist() == [math.inf, 0.0]
+
+
 # Phugoid
 
 

@@ -131,7 +131,10 @@ def sheet() -> Block:
                 loose="**The thin lines** are the frequency of one mass with the other one fixed: without spring 2 "
                 "they are the modes.",
             ),
-            either(Sweep.tied, shown=r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$."),
+            either(
+                Sweep.tied,
+                shown=r"With spring 2 the two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$.",
+            ),
             grow=288,
             phone=20,
         ),
