@@ -14,7 +14,8 @@ slower part dies, omega_d = sqrt(omega_n^2 - a^2) or 0, and beta = sqrt(a^2 - om
 sigma is a up to critical damping and omega_n^2/(a + beta) beyond, where a - beta would cancel. v and a obey the same
 equation from (v_0, a_0) and (a_0, a_0').
 
-FreeDecay has one such motion from its start: where it passes 0 and turns, when it has settled, what it has lost.
+FreeDecay is one such motion from its initial conditions: x and v as motions, its turns and its greatest speed, when it
+has settled, what it has lost.
 
 Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6.
 """
@@ -23,7 +24,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from math import inf, pi
 from typing import Literal, NamedTuple
@@ -34,6 +35,7 @@ from numpy.typing import ArrayLike
 from physics.curves import ScaledCurve, combined, product, turning
 from physics.elementary import SMALLEST_EXPONENT, exponential
 from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
+from physics.motion import Elementary, ExactMotion
 from physics.oscillator import OscillatorMotion, phase_of
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array, in_range
 
@@ -82,6 +84,14 @@ class Fading(NamedTuple):
         return np.asarray(np.exp(-self.slow * t) * (self.start * np.cos(self.swing * t) + self.rate * sine))
 
 
+class Moment(NamedTuple):
+    """A time in s with x in m and v in m/s."""
+
+    t: float
+    x: float
+    v: float
+
+
 @dataclass(frozen=True, kw_only=True)
 class DampedOscillator:
     """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
@@ -95,18 +105,18 @@ class DampedOscillator:
         check_not_negative("a damping in N s/m", c=self.c)
         check_not_negative("a stiffness in N/m", k=self.k)
 
-    @property
+    @cached_property
     def omega_n(self) -> float:
         """The natural frequency without damping, in rad/s."""
         with precise():
             return float((exact(self.k) / exact(self.m)).sqrt())
 
-    @property
+    @cached_property
     def omega_d(self) -> float:
         """The frequency of the damped swing, in rad/s; 0 from critical damping on."""
         return float(self._swing)
 
-    @property
+    @cached_property
     def zeta(self) -> float:
         """c over the critical damping 2 sqrt(k m); 1 is critical."""
         if not self.c:
@@ -122,13 +132,13 @@ class DampedOscillator:
                 return "critical"
         return "under" if self._excess < 0 else "over"
 
-    @property
+    @cached_property
     def rates(self) -> tuple[float, float]:
         """The rates in 1/s at which the slower and the faster part die; equal where it swings."""
         with precise():
             return float(self._sigma), float(self._sigma + 2 * self._beta)
 
-    @property
+    @cached_property
     def log_decrement(self) -> float:
         """delta = 2 pi a/omega_d, the logarithm of a peak over the next one; infinite where it does not swing."""
         with precise():
@@ -243,6 +253,97 @@ class FreeDecay:
     oscillator: DampedOscillator
     x_0: float
     v_0: float
+
+    @cached_property
+    def x(self) -> ExactMotion:
+        """The displacement in m. Where it oscillates it fills its envelope, and the spring has half of the energy."""
+        one = self.oscillator
+        return Elementary(
+            symbol="x", exact=lambda t: self._motion(t).x, played=self.fadings[0], size=self.reach, omega=one.omega_d,
+            band=lambda: self.envelope, square=lambda: self._decaying_energy / one.k,
+        )  # fmt: skip
+
+    @cached_property
+    def v(self) -> ExactMotion:
+        """The velocity in m/s. Where it oscillates the mass has half of the energy on average."""
+        one = self.oscillator
+        return Elementary(
+            symbol="v", exact=lambda t: self._motion(t).v, played=self.fadings[1], size=lambda: abs(self.fastest.v),
+            omega=one.omega_d, square=lambda: self._decaying_energy / one.m,
+        )  # fmt: skip
+
+    @cached_property
+    def fadings(self) -> tuple[Fading, Fading, Fading]:
+        """x, v and a for signals."""
+        return self.oscillator.fading(self.x_0, self.v_0)
+
+    @cached_property
+    def amplitude_and_phase(self) -> tuple[float, float]:
+        """The amplitude of the envelope at the start in m and the phase in rad, where it oscillates."""
+        first = self.oscillator.decays(self.x_0, self.v_0)[0]
+        return first.amplitude, first.phase
+
+    @cached_property
+    def envelope(self) -> ExactMotion:
+        """The upper envelope in m, where it oscillates."""
+        return _exponential("envelope", self.amplitude_and_phase[0], self.oscillator.rates[0])
+
+    @cached_property
+    def parts(self) -> tuple[ExactMotion, ExactMotion]:
+        """The slow and the fast exponential in m, where it does not oscillate."""
+        (slow, fast), rates = self.fadings[0].late, self.oscillator.rates
+        return _exponential("slow", slow, rates[0]), _exponential("fast", fast, rates[1])
+
+    @cached_property
+    def E_0(self) -> float:
+        """The energy at the start in J."""
+        one = self.oscillator
+        with precise():
+            kinetic, potential = exact(one.m) * exact(self.v_0) ** 2, exact(one.k) * exact(self.x_0) ** 2
+            return rounded("the energy at the start", (kinetic + potential) / 2)
+
+    @cached_property
+    def fastest(self) -> Moment:
+        """The moment at which the mass is fastest."""
+        found = self.first_top_speed
+        moments = self.moments([0.0] if found is None else [0.0, found])
+        return max(moments, key=lambda moment: abs(moment.v))
+
+    def peaks(self, count: int) -> list[Moment]:
+        """Return the first turns on the side of the first one, where it oscillates; at rest the start is a turn."""
+        first, tau = 0.0 if not self.v_0 else self.first_turn or 0.0, 2 * pi / self.oscillator.omega_d
+        return self.moments([first + i * tau for i in range(count)])
+
+    def reach(self, end: float = inf) -> float:
+        """Return the largest |x| in m up to the time `end` in s."""
+        turn = self.first_turn
+        times = [0.0, *([] if turn is None or turn > end else [turn]), *([end] if end < inf else [])]
+        return max(abs(moment.x) for moment in self.moments(times))
+
+    def moments(self, times: list[float]) -> list[Moment]:
+        """Return the motion at these times in s."""
+        motion = self.oscillator.motion(self.x_0, self.v_0, times)
+        return list(map(Moment, times, motion.x.tolist(), motion.v.tolist()))
+
+    @cached_property
+    def _decaying_energy(self) -> ExactMotion:
+        """The energy in J, averaged over a cycle of light damping."""
+        rate = self.oscillator.rates[0]
+
+        def energy(t: Array) -> Array:
+            decay = np.exp(-rate * t)
+            return np.asarray(self.E_0 * decay * decay)
+
+        played = Decay(self.E_0, 0.0, 2 * rate, 0.0, pi / 2)
+        return Elementary(symbol="energy", exact=energy, played=played, size=lambda: self.E_0)
+
+    def _motion(self, t: Array) -> OscillatorMotion:
+        return self._motions(t.tobytes())
+
+    @cached_property
+    def _motions(self) -> Callable[[bytes], OscillatorMotion]:
+        """The motion at the times in a buffer: x, v and what is made of them share one computation."""
+        return lru_cache(1)(lambda times: self.oscillator.motion(self.x_0, self.v_0, np.frombuffer(times)))
 
     @property
     def first_zero(self) -> float | None:
@@ -383,6 +484,15 @@ def _parting(beta: Decimal, t: Array) -> ScaledCurve:
         short = y < _SHORT
         hi, lo = np.where(short, first, whole)
         return ScaledCurve(hi, lo, 1 / (2 * beta))
+
+
+def _exponential(symbol: str, size: float, rate: float) -> ExactMotion:
+    return Elementary(
+        symbol=symbol,
+        exact=lambda t: np.asarray(size * np.exp(-rate * t)),
+        played=Decay(size, 0.0, rate, 0.0, pi / 2),
+        size=lambda: abs(size),
+    )
 
 
 def _decay(amplitude: Decimal, slope: Decimal, rate: Decimal, omega: Decimal = NONE, phase: float = pi / 2) -> Decay:

@@ -1,0 +1,166 @@
+"""Motions as values: exact at given times, playable by a few numbers, averaged where they are too fast to draw.
+
+A system gives `Elementary` motions. Motions and numbers combine with + - * / and **, so 0.5 * k * x**2 is a motion too.
+Factors are decimals: no product of them leaves the range of doubles before the result does.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from physics.exact import Array
+
+ONE = Decimal(1)
+
+
+class ExactMotion(ABC):
+    """A quantity that changes with time, in SI units.
+
+    `omega` is the frequency of its fastest oscillation in rad/s, 0 if it does not oscillate.
+    """
+
+    omega: float
+
+    @abstractmethod
+    def at(self, t: Array) -> Array:
+        """Return the exact values at the times t (n,) in s; infinite where they leave the range of doubles."""
+
+    @property
+    @abstractmethod
+    def mean(self) -> ExactMotion:
+        """The average over a cycle, slow enough to draw."""
+
+    @property
+    def reach(self) -> ExactMotion | None:
+        """Half the height of the band around 0 that it fills; None if it is not known."""
+        return None
+
+    def __add__(self, other: ExactMotion | float) -> ExactMotion:
+        return MotionPolynomial((*_terms(self), *_terms(other)))
+
+    def __mul__(self, other: ExactMotion | float) -> ExactMotion:
+        if isinstance(other, ExactMotion):
+            return MotionPolynomial(((ONE, (self, other)),))
+        return MotionPolynomial(((Decimal(other), (self,)),))
+
+    def __truediv__(self, other: float) -> ExactMotion:
+        return MotionPolynomial(((ONE / Decimal(other), (self,)),))
+
+    def __pow__(self, power: int) -> ExactMotion:
+        return MotionPolynomial(((ONE, (self,) * power),))
+
+    def __neg__(self) -> ExactMotion:
+        return self * -1.0
+
+    def __sub__(self, other: ExactMotion | float) -> ExactMotion:
+        return self + -other
+
+    def __rsub__(self, other: float) -> ExactMotion:
+        return -self + other
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
+"""A factor and the motions that it multiplies."""
+
+
+def constant(value: float) -> ExactMotion:
+    """A motion that keeps its value."""
+    return MotionPolynomial(_terms(value))
+
+
+def _terms(one: ExactMotion | float) -> tuple[MotionTerm, ...]:
+    return ((ONE, (one,)),) if isinstance(one, ExactMotion) else ((Decimal(one), ()),)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Elementary(ExactMotion):
+    """A motion of a system.
+
+    `symbol` names it if a scene does not. `exact` returns its values, `played` are the numbers by which the browser
+    plays it, `size` returns its largest magnitude. `band` returns its `reach`, `square` the mean of its square.
+    """
+
+    symbol: str
+    exact: Callable[[Array], Array]
+    played: object
+    size: Callable[[], float]
+    omega: float = 0.0
+    band: Callable[[], ExactMotion] | None = None
+    square: Callable[[], ExactMotion] | None = None
+
+    def at(self, t: Array) -> Array:
+        return self.exact(t)
+
+    @property
+    def mean(self) -> ExactMotion:
+        return constant(0.0) if self.omega else self
+
+    @property
+    def reach(self) -> ExactMotion | None:
+        return self.band() if self.band else None
+
+
+@dataclass(frozen=True, eq=False)
+class MotionPolynomial(ExactMotion):
+    """A sum of products of motions, each with a factor."""
+
+    terms: tuple[MotionTerm, ...]
+
+    @cached_property
+    def omega(self) -> float:  # type: ignore[override]
+        return max((sum(one.omega for one in motions) for _, motions in self.terms), default=0.0)
+
+    def at(self, t: Array) -> Array:
+        with np.errstate(over="ignore", invalid="ignore"):
+            total, *others = [_product(factor, motions, t) for factor, motions in self.flat()]
+            for one in others:
+                total = total + one
+        return total
+
+    @property
+    def mean(self) -> ExactMotion:
+        return MotionPolynomial(tuple((factor, _averaged(motions)) for factor, motions in self.flat()))
+
+    def flat(self, whole: Callable[[ExactMotion], bool] = lambda motion: False) -> Iterator[MotionTerm]:
+        """Return the terms with single products multiplied out, except the motions that stay `whole`."""
+        for factor, motions in self.terms:
+            parts: list[ExactMotion] = []
+            for one in motions:
+                if isinstance(one, MotionPolynomial) and len(one.terms) == 1 and not whole(one):
+                    ((inner, more),) = one.flat(whole)
+                    factor, parts = factor * inner, [*parts, *more]
+                else:
+                    parts.append(one)
+            yield factor, tuple(parts)
+
+
+def _product(factor: Decimal, motions: tuple[ExactMotion, ...], t: Array) -> Array:
+    """The values of a product (n,), also where a part of it alone leaves the range of doubles."""
+    if len(motions) == 1 and abs(factor) == 1:
+        return motions[0].at(t) if factor > 0 else -motions[0].at(t)
+    base, exponent = np.frexp(float(factor))
+    values, exponents = np.ones_like(t), np.full(t.shape, exponent)
+    for one in motions:
+        mantissas, powers = np.frexp(one.at(t))
+        values, exponents = values * mantissas, exponents + powers
+    return np.asarray(np.ldexp(base * values, exponents))
+
+
+def _averaged(motions: Iterable[ExactMotion]) -> tuple[ExactMotion, ...]:
+    """The factors of the mean of a product: the slow motions, and the mean of the fast one or of its square."""
+    slow, fast = [one for one in motions if not one.omega], [one for one in motions if one.omega]
+    if len(fast) < 2:
+        return (*slow, *(one.mean for one in fast))
+    first, *others = fast
+    if others == [first] and isinstance(first, Elementary) and first.square:
+        return (*slow, first.square())
+    raise NotImplementedError("The mean of this product of fast motions is unknown: its system has to give it.")

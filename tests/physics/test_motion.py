@@ -1,0 +1,100 @@
+"""Motions as values: exact sums and products, also near the ends of the doubles; means and bands of fast ones."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from physics.damped import DampedOscillator, FreeDecay
+from physics.exact import Array
+from physics.motion import Elementary, MotionPolynomial, constant
+
+
+def decay(m: float = 1.0, c: float = 0.4, k: float = 4.0, x_0: float = 1.0, v_0: float = 0.0) -> FreeDecay:
+    return FreeDecay(oscillator=DampedOscillator(m=m, c=c, k=k), x_0=x_0, v_0=v_0)
+
+
+@pytest.fixture
+def t() -> Array:
+    return np.linspace(0.0, 10.0, 101)
+
+
+def test_a_motion_is_that_of_the_system(t: Array) -> None:
+    free = decay(v_0=0.3)
+    motion = free.oscillator.motion(1.0, 0.3, t)
+    assert np.array_equal(free.x.at(t), motion.x) and np.array_equal(free.v.at(t), motion.v)
+
+
+def test_sums_products_and_quotients_are_those_of_the_values(t: Array) -> None:
+    free = decay()
+    x, v = free.x.at(t), free.v.at(t)
+    pairs = [
+        (free.x + free.v, x + v),
+        (2.0 - free.x, 2.0 - x),
+        (free.x - 1, x - 1),
+        (3.0 * free.x / 4.0, 0.75 * x),
+        (-free.v, -v),
+        (free.x * free.v, x * v),
+        (0.5 * free.x**2 + free.v**2, 0.5 * x**2 + v**2),
+        (constant(2.0), np.full_like(t, 2.0)),
+    ]
+    for motion, values in pairs:
+        assert np.array_equal(motion.at(t), values)
+
+
+def test_the_energies_are_conserved(t: Array) -> None:
+    free = decay()
+    energy = 0.5 * 4.0 * free.x**2 + 0.5 * 1.0 * free.v**2
+    assert energy.at(t) + free.lost(t) == pytest.approx(free.E_0, rel=1e-14)
+
+
+@pytest.mark.parametrize(("k", "x_0"), [(1e-300, 1e200), (1e300, 1e-200)])
+def test_no_factor_alone_takes_a_product_out_of_range(t: Array, k: float, x_0: float) -> None:
+    """The square of the displacement leaves the range of doubles, the energy does not."""
+    free = decay(m=k, c=0.0, k=k, x_0=x_0)
+    assert (0.5 * k * free.x**2).at(t)[0] == pytest.approx(0.5 * k * x_0 * x_0, rel=1e-12)
+
+
+def test_a_product_out_of_range_is_infinite(t: Array) -> None:
+    assert np.isinf((1e200 * decay(x_0=1e200).x).at(t)[0])
+
+
+def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
+    free = decay(m=2.0, c=1e-3, k=50.0, v_0=1.0)
+    whole = np.linspace(0.0, 2 * math.pi / free.oscillator.omega_d, 4001)
+    for motion in (free.x, 25.0 * free.x**2, free.v**2, 3.0 - free.v**2, 2.0 * (free.x**2 + free.v**2)):
+        averaged = np.trapezoid(motion.at(whole), whole) / whole[-1]
+        size = np.max(np.abs(motion.at(whole)))
+        assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
+
+
+def test_the_mean_of_an_unknown_product_is_refused() -> None:
+    free = decay()
+    with pytest.raises(NotImplementedError, match="mean of this product"):
+        _ = (free.x * free.v).mean
+
+
+def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
+    free = decay(v_0=-2.0)
+    assert free.x.reach is not None and free.v.reach is None and free.parts[0].reach is None
+    assert np.all(np.abs(free.x.at(t)) <= free.x.reach.at(t) * (1 + 1e-12))
+
+
+def test_a_product_takes_the_place_of_its_name() -> None:
+    """A motion that stays whole is one factor; others are multiplied out."""
+    free = decay()
+    V = 2.0 * free.x**2
+    ((factor, motions),) = (3.0 * V).flat()
+    assert (factor, motions) == (6, (free.x, free.x))
+    ((factor, motions),) = (3.0 * V).flat(whole=lambda motion: motion is V)
+    assert (factor, motions) == (3, (V,))
+    assert isinstance(V, MotionPolynomial) and V.omega == 2 * free.oscillator.omega_d
+
+
+def test_the_numbers_that_the_browser_plays_are_the_motion(t: Array) -> None:
+    free = decay()
+    assert isinstance(free.x, Elementary)
+    assert free.fadings[0] is free.x.played
+    assert free.fadings[0].at(t) == pytest.approx(free.x.at(t), abs=1e-14)
