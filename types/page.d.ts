@@ -1253,7 +1253,9 @@ declare namespace page {
   /** A coefficient times named quantities. */
   type Product = [factor: number, names: string[]]
 
-  /** A sum of products of named quantities: signals, scalars, W and H, the frames of plots. */
+  /** A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
+   *
+   * Anything else than a number may convert itself by its own reflected operators. */
   interface Expression {
     terms: Product[]
   }

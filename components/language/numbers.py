@@ -27,11 +27,16 @@ class Product(Struct, frozen=True, array_like=True):
 
 
 class Expression(Struct, frozen=True):
-    """A sum of products of named quantities: signals, scalars, W and H, the frames of plots."""
+    """A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
+
+    Anything else than a number may convert itself by its own reflected operators.
+    """
 
     terms: tuple[Product, ...]
 
     def __add__(self, other: Number) -> Expression:
+        if not isinstance(other, (int, float, Expression)):
+            return NotImplemented
         return Expression(self.terms + as_expression(other).terms)
 
     __radd__ = __add__
@@ -40,12 +45,16 @@ class Expression(Struct, frozen=True):
         return self * -1
 
     def __sub__(self, other: Number) -> Expression:
+        if not isinstance(other, (int, float, Expression)):
+            return NotImplemented
         return self + -as_expression(other)
 
     def __rsub__(self, other: Number) -> Expression:
         return as_expression(other) - self
 
     def __mul__(self, other: Number) -> Expression:
+        if not isinstance(other, (int, float, Expression)):
+            return NotImplemented
         right = as_expression(other).terms
         return Expression(tuple(Product(a.factor * b.factor, a.names + b.names) for a in self.terms for b in right))
 

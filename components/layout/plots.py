@@ -28,6 +28,12 @@ from components.layout.text import plain as plain_text
 from components.layout.text import runs
 from components.quantities.declared import Column, Named
 
+TIME = "time"
+"""The source of the curves over the time window."""
+BAND = "band"
+"""The source of the bands that stand for curves too fast to be drawn."""
+FLOOR = "zero"
+"""The column that a stack of bands begins at; files leave it out."""
 USUAL_ROOM = Room()
 NUMBERS = 30
 """The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""

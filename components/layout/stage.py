@@ -97,6 +97,11 @@ class PlotFrame:
         return named(f"{self.name}.{what}")
 
 
+def wide(on_wide: Number, narrow: Number) -> Expression:
+    """Return a number where plots stand next to the stage, and another one on a phone."""
+    return WIDE * on_wide + NARROW * narrow
+
+
 def shown_by(by: ShownBy, *shapes: Shape) -> list[Shape]:
     """The shapes, drawn only while none of these further scalars is 0 either."""
     return [replace(one, show=(*_shown(by), *one.show)) for one in shapes]

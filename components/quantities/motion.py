@@ -29,7 +29,7 @@ from components.language.signals import (
     Sines,
 )
 from components.quantities.axes import Axis
-from physics.damped import Fading
+from physics.damped import Decay, Fading
 from physics.driven import Push
 from physics.valid import DOUBLES
 
@@ -37,7 +37,7 @@ QUARTER = math.pi / 2
 """A quarter turn: the sine so much ahead is the cosine."""
 
 
-def scaled(exponent: int, *factors: float) -> float:
+def scaled(exponent: int, *factors: float | Decimal) -> float:
     """The product of the factors divided by 10**exponent, though intermediate products leave the range of doubles."""
     others = [factor for factor in factors if factor != 1]
     if not exponent and len(others) <= 1:  # in most pictures
@@ -116,6 +116,16 @@ def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
         im=scaled(sized, im, 1 / size.factor),
         **{name: scaled(-time.exponent, rate) for name, rate in rates.items()},
     )
+
+
+def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
+    """Return the signal of an elementary motion from the numbers by which it is played."""
+    match numbers:
+        case Fading():
+            return damped(size, time, numbers)
+        case Decay(amplitude, slope, rate, omega, phase):
+            return sines(size, time, (amplitude, omega, phase, rate, slope))
+    raise TypeError(f"{type(numbers).__name__} is not played by any signal")
 
 
 def derived(expression: Number) -> Derived:

@@ -104,16 +104,31 @@ def rows(
     place: Place = TIME,
     at: list[int] | None = None,
 ) -> list[CheckedPoint]:
-    """A few points, or those `at` indices, of each named curve that is drawn, place by place."""
+    """Return `points` of curves named by their declarations."""
+    return points(_by_name(names), columns, true, place, at)
+
+
+def points(
+    names: Mapping[str, str],
+    columns: Columns,
+    true: Mapping[str, Sequence[Point]],
+    place: Place = TIME,
+    at: list[int] | None = None,
+) -> list[CheckedPoint]:
+    """Return a few points, or those at the indices `at`, of each named curve that is drawn, place by place."""
     found = []
     for n, i in enumerate(few(columns[place.column]) if at is None else at):
         where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
         found += [
-            CheckedPoint(name, where, float(columns[one.name][i]), true[one.name][n])
-            for one, name in names.items()
-            if one.name in columns
+            CheckedPoint(text, where, float(columns[name][i]), true[name][n])
+            for name, text in names.items()
+            if name in columns
         ]
     return found
+
+
+def _by_name(names: Mapping[One, str]) -> dict[str, str]:
+    return {one.name: text for one, text in names.items()}
 
 
 def every_digit(value: float) -> str:
@@ -132,9 +147,14 @@ def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -
 
 
 def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[One, str]) -> str:
-    """Which of the named curves are drawn as bands."""
+    """Return the sentence on curves that are drawn as bands, named by their declarations."""
+    return bands_among(columns, _by_name(names))
+
+
+def bands_among(columns: Mapping[str, Columns], names: Mapping[str, str]) -> str:
+    """Return the sentence on which of the named curves are drawn as bands."""
     drawn = columns.get(BAND, {})
-    bands = list(dict.fromkeys(name for one, name in names.items() if band_columns(one.name)[0] in drawn))
+    bands = list(dict.fromkeys(text for name, text in names.items() if band_columns(name)[0] in drawn))
     if not bands:
         return f"{NO_BAND} Each has at least 12 points a swing."
     one = len(bands) == 1

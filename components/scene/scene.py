@@ -90,6 +90,11 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         """The errors of all that is drawn, as far as they are known; None where there is nothing to say."""
         return None
 
+    @classmethod
+    def is_checked(cls) -> bool:
+        """Return whether `about` compares what is drawn with exact numbers."""
+        return cls.about is not Scene.about
+
     def readouts(self) -> tuple[Readout, ...]:
         """The numbers that are compared with those of another picture."""
         return ()

@@ -12,18 +12,15 @@ from numpy.typing import NDArray
 
 from components.language.numbers import Name
 from components.language.plots import Curve, Region
+from components.layout.plots import BAND as BAND
+from components.layout.plots import FLOOR as FLOOR
+from components.layout.plots import TIME as TIME
 from components.layout.plots import curve
 from components.quantities.declared import Signal, by_name
 from physics.sampling import SAMPLES_PER_CYCLE, Sinusoid, curve_or_band, drawable
 
 Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
-TIME = "time"
-"""The source of the curves over the time window."""
-BAND = "band"
-"""The source of the bands that stand for curves too fast to be drawn."""
-FLOOR = "zero"
-"""The column that a stack of bands begins at; files leave it out."""
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
 PER_PERIOD, FIRST_PERIODS = 20, 10
 """The fewest points of a file in a period of the fastest motion, and the periods of a window too long for that."""

@@ -34,7 +34,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
         headline=scene.headline,
         hidden=tuple(scene.param["hidden"].default),
         runs=scene.work is not None,
-        about=scene.about is not Scene.about,
+        about=scene.is_checked(),
         onward=scene.onward,
         spoken={what: text if isinstance(text, str) else text.aloud for what, text in scene.spoken.items()},
         usual=usual(scene).decode(),

@@ -31,7 +31,7 @@ from components.quantities.motion import derived, total
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scene.about import rows
-from components.scenes.damped.numbers import Numbers as N
+from components.scenes.energy.numbers import Numbers as N
 
 number = LiveNumber[complex]
 

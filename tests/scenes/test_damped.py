@@ -12,11 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from components.layout.sheet import blocks
 from components.quantities.numbers import parse_number
 from components.scene import Scene
 from components.scene.traces import Floats
 from components.scenes import SCENES
-from components.scenes.damped.words import SENTENCE
+from components.state.csv_export import tables
 from physics.damped import DampedOscillator
 from tests.grids import tries
 from tests.page.told import Page, put
@@ -27,7 +28,10 @@ DAMPED = SCENES["damped"]
 
 
 def sentence(scene: Scene) -> str:
-    return read(scene, SENTENCE.variants[scene.shown.forms["said"]])
+    (variants,) = [
+        item.variants for block in blocks(DAMPED.sheet()) for item in getattr(block, "items", ()) if item.name == "said"
+    ]
+    return read(scene, variants[scene.shown.forms["said"]])
 
 
 def numbers(text: str) -> list[float]:
@@ -83,6 +87,39 @@ def test_the_energies_add_up() -> None:
         columns = DAMPED(**values).sources["time"].data
         assert np.all(np.diff(columns["E"]) <= 1e-12 * columns["E_0"][0])
         assert np.all(columns["V"] <= columns["E"]) and np.all(columns["E"] <= columns["E_0"] * (1 + 1e-12))
+
+
+COLUMNS = {
+    "Light": "t x upper lower V T E E_0 heat P",
+    "Door closer": "t x slow fast V T E E_0 heat P",
+    "Critical": "t x V T E E_0 heat P",
+    "No dashpot": "t x V T E E_0",
+}
+
+
+@pytest.mark.parametrize("label", COLUMNS)
+def test_the_columns_of_a_file_keep_their_names_and_their_order(label: str) -> None:
+    time, locus = tables(DAMPED, taken("damped", label).shown)
+    assert [head.split(" [")[0] for head in time.head] == COLUMNS[label].split()
+    assert (time.head[:2], locus.head) == (("t [s]", "x [m]"), ("re [1/s]", "im [1/s]"))
+
+
+def test_the_columns_of_bands_keep_their_order() -> None:
+    _, band, _ = tables(DAMPED, DAMPED.at({"c": 1e-3, "window": 1e4}).shown)
+    names = [head.split(" [")[0] for head in band.head]
+    assert names == [
+        "t",
+        "upper",
+        "lower",
+        "x_lo",
+        "x_hi",
+        "V_mean",
+        "T_mean",
+        "E_mean",
+        "E_0_mean",
+        "heat_mean",
+        "P_mean",
+    ]
 
 
 def late(scene: Scene, share: float) -> float:

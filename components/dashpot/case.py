@@ -1,0 +1,42 @@
+"""The case of a mass on a spring and a dashpot, moving freely."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from components.language.picture import Pace
+from components.quantities.motion import pace
+from components.scene.case import Case
+from physics.damped import DampedOscillator, FreeDecay
+
+
+class DashpotCase(Case):
+    """The oscillator m, c, k and its free motion from x_0, v_0, in SI units."""
+
+    m: float
+    c: float
+    k: float
+    x_0: float
+    v_0: float
+
+    @cached_property
+    def one(self) -> DampedOscillator:
+        return DampedOscillator(m=self.m, c=self.c, k=self.k)
+
+    @cached_property
+    def free(self) -> FreeDecay:
+        return FreeDecay(oscillator=self.one, x_0=self.x_0, v_0=self.v_0)
+
+    @property
+    def pace(self) -> Pace:
+        return pace(self.one.omega_n, self.one.omega_n)
+
+    @property
+    def spring(self) -> bool:
+        """Whether the apparatus has a spring."""
+        return self.k > 0
+
+    @property
+    def dashpot(self) -> bool:
+        """Whether the apparatus has a dashpot."""
+        return self.c > 0

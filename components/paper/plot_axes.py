@@ -1,0 +1,72 @@
+"""Axes of plots, each declared once: its range in SI units is computed from the case of a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from msgspec.structs import replace
+
+from components.language.numbers import Expression, named
+from components.quantities.axes import TIME_AXIS, Axis, Range, nice_axis, whole_axis
+
+
+@dataclass(eq=False)
+class PlotAxis:
+    """An axis of a plot.
+
+    `range` returns both ends in SI units, which are then `room` times as far from 0. `count` is the largest number of
+    steps between ticks. A `whole` axis has ticks at both ends only, for parts of a total; a `plain` one has no ticks.
+    `seen` is the range that must be in the frame, if that is not the whole range. `name` is used in links and covers.
+    """
+
+    unit: str
+    range: Callable[[Any], Range]
+    name: str = ""
+    room: float = 1.0
+    count: int = 4
+    whole: bool = False
+    plain: bool = False
+    seen: Callable[[Any], Range] | None = None
+    unit_is_shown: bool = field(default=False, init=False)
+    share_is_used: bool = field(default=False, init=False)
+
+    @property
+    def is_time(self) -> bool:
+        return self.name == TIME_AXIS
+
+    def axis(self, case: Any) -> Axis:
+        """Return the axis that fits a case; a range without length gets one."""
+        low, high = self.range(case)
+        if low == high:
+            low, high = low - abs(low), high + (abs(high) or 1.0)
+        seen = self.seen(case) if self.seen else (low, high)
+        if self.whole:
+            axis = whole_axis(high, self.unit)
+            return replace(axis, end=self.room * axis.end, drawn=(0.0, axis.end))
+        ends = self.room * low, self.room * high
+        if self.plain:
+            return Axis(*ends, self.unit, drawn=seen)
+        return replace(nice_axis(*ends, self.unit, self.count, exact=True), drawn=seen)
+
+    @property
+    def unit_text(self) -> str:
+        """The unit with its power of ten, in a text."""
+        self.unit_is_shown = True
+        return rf"\val{{{self.name}_unit}}"
+
+    @property
+    def share(self) -> Expression:
+        """One of the axis over its upper end."""
+        self.share_is_used = True
+        return named(f"{self.name}_share")
+
+
+def axis(unit: str, range: Callable[[Any], Range], name: str = "", **more: Any) -> PlotAxis:
+    """Return an axis of a plot: see `PlotAxis`. It has the name of its plot unless it has its own."""
+    return PlotAxis(unit, range, name, **more)
+
+
+TIME = axis("s", lambda c: (0.0, c.own_end), TIME_AXIS, count=3)
+"""The axis of the time window."""

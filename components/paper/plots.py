@@ -1,0 +1,365 @@
+"""Plots that own their axes, and what they show: a curve with its legend, its band and its dot; layers; notes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, TypeAlias, TypeVar, Unpack, cast
+
+from msgspec.structs import replace as changed
+
+from components.language.blocks import Block, Column, PlotBlock, Row, StageBlock, WordsBlock
+from components.language.numbers import Expression, Number, names_in
+from components.language.plots import Curve, Region, Room, Term
+from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Root
+from components.language.text import Forms
+from components.layout import sheet
+from components.layout.grabs import begin, grab
+from components.layout.plots import BAND, FLOOR, TIME, USUAL_ROOM, Details, plot
+from components.layout.stage import PlotFrame, T
+from components.layout.text import plain, rich, runs
+from components.paper.deferred import Axes, Book, Deferred, ExpressionRecord, computed, deferred, recorded
+from components.paper.plot_axes import PlotAxis
+from components.quantities.axes import Axis
+from physics.motion import ExactMotion
+
+C = TypeVar("C")
+V = TypeVar("V")
+PlotValue: TypeAlias = Number | ExactMotion
+"""A place or length: an attribute of a case, a motion, 0, or T for the current time."""
+
+
+class _Unit(float):
+    """One of an axis."""
+
+
+UNIT = _Unit(1.0)
+
+
+@dataclass(frozen=True)
+class Plot(PlotFrame):
+    """A plot with its axes. Places in it are given in SI units."""
+
+    name: str
+    across: PlotAxis = field(compare=False)
+    up: PlotAxis = field(compare=False)
+
+    def __post_init__(self) -> None:
+        self.up.name = self.up.name or self.name
+        self.across.name = self.across.name or f"{self.name}_x"
+
+    def x(self, value: PlotValue) -> Expression:
+        """Return the pixel of a value on the horizontal axis."""
+        return self.at("x0") + self.across_pixels(value)
+
+    def y(self, value: PlotValue) -> Expression:
+        """Return the pixel of a value on the vertical axis."""
+        return self.at("y0") + self.per_y * on_axis(self.up, value)
+
+    def across_pixels(self, value: PlotValue) -> Expression:
+        """Return a length along the horizontal axis in pixels."""
+        return self.per_x * on_axis(self.across, value)
+
+    def share(self, value: PlotValue) -> Expression:
+        """Return a value over the upper end of the vertical axis."""
+        return self.up.share * on_axis(self.up, value)
+
+    def text(self, value: float) -> str:
+        """Return a live number in the unit of the vertical axis."""
+        own = recorded(value)
+        return own.book.text(own, self._write)
+
+    def _write(self, value: float, axes: Axes) -> str:
+        return axes[self.up.name].number(value)
+
+    @property
+    def unit(self) -> str:
+        """The unit of the vertical axis, in a text."""
+        return self.up.unit_text
+
+    def in_frame(self, case: C, name: str, of: Callable[[C, Axis, Axis], V]) -> V:
+        """Return a deferred value of the case and of both axes as drawn: in a frame that was kept they may not fit."""
+
+        def compute(known: C, axes: Axes) -> V:
+            return of(known, axes[self.across.name], axes[self.up.name])
+
+        return cast(V, computed(case, name, compute))
+
+    def block(
+        self, *items: PlotItem, title: str, over: Iterable[AnyShape] = (), when: object = None, room: Room = USUAL_ROOM,
+        **details: Unpack[Details],
+    ) -> Block:  # fmt: skip
+        """Return the plot as a block of the sheet, with shapes drawn `over` it, shown `when` a condition holds.
+
+        The first item lies on top and comes first in the heading.
+        """
+        drawn = next(one.recorded for one in items if isinstance(one, DrawnItem))
+        drawn.book.plots[self.name] = BuiltPlot(self, items)
+        details["shapes"] = tuple(over)
+        found = plot(
+            self,
+            x=self.across,
+            y=self.up,
+            title=title,
+            curves=[line for one in reversed(items) for line in one.lines(self)],
+            bands=[band for one in items for band in one.bands(self)],
+            heading=[term for one in items for term in one.terms()],
+            x_column=None if self.across.is_time else self.across,
+            cursor="time" if self.across.is_time else "",
+            room=room,
+            **details,
+        )
+        if when is None:
+            return found
+        shown = recorded(when)
+        return changed(found, form=shown.book.form(shown, ["shown"]))
+
+
+def on_axis(axis: PlotAxis, value: object) -> Expression | float:
+    """Return a value as counted on an axis. TypeError for a constant: its place follows only from the axis."""
+    if isinstance(value, Deferred):
+        return recorded(value).expression(axis)
+    if value is T:
+        return T
+    if value is UNIT or (isinstance(value, (int, float)) and not value):
+        return float(value)
+    raise TypeError(f"{value!r} has no place before there is an axis: make it an attribute of the case")
+
+
+@dataclass(frozen=True, eq=False)
+class EitherText:
+    """A text in several variants; an expression of the case chooses one."""
+
+    recorded: ExpressionRecord
+    variants: dict[str, str]
+
+    def forms(self) -> Forms:
+        name = self.recorded.book.form(self.recorded, self.variants)
+        return Forms({word: rich(text) for word, text in self.variants.items()}, name)
+
+
+def either(of: object, /, **variants: str) -> EitherText:
+    """Return a text in variants: by the words of an attribute, or "yes" and "no" of a condition."""
+    return EitherText(recorded(of), variants)
+
+
+Legend: TypeAlias = str | EitherText
+
+
+class PlotItem:
+    """Anything that a plot or its heading shows."""
+
+    def lines(self, plot: Plot) -> list[Curve]:
+        return []
+
+    def bands(self, plot: Plot) -> list[Region]:
+        return []
+
+    def terms(self) -> list[Term]:
+        return []
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnItem(PlotItem):
+    """A deferred motion, or a pair of columns, that a plot shows."""
+
+    of: object
+
+    @property
+    def recorded(self) -> ExpressionRecord:
+        return recorded(self.of)
+
+
+@dataclass(frozen=True, eq=False)
+class PlottedCurve(DrawnItem):
+    """A curve of a motion over time, or of a pair of columns.
+
+    `legend` is LaTeX, `label` names it at its right end and `read` at the pointer. A motion too `fast` for a line is
+    drawn as its band or as its mean. `fill` is the opacity of the area down to 0; `dot` moves a dot along the curve.
+    Its `group` is switched off together.
+    """
+
+    width: Literal["sum", "line", "dash", "dots", "thin", "none"] = "line"
+    tint: str = "ink"
+    legend: Legend = ""
+    label: str = ""
+    read: str = ""
+    group: str = ""
+    fast: Literal["band", "mean", ""] = ""
+    fill: float = 0.0
+    dot: bool = False
+
+    @property
+    def switch(self) -> str:
+        return self.group or self.recorded.name
+
+    def lines(self, plot: Plot) -> list[Curve]:
+        name = self.recorded.name
+        if plot.across.is_time:
+            self.recorded.expression(plot.up)
+        source, x, y = (TIME, "t", name) if plot.across.is_time else (name, plot.across.name, plot.up.name)
+        return [
+            Curve(
+                source=source, x=x, y=y, group=self.switch, tint=self.tint, width=self.width, label=runs(self.label),
+                read=plain(self.read or self.label), signal=name if self.dot else "",
+            )
+        ]  # fmt: skip
+
+    def bands(self, plot: Plot) -> list[Region]:
+        found, name, look = list[Region](), self.recorded.name, {"tint": self.tint, "group": self.switch}
+        if self.fast == "band":
+            found.append(_region(f"{name}_lo", f"{name}_hi", BAND, alpha=0.4, of=name, **look))
+        if self.fill:
+            found.append(_region(FLOOR, name, alpha=self.fill, **look))
+        return found
+
+    def terms(self) -> list[Term]:
+        key = "line" if self.width == "thin" else self.width
+        return [_term(self.legend, key, self.tint, self.switch, self.recorded)] if self.legend else []
+
+
+@dataclass(frozen=True, eq=False)
+class PlottedLayer(DrawnItem):
+    """A layer of a stack, up to the sum `top` of itself and the layers under it; the lowest is its own sum.
+
+    Its legend is LaTeX, or plain `words`.
+    """
+
+    tint: str
+    top: object = None
+    legend: str = ""
+    words: str = ""
+    read: str = ""
+    below: str = FLOOR
+
+    @property
+    def edge(self) -> ExpressionRecord:
+        return self.recorded if self.top is None else recorded(self.top)
+
+    def bands(self, plot: Plot) -> list[Region]:
+        for one in (self.recorded, self.edge):
+            one.expression(plot.up)
+        return [
+            _region(self.below, self.edge.name, tint=self.tint, group=self.recorded.name, read=plain(self.read))
+        ]  # fmt: skip
+
+    def terms(self) -> list[Term]:
+        text = self.words or f"${self.legend}$"
+        return [_term(text, "band", self.tint, self.recorded.name, self.recorded)]
+
+
+@dataclass(frozen=True, eq=False)
+class PlottedNote(PlotItem):
+    """A text in a heading."""
+
+    text: Legend
+    tint: str = "ink"
+
+    def terms(self) -> list[Term]:
+        return [_term(self.text, "none", self.tint)]
+
+
+curve, layer, note = PlottedCurve, PlottedLayer, PlottedNote
+
+
+def stack(*layers: PlottedLayer) -> list[PlottedLayer]:
+    """Return layers on top of each other, the lowest first. Layers too fast to draw are drawn as their means."""
+    below = [FLOOR, *(one.edge.name for one in layers)]
+    return [replace(one, below=name) for one, name in zip(layers, below, strict=False)]
+
+
+def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:
+    return Region(source=source, x="t", low=low, high=high, **look)
+
+
+def _term(legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRecord | None = None) -> Term:
+    """A term of a heading; that of a curve that may be missing is shown with it. The legend of a curve is LaTeX."""
+    form, texts = group, {"formula": legend} if isinstance(legend, str) else legend.variants
+    if isinstance(legend, EitherText):
+        form = legend.recorded.book.form(legend.recorded, legend.variants, group)
+    elif of and of.optional:
+        form = of.book.form(of, ["formula"], group)
+    formula = of is not None and key != "band"
+    variants = {word: rich(f"${text}$" if formula and text else text) for word, text in texts.items()}
+    return Term(curve=group, form=form, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]
+
+
+def words(*paragraphs: str | EitherText, **look: Any) -> Block:
+    """Return sentences and formulas as a block: see `components.layout.sheet.words`."""
+    return sheet.words(*(one.forms() if isinstance(one, EitherText) else one for one in paragraphs), **look)
+
+
+def drag(
+    label: str, place: Callable[[PlotValue], Number], across: Literal["x", "y"], on: Plot, *, rate: str = "",
+    **starts: object,
+) -> Grab:  # fmt: skip
+    """Return a grab that begins a motion from where the hand drops it.
+
+    `starts` maps one parameter to the motion that gives its initial value, `rate` is the parameter of its velocity.
+    `place` returns the pixel of a value along `across`.
+    """
+    ((parameter, of),) = starts.items()
+    own = recorded(of)
+    moves, zero = own.book.number(own, on.up), place(0.0)
+    way = Along(
+        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=on.up.name, rate=rate
+    )
+    return begin(label, way, start=(Begin(parameter, moves, on.up.name), *([Begin(rate)] if rate else [])))
+
+
+def hold_root(label: str, on: Plot, zero: Number, unit: Number, *, moves: object, **more: Any) -> Grab:
+    """Return a grab that holds a root of s^2 + 2 z s + 1: see `components.language.shapes.Root`."""
+    own = recorded(moves)
+    return grab(label, Root(across="x", zero=zero, unit=unit, moves=own.book.number(own, None), **more), inside=on)
+
+
+def shown_by(condition: object, *shapes: AnyShape) -> list[AnyShape]:
+    """Return the shapes, drawn only while a condition of the case holds."""
+    own = recorded(condition)
+    name = own.book.number(own, None)
+    return [changed(one, show=(name, *one.show)) for one in shapes]
+
+
+@dataclass(frozen=True, eq=False)
+class BuiltPlot:
+    """A plot of a paper with its items."""
+
+    plot: Plot
+    items: tuple[PlotItem, ...]
+
+
+def settled(block: Block, book: Book) -> Block:
+    """Return the block with shapes hidden while their numbers are missing, and with all words of each form."""
+    if isinstance(block, (Row, Column)):
+        return changed(block, blocks=tuple(settled(one, book) for one in block.blocks))
+    if isinstance(block, WordsBlock):
+        return changed(block, items=tuple(_padded(one, one.name, book) for one in block.items))
+    if isinstance(block, PlotBlock):
+        block = changed(block, heading=tuple(_padded(one, one.form, book) for one in block.heading))
+    if isinstance(block, (StageBlock, PlotBlock)):
+        return changed(block, shapes=tuple(_needing(one, book) for one in block.shapes))
+    return block
+
+
+Worded = TypeVar("Worded", Forms, Term)
+
+
+def _padded(one: Worded, form: str, book: Book) -> Worded:
+    """A text in variants, empty for the words that only other texts have."""
+    known = book.forms[form].words if form in book.forms else ()
+    return changed(one, variants={**dict.fromkeys(known, ""), **one.variants})
+
+
+def _needing(shape: AnyShape, book: Book) -> AnyShape:
+    """A shape with expressions in place of attributes, hidden while one of its numbers or texts is missing."""
+    given = {name: getattr(shape, name) for name in shape.__struct_fields__}
+    numbers = {name: recorded(one).expression() for name, one in given.items() if isinstance(one, Deferred)}
+    for name in given["show"]:
+        if name not in book.numbers and hasattr(book.kind, name):  # a shape of a kit, shown by an attribute
+            recorded(getattr(deferred(book.kind), name)).expression()
+    expressions = [one for one in (given | numbers).values() if isinstance(one, Expression)]
+    names = [name for one in expressions for name in sorted(names_in(one))]
+    if isinstance(shape, Label):
+        names += [run.text for run in shape.words if run.kind == "value"]
+    flags = [flag for flag in map(book.flag, names) if flag]
+    return changed(shape, **numbers, show=tuple(dict.fromkeys((*given["show"], *flags))))

@@ -1,0 +1,155 @@
+"""A scene made of a case and its paper.
+
+A case is a class whose fields are the parameters of the scene; a paper builds the sheet with deferred expressions of
+it. The scene names both; everything that a picture has follows from what the paper uses.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from components.language.blocks import Block
+from components.language.picture import Pace
+from components.language.state import Frame
+from components.paper.deferred import book_of, fields
+from components.paper.plots import settled
+from components.quantities.parameters import Values
+from components.quantities.readouts import Readout
+from components.scene.about import About
+from components.scene.case_picture import CasePaper, CasePicture
+from components.scene.frames import FITTED
+from components.scene.picture import Picture
+from components.scene.scene import Scene
+from components.scene.traces import Floats, samples
+
+
+class Case(ABC):
+    """The parameters of a scene, which are its fields, and what follows from them in the time window of a frame."""
+
+    window: float | None
+
+    def __init__(self, values: Values, frame: Frame = FITTED) -> None:
+        vars(self).update({name: values[name] for name in fields(type(self)) if name in values})
+        self.frame = frame
+
+    @property
+    @abstractmethod
+    def lasting(self) -> float:
+        """The time window in s that suits the motion; it is rounded to two digits."""
+
+    @property
+    @abstractmethod
+    def highest(self) -> float:
+        """The highest frequency or rate in rad/s, which the curves are sampled for."""
+
+    @property
+    def resolved(self) -> float:
+        """The highest frequency in rad/s that files resolve."""
+        return self.highest
+
+    @cached_property
+    def own_end(self) -> float:
+        """The end of the time window in s, without a frame."""
+        return self.window or float(f"{self.lasting:.2g}") or self.lasting
+
+    @property
+    def end(self) -> float:
+        """The end of the time window in s."""
+        return self.frame.window or self.own_end
+
+    @cached_property
+    def times(self) -> Floats:
+        """The instants that are drawn (n,) in s."""
+        return np.linspace(0.0, self.end, samples(self.end, self.highest))
+
+    @property
+    def pace(self) -> Pace:
+        """The speeds of the clock."""
+        return Pace()
+
+    def notes(self) -> tuple[str, ...]:
+        """Return sentences about this picture that the visitor must know."""
+        return ()
+
+    def about(self, shown: Picture) -> About | None:
+        """Return the errors of what is drawn."""
+        return None
+
+
+@dataclass(frozen=True)
+class Example:
+    """A preset with its values and the sentence on what to watch."""
+
+    label: str
+    watch: str
+    values: Values
+
+
+def example(label: str, watch: str, given: Values | None = None, /, **values: Any) -> Example:
+    return Example(label, watch, {**(given or {}), **values})
+
+
+@dataclass(frozen=True)
+class ComparedNumber:
+    """A number of the case that is compared with that of another picture; none if it is None or a text."""
+
+    name: str
+    symbol: str
+    unit: str = ""
+    tint: str = "ink"
+
+    def readout(self, case: Case) -> Readout | None:
+        value = getattr(case, self.name)
+        if value is None or isinstance(value, str):
+            return None
+        return Readout(self.name, self.symbol, float(value), self.unit, self.tint)
+
+
+class CaseScene(Scene):
+    """A scene made of a case and its paper."""
+
+    case: ClassVar[type[Case]]
+    paper: ClassVar[Callable[[], Block]]
+    compared: ClassVar[tuple[ComparedNumber, ...]] = ()
+    examples: ClassVar[tuple[Example, ...]] = ()
+
+    def __init_subclass__(cls, **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        cls.presets = {one.label: one.values for one in cls.examples}
+        cls.watch = {one.label: one.watch for one in cls.examples}
+
+    @classmethod
+    @cache
+    def written(cls) -> CasePaper:
+        """Return the paper, built once per process."""
+        book = book_of(cls.case)
+        block = cls.paper()
+        return CasePaper(settled(block, book), book)
+
+    @classmethod
+    def sheet(cls) -> Block:
+        return cls.written().block
+
+    def of(self, frame: Frame = FITTED) -> Case:
+        """Return the case of the scene in a frame."""
+        return self.case(self.values, frame)
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        return CasePicture(self.written(), self.of(frame)).picture
+
+    def readouts(self) -> tuple[Readout, ...]:
+        case = self.of()
+        return tuple(found for one in self.compared if (found := one.readout(case)))
+
+    @classmethod
+    def is_checked(cls) -> bool:
+        return cls.case.about is not Case.about
+
+    def about(self, shown: Picture) -> About | None:
+        return self.of().about(shown)

@@ -1,0 +1,68 @@
+"""The numbers of the plots of a picture: curves over time, bands and means of what is too fast, pairs of columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from components.scene.traces import BAND, FLOOR, TIME, Columns, Floats, Traces, band_columns
+from physics.motion import ExactMotion
+from physics.sampling import drawable
+from physics.valid import in_range
+
+
+@dataclass(frozen=True, eq=False)
+class CaseCurves:
+    """The curves of a picture over the instants `t` (n,) in s.
+
+    `drawn` are the curves and the edges of stacks, in the order of their columns. `fast` says how each is drawn if it
+    is too fast for a line: as its band, as its mean, or not at all. `stacks` are edges that are averaged together.
+    `motions` are all motions of the picture; `layers` maps those that a stack shows to their lower and upper edge.
+    """
+
+    t: Floats
+    drawn: Mapping[str, ExactMotion]
+    fast: Mapping[str, str]
+    stacks: list[frozenset[str]]
+    motions: Mapping[str, ExactMotion]
+    layers: Mapping[str, tuple[str, str]]
+
+    @cached_property
+    def too_fast(self) -> frozenset[str]:
+        """The motions that these instants do not resolve."""
+        resolved = {omega: drawable(omega, self.t) for omega in {one.omega for one in self.drawn.values()}}
+        return frozenset(name for name, one in self.drawn.items() if not resolved[one.omega])
+
+    @cached_property
+    def averaged(self) -> frozenset[str]:
+        """The motions that are drawn as means."""
+        fast = frozenset(name for name in self.too_fast if self.fast.get(name) == "mean")
+        stacked = (stack for stack in self.stacks if stack & fast)
+        return fast.union(*stacked) & self.drawn.keys()
+
+    def traces(self, resolved: float) -> Traces:
+        """Return the motions that are drawn as lines, and those of a file that resolves this frequency (rad/s)."""
+        shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
+        return Traces(
+            float(self.t[-1]),
+            len(self.t),
+            tuple(name for name in self.drawn if name not in self.too_fast | self.averaged),
+            lambda t: {name: in_range(name, one.at(t)) for name, one in shown.items()},
+            fastest=resolved,
+            moving=tuple(name for name in shown if name != FLOOR),
+            layers=self.layers,
+            averaged=self.averaged,
+        )
+
+    @property
+    def columns(self) -> dict[str, Columns]:
+        """The numbers that no signal gives, by source."""
+        bands = Columns()
+        for name in self.drawn:
+            if name in self.too_fast and self.fast.get(name) == BAND and (reach := self.drawn[name].reach):
+                high = reach.at(self.t)
+                bands |= dict(zip(band_columns(name), (-high, high), strict=True))
+        means = {name: one.mean.at(self.t) for name, one in self.drawn.items() if name in self.averaged}
+        found = {BAND: {"t": self.t, **bands} if bands else {}}
+        return found | ({TIME: means} if means else {})

@@ -1,0 +1,192 @@
+"""The picture of a case: everything that its paper needs, computed for one case in one frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from components.language.blocks import Block
+from components.language.picture import Digits
+from components.language.signals import AnySignal
+from components.paper.deferred import FORMATS, Attribute, Book, ExpressionRecord
+from components.paper.plot_axes import PlotAxis
+from components.paper.plots import PlottedCurve, PlottedLayer
+from components.quantities.axes import ONE, Axis
+from components.quantities.motion import derived
+from components.scene.case_curves import CaseCurves
+from components.scene.case_signals import signals_of
+from components.scene.frames import framed
+from components.scene.picture import Picture
+from components.scene.traces import FLOOR, TIME, Columns
+from physics.motion import ExactMotion, constant
+
+
+@dataclass(frozen=True, eq=False)
+class CasePaper:
+    """The paper of a scene: its sheet, and everything that it needs from a case."""
+
+    block: Block
+    book: Book
+
+    @cached_property
+    def axes(self) -> dict[str, PlotAxis]:
+        """All axes, by name."""
+        axes = [axis for built in self.book.plots.values() for axis in (built.plot.across, built.plot.up)]
+        return {axis.name: axis for axis in (*axes, *(use.axis for use in self.book.numbers.values() if use.axis))}
+
+    @cached_property
+    def numbers(self) -> list[str]:
+        """The names of all numbers: attributes first, in the order of their class, which files have too."""
+        members = [one for owner in reversed(self.book.kind.__mro__) for one in vars(owner).values()]
+        names = dict.fromkeys(one.called for one in members if isinstance(one, Attribute))
+        return list(dict.fromkeys((*(name for name in names if name in self.book.numbers), *self.book.numbers)))
+
+    @cached_property
+    def curves(self) -> list[PlottedCurve]:
+        """The curves over time."""
+        plots = [built for built in self.book.plots.values() if built.plot.across.is_time]
+        return [item for built in plots for item in built.items if isinstance(item, PlottedCurve)]
+
+    @cached_property
+    def pairs(self) -> list[tuple[ExpressionRecord, str, str]]:
+        """The curves of two columns, each with the names of its axes."""
+        plots = [built for built in self.book.plots.values() if not built.plot.across.is_time]
+        return [
+            (item.recorded, built.plot.across.name, built.plot.up.name)
+            for built in plots for item in built.items if isinstance(item, PlottedCurve)
+        ]  # fmt: skip
+
+    @cached_property
+    def layers(self) -> dict[str, tuple[str, str]]:
+        """The lower and the upper edge of each layer that is not its own upper edge."""
+        items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedLayer)]
+        return {one.recorded.name: (one.below, one.edge.name) for one in items if one.top is not None}
+
+    @cached_property
+    def stacks(self) -> list[list[str]]:
+        """The edges of each stack, from the floor up."""
+        stacks = [[one for one in built.items if isinstance(one, PlottedLayer)] for built in self.book.plots.values()]
+        return [[FLOOR, *(one.edge.name for one in layers)] for layers in stacks if layers]
+
+    @cached_property
+    def fast(self) -> dict[str, str]:
+        """The way in which a motion too fast for a line is drawn, by name."""
+        edges = {edge: "mean" for stack in self.stacks for edge in stack}
+        return edges | {one.recorded.name: one.fast for one in self.curves}
+
+    @cached_property
+    def drawn(self) -> list[str]:
+        """The names of the curves over time and of the edges of stacks, in the order of their columns."""
+        edges = {edge for stack in self.stacks for edge in stack}
+        names = sorted({*edges, *(one.recorded.name for one in self.curves)} - {FLOOR}, key=self.numbers.index)
+        first = next((place for place, name in enumerate(names) if name in edges), 0)
+        return [*names[:first], *([FLOOR] if edges else []), *names[first:]]
+
+    @cached_property
+    def has_floor(self) -> bool:
+        return bool(self.stacks) or any(one.fill for one in self.curves)
+
+
+@dataclass(frozen=True, eq=False)
+class CasePicture:
+    """The picture of a case: what its paper needs, computed."""
+
+    paper: CasePaper
+    case: Any
+
+    @cached_property
+    def axes(self) -> dict[str, Axis]:
+        return framed(self.case.frame, {name: one.axis(self.case) for name, one in self.paper.axes.items()})
+
+    @cached_property
+    def numbers(self) -> dict[str, tuple[Any, Axis]]:
+        """All numbers that are not missing, with their axes."""
+        found: dict[str, tuple[Any, Axis]] = {}
+        for name in self.paper.numbers:
+            of, on = self.paper.book.numbers[name]
+            value = of.compute(self.case, self.axes)
+            if value is not None:
+                found[name] = (value, self.axes[on.name] if on else ONE)
+            elif of.optional is None:
+                raise TypeError(f"{of.text} is None: make it an optional attribute")
+        return found
+
+    @cached_property
+    def moving(self) -> dict[str, tuple[ExactMotion, Axis]]:
+        return {name: (value, axis) for name, (value, axis) in self.numbers.items() if isinstance(value, ExactMotion)}
+
+    @property
+    def signals(self) -> dict[str, AnySignal]:
+        base: dict[str, AnySignal] = {FLOOR: derived(0.0)} if self.paper.has_floor else {}
+        return base | signals_of(self.moving, self.axes["t"])
+
+    @cached_property
+    def curves(self) -> CaseCurves:
+        motions = {FLOOR: constant(0.0)} | {name: one for name, (one, _) in self.moving.items()}
+        drawn = {name: motions[name] for name in self.paper.drawn if name in motions}
+        stacks = list(map(frozenset, self.paper.stacks))
+        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, self.paper.layers)
+
+    @property
+    def columns(self) -> dict[str, Columns]:
+        found: dict[str, Columns] = {}
+        for of, across, up in self.paper.pairs:
+            x, y = of.compute(self.case, self.axes) or (np.empty(0), np.empty(0))
+            found[of.name] = {across: x, up: y}
+        return found | self.curves.columns
+
+    @property
+    def scalars(self) -> dict[str, float]:
+        found = {
+            name: axis.place(value) if axis is not ONE else float(value)
+            for name, (value, axis) in self.numbers.items() if name not in self.moving
+        }  # fmt: skip
+        shares = [name for name, one in self.paper.axes.items() if one.share_is_used]
+        found |= {f"{name}_share": 1 / self.axes[name].place(self.axes[name].end) for name in shares}
+        flags = self.paper.book.flags.items()
+        return found | {flag: float(of.compute(self.case, self.axes) is not None) for flag, of in flags}
+
+    @cached_property
+    def texts(self) -> dict[str, Any]:
+        """The values of all live numbers."""
+        return {name: of.compute(self.case, self.axes) for name, (of, _) in self.paper.book.texts.items()}
+
+    @property
+    def values(self) -> dict[str, str]:
+        units = [name for name, one in self.paper.axes.items() if one.unit_is_shown]
+        found = {f"{name}_unit": self.axes[name].full_unit for name in units}
+        for name, value in self.texts.items():
+            if value is None or isinstance(value, str):
+                found[name] = value or ""
+            elif not isinstance(value, ExactMotion):
+                found[name] = self.paper.book.texts[name][1](value, self.axes)
+        return found
+
+    @property
+    def live(self) -> dict[str, Digits]:
+        moving = [name for name, value in self.texts.items() if isinstance(value, ExactMotion)]
+        signed = {name for name, (_, write) in self.paper.book.texts.items() if write is FORMATS["+"]}
+        return {name: self.moving[name][1].digits(name in signed) for name in moving}
+
+    @property
+    def forms(self) -> dict[str, str]:
+        forms = self.paper.book.forms.items()
+        return {name: form.word(form.of.compute(self.case, self.axes)) for name, form in forms}
+
+    @property
+    def picture(self) -> Picture:
+        return Picture(
+            columns=self.columns,
+            axes=self.axes,
+            signals=self.signals,
+            traces={TIME: self.curves.traces(self.case.resolved)},
+            scalars=self.scalars,
+            pace=self.case.pace,
+            values=self.values,
+            live=self.live,
+            forms=self.forms,
+            notes=self.case.notes(),
+        )
