@@ -180,6 +180,7 @@ def held_by_finger(page: Page, grip: Locator) -> tuple[Finger, dict[str, Any]]:
 def follows(page: Page, finger: Finger, grip: Locator, x: float, y: float) -> tuple[float, float]:
     """The way from a finger that has moved to a place to the grip, when the server has answered."""
     finger.move(x, y)
+    passed(page)  # a message goes out with a frame
     page.wait_for_function(QUIET)
     passed(page)
     now = grip.evaluate(PLACE)
