@@ -104,7 +104,7 @@ def open_page(
     session.network = context.token_payload.get("network", "") if context else ""
     session.later = partial(when_open, document)
     session.lead = lead or session.lead
-    session.apart = apart or session.apart
+    session.apart = apart
     pn.state.on_session_destroyed(lambda _: session.close())
     SceneView(session).server_doc(document, location=False)
 

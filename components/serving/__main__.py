@@ -62,7 +62,7 @@ async def serve(settings: Settings) -> None:
     live_class = LiveClass(store, lecture.bank, settings.class_passphrase, settings.bokeh_secret_key)
     numbers = NumbersRoute(apart, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
-    figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: len(apart))}
+    figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: apart.pending)}
     sheets = {**SHEETS, **lecture.files}
     server = Server(open_page, settings, figures, sheets, [live_class, numbers], lecture.start)
     asyncio.get_running_loop().call_later(WARM_UP, apart.warm)

@@ -62,7 +62,8 @@ class ReadingProcess:
         self._served: list[str] = []
         """The networks that wait and have had a turn, the latest last."""
 
-    def __len__(self) -> int:
+    @property
+    def pending(self) -> int:
         """The number of jobs that run or wait."""
         return len(self._line) + (self._running is not None)
 

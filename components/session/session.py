@@ -220,8 +220,10 @@ class Session:
         """Give the worker a job, one at a time, and send its result when it comes."""
         if self._apart and not self._apart[1].done():
             return None if self._apart[0] == answer else self._told_apart(asked, AT_ONCE, answer)
-        here = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
-        future = (self.apart or here).ask(asked, self.network)
+        worker = self.apart
+        if worker is None:
+            worker = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
+        future = worker.ask(asked, self.network)
         self._apart = answer, future
 
         def tell(done: Future[Replied]) -> None:

@@ -50,7 +50,7 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProc
     told = beside.ask(Teaching(given, read.walk.steps[0])).result(30)
     assert told.taught and told.taught.lesson and told.taught.lesson.right
     assert beside.ask(Reading("mine", "title = 1")).result(30).refused.startswith("mine: ")
-    assert len(beside) == 0
+    assert beside.pending == 0
 
 
 def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -124,7 +124,7 @@ def test_a_job_that_nobody_waits_for_is_left_out() -> None:
         first, left = beside.ask(Reading("endless", MINE)), beside.ask(Reading("endless", MINE))
         last = beside.ask(READ)
         assert left.cancel() and first.result(120).refused == WALK_TOO_LONG and last.result(120).refused == "read"
-        assert len(beside) == 0
+        assert beside.pending == 0
     finally:
         beside.close()
 

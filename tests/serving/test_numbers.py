@@ -6,15 +6,18 @@ import asyncio
 import io
 import zipfile
 from concurrent.futures import Future
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 import pytest
 from tornado.httpclient import AsyncHTTPClient
 
-from app import NO_WALKS, visited
+from app import NO_WALKS, SHEETS, visited, walked
 from components.language.messages import File
 from components.scenes import SCENES
+from components.serving.apart import ReadingProcess
 from components.serving.numbers import NumbersRoute
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
@@ -22,6 +25,7 @@ from components.session.exports import LinkExport, link_file
 from components.session.worker import Errand, Replied
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
+from tests.bench.visitor import Visitor
 from tests.scenes.checks import as_arguments
 from tests.serving.server import Server, serving
 
@@ -152,3 +156,16 @@ def test_a_network_asks_for_as_many_tables_as_it_opens_pages(tmp_path: Path) -> 
         assert ask(running.url).status == 200, "pages are counted by themselves"
         assert ask(running.url, "/data.csv?" + "x" * 9000).status == 414
         assert ask(running.url, COUPLED, Host="elsewhere.example").status == 403
+
+
+@pytest.mark.parametrize("message", [{"type": "csv", "page": "http://here/"}, {"type": "about"}], ids=["csv", "about"])
+async def test_a_page_gives_long_jobs_to_a_worker_that_is_idle(message: dict[str, Any]) -> None:
+    """The worker once counted as no worker at all while it had no jobs."""
+    worker = ReadingProcess("tests.serving.hanging")
+    running = Serving(partial(walked([]).open_page, apart=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS)
+    visitor = await Visitor.arrive(f"http://127.0.0.1:{running.port}/", "scene=coupled")
+    told = await visitor.say(message)
+    assert "read" in (told["errors"]["message"] if message["type"] == "csv" else told["notes"][0])
+    await visitor.depart()
+    await running.end()
+    worker.close()
