@@ -39,7 +39,7 @@ from physics.coupled import TwoMassChain
 DECADES = 6.0
 """How far numbers reach beyond the end of a slider, and below it."""
 STEPS = 1000
-"""Of a slider."""
+"""Steps of a slider."""
 NEARLY = (1e-15, -1e-15, 1e-12, 1e-9, -1e-9, 1e-6, 1e-4, -1e-4, 1e-2, -1e-2)
 """Relative distances from an exact resonance, critical damping or equality."""
 PAIRS = (("m1", "m2"), ("k1", "k2"), ("c1", "c2"), ("x1_0", "x2_0"), ("v1_0", "v2_0"))

@@ -139,7 +139,7 @@ declare namespace page {
     progress: Progress | null
   }
 
-  /** The answer to letting go where the page stays as it was told last. */
+  /** The answer to letting go if the page does not change. */
   interface Kept extends Told {
     type: "kept"
   }

@@ -159,7 +159,7 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
 
 
 class Kept(Told, frozen=True, kw_only=True, tag="kept"):
-    """The answer to letting go where the page stays as it was told last."""
+    """The answer to letting go if the page does not change."""
 
 
 class File(Told, frozen=True, kw_only=True, tag="file"):

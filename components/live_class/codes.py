@@ -98,7 +98,7 @@ def new_token(room: bytes, secret: str = "") -> str:
 
 
 def is_given(name: str, room: bytes, secret: str) -> bool:
-    """Whether a server with this secret gave the name of a token of a room; without one anybody's may be."""
+    """Return True if a server with this secret gave a room's token its name; without a secret always True."""
     return not secret or hmac.compare_digest(name[-MARK:].encode(), _mark(name[:-MARK], room, secret).encode())
 
 

@@ -22,7 +22,7 @@ from components.serving.visitors import network_of
 MOST_FOLLOWERS = 5000
 """Of one room, on one replica."""
 ALL_FOLLOWERS = 20_000
-"""Of all rooms, on one replica."""
+"""Limit for all rooms together, on one replica."""
 MISSES = 300
 """Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
 all that may be guessed in 4 hours, while a class that mistypes comes in."""

@@ -274,7 +274,7 @@ class MemoryStore(Store):
         return 0 if answer is None else len(answer) + OF_AN_ANSWER
 
     def _exceeds_share(self, code: str, more: int, limit: int) -> bool:
-        """Whether so many more bytes are too many for the owner of a room: more than all rooms leave free."""
+        """Return True if so many more bytes are too many for the owner of a room: more than all rooms leave free."""
         if more <= 0:
             return False
         owner = self._rooms[code].parts.get(OWNER)

@@ -62,7 +62,7 @@ async def _summary(
 
 
 def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
-    """Whether an answer is right, and a wrong one in words; no sketch is written, which takes long."""
+    """Return if an answer is right, and a wrong one in words. Sketches have no words: writing them takes long."""
     one = bank.read(kept)
     if one is None:
         return None

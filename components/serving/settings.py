@@ -300,7 +300,7 @@ CHECKS: Mapping[str, Callable[[Settings], object]] = {
     "walks": lambda settings: _check_folder(settings.walks),
     SECRET: lambda settings: _check_secret(settings.bokeh_secret_key),
 }
-"""What a field's own limits cannot say: each raises ValueError."""
+"""Checks beyond a field's own limits: each raises ValueError."""
 
 
 def table() -> str:

@@ -173,7 +173,7 @@ class Session:
         return self._stand(after, answer)
 
     def _is_kept(self, said: Said, after: Standing) -> bool:
-        """Whether a hand has let go of what then stays as it was told: its picture is not sent again."""
+        """Return True if a hand has let go and the page does not change: its picture is not sent again."""
         lets_go = isinstance(said, SetValues) and said.holding is False and not said.values
         return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
 

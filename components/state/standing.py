@@ -93,7 +93,7 @@ class Standing:
         )
 
     def is_told_like(self, other: Standing) -> bool:
-        """Whether the browser would be told the same of both; False also where that would take long to find out."""
+        """Return True if the browser would get the same of both; False also if finding out would take long."""
         pairs = zip(self._drawn_of, other._drawn_of, strict=True)
         return all(mine is its for mine, its in pairs) and self._marks == other._marks
 

@@ -1,4 +1,4 @@
-// Faults of our own scripts: logged, told to the visitor once, and kept from stopping what else is to be done.
+// Faults of our own scripts: they are logged, reported to the visitor once, and do not stop other parts.
 
 import {inWords, note} from "./notes.js"
 

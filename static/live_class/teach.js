@@ -52,7 +52,7 @@ export class Teach {
     this.joinScreen = new JoinScreen(this)
     this.badge = new JoinBadge(room, () => this.joinScreen.toggle())
     this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.joinScreen.toggle())
-    // Of a class that was passed on.
+    // The class was passed on to another computer.
     for (const old of document.querySelectorAll("button.class-code, .class-corner")) old.remove()
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code

@@ -21,7 +21,7 @@ AT_ONCE = 4
 
 
 class Held:
-    """The longest turn of the event loop, in seconds of its own thread: what other programs do does not count."""
+    """The longest turn of the event loop, in processor seconds of its own thread."""
 
     def __init__(self) -> None:
         self.longest = 0.0

@@ -1,4 +1,4 @@
-"""The lead of a class goes to another computer: the new one goes on as the old one stood, which keeps its picture."""
+"""The lead of a class goes to another computer, which continues in the same state; the old one keeps its picture."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ http {{
 
 
 def recipe() -> str:
-    """The recipe as it stands in the document."""
+    """The recipe of the document."""
     page = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
     section = page.partition("\n## Behind nginx\n")[2].partition("\n## ")[0]
     (block,) = (part for part in re.split(r"\n(?=\S)", section) if "proxy_pass" in part and "server {" in part)

@@ -54,7 +54,7 @@ def test_nginx_takes_the_recipe(tmp_path: Path) -> None:
 
 
 def opened(site: Site) -> list[tuple[float, float]]:
-    """Of each replica the sessions that were opened there, and the sockets."""
+    """Return the sessions and the sockets that were opened on each replica."""
     names = ("oscillations_sessions", "oscillations_sockets")
     texts = [ask(f"http://127.0.0.1:{port}/", "/metrics").text for port in site.ports]
     samples = [

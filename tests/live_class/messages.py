@@ -21,7 +21,7 @@ def code(number: int) -> str:
 
 
 class Client:
-    """A client that leads a class of its own, and sends whatever it likes as often as it likes."""
+    """A client that leads its own class and sends any message any number of times."""
 
     def __init__(self, url: str, lesson: Class, address: str) -> None:
         self.url = url

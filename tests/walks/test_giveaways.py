@@ -37,7 +37,7 @@ def step(state: str, cover: str, of: str = "tau", unit: str = "s", question: str
 @settings(max_examples=tries(80), deadline=None)
 @given(st.floats(0.3, 9.0), st.floats(3.0, 90.0))
 def test_a_period_is_given_away_by_the_frequency_in_a_formula(m: float, k: float) -> None:
-    """The formula x = C sin(6.25 t) stands in the view Formulas; the view Motion has it not."""
+    """The formula x = C sin(6.25 t) is shown in the view Formulas, but not in the view Motion."""
     state = f"?scene=oscillator&m={m:.3g}&k={k:.3g}"
     found = walk(step(state, '["value:tau"]'))
     assert any("omega” is in sight" in one and "2π over it is the answer" in one for one in found), found

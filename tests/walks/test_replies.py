@@ -20,7 +20,7 @@ SIZES = st.floats(-2.0, 2.0).map(lambda power: 10**power)
 
 
 def reply_with(step: str, words: str) -> str:
-    """The reply of a step that says so; it stands there once."""
+    """The reply of a step that says so; the step has it once."""
     found = STEPS[step]
     assert isinstance(found, ChoiceStep)
     (reply,) = (one.reply for one in found.options if words in one.reply)

@@ -36,7 +36,7 @@ CROSSED = ("from the slow mode", "from the fast mode")
 NUMBERED = ("motion 1", "motion 2", "motion 3", "motion 4")
 OFTEN = {2: "twice", 3: "three times", 4: "four times"}
 CRITICAL = (Kind.PROPORTIONAL, Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
-"""Where a double root is a mode with critical damping."""
+"""Case in which a double root is a mode with critical damping."""
 
 
 @dataclass(frozen=True)
