@@ -128,8 +128,8 @@ class DrivenOscillator:
         re, im = (float(part / Fraction(self.m)) for part in self._force(omega, size, kind))
         one, (slow, _) = self.free, self.free.rates
         with precise():
-            detuning = float(exact(omega) - one._swing)
-            return Push(re, im, omega, one.omega_n, slow, float(2 * one._beta), one.omega_d, detuning)
+            detuning = float(exact(omega) - one.exact_omega_d)
+            return Push(re, im, omega, one.omega_n, slow, float(2 * one.exact_beta), one.omega_d, detuning)
 
     def _force(self, omega: float, size: float, kind: Drive) -> tuple[Fraction, Fraction]:
         """F in N, exactly."""

@@ -7,7 +7,8 @@ from functools import cached_property
 from components.language.picture import Pace
 from components.quantities.motion import pace
 from components.scene.case import Case
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
+from physics.free_decay import FreeDecay
 
 
 class DashpotCase(Case):

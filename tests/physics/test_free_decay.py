@@ -8,7 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
+from physics.free_decay import FreeDecay
 from tests.physics.chain_truth import U, ulps
 
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["damped"]

@@ -7,8 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
 from physics.exact import Array
+from physics.free_decay import FreeDecay
 from physics.motion import Elementary, MotionPolynomial, constant
 
 

@@ -10,9 +10,10 @@ from components.scenes import SCENES
 from components.state.standing import Standing
 from components.walks.links import standing_at
 from physics.coupled import TwoMassChain, free_modes
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
 from physics.driven import magnification
 from physics.forced import particular_solution
+from physics.free_decay import FreeDecay
 from physics.hanging import HangingMass
 from physics.lanchester import period_excess
 from physics.modes import trial_forces

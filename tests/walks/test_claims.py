@@ -17,9 +17,10 @@ from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.sketch import SketchStep
 from physics.coupled import TwoMassChain, free_modes, free_motion
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
 from physics.driven import magnification
 from physics.forced import particular_solution
+from physics.free_decay import FreeDecay
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
 from tests.walks.facts import beats, hanging, home, plain, slowly

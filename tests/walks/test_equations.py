@@ -10,10 +10,11 @@ import pytest
 
 from physics.analogues import ANALOGUES
 from physics.coupled import TwoMassChain, free_modes
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator
 from physics.driven import DrivenOscillator, half_power, lag
 from physics.energy import chain_energy
 from physics.forced import driven_modes, forced_motion, steady_start
+from physics.free_decay import FreeDecay
 from physics.hanging import HangingMass
 from physics.modes import quadratic
 from physics.oscillator import Oscillator

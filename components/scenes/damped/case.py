@@ -16,7 +16,8 @@ from components.quantities.numbers import short, signed, three
 from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, drift, few_of, points, reason_of
 from components.scene.traces import Floats
-from physics.damped import DampedOscillator, FreeDecay, Moment
+from physics.damped import DampedOscillator
+from physics.free_decay import FreeDecay, Moment
 from physics.motion import constant
 from physics.reference_damped import damped_points
 from physics.sampling import NOTHING_OSCILLATES, drawable, periods

@@ -29,7 +29,7 @@ from components.paper.plots import (
 )
 from components.quantities.axes import Axis
 from components.scenes.damped.case import MOST_PEAKS, DampedShown
-from physics.damped import Moment
+from physics.free_decay import Moment
 
 c = deferred(DampedShown)
 SIDES = Room(56, 30)
