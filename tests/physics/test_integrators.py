@@ -175,19 +175,21 @@ def test_a_tighter_tolerance_is_nearer_and_dearer(method):
 
 
 def memory_of_steps(method, periods):
-    """Bytes that a run holds at its most, and its steps."""
-    problem, watch = replace(FREE, t=periods * np.arange(11.0)), Watch()
-    tracemalloc.start()
-    try:
-        METHODS[method].run(problem, 1e-4, watch)
-        return tracemalloc.get_traced_memory()[1], watch.steps
-    finally:
-        tracemalloc.stop()
+    """The peak of the bytes that a run holds, and its steps: the least of four, since caches of libraries grow."""
+    problem, runs = replace(FREE, t=periods * np.arange(11.0)), []
+    for _ in range(4):
+        watch = Watch()
+        tracemalloc.start()
+        try:
+            METHODS[method].run(problem, 1e-4, watch)
+            runs.append((tracemalloc.get_traced_memory()[1], watch.steps))
+        finally:
+            tracemalloc.stop()
+    return min(runs)
 
 
 @pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.family == "adaptive"])
 def test_steps_are_forgotten(method):
-    memory_of_steps(method, 1.0)
     (some, few), (more, many) = memory_of_steps(method, 1.0), memory_of_steps(method, 20.0)
     assert many - few > 250
     assert (more - some) / (many - few) < 16
