@@ -22,8 +22,8 @@ BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test rest test-all scene lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
-	mutants pictures animation bench walk protocol readme lock docker clean
+.PHONY: run test rest test-all browsers scene lint format types hooks fast coverage attack audit digests reconnect load course soak \
+	deploy-test class up upgrade accuracy mutants pictures animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -40,6 +40,10 @@ test: lint
 rest: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow"
 	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and slow"
+
+# Safari's engine and Firefox from Debian: without them make rest skips their tests, and says so.
+browsers: $(VENV)/test.stamp
+	$(BIN)/python -m tests.browser.installing
 
 # Both, with every grid walked whole.
 test-all:

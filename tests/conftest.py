@@ -11,7 +11,7 @@ from hypothesis.internal.conjecture import providers
 
 from tests.grids import tries
 
-pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom"]
+pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom", "tests.browser.engines"]
 
 # The same examples on every machine. Over all doubles most of what is drawn leaves their range, and is passed over.
 settings.register_profile(

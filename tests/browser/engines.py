@@ -1,0 +1,53 @@
+"""The three engines of browsers: Chromium, Safari's and Firefox, with their scrollbars shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from tests.browser import firefox, webkit
+from tests.browser.chromium import find
+from tests.browser.driven import Driven
+
+Window = Page | Driven
+"""What tests use of it: `goto`, `reload`, `set_viewport_size`, `evaluate`, `wait_for_function`, `screenshot`, `mouse`,
+`keyboard`."""
+MISSING = "not installed: make browsers installs it"
+ENGINES = ("chromium", "webkit", "firefox")
+
+
+@pytest.fixture(scope="session", params=ENGINES)
+def engine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Window]:
+    """A window of 1280 x 720 in each engine; one that the machine lacks is skipped."""
+    name = request.param
+    yield from OPENERS[name](request, tmp_path_factory.mktemp(name))
+
+
+def _chromium(request: pytest.FixtureRequest, _: Path) -> Iterator[Window]:
+    browser: Browser = request.getfixturevalue("browser")
+    # Playwright hides the scrollbars that Chrome has on Windows.
+    chromium = browser.browser_type.launch(executable_path=find(), ignore_default_args=["--hide-scrollbars"])
+    yield chromium.new_page(viewport={"width": 1280, "height": 720}, bypass_csp=True)
+    chromium.close()
+
+
+def _driven(kind: type[Driven], path: str | None, folder: Path) -> Iterator[Window]:
+    if path is None:
+        pytest.skip(f"{kind.__name__} is {MISSING}")
+    window = kind(path, folder)
+    try:
+        window.set_viewport_size({"width": 1280, "height": 720})
+        yield window
+    finally:
+        window.close()
+
+
+OPENERS: dict[str, Callable[[Any, Path], Iterator[Window]]] = {
+    "chromium": _chromium,
+    "webkit": lambda _, folder: _driven(webkit.WebKit, webkit.find(), folder),
+    "firefox": lambda _, folder: _driven(firefox.Firefox, firefox.find(), folder),
+}

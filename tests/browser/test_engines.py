@@ -1,0 +1,40 @@
+"""Every scene is drawn, moves and answers in Safari's engine and in Firefox; other tests draw it in Chromium."""
+
+from __future__ import annotations
+
+import pytest
+
+from components.scenes import SCENES
+from tests.browser.engines import Window
+from tests.browser.fixtures import READY
+from tests.browser.waiting import FRAMES
+from tests.serving.server import Server
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+WATCH = """() => {
+  document.thrown = []
+  addEventListener("error", event => document.thrown.push(event.message))
+  addEventListener("unhandledrejection", event => document.thrown.push(String(event.reason)))
+}"""
+DRAWN = """oscillations.plots.filter(plot => plot.box && !plot.absent).every(plot =>
+  plot.mounted && plot.figure.element.querySelector(".bk-Figure")?.shadowRoot?.querySelector(".bk-Canvas")?.shadowRoot
+    ?.querySelector("canvas")?.width > 0)"""
+SET = """({name, value}) => oscillations.send({type: "set", values: {[name]: value}})"""
+MOST_LIKELY = {"m1": 1.5, "m": 1.5, "theta_0": 0.5, "limit": 2.0}
+"""A value for the first of these that a scene has."""
+
+
+@pytest.mark.parametrize("engine", ("webkit", "firefox"), indirect=True)
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_scene_is_drawn_moves_and_answers(engine: Window, server: Server, slug: str) -> None:
+    engine.goto(f"{server.url}?scene={slug}")
+    engine.evaluate(WATCH)
+    engine.wait_for_function(READY)
+    assert engine.evaluate("document.getElementById('missing').textContent") == ""
+    engine.wait_for_function(DRAWN)
+    engine.evaluate(FRAMES, 3)
+    name = next(name for name in MOST_LIKELY if name in SCENES[slug].linked())
+    engine.wait_for_function("oscillations.messages.wire")
+    engine.evaluate(SET, {"name": name, "value": MOST_LIKELY[name]})
+    engine.wait_for_function(f"oscillations.shown.settings.{name}.value === {MOST_LIKELY[name]}")
+    assert engine.evaluate("document.thrown") == []
