@@ -47,7 +47,7 @@ class FreeDecay:
         one = self.oscillator
         return Elementary(
             symbol="x", exact=lambda t: self._motion(t).x, played=self.fadings[0], size=self.reach, omega=one.omega_d,
-            band=lambda: self.envelope, square=lambda: self._decaying_energy / one.k,
+            amplitude=lambda: self.envelope, square=lambda: self._decaying_energy / one.k,
         )  # fmt: skip
 
     @cached_property

@@ -37,10 +37,12 @@ class ExactMotion(ABC):
     def mean(self) -> ExactMotion:
         """The average over a cycle, slow enough to draw."""
 
-    @property
-    def reach(self) -> ExactMotion | None:
-        """Half the height of the band around 0 that it fills; None if it is not known."""
-        return None
+    @abstractmethod
+    def band(self, drawn: float) -> Band | None:
+        """Return the band that it fills, or None if that is not known.
+
+        Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
+        """
 
     def __add__(self, other: ExactMotion | float) -> ExactMotion:
         return MotionPolynomial((*_terms(self), *_terms(other)))
@@ -68,6 +70,8 @@ class ExactMotion(ABC):
     __radd__, __rmul__ = __add__, __mul__
 
 
+Band: TypeAlias = tuple[ExactMotion, ExactMotion]
+"""The lower and the upper edge of a band."""
 MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
 """A factor and the motions that it multiplies."""
 
@@ -86,7 +90,8 @@ class Elementary(ExactMotion):
     """A motion of a system.
 
     `symbol` names it if a scene does not. `exact` returns its values, `played` are the numbers by which the browser
-    plays it, `size` returns its largest magnitude. `band` returns its `reach`, `square` the mean of its square.
+    plays it, `size` returns its largest magnitude. `amplitude` returns half the height of the band around 0 that it
+    fills, `square` the mean of its square.
     """
 
     symbol: str
@@ -94,7 +99,7 @@ class Elementary(ExactMotion):
     played: object
     size: Callable[[], float]
     omega: float = 0.0
-    band: Callable[[], ExactMotion] | None = None
+    amplitude: Callable[[], ExactMotion] | None = None
     square: Callable[[], ExactMotion] | None = None
 
     def at(self, t: Array) -> Array:
@@ -104,22 +109,29 @@ class Elementary(ExactMotion):
     def mean(self) -> ExactMotion:
         return constant(0.0) if self.omega else self
 
-    @property
-    def reach(self) -> ExactMotion | None:
-        return self.band() if self.band else None
+    def band(self, drawn: float) -> Band | None:
+        if self.omega <= drawn:
+            return self, self
+        return (-self.amplitude(), self.amplitude()) if self.amplitude else None
 
 
 @dataclass(frozen=True, eq=False)
 class MotionPolynomial(ExactMotion):
-    """A sum of products of motions, each with a factor."""
+    """A sum of products of motions, each with a factor.
+
+    `exact` returns its values, if the sum of the terms would lose digits.
+    """
 
     terms: tuple[MotionTerm, ...]
+    exact: Callable[[Array], Array] | None = None
 
     @cached_property
     def omega(self) -> float:  # type: ignore[override]
         return max((sum(one.omega for one in motions) for _, motions in self.terms), default=0.0)
 
     def at(self, t: Array) -> Array:
+        if self.exact:
+            return self.exact(t)
         with np.errstate(over="ignore", invalid="ignore"):
             total, *others = [_product(factor, motions, t) for factor, motions in self.flat()]
             for one in others:
@@ -129,6 +141,12 @@ class MotionPolynomial(ExactMotion):
     @property
     def mean(self) -> ExactMotion:
         return MotionPolynomial(tuple((factor, _averaged(motions)) for factor, motions in self.flat()))
+
+    def band(self, drawn: float) -> Band | None:
+        bands = [_band(factor, motions, drawn) for factor, motions in self.flat()]
+        known = [band for band in bands if band]
+        low, high = (MotionPolynomial(tuple((ONE, (band[i],)) for band in known)) for i in (0, 1))
+        return (low, high) if len(known) == len(bands) else None
 
     def flat(self, whole: Callable[[ExactMotion], bool] = lambda motion: False) -> Iterator[MotionTerm]:
         """Return the terms with single products multiplied out, except the motions that stay `whole`."""
@@ -153,6 +171,20 @@ def _product(factor: Decimal, motions: tuple[ExactMotion, ...], t: Array) -> Arr
         mantissas, powers = np.frexp(one.at(t))
         values, exponents = values * mantissas, exponents + powers
     return np.asarray(np.ldexp(base * values, exponents))
+
+
+def _band(factor: Decimal, motions: tuple[ExactMotion, ...], drawn: float) -> Band | None:
+    """The band of a product: known if it is slow, or a multiple of one motion or of its square."""
+    if not motions or sum(one.omega for one in motions) <= drawn:
+        slow = MotionPolynomial(((factor, motions),))
+        return slow, slow
+    first, *others = motions
+    band = first.band(0.0 if others else drawn)
+    if not band or others not in ([], [first]) or (others and not isinstance(first, Elementary)):
+        return None
+    edges = (constant(0.0), band[1] ** 2) if others else band
+    low, high = edges if factor > 0 else edges[::-1]
+    return MotionPolynomial(((factor, (low,)),)), MotionPolynomial(((factor, (high,)),))
 
 
 def _averaged(motions: Iterable[ExactMotion]) -> tuple[ExactMotion, ...]:

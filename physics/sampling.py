@@ -64,8 +64,13 @@ def periods(omega: float, count: float) -> float:
 
 def drawable(omega: float, t: Array) -> bool:
     """Whether the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
+    return abs(omega) <= highest_drawn(t)
+
+
+def highest_drawn(t: Array) -> float:
+    """Return the highest frequency in rad/s that the grid t (n,) shows as a line."""
     step = float((t[1:] - t[:-1]).max(initial=0.0))
-    return step == 0.0 or abs(omega) <= 2.0 * math.pi / SAMPLES_PER_CYCLE / step
+    return 2.0 * math.pi / SAMPLES_PER_CYCLE / step if step else math.inf
 
 
 def curve_or_band(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> CurveOrBand:

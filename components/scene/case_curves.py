@@ -8,7 +8,7 @@ from functools import cached_property
 
 from components.scene.traces import BAND, FLOOR, TIME, Columns, Floats, Traces, band_columns
 from physics.motion import ExactMotion
-from physics.sampling import drawable
+from physics.sampling import highest_drawn
 from physics.valid import in_range
 
 
@@ -29,10 +29,14 @@ class CaseCurves:
     layers: Mapping[str, tuple[str, str]]
 
     @cached_property
+    def highest(self) -> float:
+        """The highest frequency in rad/s that these instants show as a line."""
+        return highest_drawn(self.t)
+
+    @cached_property
     def too_fast(self) -> frozenset[str]:
         """The motions that these instants do not resolve."""
-        resolved = {omega: drawable(omega, self.t) for omega in {one.omega for one in self.drawn.values()}}
-        return frozenset(name for name, one in self.drawn.items() if not resolved[one.omega])
+        return frozenset(name for name, one in self.drawn.items() if one.omega > self.highest)
 
     @cached_property
     def averaged(self) -> frozenset[str]:
@@ -60,9 +64,8 @@ class CaseCurves:
         """The numbers that no signal gives, by source."""
         bands = Columns()
         for name in self.drawn:
-            if name in self.too_fast and self.fast.get(name) == BAND and (reach := self.drawn[name].reach):
-                high = reach.at(self.t)
-                bands |= dict(zip(band_columns(name), (-high, high), strict=True))
+            if name in self.too_fast and self.fast.get(name) == BAND and (band := self.drawn[name].band(self.highest)):
+                bands |= dict(zip(band_columns(name), (edge.at(self.t) for edge in band), strict=True))
         means = {name: one.mean.at(self.t) for name, one in self.drawn.items() if name in self.averaged}
         found = {BAND: {"t": self.t, **bands} if bands else {}}
         return found | ({TIME: means} if means else {})

@@ -79,8 +79,19 @@ def test_the_mean_of_an_unknown_product_is_refused() -> None:
 
 def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
     free = decay(v_0=-2.0)
-    assert free.x.reach is not None and free.v.reach is None and free.parts[0].reach is None
-    assert np.all(np.abs(free.x.at(t)) <= free.x.reach.at(t) * (1 + 1e-12))
+    assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
+    for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
+        low, high = motion.band(0.0) or pytest.fail("it has no band")
+        margin = 1e-12 * np.max(np.abs(high.at(t)))
+        assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)
+
+
+def test_the_slow_part_of_a_band_is_a_line(t: Array) -> None:
+    """Where x is slow enough for a line and its square is not, the band of their sum follows x."""
+    free = decay(v_0=-2.0)
+    low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
+    assert np.array_equal(low.at(t), free.x.at(t))
+    assert np.all(high.at(t) >= (free.x**2 + free.x).at(t))
 
 
 def test_a_product_takes_the_place_of_its_name() -> None:
