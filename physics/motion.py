@@ -38,7 +38,7 @@ class ExactMotion(ABC):
         """The average over a cycle, slow enough to draw."""
 
     @abstractmethod
-    def band(self, drawn: float) -> Band | None:
+    def band(self, drawn: float) -> MotionBand | None:
         """Return the band that it fills, or None if that is not known.
 
         Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
@@ -70,7 +70,7 @@ class ExactMotion(ABC):
     __radd__, __rmul__ = __add__, __mul__
 
 
-Band: TypeAlias = tuple[ExactMotion, ExactMotion]
+MotionBand: TypeAlias = tuple[ExactMotion, ExactMotion]
 """The lower and the upper edge of a band."""
 MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
 """A factor and the motions that it multiplies."""
@@ -109,7 +109,7 @@ class Elementary(ExactMotion):
     def mean(self) -> ExactMotion:
         return constant(0.0) if self.omega else self
 
-    def band(self, drawn: float) -> Band | None:
+    def band(self, drawn: float) -> MotionBand | None:
         if self.omega <= drawn:
             return self, self
         return (-self.amplitude(), self.amplitude()) if self.amplitude else None
@@ -142,7 +142,7 @@ class MotionPolynomial(ExactMotion):
     def mean(self) -> ExactMotion:
         return MotionPolynomial(tuple((factor, _averaged(motions)) for factor, motions in self.flat()))
 
-    def band(self, drawn: float) -> Band | None:
+    def band(self, drawn: float) -> MotionBand | None:
         bands = [_band(factor, motions, drawn) for factor, motions in self.flat()]
         known = [band for band in bands if band]
         low, high = (MotionPolynomial(tuple((ONE, (band[i],)) for band in known)) for i in (0, 1))
@@ -173,7 +173,7 @@ def _product(factor: Decimal, motions: tuple[ExactMotion, ...], t: Array) -> Arr
     return np.asarray(np.ldexp(base * values, exponents))
 
 
-def _band(factor: Decimal, motions: tuple[ExactMotion, ...], drawn: float) -> Band | None:
+def _band(factor: Decimal, motions: tuple[ExactMotion, ...], drawn: float) -> MotionBand | None:
     """The band of a product: known if it is slow, or a multiple of one motion or of its square."""
     if not motions or sum(one.omega for one in motions) <= drawn:
         slow = MotionPolynomial(((factor, motions),))

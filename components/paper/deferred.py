@@ -156,6 +156,7 @@ class Book:
 
     def number(self, of: ExpressionRecord, axis: PlotAxis | None) -> str:
         """Return the name of a number. Its first use has its own name, a use on another axis adds the axis."""
+        axis = axis.counting if axis else None
         for name in (of.name, f"{of.name}_{axis.name if axis else 'si'}"):
             known = self.numbers.setdefault(name, CountedNumber(of, axis))
             if known.of.text == of.text and known.axis is axis:
@@ -165,7 +166,7 @@ class Book:
     def text(self, of: ExpressionRecord, write: Write) -> str:
         """Return a live number for a text."""
         known, way = self.texts.setdefault(of.name, (of, write))
-        if known.text != of.text or way is not write:
+        if known.text != of.text or way != write:
             raise ValueError(f"{of.text} is written in two ways: make another attribute for the second")
         return rf"\val{{{of.name}}}"
 

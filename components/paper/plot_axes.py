@@ -14,23 +14,31 @@ from components.quantities.axes import TIME_AXIS, Axis, Range, nice_axis, whole_
 
 @dataclass(eq=False)
 class PlotAxis:
-    """An axis of a plot.
+    """An axis of a plot, or of numbers in texts alone.
 
-    `range` returns both ends in SI units, which are then `room` times as far from 0. `count` is the largest number of
-    steps between ticks. A `whole` axis has ticks at both ends only, for parts of a total; a `plain` one has no ticks.
+    `range` returns both ends in SI units, which are then `room` times as far from 0, or the whole axis. `count` is the
+    largest number of steps between ticks. A `whole` axis has ticks at both ends only, for parts of a total; a `plain`
+    one has no ticks.
     `seen` is the range that must be in the frame, if that is not the whole range. `name` is used in links and covers.
+    Numbers are counted in the unit of the axis `like`, if there is one: it is that of the same quantity elsewhere.
     """
 
     unit: str
-    range: Callable[[Any], Range]
+    range: Callable[[Any], Range | Axis]
     name: str = ""
     room: float = 1.0
     count: int = 4
     whole: bool = False
     plain: bool = False
     seen: Callable[[Any], Range] | None = None
+    like: PlotAxis | None = None
     unit_is_shown: bool = field(default=False, init=False)
     share_is_used: bool = field(default=False, init=False)
+
+    @property
+    def counting(self) -> PlotAxis:
+        """The axis in whose unit numbers are counted."""
+        return self.like or self
 
     @property
     def is_time(self) -> bool:
@@ -38,7 +46,10 @@ class PlotAxis:
 
     def axis(self, case: Any) -> Axis:
         """Return the axis that fits a case; a range without length gets one."""
-        low, high = self.range(case)
+        found = self.range(case)
+        if isinstance(found, Axis):
+            return found
+        low, high = found
         if low == high:
             low, high = low - abs(low), high + (abs(high) or 1.0)
         seen = self.seen(case) if self.seen else (low, high)
@@ -63,7 +74,7 @@ class PlotAxis:
         return named(f"{self.name}_share")
 
 
-def axis(unit: str, range: Callable[[Any], Range], name: str = "", **more: Any) -> PlotAxis:
+def axis(unit: str, range: Callable[[Any], Range | Axis], name: str = "", **more: Any) -> PlotAxis:
     """Return an axis of a plot: see `PlotAxis`. It has the name of its plot unless it has its own."""
     return PlotAxis(unit, range, name, **more)
 

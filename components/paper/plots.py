@@ -115,6 +115,12 @@ class Plot(PlotFrame):
         return changed(found, form=shown.book.form(shown, ["shown"]))
 
 
+def counted(value: V, axis: PlotAxis) -> V:
+    """Return an attribute that is counted on an axis, also in texts: for one that no plot shows."""
+    recorded(value).expression(axis)
+    return value
+
+
 def on_axis(axis: PlotAxis, value: object) -> Expression | float:
     """Return a value as counted on an axis. TypeError for a constant: its place follows only from the axis."""
     if isinstance(value, Deferred):
@@ -289,22 +295,26 @@ def words(*paragraphs: str | EitherText, **look: Any) -> Block:
     return sheet.words(*(one.forms() if isinstance(one, EitherText) else one for one in paragraphs), **look)
 
 
-def drag(
-    label: str, place: Callable[[PlotValue], Number], across: Literal["x", "y"], on: Plot, *, rate: str = "",
-    **starts: object,
-) -> Grab:  # fmt: skip
-    """Return a grab that begins a motion from where the hand drops it.
+def along(
+    across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "", **sets: object
+) -> Along:
+    """Return a way along which a hand sets a parameter.
 
-    `starts` maps one parameter to the motion that gives its initial value, `rate` is the parameter of its velocity.
-    `place` returns the pixel of a value along `across`.
+    `sets` maps the parameter to what moves at once, counted on the axis `on`: the motion that it is the initial value
+    of, or an attribute. `place` returns the pixel of a value. `rate` is the parameter that a flick sets.
     """
-    ((parameter, of),) = starts.items()
-    own = recorded(of)
-    moves, zero = own.book.number(own, on.up), place(0.0)
-    way = Along(
-        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=on.up.name, rate=rate
+    ((parameter, of),) = sets.items()
+    own, zero, axis = recorded(of), place(0.0), on.counting
+    moves = own.book.number(own, axis)
+    return Along(
+        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=axis.name, rate=rate
     )
-    return begin(label, way, start=(Begin(parameter, moves, on.up.name), *([Begin(rate)] if rate else [])))
+
+
+def drag(label: str, *ways: Along) -> Grab:
+    """Return a grab that begins a motion from where the hand drops it, at rest unless one of the ways is a velocity."""
+    starts = [Begin(one.parameter, one.moves, one.axis) for one in ways]
+    return begin(label, *ways, start=(*starts, *(Begin(one.rate) for one in ways if one.rate)))
 
 
 def hold_root(label: str, on: Plot, zero: Number, unit: Number, *, moves: object, **more: Any) -> Grab:

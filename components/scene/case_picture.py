@@ -33,9 +33,15 @@ class CasePaper:
 
     @cached_property
     def axes(self) -> dict[str, PlotAxis]:
-        """All axes, by name."""
-        axes = [axis for built in self.book.plots.values() for axis in (built.plot.across, built.plot.up)]
-        return {axis.name: axis for axis in (*axes, *(use.axis for use in self.book.numbers.values() if use.axis))}
+        """The axes of the plots, by name."""
+        plots = [built.plot for built in self.book.plots.values()]
+        return {axis.name: axis for plot in plots for axis in (plot.across, plot.up)}
+
+    @cached_property
+    def other_axes(self) -> dict[str, PlotAxis]:
+        """The axes of numbers that no plot shows, by name: they always fit."""
+        used = (use.axis for use in self.book.numbers.values() if use.axis)
+        return {axis.name: axis for axis in used if axis.name not in self.axes}
 
     @cached_property
     def numbers(self) -> list[str]:
@@ -98,8 +104,13 @@ class CasePicture:
     case: Any
 
     @cached_property
-    def axes(self) -> dict[str, Axis]:
+    def framed(self) -> dict[str, Axis]:
         return framed(self.case.frame, {name: one.axis(self.case) for name, one in self.paper.axes.items()})
+
+    @cached_property
+    def axes(self) -> dict[str, Axis]:
+        """All axes, by name."""
+        return self.framed | {name: one.axis(self.case) for name, one in self.paper.other_axes.items()}
 
     @cached_property
     def numbers(self) -> dict[str, tuple[Any, Axis]]:
@@ -156,7 +167,8 @@ class CasePicture:
 
     @property
     def values(self) -> dict[str, str]:
-        units = [name for name, one in self.paper.axes.items() if one.unit_is_shown]
+        known = self.paper.axes | self.paper.other_axes
+        units = [name for name, one in known.items() if one.unit_is_shown]
         found = {f"{name}_unit": self.axes[name].full_unit for name in units}
         for name, value in self.texts.items():
             if value is None or isinstance(value, str):
@@ -180,7 +192,7 @@ class CasePicture:
     def picture(self) -> Picture:
         return Picture(
             columns=self.columns,
-            axes=self.axes,
+            axes=self.framed,
             signals=self.signals,
             traces={TIME: self.curves.traces(self.case.resolved)},
             scalars=self.scalars,

@@ -9,14 +9,16 @@ import pytest
 
 from components.dashpot import DashpotCase, DashpotScene, apparatus, keeping, parts
 from components.language.blocks import Block
+from components.language.picture import Digits
 from components.language.signals import DampedMass, Derived
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.sheet import blocks, column, row, stage
 from components.layout.stage import H, T, W, line, text
-from components.paper.deferred import Attributes, deferred
+from components.paper.deferred import Attributes, deferred, recorded
 from components.paper.plot_axes import TIME, axis
-from components.paper.plots import Plot, curve, drag, either, layer, stack, words
+from components.paper.plots import Plot, along, counted, curve, drag, either, layer, stack, words
+from components.quantities.axes import Axis
 from components.quantities.parameters import displacement, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scene.picture import draw
@@ -55,7 +57,7 @@ ENERGY = Plot("energy", TIME, axis("J", lambda c: (0.0, c.free.E_0 or 1.0), "E",
 
 
 def paper() -> Block:
-    y, hand = X.y(c.x), drag("Mass, start", X.y, "y", X, x_0=c.x, rate="v_0")
+    y, hand = X.y(c.x), drag("Mass, start", along("y", X.y, X.up, x_0=c.x, rate="v_0"))
     mass = apparatus(0.5 * W, y, 56, 0.5 * H, 0.15 * H, 2.5, hand)
     period = text(2, 40, f"{c.tau_d} s", "start")
     layers = stack(layer(c.V, "V", legend=f"V = {c.V}"), layer(c.T, "T", top=c.E, legend=f"T = {c.T}"))
@@ -128,6 +130,39 @@ def test_a_fast_motion_is_a_band_and_its_energies_are_means() -> None:
     ]
     assert picture.columns["time"]["V"] == pytest.approx(picture.columns["time"]["E"] / 2, rel=1e-14)
     assert picture.columns["band"]["x_hi"][0] == pytest.approx(0.1, rel=1e-3)
+
+
+def test_an_axis_may_be_made_whole_and_another_one_counts_like_it() -> None:
+    own = Axis(-1.0, 1.0, "m", ticks=(0.5,))
+    whole, other = axis("m", lambda c: own, "whole"), axis("J", lambda c: (0.0, 2e4), "other")
+    like = axis("J", lambda c: (0.0, 5.0), "like", like=other)
+    assert whole.axis(None) is own
+    plot, book = Plot("counted", TIME, like), recorded(c.T).book
+    assert plot.y(c.T) == Plot("counted", TIME, other).y(c.T)
+    assert book.number(recorded(c.T), like) == book.number(recorded(c.T), other)
+
+
+def test_a_number_of_no_plot_has_an_axis_that_always_fits() -> None:
+    force = axis("N", lambda c: (0.0, 1e5), "F")
+
+    class Pulled(FrictionShown):
+        F = value(lambda c: -c.k * c.free.x)
+
+    pulled = deferred(Pulled)
+
+    class PulledScene(Friction):
+        case = Pulled
+        paper = staticmethod(
+            lambda: column(
+                X.block(curve(pulled.x), title="Displacement"), words(f"{counted(pulled.F, force):+} {force.unit_text}")
+            )
+        )
+
+    picture = draw(PulledScene(), framing="kept", frame=Frame(ranges={"F": (0.0, 1.0)})).picture
+    assert "F" not in picture.axes and "F" not in picture.sources["time"]
+    assert (picture.values["F_unit"], picture.live["F"]) == ("·10³ N", Digits(0, True))
+    assert isinstance(made := picture.signals["F"], Derived)
+    assert made.value.terms[0].factor == pytest.approx(-0.03948)
 
 
 def test_a_kept_frame_keeps_axes_and_window() -> None:

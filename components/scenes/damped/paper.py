@@ -17,6 +17,7 @@ from components.paper.plots import (
     EitherText,
     Plot,
     PlotValue,
+    along,
     curve,
     drag,
     either,
@@ -209,7 +210,7 @@ def block() -> list[Shape]:
     """Block, spring and dashpot on their wall, on one level line with the curve."""
     y, lowest = height(c.x), LEVEL + 0.5 * STROKE + 0.5 * SIDE
     aside, foot = MIDDLE - 0.5 * SIDE - 15, lowest + STROKE + 35
-    hand = drag("Mass, start", height, "y", X, x_0=c.x, rate="v_0")
+    hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
     return [
         line(0.03 * W, LEVEL, wide(X.left - 30, 0.55 * W), LEVEL, style="eq", tint="mute"),
         line(MIDDLE, y, X.x(T), y, style="level", tint="m1", show=ON_WIDE),
