@@ -225,6 +225,25 @@ class PlottedCurve(DrawnItem):
 
 
 @dataclass(frozen=True, eq=False)
+class PlottedPath(DrawnItem):
+    """The path of two motions in a plane, with a dot: one of them over the other, `against`.
+
+    It covers the time window, or the interval of the case that has the name `source`.
+    """
+
+    against: object
+    tint: str = "ink"
+    source: str = TIME
+    group: str = ""
+
+    def lines(self, plot: Plot) -> list[Curve]:
+        own, against = self.recorded, recorded(self.against)
+        x, y = against.book.number(against, plot.across), own.book.number(own, plot.up)
+        group = self.group or y
+        return [Curve(source=self.source, x=x, y=y, signal_x=x, signal=y, tint=self.tint, group=group)]
+
+
+@dataclass(frozen=True, eq=False)
 class PlottedLayer(DrawnItem):
     """A layer of a stack, up to the sum `top` of itself and the layers under it; the lowest is its own sum.
 
@@ -265,7 +284,7 @@ class PlottedNote(PlotItem):
         return [_term(self.text, "none", self.tint)]
 
 
-curve, layer, note = PlottedCurve, PlottedLayer, PlottedNote
+curve, layer, note, path = PlottedCurve, PlottedLayer, PlottedNote, PlottedPath
 
 
 def stack(*layers: PlottedLayer) -> list[PlottedLayer]:

@@ -69,6 +69,11 @@ class Case(ABC):
         return np.linspace(0.0, self.end, samples(self.end, self.highest))
 
     @property
+    def intervals(self) -> dict[str, tuple[float, int]]:
+        """The end in s and the number of instants of intervals other than the time window, by source."""
+        return {}
+
+    @property
     def pace(self) -> Pace:
         """The speeds of the clock."""
         return Pace()

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 from components.scene.traces import BAND, FLOOR, TIME, Columns, Floats, Traces, band_columns
 from physics.motion import ExactMotion
 from physics.sampling import highest_drawn
 from physics.valid import in_range
+
+
+def exact_values(motions: Mapping[str, ExactMotion], t: Floats) -> Columns:
+    """Return the numbers of motions at these instants. ValueError if they leave the range of doubles."""
+    return {name: in_range(name, one.at(t)) for name, one in motions.items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +57,7 @@ class CaseCurves:
             float(self.t[-1]),
             len(self.t),
             tuple(name for name in self.drawn if name not in self.too_fast | self.averaged),
-            lambda t: {name: in_range(name, one.at(t)) for name, one in shown.items()},
+            partial(exact_values, shown),
             fastest=resolved,
             moving=tuple(name for name in shown if name != FLOOR),
             layers=self.layers,

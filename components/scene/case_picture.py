@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -11,16 +11,16 @@ import numpy as np
 from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
-from components.paper.deferred import FORMATS, Attribute, Book, ExpressionRecord
+from components.paper.deferred import FORMATS, Attribute, Book, ExpressionRecord, recorded
 from components.paper.plot_axes import PlotAxis
-from components.paper.plots import PlottedCurve, PlottedLayer
+from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
 from components.quantities.axes import ONE, Axis
 from components.quantities.motion import derived
-from components.scene.case_curves import CaseCurves
+from components.scene.case_curves import CaseCurves, exact_values
 from components.scene.case_signals import signals_of
 from components.scene.frames import framed
 from components.scene.picture import Picture
-from components.scene.traces import FLOOR, TIME, Columns
+from components.scene.traces import FLOOR, TIME, Columns, Traces
 from physics.motion import ExactMotion, constant
 
 
@@ -64,6 +64,16 @@ class CasePaper:
             (item.recorded, built.plot.across.name, built.plot.up.name)
             for built in plots for item in built.items if isinstance(item, PlottedCurve)
         ]  # fmt: skip
+
+    @cached_property
+    def paths(self) -> dict[str, list[str]]:
+        """The names of the motions of paths that do not cover the time window, by source, in the order of numbers."""
+        items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedPath)]
+        found: dict[str, set[str]] = {}
+        for one in items:
+            if one.source != TIME:
+                found.setdefault(one.source, set()).update((recorded(one.against).name, one.recorded.name))
+        return {source: sorted(names, key=self.numbers.index) for source, names in found.items()}
 
     @cached_property
     def layers(self) -> dict[str, tuple[str, str]]:
@@ -142,6 +152,16 @@ class CasePicture:
         return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, self.paper.layers)
 
     @property
+    def traces(self) -> dict[str, Traces]:
+        """The curves over the time window, and the paths over other intervals."""
+        found = {TIME: self.curves.traces(self.case.resolved)}
+        for source, names in self.paper.paths.items():
+            motions = {name: self.moving[name][0] for name in names if name in self.moving}
+            end, count = self.case.intervals[source]
+            found[source] = Traces(end, count, tuple(motions), partial(exact_values, motions))
+        return found
+
+    @property
     def columns(self) -> dict[str, Columns]:
         found: dict[str, Columns] = {}
         for of, across, up in self.paper.pairs:
@@ -194,7 +214,7 @@ class CasePicture:
             columns=self.columns,
             axes=self.framed,
             signals=self.signals,
-            traces={TIME: self.curves.traces(self.case.resolved)},
+            traces=self.traces,
             scalars=self.scalars,
             pace=self.case.pace,
             values=self.values,

@@ -17,7 +17,7 @@ from components.layout.sheet import blocks, column, row, stage
 from components.layout.stage import H, T, W, line, text
 from components.paper.deferred import Attributes, deferred, recorded
 from components.paper.plot_axes import TIME, axis
-from components.paper.plots import Plot, along, counted, curve, drag, either, layer, stack, words
+from components.paper.plots import Plot, along, counted, curve, drag, either, layer, path, stack, words
 from components.quantities.axes import Axis
 from components.quantities.parameters import displacement, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
@@ -163,6 +163,35 @@ def test_a_number_of_no_plot_has_an_axis_that_always_fits() -> None:
     assert (picture.values["F_unit"], picture.live["F"]) == ("·10³ N", Digits(0, True))
     assert isinstance(made := picture.signals["F"], Derived)
     assert made.value.terms[0].factor == pytest.approx(-0.03948)
+
+
+def test_a_path_has_its_own_interval() -> None:
+    class Turning(FrictionShown):
+        v = value(lambda c: c.free.v)
+
+        @property
+        def intervals(self) -> dict[str, tuple[float, int]]:
+            return {"turn": (2 * np.pi / self.one.omega_d, 5)}
+
+    turning = deferred(Turning)
+    plane = Plot("plane", X.up, axis("m/s", lambda c: (-1.0, 1.0), "v"))
+
+    class TurningScene(Friction):
+        case = Turning
+        paper = staticmethod(
+            lambda: row(
+                X.block(curve(turning.x), title="Displacement"),
+                plane.block(path(turning.v, turning.x, source="turn"), title="Plane"),
+            )
+        )
+
+    scene = TurningScene()
+    columns = scene.sources["turn"].data
+    assert list(columns) == ["t", "x", "v"] and list(scene.sources["time"].data) == ["t", "x"]
+    motion = DampedOscillator(m=1.0, c=1.257, k=39.48).motion(0.1, 0.0, columns["t"])
+    assert np.array_equal(columns["x"], motion.x) and np.array_equal(columns["v"], motion.v)
+    _, one = (one for block in blocks(TurningScene.sheet()) for one in getattr(block, "curves", ()))
+    assert (one.x, one.y, one.signal_x, one.signal) == ("x", "v", "x", "v")
 
 
 def test_a_kept_frame_keeps_axes_and_window() -> None:
