@@ -16,6 +16,7 @@ from typing import TypeAlias
 import numpy as np
 
 from physics.exact import Array
+from physics.sampling import CurveOrBand, Sinusoid, curve_or_band, root_mean_square
 
 ONE = Decimal(1)
 
@@ -23,10 +24,13 @@ ONE = Decimal(1)
 class ExactMotion(ABC):
     """A quantity that changes with time, in SI units.
 
-    `omega` is the frequency of its fastest oscillation in rad/s, 0 if it does not oscillate.
+    `omega` is the frequency of its fastest oscillation in rad/s, 0 if it does not oscillate. `symbol` names it if a
+    scene does not, `size` returns about its largest magnitude.
     """
 
     omega: float
+    symbol: str
+    size: Callable[[], float]
 
     @abstractmethod
     def at(self, t: Array) -> Array:
@@ -43,6 +47,11 @@ class ExactMotion(ABC):
 
         Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
         """
+
+    @property
+    def mean_square(self) -> tuple[ExactMotion, ...]:
+        """The factors of the average of its square over a cycle, slow enough to draw; none if it is not known."""
+        return ()
 
     def __add__(self, other: ExactMotion | float) -> ExactMotion:
         return MotionPolynomial((*_terms(self), *_terms(other)))
@@ -89,9 +98,8 @@ def _terms(one: ExactMotion | float) -> tuple[MotionTerm, ...]:
 class Elementary(ExactMotion):
     """A motion of a system.
 
-    `symbol` names it if a scene does not. `exact` returns its values, `played` are the numbers by which the browser
-    plays it, `size` returns its largest magnitude. `amplitude` returns half the height of the band around 0 that it
-    fills, `square` the mean of its square.
+    `exact` returns its values, `played` are the numbers by which the browser plays it. `amplitude` returns half the
+    height of the band around 0 that it fills, `square` the mean of its square.
     """
 
     symbol: str
@@ -114,6 +122,38 @@ class Elementary(ExactMotion):
             return self, self
         return (-self.amplitude(), self.amplitude()) if self.amplitude else None
 
+    @property
+    def mean_square(self) -> tuple[ExactMotion, ...]:
+        return (self.square(),) if self.square else ()
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """a + b t and a sum of sinusoids, by the numbers that the browser plays; line = (a, b)."""
+
+    sinusoids: tuple[Sinusoid, ...]
+    line: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def omega(self) -> float:
+        return max((one.omega for one in self.sinusoids), default=0.0)
+
+    def size(self) -> float:
+        """Return about its largest magnitude."""
+        return sum(abs(one.amplitude) for one in self.sinusoids) or max(map(abs, self.line)) or 1.0
+
+    def drawn(self, t: Array) -> CurveOrBand:
+        """Return its values at the times t (n,), or the band that it fills between them."""
+        return curve_or_band(self.sinusoids, t, self._base(t))
+
+    def root_mean_square(self, t: Array) -> Array:
+        """Return its size (n,), on average over the cycles that the times t (n,) do not resolve."""
+        return root_mean_square(self.sinusoids, t, self._base(t))
+
+    def _base(self, t: Array) -> Array:
+        start, rate = self.line
+        return start + rate * t
+
 
 @dataclass(frozen=True, eq=False)
 class MotionPolynomial(ExactMotion):
@@ -124,6 +164,10 @@ class MotionPolynomial(ExactMotion):
 
     terms: tuple[MotionTerm, ...]
     exact: Callable[[Array], Array] | None = None
+    symbol: str = "part"
+
+    def size(self) -> float:
+        return 1.0
 
     @cached_property
     def omega(self) -> float:  # type: ignore[override]
@@ -161,6 +205,45 @@ class MotionPolynomial(ExactMotion):
             yield factor, tuple(parts)
 
 
+@dataclass(frozen=True, eq=False)
+class Superposition(MotionPolynomial):
+    """A sum of motions that are played by harmonics. It knows which of them are close in frequency and beat."""
+
+    harmonic: Harmonic = Harmonic(())
+
+    def size(self) -> float:
+        return self.harmonic.size()
+
+    def band(self, drawn: float) -> MotionBand:
+        return _slow(lambda t: self.harmonic.drawn(t).lo), _slow(lambda t: self.harmonic.drawn(t).hi)
+
+    @property
+    def mean_square(self) -> tuple[ExactMotion, ...]:
+        root = _slow(self.harmonic.root_mean_square)
+        return root, root
+
+
+def superposed(symbol: str, *parts: Elementary, exact: Callable[[Array], Array] | None = None) -> Superposition:
+    """Return the sum of motions that are played by harmonics; `exact` as in a polynomial."""
+    harmonics = [one.played for one in parts if isinstance(one.played, Harmonic)]
+    starts, rates = zip(*(one.line for one in harmonics), strict=True)
+    whole = Harmonic(tuple(wave for one in harmonics for wave in one.sinusoids), (sum(starts), sum(rates)))
+    return Superposition(tuple((ONE, (one,)) for one in parts), exact, symbol, whole)
+
+
+def harmonic_motion(symbol: str, harmonic: Harmonic, exact: Callable[[Array], Array]) -> Elementary:
+    """Return the motion that a harmonic plays, with its exact values."""
+    return Elementary(
+        symbol=symbol, exact=exact, played=harmonic, size=harmonic.size, omega=harmonic.omega,
+        amplitude=lambda: _slow(lambda t: harmonic.drawn(t).hi),
+    )  # fmt: skip
+
+
+def _slow(values: Callable[[Array], Array]) -> ExactMotion:
+    """A slow motion that is never played."""
+    return Elementary(symbol="", exact=values, played=None, size=lambda: 1.0)
+
+
 def _product(factor: Decimal, motions: tuple[ExactMotion, ...], t: Array) -> Array:
     """The values of a product (n,), also where a part of it alone leaves the range of doubles."""
     if len(motions) == 1 and abs(factor) == 1:
@@ -193,6 +276,6 @@ def _averaged(motions: Iterable[ExactMotion]) -> tuple[ExactMotion, ...]:
     if len(fast) < 2:
         return (*slow, *(one.mean for one in fast))
     first, *others = fast
-    if others == [first] and isinstance(first, Elementary) and first.square:
-        return (*slow, first.square())
+    if others == [first] and first.mean_square:
+        return (*slow, *first.mean_square)
     raise NotImplementedError("The mean of this product of fast motions is unknown: its system has to give it.")

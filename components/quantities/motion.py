@@ -31,6 +31,7 @@ from components.language.signals import (
 from components.quantities.axes import Axis
 from physics.damped import Decay, Fading
 from physics.driven import Push
+from physics.motion import Harmonic
 from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
@@ -125,6 +126,8 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
             return damped(size, time, numbers)
         case Decay(amplitude, slope, rate, omega, phase):
             return sines(size, time, (amplitude, omega, phase, rate, slope))
+        case Harmonic(sinusoids, line):
+            return sines(size, time, *sinusoids, line=line)
     raise TypeError(f"{type(numbers).__name__} is not played by any signal")
 
 

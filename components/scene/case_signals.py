@@ -38,10 +38,9 @@ class _Signals:
 
     def _name_part(self, motion: ExactMotion) -> str:
         """A free name for a motion that only others are made of, counted in a power of ten that suits its size."""
-        symbol, size = (motion.symbol, motion.size()) if isinstance(motion, Elementary) else ("part", 1.0)
-        number, name = 2, str(symbol)
+        size, number, name = motion.size(), 2, motion.symbol
         while name in self.axes:
-            number, name = number + 1, f"{symbol}{number}"
+            number, name = number + 1, f"{motion.symbol}{number}"
         exponent, suffix = power_unit(size)
         self.axes[name] = Axis(-size, size, exponent=exponent, suffix=suffix)
         return name

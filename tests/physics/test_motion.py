@@ -10,7 +10,8 @@ import pytest
 from physics.damped import DampedOscillator
 from physics.exact import Array
 from physics.free_decay import FreeDecay
-from physics.motion import Elementary, MotionPolynomial, constant
+from physics.motion import Elementary, Harmonic, MotionPolynomial, constant, harmonic_motion, superposed
+from physics.sampling import Sinusoid
 
 
 def decay(m: float = 1.0, c: float = 0.4, k: float = 4.0, x_0: float = 1.0, v_0: float = 0.0) -> FreeDecay:
@@ -110,3 +111,19 @@ def test_the_numbers_that_the_browser_plays_are_the_motion(t: Array) -> None:
     assert isinstance(free.x, Elementary)
     assert free.fadings[0] is free.x.played
     assert free.fadings[0].at(t) == pytest.approx(free.x.at(t), abs=1e-14)
+
+
+def wave(omega: float) -> Elementary:
+    return harmonic_motion("x", Harmonic((Sinusoid(1.0, omega, 0.3),)), lambda t: np.sin(omega * t + 0.3))
+
+
+@pytest.mark.parametrize("omegas", [(1.0, 1000.0), (1000.0, 1001.0), (800.0, 1000.0)])
+def test_a_superposition_knows_its_band_and_its_averages(t: Array, omegas: tuple[float, float]) -> None:
+    """A slow part moves the band, close frequencies beat, others add up."""
+    whole, fine = superposed("x", *map(wave, omegas)), np.linspace(0.0, 10.0, 200_001)
+    values, averaged = whole.at(fine), whole * whole
+    low, high = (np.interp(fine, t, edge.at(t)) for edge in whole.band(10.0))
+    assert np.all(low <= values + 0.02) and np.all(values <= high + 0.02)
+    assert values.max() == pytest.approx(high.max(), abs=0.02)
+    assert np.trapezoid(averaged.mean.at(t), t) == pytest.approx(np.trapezoid(values**2, fine), rel=0.02)
+    assert whole.size() == 2.0 and whole.omega == max(omegas)
