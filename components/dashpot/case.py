@@ -28,6 +28,11 @@ class DashpotCase(Case):
     def free(self) -> FreeDecay:
         return FreeDecay(oscillator=self.one, x_0=self.x_0, v_0=self.v_0)
 
+    @cached_property
+    def own_end(self) -> float:
+        """The end of the time window in s, without a frame: by itself a number of two digits."""
+        return self.window or float(f"{self.lasting:.2g}") or self.lasting
+
     @property
     def pace(self) -> Pace:
         return pace(self.one.omega_n, self.one.omega_n)

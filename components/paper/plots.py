@@ -86,17 +86,17 @@ class Plot(PlotFrame):
         return cast(V, computed(case, name, compute))
 
     def block(
-        self, *items: PlotItem, title: str, over: Iterable[AnyShape] = (), when: object = None, room: Room = USUAL_ROOM,
+        self, *items: PlotItem, title: str, over: Iterable[AnyShape] = (), room: Room = USUAL_ROOM,
         **details: Unpack[Details],
     ) -> Block:  # fmt: skip
-        """Return the plot as a block of the sheet, with shapes drawn `over` it, shown `when` a condition holds.
+        """Return the plot as a block of the sheet, with shapes drawn `over` it.
 
         The first item lies on top and comes first in the heading.
         """
         drawn = next(one.recorded for one in items if isinstance(one, DrawnItem))
         drawn.book.plots[self.name] = BuiltPlot(self, items)
         details["shapes"] = tuple(over)
-        found = plot(
+        return plot(
             self,
             x=self.across,
             y=self.up,
@@ -109,10 +109,6 @@ class Plot(PlotFrame):
             room=room,
             **details,
         )
-        if when is None:
-            return found
-        shown = recorded(when)
-        return changed(found, form=shown.book.form(shown, ["shown"]))
 
 
 def counted(value: V, axis: PlotAxis) -> V:
@@ -312,6 +308,12 @@ def _term(legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRe
 def words(*paragraphs: str | EitherText, **look: Any) -> Block:
     """Return sentences and formulas as a block: see `components.layout.sheet.words`."""
     return sheet.words(*(one.forms() if isinstance(one, EitherText) else one for one in paragraphs), **look)
+
+
+def when(condition: object, block: Block) -> Block:
+    """Return the block, shown only while a condition of the case holds."""
+    own = recorded(condition)
+    return changed(block, form=own.book.form(own, ["shown"]))
 
 
 def along(

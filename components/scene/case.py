@@ -41,7 +41,7 @@ class Case(ABC):
     @property
     @abstractmethod
     def lasting(self) -> float:
-        """The time window in s that suits the motion; it is rounded to two digits."""
+        """The time window in s that suits the motion."""
 
     @property
     @abstractmethod
@@ -56,7 +56,7 @@ class Case(ABC):
     @cached_property
     def own_end(self) -> float:
         """The end of the time window in s, without a frame."""
-        return self.window or float(f"{self.lasting:.2g}") or self.lasting
+        return self.window or self.lasting
 
     @property
     def end(self) -> float:
@@ -102,18 +102,24 @@ def example(label: str, watch: str, given: Values | None = None, /, **values: An
 
 @dataclass(frozen=True)
 class ComparedNumber:
-    """A number of the case that is compared with that of another picture; none if it is None or a text."""
+    """A number of the case that is compared with that of another picture; none if it is None or a text.
+
+    It has the `name` of a live number; `of` is the attribute, if that has another one. An `angle` is compared by
+    difference.
+    """
 
     name: str
     symbol: str
     unit: str = ""
     tint: str = "ink"
+    angle: bool = False
+    of: str = ""
 
     def readout(self, case: Case) -> Readout | None:
-        value = getattr(case, self.name)
+        value = getattr(case, self.of or self.name)
         if value is None or isinstance(value, str):
             return None
-        return Readout(self.name, self.symbol, float(value), self.unit, self.tint)
+        return Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle)
 
 
 class CaseScene(Scene):

@@ -26,6 +26,7 @@ from components.paper.plots import (
     note,
     shown_by,
     stack,
+    when,
     words,
 )
 from components.quantities.axes import Axis
@@ -120,14 +121,15 @@ def power() -> Block:
         fastest="greatest where the mass is fastest",
         at_start="greatest at the start",
     )
-    return POWER.block(
+    block = POWER.block(
         curve(c.P, "line", "T", fill=0.25, legend=rf"P = c v^2 = {c.P}", fast="mean", dot=True),
         note(POWER.unit, "T"),
         note(where, "mute"),
         title="Power that the dashpot takes, against time",
-        when=c.power, over=at_fastest(POWER, POWER.y(c.P_max)), x_labels=False, room=SIDES, grow=82, phone=11,
+        over=at_fastest(POWER, POWER.y(c.P_max)), x_labels=False, room=SIDES, grow=82, phone=11,
         height=130,
     )  # fmt: skip
+    return when(c.power, block)
 
 
 def plane() -> Block:
