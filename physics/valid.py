@@ -2,9 +2,12 @@
 
 from collections.abc import Sequence
 from math import isfinite
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+Scalar = TypeVar("Scalar", np.float64, np.complex128)
 
 DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
 """The range of the numbers that can be computed with, in words."""
@@ -41,7 +44,7 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     return array
 
 
-def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
+def in_range(quantity: str, result: NDArray[Scalar]) -> NDArray[Scalar]:
     """A result computed with overflow ignored; ValueError names the quantity where it left the range of doubles."""
     if not np.isfinite(result).all():
         raise ValueError(f"{quantity} leaves {DOUBLES}")

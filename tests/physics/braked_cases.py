@@ -1,4 +1,4 @@
-"""Chains with dashpots to try statements on, and their free motions as eigenvectors in 60 digits."""
+"""Chains with dashpots to try statements on, and their free motions as eigenvectors in 120 digits."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ import mpmath as mp
 from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain
+from physics.damped_chain import DampedChain
 
 CASES = json.loads(Path(__file__).parents[1].joinpath("reference", "poles_cases.json").read_text())["cases"]
 BRAKED = [case for case in CASES if case["c1"] or case["c2"]]
-DIGITS = 60
+DIGITS = 120
 
 
 class Case(NamedTuple):
@@ -23,6 +24,10 @@ class Case(NamedTuple):
     chain: TwoMassChain
     c1: float
     c2: float
+
+    @property
+    def damped(self) -> DampedChain:
+        return DampedChain.of(*self)
 
     @property
     def values(self) -> dict[str, float]:
@@ -94,6 +99,6 @@ def eigenvectors(case: Case) -> list[tuple[Any, Any, Any]]:
         for j, s in enumerate(values):
             one, two = vectors[0, j], vectors[1, j]
             over = one if abs(one) > abs(two) else two
-            if abs(s) > mp.mpf(10) ** -12 * largest:
+            if abs(s) > mp.mpf(10) ** -40 * largest:
                 found.append((s, one / over, two / over))
         return found

@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from physics.absorber import damped_amplitude, damped_solution
-from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain
+from physics.damped_chain import DampedChain
 from physics.particular import particular_solution
 from physics.reference_braked import braked_exponents, braked_points
 from physics.transient import DampedModes
@@ -57,7 +57,7 @@ def test_the_motion_is_that_of_an_integrator(chain: TwoMassChain, c1: float, c2:
 @pytest.mark.parametrize("size", [1e-30, 1e-110, 1e-130, 1e-250])
 def test_the_hardly_damped_die_as_slowly_as_the_shapes_say(size: float) -> None:
     """To first order a mode dies at the power of its own shape in the dashpots over twice its energy."""
-    found = braked_modes(PLAIN, 3 * size, size).modes
+    found = DampedChain.of(PLAIN, 3 * size, size).free_motions.modes
     rates = [(3 * 1 + 1) / (2 * 6), (3 * 1 + 4) / (2 * 3)]  # shapes (1, 2) and (1, -1)
     assert [one.exponents[0].real for one in found] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
     transient = sorted((one.exponent for one in modes(PLAIN, 3 * size, size).transient), key=abs)
@@ -74,10 +74,10 @@ def test_no_motion_with_dashpots_grows_over_all_decades() -> None:
         m1, m2, k1, k2, c1, c2 = (10 ** pick.uniform(-100, 100) for _ in range(6))
         free = pick.choice(("", "k1", "c1", "c2"))
         chain = TwoMassChain(m1=m1, m2=m2, k1=0.0 if free == "k1" else k1, k2=k2)
-        found = braked_modes(chain, 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2)
-        exponents = [s for one in found.modes for s in one.exponents]
+        c1, c2 = 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2
+        exponents = [s for one in DampedChain.of(chain, c1, c2).free_motions.modes for s in one.exponents]
         assert all(s.real <= 0 for s in exponents)
-        true = braked_exponents(chain, 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2)
+        true = braked_exponents(chain, c1, c2)
         assert sorted(s.real for s in exponents) == pytest.approx(sorted(float(re.value) for re, _ in true), rel=1e-15)
 
 

@@ -12,8 +12,8 @@ from components.scenes import SCENES
 from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
-from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain
+from physics.damped_chain import DampedChain
 
 STEPS = steps_of(load_walks(()).values())
 SIZES = st.floats(-2.0, 2.0).map(lambda power: 10**power)
@@ -39,7 +39,7 @@ def test_friction_does_not_keep_the_guessed_shape_either() -> None:
     (where,) = (one.where for one in STEPS["d34-02"].options if one.where)  # type: ignore[union-attr]
     values = standing_at(where, SCENES).scene.values
     chain = TwoMassChain(**{name: values[name] for name in ("m1", "m2", "k1", "k2")})
-    for one in braked_modes(chain, values["c1"], values["c2"]).modes:
+    for one in DampedChain.of(chain, values["c1"], values["c2"]).free_motions.modes:
         X1, X2 = one.shape
         assert abs(X2 / X1 - values["x2_0"] / values["x1_0"]) > 0.1
 

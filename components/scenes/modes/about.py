@@ -13,8 +13,8 @@ from components.scene import Picture
 from components.scene.about import About, CheckedPoint, Place, bounded, few_of, rows
 from components.scenes.modes.guess import Curves as C
 from components.scenes.modes.sweep import Sweep
-from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain, free_modes
+from physics.damped_chain import DampedChain
 from physics.modes import determinant_curve
 from physics.reference import Point, determinants, modes_of
 from physics.reference_braked import braked_exponents
@@ -38,7 +38,7 @@ def braked_about(chain: TwoMassChain, damping: Pair) -> About:
     """The exponents of all motions, but those that are 0."""
     true = braked_exponents(chain, *damping)
     found: list[CheckedPoint] = []
-    for s in (s for one in braked_modes(chain, *damping).modes for s in one.exponents if s):
+    for s in (s for one in DampedChain.of(chain, *damping).free_motions.modes for s in one.exponents if s):
         near = min(true, key=lambda pair: math.hypot(float(pair[0].value) - s.real, float(pair[1].value) - s.imag))
         for part, value, point in zip(("Re", "Im"), (s.real, s.imag), near, strict=True):
             found.append(CheckedPoint(f"{part} $s$", f"Root {len(found) // 2 + 1}", value, point))

@@ -15,8 +15,8 @@ from components.chain.parameters import Pair
 from components.quantities.declared import Declared, Family, LiveNumber
 from components.quantities.numbers import plus, short, signed, three
 from components.scenes.modes.guess import Numbers as GuessNumbers
-from physics.braked_modes import BrakedMode, BrakedModes, Kind, braked_modes, meeting
 from physics.coupled import Modes, TwoMassChain
+from physics.damped_chain import ComplexMode, ComplexModes, DampedChain, Kind
 from physics.exact import precise
 from physics.laplace import Driven, transform
 from physics.modes import Mixture, Quadratic
@@ -47,11 +47,15 @@ class BrakedChain:
     damping: Pair
 
     @cached_property
-    def found(self) -> BrakedModes:
-        return braked_modes(self.system, *self.damping)
+    def _chain(self) -> DampedChain:
+        return DampedChain.of(self.system, *self.damping)
+
+    @property
+    def found(self) -> ComplexModes:
+        return self._chain.free_motions
 
     @cached_property
-    def motions(self) -> dict[str, BrakedMode]:
+    def motions(self) -> dict[str, ComplexMode]:
         """The free motions with dashpots by their places."""
         return dict(zip(MOTIONS, self.found.modes, strict=False))
 
@@ -75,7 +79,7 @@ class BrakedChain:
         return {mode: omega * 1j for mode, omega in zip(MODES, self.system.modes().omega.tolist(), strict=True)}
 
     @property
-    def _drawn(self) -> list[tuple[str, BrakedMode]]:
+    def _drawn(self) -> list[tuple[str, ComplexMode]]:
         return [(place, one) for place, one in self.motions.items() if place in MODES]
 
     @property
@@ -125,7 +129,7 @@ class BrakedChain:
     @property
     def met(self) -> Pair | tuple[None, None]:
         """The dashpots at which both pairs met, where they have parted again."""
-        return meeting(self.system, *self.damping) if self.found.kind is Kind.PARTED else (None, None)
+        return self._chain.meeting if self.found.kind is Kind.PARTED else (None, None)
 
     @cached_property
     def powers(self) -> list[float]:
@@ -177,7 +181,7 @@ class ShareNumbers(Declared[Mixture]):
     share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
 
 
-def off_line(one: BrakedMode) -> float:
+def off_line(one: ComplexMode) -> float:
     """The angle in degrees by which the arrows of a mode are out of line."""
     X1, X2 = one.shape
     if not X1 or not X2:
@@ -186,14 +190,14 @@ def off_line(one: BrakedMode) -> float:
     return math.degrees(math.atan2(abs(ratio.imag), abs(ratio.real)))
 
 
-def shape(one: BrakedMode) -> str:
+def shape(one: ComplexMode) -> str:
     """X2/X1 with its sign, or with its angle where the arrows are out of line."""
     X1, X2 = one.shape
     ratio = X2 / X1 if X1 else complex(math.inf)
     return f"{three(abs(ratio))} at {three(math.degrees(cmath.phase(ratio)))}°" if off_line(one) else signed(ratio.real)
 
 
-def exponents(one: BrakedMode) -> str:
+def exponents(one: ComplexMode) -> str:
     """Its roots as a title has them."""
     first = one.exponents[0]
     if one.swings:
@@ -201,21 +205,21 @@ def exponents(one: BrakedMode) -> str:
     return three(first.real) if one.repeats > 1 else " and ".join(three(s.real) for s in one.exponents)
 
 
-def of_motion(place: str, value: Callable[[BrakedMode], Any], form: Callable[[Any], str] = three) -> LiveNumber[Any]:
+def of_motion(place: str, value: Callable[[ComplexMode], Any], form: Callable[[Any], str] = three) -> LiveNumber[Any]:
     """A number of the motion at a place, none where there is no such motion."""
     return braked(lambda c: value(c.motions[place]) if place in c.motions else None, form=form)
 
 
-def _turn(one: BrakedMode) -> float | None:
+def _turn(one: ComplexMode) -> float | None:
     """The angular frequency, none of a motion that does not swing."""
     return one.exponents[0].imag if one.swings else None
 
 
-def _rate(one: BrakedMode) -> float:
+def _rate(one: ComplexMode) -> float:
     return one.exponents[0].real
 
 
-def _zeta(one: BrakedMode) -> float | None:
+def _zeta(one: ComplexMode) -> float | None:
     return -_rate(one) / abs(one.exponents[0]) if one.swings else None
 
 

@@ -23,8 +23,8 @@ from components.scenes.modes.numbers import MOTIONS, BrakedChain, RootReadouts
 from components.scenes.modes.numbers import BrakedNumbers as B
 from components.scenes.modes.numbers import EquationNumbers as E
 from components.scenes.modes.numbers import SolvedNumbers as N
-from physics.braked_modes import Kind
 from physics.coupled import TwoMassChain
+from physics.damped_chain import Kind
 from physics.modes import quadratic
 from physics.sampling import time_window
 

@@ -1,0 +1,254 @@
+"""The free motions of the chain with dashpots: their roots, their shapes and which of them form a mode."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from physics.coupled import TwoMassChain
+from physics.damped_chain import NEAR, ComplexMode, DampedChain, Kind
+from tests.grids import tries
+from tests.physics.braked_cases import BRAKED, CASES, Case, case_of, cases, eigenvectors, matrices
+from tests.physics.chain_cases import log_uniform
+
+U = 2.0**-53
+NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
+MODES = ("slow", "fast")
+BY_SPRINGS = {
+    "no wall spring": {Kind.DRIFT_BOTH, Kind.REST_BOTH},
+    "no coupling spring": {Kind.DRIFT_TWO, Kind.REST_TWO},
+}
+BY_SPRINGS |= {"no springs": {Kind.DRIFT_BOTH, Kind.DRIFT_TWO, Kind.REST_EACH}}
+KINDS = BY_SPRINGS | {
+    "proportional": {Kind.PROPORTIONAL},
+    "exceptional point": {Kind.EXCEPTIONAL},
+    "two pairs": {Kind.TWO_PAIRS},
+    "two pairs, either": {Kind.PARTED},
+    "pair and two real": {Kind.ONE_PAIR},
+    "four real": {Kind.CREEPING, Kind.FOUR_REAL},
+}
+UNDER_A_MILLIONTH = {"poles-13": {Kind.EXCEPTIONAL}, "poles-15": {Kind.ONE_PAIR}}
+"""Cases at one ulp from a double root: two roots that differ by less than NEAR count as one."""
+
+
+def number(pair: list[str]) -> complex:
+    return complex(float(pair[0]), float(pair[1]))
+
+
+def roots(modes: tuple[ComplexMode, ...]) -> list[tuple[complex, ComplexMode]]:
+    """Each of the four roots with its motion."""
+    every = [(s, one) for one in modes for s in one.exponents]
+    return every + [(s.conjugate(), one) for s, one in every if s.imag]
+
+
+@pytest.mark.parametrize("case", BRAKED, ids=lambda case: str(case["id"]))
+def test_roots_shapes_and_kind_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    one = case_of(case)
+    kind, modes = one.damped.free_motions
+    expected = UNDER_A_MILLIONTH.get(case["id"]) or KINDS[case["kind"].removesuffix(", mixed").split(", double")[0]]
+    assert kind in expected
+    found = roots(modes)
+    assert len(found) == 4
+    for root in case["roots"]:
+        s, room = number(root["s"]), 1e-15 / max(float(root.get("stiffness") or 1.0), 1e-7)
+        near = [(r, mode) for r, mode in found if abs(r - s) <= room * abs(s)]
+        assert near, (s, found)
+        if root["ratio"] == "any":
+            continue
+        mode = near[0][1]
+        X1, X2 = mode.shape if near[0][0].imag >= 0 else (X.conjugate() for X in mode.shape)
+        wrong = abs(X1) if root["ratio"] is None else abs(X2 - number(root["ratio"]) * X1)
+        assert wrong <= max(room, 1e-15) * 10 * max(1.0, abs(X2))
+        if kind in (Kind.PROPORTIONAL, Kind.TWO_PAIRS):
+            assert mode is modes[MODES.index(root["from"])]
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_each_root_is_in_the_motion_of_its_own_eigenvector(case: Case) -> None:
+    kind, modes = case.damped.free_motions
+    found = roots(modes)
+    assert len(found) == 4 and len(set(modes)) == len(modes)
+    true, at_zero = eigenvectors(case), [one for s, one in found if not s]
+    assert len(true) == 4 - len(at_zero)
+    for s, X1, X2 in true:
+        near = [one for r, one in found if abs(r - s) <= 2 * NEAR * abs(s)]
+        shapes = [one.shape if s.imag >= 0 else tuple(X.conjugate() for X in one.shape) for one in near]
+        assert any(abs(X2 * shape[0] - X1 * shape[1]) <= 3e-3 for shape in shapes), (kind, s, X1, X2, modes)
+    for one in modes:
+        if one.repeats == 1 and len(one.exponents) == 2 and all(one.exponents):
+            assert kind is Kind.PROPORTIONAL or kind in (Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_a_root_at_0_is_a_rest_or_a_drift(case: Case) -> None:
+    """K x = 0 for a rest; M x'' + C x' + K x = 0 of x = shape (a + b t) asks for C x = 0 too."""
+    found, (_, C, K) = case.damped.free_motions, matrices(case)
+    for one in found.modes:
+        shape = mp.matrix([X.real for X in one.shape])
+        if 0 in one.exponents:
+            assert not any(X.imag for X in one.shape) and not any(K * shape)
+            drifts = one.exponents == (0, 0)
+            assert drifts == (not any(C * shape))
+    drifting = any(one.exponents == (0, 0) for one in found.modes)
+    assert drifting == (found.kind in (Kind.DRIFT_BOTH, Kind.DRIFT_TWO))
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_slow_and_fast_are_the_branches_that_start_without_dashpots(case: Case) -> None:
+    """The modulus and the branch are one order: followed in small steps from the chain without dashpots."""
+    found = case.damped.free_motions
+    if found.kind is not Kind.TWO_PAIRS:
+        return
+    slow, fast = (abs(one.exponents[0]) for one in found.modes)
+    assert slow < fast and math.isclose(slow * fast, math.prod(case.chain.modes().omega.tolist()), rel_tol=1e-9)
+    for share in (1e-3, 0.2, 0.5, 0.8):
+        on_the_way = DampedChain.of(case.chain, share * case.c1, share * case.c2).free_motions
+        assert on_the_way.kind is not Kind.PARTED
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_modes_that_parted_have_met_where_it_is_said(case: Case) -> None:
+    found = case.damped.free_motions
+    if found.kind is not Kind.PARTED:
+        return
+    one, two = (abs(mode.exponents[0]) for mode in found.modes)
+    assert math.isclose(one, two, rel_tol=1e-9)
+    c1, c2 = case.damped.meeting
+    assert c1 <= case.c1 and c2 <= case.c2 and math.isclose(c1 * case.c2, c2 * case.c1)
+    assert DampedChain.of(case.chain, c1, c2).free_motions.kind is Kind.EXCEPTIONAL
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_creeping_and_quick_motions_are_two_groups(case: Case) -> None:
+    """Between the two groups s^2 M + s C + K is negative definite (R. J. Duffin, 1955)."""
+    kind, modes = case.damped.free_motions
+    if kind not in (Kind.CREEPING, Kind.FOUR_REAL) or len(modes) < 4:
+        return
+    rates = [-one.exponents[0].real for one in modes]
+    assert rates == sorted(rates)
+    M, C, K = matrices(case)
+    between = [-mp.mpf(rates[1]) * (mp.mpf(rates[2]) / rates[1]) ** (mp.mpf(i) / 64) for i in range(1, 64)]
+    definite = [s for s in between for T in (s * s * M + s * C + K,) if T[0, 0] < 0 < mp.det(T)]
+    assert bool(definite) == (kind is Kind.CREEPING)
+
+
+def test_proportional_damping_is_told_from_the_numbers_as_written() -> None:
+    chain = TwoMassChain(m1=2, m2=1, k1=0.3, k2=0.1)
+    assert Fraction(0.9) * Fraction(chain.k2) != Fraction(0.3) * Fraction(chain.k1)
+    near = DampedChain.of(chain, 0.9, 0.3)
+    assert near.proportional and not DampedChain.of(chain, 0.9, 0.3000000001).proportional
+    assert not any(X.imag for one in near.free_motions.modes for X in one.shape)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+def test_each_root_and_its_shape_are_within_4_u_of_the_reference(case: dict[str, Any]) -> None:
+    chain = case_of(case).damped
+    left = list(zip(chain.roots, chain.shapes, strict=True))
+    with mp.workdps(50):
+        for root in case["roots"]:
+            s = mp.mpc(*root["s"])
+            near = [pair for pair in left if abs(mp.mpc(pair[0]) - s) <= 4 * U * abs(s)]
+            assert near, (s, left)
+            if root["ratio"] == "any":
+                left.remove(near[0])
+                continue
+            if root["ratio"] is None:
+                fitting = [pair for pair in near if np.isinf(pair[1])]
+            else:
+                ratio = mp.mpc(*root["ratio"])
+                fitting = [pair for pair in near if abs(mp.mpc(pair[1]) - ratio) <= 4 * U * abs(ratio)]
+            assert fitting, (root["ratio"], near)
+            left.remove(fitting[0])
+
+
+def numbers(low: int, high: int) -> st.SearchStrategy[dict[str, float]]:
+    """Parameters of a chain between two powers of two; springs and dashpots may be missing."""
+    sizes, missing = log_uniform(low, high), st.sets(st.sampled_from(NAMES[2:]))
+    drawn = st.fixed_dictionaries(dict.fromkeys(NAMES, sizes))
+    return st.builds(lambda values, none: values | dict.fromkeys(none, 0.0), drawn, missing)
+
+
+@settings(max_examples=tries(400))
+@given(numbers(-1022, 1022))
+def test_roots_over_all_doubles_give_the_polynomial_again(drawn: dict[str, float]) -> None:
+    """No coefficient of P cancels: the sum of the roots is -p3/p4, their product p0/p4."""
+    chain = DampedChain(**drawn)
+    try:
+        roots = chain.roots
+    except ValueError as error:
+        assert "a root" in str(error)
+        return
+    sizes = [float(abs(part)) for s in roots for part in (s.real, s.imag) if part]
+    assume(not sizes or min(sizes) > 1e-300)  # below, a part has lost digits
+    m1, m2, k1, k2, c1, c2 = (Fraction(drawn[name]) for name in NAMES)
+    total, wanted = sum(Fraction(s.real) for s in roots), -(m1 * c2 + m2 * (c1 + c2)) / (m1 * m2)
+    assert abs(total - wanted) <= Fraction(U) * abs(wanted)
+    squares = math.prod(Fraction(s.real) ** 2 + Fraction(s.imag) ** 2 for s in roots)
+    assume(squares or not k1 * k2)
+    assert abs(squares - (k1 * k2 / (m1 * m2)) ** 2) <= 16 * Fraction(U) * squares
+    assert all(s.real <= 0 for s in roots)
+    order = [(abs(s), 0.0 if s.imag >= 0 else 1.0) for s in map(complex, roots)]
+    assert all(one <= two or one[0] <= two[0] * (1 + 4 * U) for one, two in pairwise(order))
+    uppers = [i for i, s in enumerate(roots) if s.imag > 0]
+    assert all(roots[i + 1] == roots[i].conjugate() for i in uppers)
+
+
+@settings(max_examples=tries(400))
+@given(numbers(-200, 200))
+def test_shapes_over_many_decades_obey_newtons_laws(drawn: dict[str, float]) -> None:
+    chain = DampedChain(**drawn)
+    assume(not (drawn["c1"] or drawn["c2"]) or not chain.proportional)
+    with mp.workdps(60):
+        m1, m2, k1, k2, c1, c2 = (mp.mpf(drawn[name]) for name in NAMES)
+        for s, ratio in zip(chain.roots.tolist(), chain.shapes.tolist(), strict=True):
+            one, two = (mp.mpf(0), mp.mpf(1)) if math.isinf(abs(ratio)) else (mp.mpf(1), mp.mpc(ratio))
+            s = mp.mpc(s)
+            link, own = k2 + c2 * s, k1 + c1 * s + m1 * s * s
+            first = [own * one, link * one, -link * two]
+            second = [m2 * s * s * two, link * two, -link * one]
+            sizes = m1 * abs(s) ** 2 + k1 + k2 + (c1 + c2) * abs(s), m2 * abs(s) ** 2 + k2 + c2 * abs(s)
+            room = 8 * U * (sizes[0] * abs(one) + sizes[1] * abs(two) + (k2 + c2 * abs(s)) * (abs(one) + abs(two)))
+            assert abs(mp.fsum(first)) <= room and abs(mp.fsum(second)) <= room, (s, ratio)
+
+
+@settings(max_examples=tries(400))
+@given(cases())
+def test_both_roots_of_a_proportional_mode_are_those_of_its_own_quadratic(case: Case) -> None:
+    """s^2 + beta omega_j^2 s + omega_j^2 = 0 with beta = c/k, whatever the order of the moduli."""
+    kind, modes = case.damped.free_motions
+    if kind is not Kind.PROPORTIONAL:
+        return
+    beta = max(case.c1 / case.chain.k1, case.c2 / case.chain.k2)
+    natural = case.chain.modes()
+    for one, omega, ratio in zip(modes, natural.omega.tolist(), natural.ratio.tolist(), strict=True):
+        pair = one.exponents if len(one.exponents) == 2 else (one.exponents[0], one.exponents[0].conjugate())
+        assert math.prod(pair).real == pytest.approx(omega**2, rel=1e-14)
+        assert sum(pair).real == pytest.approx(-beta * omega**2, rel=1e-14)
+        assert one.shape[1] / one.shape[0] == pytest.approx(ratio, rel=1e-14)
+
+
+def test_an_undamped_chain_has_the_modes_of_the_lecture() -> None:
+    chain = DampedChain(m1=2, m2=1, k1=4, k2=2)
+    kind, modes = chain.free_motions
+    assert kind is Kind.UNDAMPED and [one.exponents for one in modes] == [(1j,), (2j,)]
+    assert chain.roots.tolist() == [1j, -1j, 2j, -2j] and chain.shapes.tolist() == [2, 2, -1, -1]
+    assert DampedChain(m1=1, m2=1, k1=0, k2=0).free_motions.modes[0].exponents == (0, 0)
+
+
+@pytest.mark.parametrize(("name", "value"), [("c2", -1.0), ("c1", math.nan), ("m1", 0.0), ("k2", math.inf)])
+def test_refusals_name_the_value(name: str, value: float) -> None:
+    with pytest.raises(ValueError, match=name):
+        DampedChain(**{"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0, name: value})
