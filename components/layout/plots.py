@@ -32,6 +32,8 @@ TIME = "time"
 """The source of the curves over the time window."""
 BAND = "band"
 """The source of the bands that stand for curves too fast to be drawn."""
+RINGING, LATE = "ringing", "late"
+"""The sources of bands that end where motions have rung down, and of the lines from there."""
 FLOOR = "zero"
 """The column that a stack of bands begins at; files leave it out."""
 USUAL_ROOM = Room()

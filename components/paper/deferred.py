@@ -312,10 +312,10 @@ def deferred(kind: type[C]) -> C:
     return cast(C, DeferredCase(kind))
 
 
-def computed(case: object, name: str, compute: Compute) -> Deferred:
+def computed(case: object, name: str, compute: Compute, optional: bool = False) -> Deferred:
     """Return a deferred value under its own name, computed from a case and the axes of its picture."""
     assert isinstance(case, DeferredCase)
-    return made(book_of(case._kind), name, name, compute, optional=False)
+    return made(book_of(case._kind), name, name, compute, optional)
 
 
 def recorded(one: object) -> ExpressionRecord:

@@ -10,15 +10,15 @@ from msgspec.structs import replace as changed
 
 from components.language.blocks import Block, Column, PlotBlock, Row, StageBlock, WordsBlock
 from components.language.numbers import Expression, Number, names_in
-from components.language.plots import Curve, Region, Room, Term
+from components.language.plots import Curve, Handle, Region, Room, Term
 from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Root
 from components.language.text import Forms
 from components.layout import sheet
 from components.layout.grabs import begin, grab
-from components.layout.plots import BAND, FLOOR, TIME, USUAL_ROOM, Details, plot
+from components.layout.plots import BAND, FLOOR, LATE, RINGING, TIME, USUAL_ROOM, Details, plot
 from components.layout.stage import PlotFrame, T
 from components.layout.text import plain, rich, runs
-from components.paper.deferred import Axes, Book, Deferred, ExpressionRecord, computed, deferred, recorded
+from components.paper.deferred import FORMATS, Axes, Book, Deferred, ExpressionRecord, computed, deferred, recorded
 from components.paper.plot_axes import PlotAxis
 from components.quantities.axes import Axis
 from physics.motion import ExactMotion
@@ -60,9 +60,13 @@ class Plot(PlotFrame):
         """Return a length along the horizontal axis in pixels."""
         return self.per_x * on_axis(self.across, value)
 
+    def up_pixels(self, value: PlotValue) -> Expression:
+        """Return a height along the vertical axis in pixels."""
+        return -1 * self.per_y * on_axis(self.up, value)
+
     def share(self, value: PlotValue) -> Expression:
         """Return a value over the upper end of the vertical axis."""
-        return self.up.share * on_axis(self.up, value)
+        return share(self.up, value)
 
     def text(self, value: float) -> str:
         """Return a live number in the unit of the vertical axis."""
@@ -77,13 +81,16 @@ class Plot(PlotFrame):
         """The unit of the vertical axis, in a text."""
         return self.up.unit_text
 
-    def in_frame(self, case: C, name: str, of: Callable[[C, Axis, Axis], V]) -> V:
-        """Return a deferred value of the case and of both axes as drawn: in a frame that was kept they may not fit."""
+    def in_frame(self, case: C, name: str, of: Callable[[C, Axis, Axis], V | None], optional: bool = False) -> V:
+        """Return a deferred value of the case and of both axes as drawn: in a frame that was kept they may not fit.
 
-        def compute(known: C, axes: Axes) -> V:
+        If it is `optional` it may be None.
+        """
+
+        def compute(known: C, axes: Axes) -> V | None:
             return of(known, axes[self.across.name], axes[self.up.name])
 
-        return cast(V, computed(case, name, compute))
+        return cast(V, computed(case, name, compute, optional))
 
     def block(
         self, *items: PlotItem, title: str, over: Iterable[AnyShape] = (), room: Room = USUAL_ROOM,
@@ -102,7 +109,7 @@ class Plot(PlotFrame):
             y=self.up,
             title=title,
             curves=[line for one in reversed(items) for line in one.lines(self)],
-            bands=[band for one in items for band in one.bands(self)],
+            bands=[band for one in _from_below(items) for band in one.bands(self)],
             heading=[term for one in items for term in one.terms()],
             x_column=None if self.across.is_time else self.across,
             cursor="time" if self.across.is_time else "",
@@ -126,6 +133,11 @@ def on_axis(axis: PlotAxis, value: object) -> Expression | float:
     if value is UNIT or (isinstance(value, (int, float)) and not value):
         return float(value)
     raise TypeError(f"{value!r} has no place before there is an axis: make it an attribute of the case")
+
+
+def share(axis: PlotAxis, value: PlotValue) -> Expression:
+    """Return a value over the upper end of an axis."""
+    return axis.share * on_axis(axis, value)
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,50 +186,60 @@ class DrawnItem(PlotItem):
 
 @dataclass(frozen=True, eq=False)
 class PlottedCurve(DrawnItem):
-    """A curve of a motion over time, or of a pair of columns.
+    """A curve of a motion over time, or of two `columns` of a table, which an expression gives by their names.
 
-    `legend` is LaTeX, `label` names it at its right end and `read` at the pointer. A motion too `fast` for a line is
-    drawn as its band or as its mean. `fill` is the opacity of the area down to 0; `dot` moves a dot along the curve.
-    Its `group` is switched off together.
+    `legend` is LaTeX in the heading, or plain `words`; `label` names it at its right end and `read` at the pointer. A
+    motion too `fast` for a line is drawn as its band, as its mean, or as a band that ends in a line where the motion
+    has rung down. `fill` is the opacity of the area down to 0. `dot` moves a dot along the curve; of a table it is the
+    place of the dot. Its `group` is switched off together.
     """
 
     width: Literal["sum", "line", "dash", "dots", "thin", "none"] = "line"
     tint: str = "ink"
     legend: Legend = ""
+    words: Legend = ""
     label: str = ""
     read: str = ""
     group: str = ""
-    fast: Literal["band", "mean", ""] = ""
+    columns: tuple[str, str] | None = None
+    fast: Literal["band", "ringing", "mean", ""] = ""
     fill: float = 0.0
-    dot: bool = False
+    dot: bool | tuple[object, object] = False
 
     @property
     def switch(self) -> str:
-        return self.group or self.recorded.name
+        return self.group or (self.columns[1] if self.columns else self.recorded.name)
 
     def lines(self, plot: Plot) -> list[Curve]:
         name = self.recorded.name
-        if plot.across.is_time:
-            self.recorded.expression(plot.up)
-        source, x, y = (TIME, "t", name) if plot.across.is_time else (name, plot.across.name, plot.up.name)
-        return [
-            Curve(
-                source=source, x=x, y=y, group=self.switch, tint=self.tint, width=self.width, label=runs(self.label),
-                read=plain(self.read or self.label), signal=name if self.dot else "",
-            )
-        ]  # fmt: skip
+        look: dict[str, Any] = {"group": self.switch, "tint": self.tint, "width": self.width}
+        look |= {"label": runs(self.label), "read": plain(self.read or self.label)}
+        if self.columns:
+            x, y = self.columns
+            return [Curve(source=name, x=x, y=y, **self._dot(plot), **look)]
+        self.recorded.expression(plot.up)
+        late = [Curve(source=LATE, x="t", y=name, **look)] if self.fast == RINGING else []
+        return [Curve(source=TIME, x="t", y=name, signal=name if self.dot else "", **look), *late]
+
+    def _dot(self, plot: Plot) -> dict[str, Any]:
+        """The names of the numbers that place the dot of a table's curve."""
+        if not isinstance(self.dot, tuple):
+            return {}
+        x, y = map(recorded, self.dot)
+        return {"signal_x": x.book.number(x, plot.across), "signal": y.book.number(y, plot.up)}
 
     def bands(self, plot: Plot) -> list[Region]:
-        found, name, look = list[Region](), self.recorded.name, {"tint": self.tint, "group": self.switch}
-        if self.fast == "band":
-            found.append(_region(f"{name}_lo", f"{name}_hi", BAND, alpha=0.4, of=name, **look))
-        if self.fill:
-            found.append(_region(FLOOR, name, alpha=self.fill, **look))
-        return found
+        name, look = self.recorded.name, {"tint": self.tint, "group": self.switch}
+        sources = {"band": [BAND], "ringing": [BAND, RINGING]}.get(self.fast, [])
+        found = [_region(f"{name}_lo", f"{name}_hi", source, alpha=0.4, of=name, **look) for source in sources]
+        return [*found, *([_region(FLOOR, name, alpha=self.fill, **look)] if self.fill else [])]
 
     def terms(self) -> list[Term]:
         key = "line" if self.width == "thin" else self.width
-        return [_term(self.legend, key, self.tint, self.switch, self.recorded)] if self.legend else []
+        of = None if self.columns else self.recorded
+        if self.words:
+            return [_term(self.words, key, self.tint, self.switch, of, is_formula=False)]
+        return [_term(self.legend, key, self.tint, self.switch, of)] if self.legend else []
 
 
 @dataclass(frozen=True, eq=False)
@@ -265,8 +287,8 @@ class PlottedLayer(DrawnItem):
         ]  # fmt: skip
 
     def terms(self) -> list[Term]:
-        text = self.words or f"${self.legend}$"
-        return [_term(text, "band", self.tint, self.recorded.name, self.recorded)]
+        text, is_formula = self.words or self.legend, not self.words
+        return [_term(text, "band", self.tint, self.recorded.name, self.recorded, is_formula)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -277,7 +299,7 @@ class PlottedNote(PlotItem):
     tint: str = "ink"
 
     def terms(self) -> list[Term]:
-        return [_term(self.text, "none", self.tint)]
+        return [_term(self.text, "none", self.tint, is_formula=False)]
 
 
 curve, layer, note, path = PlottedCurve, PlottedLayer, PlottedNote, PlottedPath
@@ -293,16 +315,23 @@ def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:
     return Region(source=source, x="t", low=low, high=high, **look)
 
 
-def _term(legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRecord | None = None) -> Term:
-    """A term of a heading; that of a curve that may be missing is shown with it. The legend of a curve is LaTeX."""
+def _term(
+    legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRecord | None = None, is_formula: bool = True
+) -> Term:  # fmt: skip
+    """A term of a heading; that of a curve that may be missing is shown with it."""
     form, texts = group, {"formula": legend} if isinstance(legend, str) else legend.variants
     if isinstance(legend, EitherText):
         form = legend.recorded.book.form(legend.recorded, legend.variants, group)
     elif of and of.optional:
         form = of.book.form(of, ["formula"], group)
-    formula = of is not None and key != "band"
-    variants = {word: rich(f"${text}$" if formula and text else text) for word, text in texts.items()}
+    variants = {word: rich(f"${text}$" if is_formula and text else text) for word, text in texts.items()}
     return Term(curve=group, form=form, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]
+
+
+def _from_below(items: Iterable[PlotItem]) -> list[PlotItem]:
+    """The items in the order in which their areas are drawn: layers as they are stacked, curves from the lowest."""
+    curves = [one for one in items if isinstance(one, PlottedCurve)]
+    return [*reversed(curves), *(one for one in items if not isinstance(one, PlottedCurve))]
 
 
 def words(*paragraphs: str | EitherText, **look: Any) -> Block:
@@ -310,32 +339,54 @@ def words(*paragraphs: str | EitherText, **look: Any) -> Block:
     return sheet.words(*(one.forms() if isinstance(one, EitherText) else one for one in paragraphs), **look)
 
 
-def when(condition: object, block: Block) -> Block:
-    """Return the block, shown only while a condition of the case holds."""
-    own = recorded(condition)
-    return changed(block, form=own.book.form(own, ["shown"]))
-
-
 def along(
-    across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "", **sets: object
-) -> Along:
+    across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "",
+    least: float | None = None, **sets: object,
+) -> Along:  # fmt: skip
     """Return a way along which a hand sets a parameter.
 
     `sets` maps the parameter to what moves at once, counted on the axis `on`: the motion that it is the initial value
-    of, or an attribute. `place` returns the pixel of a value. `rate` is the parameter that a flick sets.
+    of, or an attribute. `place` returns the pixel of a value. `rate` is the parameter that a flick sets. The
+    parameter is not set below `least`.
     """
     ((parameter, of),) = sets.items()
     own, zero, axis = recorded(of), place(0.0), on.counting
     moves = own.book.number(own, axis)
     return Along(
-        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=axis.name, rate=rate
-    )
+        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=axis.name, rate=rate,
+        least=least,
+    )  # fmt: skip
 
 
 def drag(label: str, *ways: Along) -> Grab:
     """Return a grab that begins a motion from where the hand drops it, at rest unless one of the ways is a velocity."""
     starts = [Begin(one.parameter, one.moves, one.axis) for one in ways]
     return begin(label, *ways, start=(*starts, *(Begin(one.rate) for one in ways if one.rate)))
+
+
+def handle(of: float, **look: Any) -> Handle:
+    """Return a pill on an axis that shows a number of the case: see `components.language.plots.Handle`."""
+    own = recorded(of)
+    own.book.text(own, FORMATS[""])
+    return Handle(text=own.name, **look)
+
+
+@dataclass(frozen=True)
+class FormName:
+    """The name of a form of the picture."""
+
+    name: str
+
+
+def form_of(condition: object) -> FormName:
+    """Return the form by which a block or a group of controls is shown while a condition of the case holds."""
+    own = recorded(condition)
+    return FormName(own.book.form(own, ["shown"]))
+
+
+def when(condition: object, block: Block) -> Block:
+    """Return the block, shown only while a condition of the case holds."""
+    return sheet.when(form_of(condition), block)
 
 
 def hold_root(label: str, on: Plot, zero: Number, unit: Number, *, moves: object, **more: Any) -> Grab:

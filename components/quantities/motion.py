@@ -128,6 +128,8 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
             return sines(size, time, (amplitude, omega, phase, rate, slope))
         case Harmonic(sinusoids, line):
             return sines(size, time, *sinusoids, line=line)
+        case Push():
+            return driven(size, time, numbers)
     raise TypeError(f"{type(numbers).__name__} is not played by any signal")
 
 

@@ -7,7 +7,7 @@ it. The scene names both; everything that a picture has follows from what the pa
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, ClassVar
@@ -22,6 +22,7 @@ from components.paper.plots import settled
 from components.quantities.parameters import Values
 from components.quantities.readouts import Readout
 from components.scene.about import About
+from components.scene.case_curves import BandColumns
 from components.scene.case_picture import CasePaper, CasePicture
 from components.scene.frames import FITTED
 from components.scene.picture import Picture
@@ -77,6 +78,16 @@ class Case(ABC):
     def pace(self) -> Pace:
         """The speeds of the clock."""
         return Pace()
+
+    @property
+    def spans(self) -> dict[str, tuple[float, float]]:
+        """The ends of the sliders that depend on the case, by parameter."""
+        return {}
+
+    @property
+    def bands(self) -> Mapping[str, BandColumns] | None:
+        """The motions over time that are too fast for a line, with their bands; None if their frequencies say so."""
+        return None
 
     def notes(self) -> tuple[str, ...]:
         """Return sentences about this picture that the visitor must know."""

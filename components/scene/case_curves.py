@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
+from typing import NamedTuple
 
-from components.scene.traces import BAND, FLOOR, TIME, Columns, Floats, Traces, band_columns
+from components.scene.traces import BAND, FLOOR, LATE, RINGING, TIME, Columns, Floats, Traces, band_columns
 from physics.motion import ExactMotion
 from physics.sampling import highest_drawn
 from physics.valid import in_range
@@ -17,13 +18,26 @@ def exact_values(motions: Mapping[str, ExactMotion], t: Floats) -> Columns:
     return {name: in_range(name, one.at(t)) for name, one in motions.items()}
 
 
+class BandColumns(NamedTuple):
+    """The lower and the upper edge of a band (n,) over the instants of a picture.
+
+    `late` (m,) are the values of the motion at the last m of them, if a line shows it there because what is too fast
+    has died. All such motions of a picture have the same instants.
+    """
+
+    low: Floats
+    high: Floats
+    late: Floats | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class CaseCurves:
     """The curves of a picture over the instants `t` (n,) in s.
 
     `drawn` are the curves and the edges of stacks, in the order of their columns. `fast` says how each is drawn if it
-    is too fast for a line: as its band, as its mean, or not at all. `stacks` are edges that are averaged together.
-    `motions` are all motions of the picture; `layers` maps those that a stack shows to their lower and upper edge.
+    is too fast for a line: as its band, as a band that ends in a line, as its mean, or not at all. `stacks` are edges
+    that are averaged together. `motions` are all motions of the picture; `layers` maps those that a stack shows to
+    their lower and upper edge. `given` are the bands if the case knows them, else they follow from the frequencies.
     """
 
     t: Floats
@@ -32,6 +46,7 @@ class CaseCurves:
     stacks: list[frozenset[str]]
     motions: Mapping[str, ExactMotion]
     layers: Mapping[str, tuple[str, str]]
+    given: Mapping[str, BandColumns] | None = None
 
     @cached_property
     def highest(self) -> float:
@@ -41,6 +56,8 @@ class CaseCurves:
     @cached_property
     def too_fast(self) -> frozenset[str]:
         """The motions that these instants do not resolve."""
+        if self.given is not None:
+            return frozenset(self.given.keys() & self.drawn.keys())
         return frozenset(name for name, one in self.drawn.items() if one.omega > self.highest)
 
     @cached_property
@@ -67,10 +84,28 @@ class CaseCurves:
     @property
     def columns(self) -> dict[str, Columns]:
         """The numbers that no signal gives, by source."""
-        bands = Columns()
-        for name in self.drawn:
-            if name in self.too_fast and self.fast.get(name) == BAND and (band := self.drawn[name].band(self.highest)):
-                bands |= dict(zip(band_columns(name), (edge.at(self.t) for edge in band), strict=True))
         means = {name: one.mean.at(self.t) for name, one in self.drawn.items() if name in self.averaged}
-        found = {BAND: {"t": self.t, **bands} if bands else {}}
-        return found | ({TIME: means} if means else {})
+        return self._bands | ({TIME: means} if means else {})
+
+    @property
+    def _bands(self) -> dict[str, Columns]:
+        """The bands over the whole window, those that end where motions have rung down, and the lines from there."""
+        whole, ringing, late = Columns(), Columns(), Columns()
+        for name in self.drawn:
+            band = self._band(name) if name in self.too_fast and self.fast.get(name) in (BAND, RINGING) else None
+            if band is None:
+                continue
+            columns = {"t": self.t, **dict(zip(band_columns(name), band[:2], strict=True))}
+            if band.late is None:
+                whole |= columns
+            else:
+                first = len(self.t) - len(band.late)
+                ringing |= {key: column[: first + 1] for key, column in columns.items()}
+                late |= {"t": self.t[first:], name: band.late}
+        return {BAND: whole} | ({RINGING: ringing, LATE: late} if RINGING in self.fast.values() else {})
+
+    def _band(self, name: str) -> BandColumns | None:
+        if self.given is not None:
+            return self.given[name]
+        edges = self.drawn[name].band(self.highest)
+        return BandColumns(*(edge.at(self.t) for edge in edges)) if edges else None

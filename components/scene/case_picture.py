@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
-import numpy as np
-
 from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
@@ -33,9 +31,11 @@ class CasePaper:
 
     @cached_property
     def axes(self) -> dict[str, PlotAxis]:
-        """The axes of the plots, by name."""
+        """The axes of the plots, and those that give the stage its scale, by name."""
         plots = [built.plot for built in self.book.plots.values()]
-        return {axis.name: axis for plot in plots for axis in (plot.across, plot.up)}
+        axes = [axis for plot in plots for axis in (plot.across, plot.up)]
+        used = [use.axis for use in self.book.numbers.values() if use.axis and use.axis.share_is_used]
+        return {axis.name: axis for axis in (*axes, *used)}
 
     @cached_property
     def other_axes(self) -> dict[str, PlotAxis]:
@@ -52,18 +52,15 @@ class CasePaper:
 
     @cached_property
     def curves(self) -> list[PlottedCurve]:
-        """The curves over time."""
-        plots = [built for built in self.book.plots.values() if built.plot.across.is_time]
-        return [item for built in plots for item in built.items if isinstance(item, PlottedCurve)]
+        """The curves of motions over time."""
+        items = [item for built in self.book.plots.values() for item in built.items]
+        return [item for item in items if isinstance(item, PlottedCurve) and not item.columns]
 
     @cached_property
-    def pairs(self) -> list[tuple[ExpressionRecord, str, str]]:
-        """The curves of two columns, each with the names of its axes."""
-        plots = [built for built in self.book.plots.values() if not built.plot.across.is_time]
-        return [
-            (item.recorded, built.plot.across.name, built.plot.up.name)
-            for built in plots for item in built.items if isinstance(item, PlottedCurve)
-        ]  # fmt: skip
+    def tables(self) -> dict[str, ExpressionRecord]:
+        """The expressions that have columns of curves, by name, in the order of their plots."""
+        items = [item for built in self.book.plots.values() for item in built.items]
+        return {item.recorded.name: item.recorded for item in items if isinstance(item, PlottedCurve) and item.columns}
 
     @cached_property
     def paths(self) -> dict[str, list[str]]:
@@ -149,7 +146,7 @@ class CasePicture:
         motions = {FLOOR: constant(0.0)} | {name: one for name, (one, _) in self.moving.items()}
         drawn = {name: motions[name] for name in self.paper.drawn if name in motions}
         stacks = list(map(frozenset, self.paper.stacks))
-        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, self.paper.layers)
+        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, self.paper.layers, self.case.bands)
 
     @property
     def traces(self) -> dict[str, Traces]:
@@ -163,11 +160,8 @@ class CasePicture:
 
     @property
     def columns(self) -> dict[str, Columns]:
-        found: dict[str, Columns] = {}
-        for of, across, up in self.paper.pairs:
-            x, y = of.compute(self.case, self.axes) or (np.empty(0), np.empty(0))
-            found[of.name] = {across: x, up: y}
-        return found | self.curves.columns
+        tables = self.paper.tables.items()
+        return {name: of.compute(self.case, self.axes) or {} for name, of in tables} | self.curves.columns
 
     @property
     def scalars(self) -> dict[str, float]:
@@ -221,4 +215,5 @@ class CasePicture:
             live=self.live,
             forms=self.forms,
             notes=self.case.notes(),
+            spans=self.case.spans,
         )

@@ -14,6 +14,8 @@ from components.language.numbers import Name
 from components.language.plots import Curve, Region
 from components.layout.plots import BAND as BAND
 from components.layout.plots import FLOOR as FLOOR
+from components.layout.plots import LATE as LATE
+from components.layout.plots import RINGING as RINGING
 from components.layout.plots import TIME as TIME
 from components.layout.plots import curve
 from components.quantities.declared import Signal, by_name

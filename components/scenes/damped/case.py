@@ -219,7 +219,7 @@ class DampedShown(DampedCase):
     P = value.optional(lambda c: c.c * c.free.v**2 if c.c else None)
     pull = value.optional(lambda c: -c.k * c.free.x / c.greatest if c.k and c.greatest else None)
     brake = value.optional(lambda c: -c.c * c.free.v / c.greatest if c.c and c.greatest else None)
-    locus = value.optional(lambda c: (c.one.omega_n * np.cos(TURN), c.one.omega_n * np.sin(TURN)) if c.k else None)
+    locus = value(lambda c: {"re": c.one.omega_n * np.cos(TURN), "im": c.one.omega_n * np.sin(TURN)} if c.k else {})
     # Numbers in formulas.
     E_total = value(lambda c: c.free.E_0)
     omega = value(lambda c: c.one.omega_n if c.k else three(0.0))

@@ -142,7 +142,7 @@ def plane() -> Block:
         bare=rf"$s = 0,\; {c.fast} \text{{ 1/s}}$",
     )
     return ROOTS.block(
-        curve(c.locus, "thin", "ink", read="other *ζ*", group="locus"),
+        curve(c.locus, "thin", "ink", read="other *ζ*", columns=("re", "im"), group="locus"),
         note(formula),
         title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
         over=roots(), room=Room(2, 2), square=True, plain=True, grow=250, phone=30, height=300,
