@@ -38,3 +38,17 @@ def test_a_scene_is_drawn_moves_and_answers(engine: Window, server: Server, slug
     engine.evaluate(SET, {"name": name, "value": MOST_LIKELY[name]})
     engine.wait_for_function(f"oscillations.shown.settings.{name}.value === {MOST_LIKELY[name]}")
     assert engine.evaluate("document.thrown") == []
+
+
+STACKED = "Number(getComputedStyle(document.querySelector('.page')).getPropertyValue('--stacked'))"
+BAR = "(innerWidth - document.documentElement.clientWidth)"
+
+
+def test_the_scrollbar_of_a_narrow_window_does_not_keep_the_stacked_layout(engine: Window, server: Server) -> None:
+    """A stacked page scrolls, a wide one does not. The bar takes up to 21 px of the width that decides the layout."""
+    engine.set_viewport_size({"width": 1000, "height": 720})
+    engine.goto(f"{server.url}?scene=analogues")
+    engine.wait_for_function(READY)
+    assert engine.evaluate(f"[{STACKED}, {BAR} > 0]") == [1, True]
+    engine.set_viewport_size({"width": 1280, "height": 720})
+    engine.wait_for_function(f"innerWidth === 1280 && !{STACKED} && !{BAR}")

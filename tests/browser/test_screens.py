@@ -40,7 +40,7 @@ CASES = [(link, GRID if WHOLE else SAMPLE) for link in (*LINKS, BRAKED, REFUSED)
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
 ]
 """Links and the sizes that each is looked at in."""
-DESK = (1280, 590)
+DESK = (1250, 590)
 NAMES_ON = """kinds => {
   const seen = one => one.checkVisibility() && one.getBoundingClientRect().width > 0
   const boxes = kind => [...document.querySelectorAll(`.block.stage:not(.still) svg.stage ${kind}`)].filter(seen)

@@ -10,10 +10,10 @@ from components.state.standing import fitted
 from tests.grids import WHOLE
 from tests.scenes.checks import choices
 
-SAMPLE = ((1280, 590), (1024, 768), (844, 390), (360, 640))
+SAMPLE = ((1250, 590), (1024, 768), (844, 390), (360, 640))
 GRID = (
     *SAMPLE,
-    *((1280, 720), (1279, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
+    *((1280, 720), (1249, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
     *((853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
 )
 """Sizes of windows, of which a sample is looked at."""

@@ -22,6 +22,8 @@ def show(context: WebKit2.WebContext) -> WebKit2.WebView:
 
 
 def main() -> None:
+    # Bars that take room, as with a mouse.
+    Gtk.Settings.get_default().set_property("gtk-overlay-scrolling", False)
     context = WebKit2.WebContext.new_ephemeral()
     context.set_automation_allowed(True)
     context.connect(
