@@ -96,12 +96,12 @@ class Attributes(Generic[C]):
     def __init__(self, kind: type[C]) -> None:
         self.kind = kind
 
-    def __call__(self, compute: Callable[[C], V]) -> Attribute[V]:
-        return Attribute(compute)
+    def __call__(self, compute: Callable[[C], V], called: str = "") -> Attribute[V]:
+        return Attribute(compute, called=called)
 
-    def optional(self, compute: Callable[[C], V | None]) -> Attribute[V]:
+    def optional(self, compute: Callable[[C], V | None], called: str = "") -> Attribute[V]:
         """Return an attribute that may be None."""
-        return Attribute(compute, optional=True)
+        return Attribute(compute, optional=True, called=called)
 
     def pair(
         self, compute: Callable[[C], Sequence[V] | None], called: tuple[str, str] = ("", "")
@@ -279,6 +279,17 @@ def made(
     """Return a deferred expression; if it is not `optional` itself, an `inherited` part may be."""
     own = ExpressionRecord(book, text, name, compute)
     return Deferred(ExpressionRecord(book, text, name, compute, own if optional else inherited))
+
+
+def added(one: ExpressionRecord, other: ExpressionRecord) -> Deferred:
+    """Return the sum of two motions. None if one of them is None."""
+
+    def compute(case: Any, axes: Axes) -> Any:
+        a, b = one.compute(case, axes), other.compute(case, axes)
+        return None if a is None or b is None else a + b
+
+    text, name = f"{one.text} + {other.text}", f"{one.name}_{other.name}"
+    return made(one.book, text, name, compute, False, one.optional or other.optional)
 
 
 class DeferredCase:

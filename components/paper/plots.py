@@ -18,7 +18,17 @@ from components.layout.grabs import begin, grab
 from components.layout.plots import BAND, FLOOR, LATE, RINGING, TIME, USUAL_ROOM, Details, plot
 from components.layout.stage import PlotFrame, T
 from components.layout.text import plain, rich, runs
-from components.paper.deferred import FORMATS, Axes, Book, Deferred, ExpressionRecord, computed, deferred, recorded
+from components.paper.deferred import (
+    FORMATS,
+    Axes,
+    Book,
+    Deferred,
+    ExpressionRecord,
+    added,
+    computed,
+    deferred,
+    recorded,
+)
 from components.paper.plot_axes import PlotAxis
 from components.quantities.axes import Axis
 from physics.motion import ExactMotion
@@ -263,7 +273,7 @@ class PlottedPath(DrawnItem):
 
 @dataclass(frozen=True, eq=False)
 class PlottedLayer(DrawnItem):
-    """A layer of a stack, up to the sum `top` of itself and the layers under it; the lowest is its own sum.
+    """A layer of a stack, up to `top`, the sum of itself and the layers under it; the lowest is its own sum.
 
     Its legend is LaTeX, or plain `words`.
     """
@@ -306,9 +316,16 @@ curve, layer, note, path = PlottedCurve, PlottedLayer, PlottedNote, PlottedPath
 
 
 def stack(*layers: PlottedLayer) -> list[PlottedLayer]:
-    """Return layers on top of each other, the lowest first. Layers too fast to draw are drawn as their means."""
-    below = [FLOOR, *(one.edge.name for one in layers)]
-    return [replace(one, below=name) for one, name in zip(layers, below, strict=False)]
+    """Return layers on top of each other, the lowest first. Layers too fast to draw are drawn as their means.
+
+    One without a `top` reaches up to the sum of itself and the layers under it. Files have no column of that sum.
+    """
+    found: list[PlottedLayer] = []
+    for one in layers:
+        if found and one.top is None:
+            one = replace(one, top=added(found[-1].edge, one.recorded))
+        found.append(replace(one, below=found[-1].edge.name if found else FLOOR))
+    return found
 
 
 def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:

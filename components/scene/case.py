@@ -75,6 +75,16 @@ class Case(ABC):
         return {}
 
     @property
+    def fits(self) -> float | None:
+        """The scale of the stage that suits what is drawn; None if the stage has no scale."""
+        return None
+
+    @property
+    def scale(self) -> float | None:
+        """The scale of the stage."""
+        return self.frame.scale or self.fits
+
+    @property
     def pace(self) -> Pace:
         """The speeds of the clock."""
         return Pace()

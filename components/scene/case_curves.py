@@ -38,6 +38,7 @@ class CaseCurves:
     is too fast for a line: as its band, as a band that ends in a line, as its mean, or not at all. `stacks` are edges
     that are averaged together. `motions` are all motions of the picture; `layers` maps those that a stack shows to
     their lower and upper edge. `given` are the bands if the case knows them, else they follow from the frequencies.
+    Files have those motions that are drawn and `named`.
     """
 
     t: Floats
@@ -46,6 +47,7 @@ class CaseCurves:
     stacks: list[frozenset[str]]
     motions: Mapping[str, ExactMotion]
     layers: Mapping[str, tuple[str, str]]
+    named: frozenset[str]
     given: Mapping[str, BandColumns] | None = None
 
     @cached_property
@@ -76,7 +78,7 @@ class CaseCurves:
             tuple(name for name in self.drawn if name not in self.too_fast | self.averaged),
             partial(exact_values, shown),
             fastest=resolved,
-            moving=tuple(name for name in shown if name != FLOOR),
+            moving=tuple(name for name in shown if name in self.named and name != FLOOR),
             layers=self.layers,
             averaged=self.averaged,
         )

@@ -44,11 +44,15 @@ class CasePaper:
         return {axis.name: axis for axis in used if axis.name not in self.axes}
 
     @cached_property
-    def numbers(self) -> list[str]:
-        """The names of all numbers: attributes first, in the order of their class, which files have too."""
+    def named(self) -> list[str]:
+        """The names of all attributes, in the order of their class, which files have too."""
         members = [one for owner in reversed(self.book.kind.__mro__) for one in vars(owner).values()]
-        names = dict.fromkeys(one.called for one in members if isinstance(one, Attribute))
-        return list(dict.fromkeys((*(name for name in names if name in self.book.numbers), *self.book.numbers)))
+        return list(dict.fromkeys(one.called for one in members if isinstance(one, Attribute)))
+
+    @cached_property
+    def numbers(self) -> list[str]:
+        """The names of all numbers: attributes first."""
+        return list(dict.fromkeys((*(name for name in self.named if name in self.book.numbers), *self.book.numbers)))
 
     @cached_property
     def curves(self) -> list[PlottedCurve]:
@@ -146,7 +150,8 @@ class CasePicture:
         motions = {FLOOR: constant(0.0)} | {name: one for name, (one, _) in self.moving.items()}
         drawn = {name: motions[name] for name in self.paper.drawn if name in motions}
         stacks = list(map(frozenset, self.paper.stacks))
-        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, self.paper.layers, self.case.bands)
+        named, layers = frozenset(self.paper.named), self.paper.layers
+        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, layers, named, self.case.bands)
 
     @property
     def traces(self) -> dict[str, Traces]:
@@ -211,6 +216,8 @@ class CasePicture:
             traces=self.traces,
             scalars=self.scalars,
             pace=self.case.pace,
+            scale=self.case.scale,
+            fits=self.case.fits,
             values=self.values,
             live=self.live,
             forms=self.forms,

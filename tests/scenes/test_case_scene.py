@@ -132,6 +132,13 @@ def test_a_fast_motion_is_a_band_and_its_energies_are_means() -> None:
     assert picture.columns["band"]["x_hi"][0] == pytest.approx(0.1, rel=1e-3)
 
 
+def test_layers_without_a_top_are_added_up() -> None:
+    stacked = stack(layer(c.V, "V"), layer(c.T, "T"), layer(c.E, "total"))
+    assert [(one.below, one.edge.name) for one in stacked] == [("zero", "V"), ("V", "V_T"), ("V_T", "V_T_E")]
+    case = FrictionShown(Friction().values)
+    assert np.array_equal(stacked[1].edge.compute(case, {}).at(case.times), case.E.at(case.times))
+
+
 def test_an_axis_may_be_made_whole_and_another_one_counts_like_it() -> None:
     own = Axis(-1.0, 1.0, "m", ticks=(0.5,))
     whole, other = axis("m", lambda c: own, "whole"), axis("J", lambda c: (0.0, 2e4), "other")
