@@ -12,16 +12,14 @@ Coefficients are rational numbers, without error; exponents and residues have th
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from itertools import combinations, zip_longest
 from typing import Any, NamedTuple
 
-from mpmath.ctx_mp import MPContext
-
 from physics.coupled import TwoMassChain
+from physics.polynomials import Polynomial, added, context, numbers, order, product, trimmed
 from physics.roots import horner, mismatch, roots, taxicab
 
-Polynomial = tuple[Fraction, ...]  # coefficients, the constant first
 Rows = tuple[Any, ...]  # numbers of mpmath for x1, x2, the elongation x2 - x1 and, where they belong, v1 and v2
 
 NOTHING: Polynomial = (Fraction(0),)
@@ -205,22 +203,14 @@ def transform(driven: Driven) -> Transform:
     pull = c * (x1 - x2)
     rho1, rho2 = (m1 * v1 + pull + c1 * x1, m1 * x1), (m2 * v2 - pull, m2 * x2)
     kappa, own1, own2 = (k2, c), (k1, c1, m1), (Fraction(0), Fraction(0), m2)
-    both = _product(kappa, _sum(rho1, rho2))
-    one, two = _product(own2, rho1), _product(own1, rho2)
-    start: tuple[Polynomial, ...] = (_sum(one, both), _sum(two, both), _sum(two, _product((Fraction(-1),), one)))
+    both = product(kappa, added(rho1, rho2))
+    one, two = product(own2, rho1), product(own1, rho2)
+    start: tuple[Polynomial, ...] = (added(one, both), added(two, both), added(two, product((Fraction(-1),), one)))
     drive: tuple[Polynomial, ...] = ((F * k2, F * c, F * m2), (F * k2, F * c), (Fraction(0), Fraction(0), -F * m2))
-    P = _sum(_product(own1, _sum(own2, kappa)), _product(own2, kappa))
-    shared = min(_power(polynomial) for polynomial in (*start, *drive, P))
-    start, drive = (tuple(_trimmed(polynomial[shared:]) for polynomial in many) for many in (start, drive))
+    P = added(product(own1, added(own2, kappa)), product(own2, kappa))
+    shared = min(order(polynomial) for polynomial in (*start, *drive, P))
+    start, drive = (tuple(trimmed(polynomial[shared:]) or NOTHING for polynomial in many) for many in (start, drive))
     return Transform(start, drive, P[shared:])
-
-
-@cache
-def _context(digits: int) -> Any:
-    """Numbers of that many digits; making one takes longer than the sum."""
-    ctx = MPContext()
-    ctx.dps = digits
-    return ctx
 
 
 @lru_cache(maxsize=16)
@@ -249,14 +239,14 @@ def expanded(
     undamped: bool = False,
 ) -> Expansion:
     """The sum that (start + drive/(s^2 + omega^2))/P is the transform of, in numbers of that many digits."""
-    ctx = _context(digits)
-    numbers = _numbers(ctx, P)
-    starts, drives = ([_numbers(ctx, polynomial) for polynomial in many] for many in (start, drive))
-    zeros = _power(P)
-    exponents = roots(ctx, numbers[zeros:]) if len(numbers) > zeros + 1 else []
+    ctx = context(digits)
+    coefficients = numbers(ctx, P)
+    starts, drives = ([numbers(ctx, polynomial) for polynomial in many] for many in (start, drive))
+    zeros = order(P)
+    exponents = roots(ctx, coefficients[zeros:]) if len(coefficients) > zeros + 1 else []
     if undamped:
         exponents = [ctx.mpc(0, p.imag) for p in exponents]
-    return Expansion(ctx, ctx.mpf(omega), numbers, starts, drives, zeros, exponents)
+    return Expansion(ctx, ctx.mpf(omega), coefficients, starts, drives, zeros, exponents)
 
 
 def _near(p: Any, other: Any) -> bool:
@@ -265,31 +255,3 @@ def _near(p: Any, other: Any) -> bool:
 
 def _size(polynomial: Sequence[Any], z: Any) -> Any:
     return horner([abs(a) for a in polynomial], taxicab(z))
-
-
-def _numbers(ctx: Any, polynomial: Polynomial) -> list[Any]:
-    return [ctx.mpf(a.numerator) / a.denominator for a in polynomial]
-
-
-def _product(a: Polynomial, b: Polynomial) -> Polynomial:
-    result = [Fraction(0)] * (len(a) + len(b) - 1)
-    for i, one in enumerate(a):
-        for j, two in enumerate(b):
-            result[i + j] += one * two
-    return tuple(result)
-
-
-def _sum(a: Polynomial, b: Polynomial) -> Polynomial:
-    return tuple(one + two for one, two in zip_longest(a, b, fillvalue=Fraction(0)))
-
-
-def _trimmed(polynomial: Polynomial) -> Polynomial:
-    """A polynomial without its highest powers where these are 0."""
-    while len(polynomial) > 1 and not polynomial[-1]:
-        polynomial = polynomial[:-1]
-    return polynomial or NOTHING
-
-
-def _power(polynomial: Polynomial) -> int:
-    """The number of factors s that can be taken out; for a zero polynomial, more than any other has."""
-    return next((k for k, a in enumerate(polynomial) if a), 99)

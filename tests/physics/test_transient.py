@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
-from physics.laplace import _context
+from physics.polynomials import context
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes, _decimal
 from tests.grids import WHOLE, tries
 from tests.physics.chain_cases import chain_with, law_of
@@ -256,7 +256,7 @@ def test_what_takes_few_digits_is_drawn_after_many_periods():
 
 def test_what_died_out_long_ago_is_not_worked_out(monkeypatch):
     """An exponent of -1e189 is an integer, to whose power mpmath would raise e, squaring by squaring."""
-    asked, ctx = [], _context(DIGITS)
+    asked, ctx = [], context(DIGITS)
     exp = ctx.exp
     monkeypatch.setattr(ctx, "exp", lambda z: asked.append(z.real) or exp(z))
     modes = DampedModes(chain=LECTURE, c=1.0, F_0=1.0, omega=1e-189, x_0=(1.0, 0.0))

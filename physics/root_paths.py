@@ -1,0 +1,186 @@
+r"""Paths of the roots of a damped chain while its dashpots grow, and where roots meet on the way.
+
+The dashpots are (c1, c2) = base + value direction, so P(s) is a polynomial in s and in the value. Two roots meet on
+the real axis at simple roots of its discriminant; at double ones both pairs meet at once. That happens at one point
+(c1, c2) of a chain at most, the exceptional point: with b = sqrt(k1 k2/(m1 m2)) it lies on the ray of direction
++-(b (m1 + m2) - k1, k2 - b m2), and P = m1 m2 (s^2 + a s + b)^2 there.
+
+As one dashpot grows two roots end in the roots of dP/dc, one in 0 and one in -infinity:
+
+    c1:  s (m2 s^2 + c2 s + k2)     mass 2 on a standing mass 1
+    c2:  s ((m1 + m2) s^2 + c1 s + k1)     one block on spring 1
+
+If both grow in proportion, two roots creep to -k1/c1 and -k2/c2.
+
+Source: beyond lecture D34, whose notes allow for a frequency with an imaginary part.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import ArrayLike
+
+from physics.coupled import TwoMassChain
+from physics.damped import DampedOscillator
+from physics.damped_chain import Complexes, DampedChain
+from physics.exact import Array, precise, sum_of
+from physics.polynomials import Polynomial, added, positive_roots, product
+from physics.valid import finite_array
+
+_STEPS, _DECADES = 300, 3
+_NEAR = 1e-4  # of a value where roots meet: the path is vertical there
+Dashpots = tuple[float, float]
+Varied = Literal["c1", "c2", "both"]
+_DISCRIMINANT = (
+    (256, "aaaeee"), (-192, "aabdee"), (-128, "aaccee"), (144, "aacdde"), (-27, "aadddd"), (144, "abbcee"),
+    (-6, "abbdde"), (-80, "abccde"), (18, "abcddd"), (16, "acccce"), (-4, "acccdd"), (-27, "bbbbee"), (18, "bbbcde"),
+    (-4, "bbbddd"), (-4, "bbccce"), (1, "bbccdd"),
+)  # fmt: skip
+"""Terms of the discriminant of a s^4 + b s^3 + c s^2 + d s + e."""
+
+
+class ExceptionalPoint(NamedTuple):
+    """Dashpots in N s/m at which both modes are one, and the double roots in 1/s: one of a pair, or two real ones."""
+
+    c1: float
+    c2: float
+    roots: tuple[complex, ...]
+
+
+class RootMeeting(NamedTuple):
+    """The value on a path at which two roots meet, or, where it is `double`, two pairs."""
+
+    value: float
+    double: bool
+
+
+def exceptional_point(chain: TwoMassChain) -> ExceptionalPoint | None:
+    """The exceptional point of a chain, each number rounded once; None where it has none."""
+    m1, m2, k1, k2 = chain.exact_parameters
+    if not (k1 and k2):
+        return None
+    with precise():
+        b = (k1 * k2 / (m1 * m2)).sqrt()
+        d1, d2 = sum_of(b * (m1 + m2), -k1), sum_of(k2, -b * m2)
+        if d1 * d2 < 0:
+            return None
+        d1, d2 = abs(d1), abs(d2)
+        slow, fast = chain.exact_modes
+        p3 = m1 * d2 + m2 * (d1 + d2)
+        t = (fast.omega - slow.omega) / ((p3 / (2 * m1 * m2)) ** 2 - d1 * d2 / (m1 * m2)).sqrt()
+        half = t * p3 / (4 * m1 * m2)
+        excess = sum_of(half * half, -b)
+        root = abs(excess).sqrt()
+        if excess < 0:
+            roots: tuple[complex, ...] = (complex(-half, root),)
+        else:
+            roots = (complex(-b / (half + root)), complex(-half - root))
+        return ExceptionalPoint(float(t * d1), float(t * d2), roots)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RootPath:
+    """Roots of a chain whose dashpots in N s/m are base + value direction, the value from 0 on."""
+
+    chain: TwoMassChain
+    base: Dashpots
+    direction: Dashpots
+
+    @classmethod
+    def of(cls, one: DampedChain, varied: Varied) -> "RootPath":
+        """The path of "c1", of "c2", or of "both" in proportion; undamped, both grow like their springs."""
+        if varied == "both":
+            pair = (one.c1, one.c2) if one.c1 or one.c2 else (one.k1, one.k2)
+            return cls(chain=one.chain, base=(0.0, 0.0), direction=pair)
+        if varied == "c1":
+            return cls(chain=one.chain, base=(0.0, one.c2), direction=(1.0, 0.0))
+        return cls(chain=one.chain, base=(one.c1, 0.0), direction=(0.0, 1.0))
+
+    def at(self, value: float) -> DampedChain:
+        """The chain with the dashpots of a value."""
+        c1, c2 = (a + value * b for a, b in zip(self.base, self.direction, strict=True))
+        return DampedChain.of(self.chain, c1, c2)
+
+    @cached_property
+    def meetings(self) -> tuple[RootMeeting, ...]:
+        """Values above 0 at which roots meet, each rounded once."""
+        found = positive_roots(self._discriminant)
+        return tuple(RootMeeting(float(value), times % 2 == 0) for value, times in found)
+
+    @cached_property
+    def limits(self) -> Complexes:
+        """Where two roots end as the value grows, in 1/s (2,): see above."""
+        chain, (c1, c2), (d1, d2) = self.chain, self.base, self.direction
+        if d1 and d2:
+            return np.array([-chain.k1 / d1, -chain.k2 / d2], dtype=complex)
+        left = (chain.m2, c2, chain.k2) if d1 else (chain.m1 + chain.m2, c1, chain.k1)
+        one = DampedOscillator(**dict(zip(("m", "c", "k"), left, strict=True)))
+        slow, fast = one.rates
+        swing = one.omega_d
+        return np.array([complex(-slow, swing), complex(-slow, -swing)] if swing else [-slow, -fast], dtype=complex)
+
+    @cached_property
+    def values(self) -> Array:
+        """Values for a drawing, from 0 up, closer together where roots meet."""
+        chain = self.chain
+        omega = float(chain.modes().omega[1]) or 1.0
+        unit = omega * min(chain.m1, chain.m2) / max(self.direction)
+        near = 1 + np.concatenate([-1 * (grid := np.geomspace(_NEAR, 0.3, 12) ** 2), [0.0], grid])
+        spread = unit * np.geomspace(10.0**-_DECADES, 10.0**_DECADES, _STEPS)
+        return np.unique(np.concatenate([[0.0], spread, *(one.value * near for one in self.meetings)]))
+
+    def roots(self, values: ArrayLike) -> Complexes:
+        """The roots (n, 4) in 1/s, for a drawing: by companion matrices, half of the digits where roots meet."""
+        values = finite_array("values", values)
+        P = polynomial.polyval(values, self._scaled.T)
+        companion = np.zeros((values.size, 4, 4))
+        companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
+        companion[:, :, 3] = -(P[:4] / P[4]).T
+        return np.asarray(self._unit * np.linalg.eigvals(companion))
+
+    def dragged(self, z: complex) -> float:
+        """The value at which |P(z)| is least, in doubles: a root that is dragged to z sets it."""
+        at = polynomial.polyval(z / self._unit, self._scaled)
+        square = polynomial.polymul(at, at.conj()).real
+        turns = polynomial.polyroots(np.trim_zeros(polynomial.polyder(square), "b"))
+        able = [0.0, *(v.real for v in turns.tolist() if v.real > 0 and abs(v.imag) <= 1e-6 * abs(v))]
+        return float(min(able, key=lambda value: float(polynomial.polyval(value, square))))
+
+    @property
+    def _unit(self) -> float:
+        """The unit of roots in doubles."""
+        return float(self.chain.modes().omega[1]) or 1.0
+
+    @cached_property
+    def _scaled(self) -> Array:
+        """P in doubles (5, 3), the highest coefficient 1, for roots in that unit; columns are powers of the value."""
+        unit, (highest,) = Fraction(self._unit), self._P[4]
+        rows = [[float(b * unit**i / (highest * unit**4)) for b in a] for i, a in enumerate(self._P)]
+        return np.array([row + [0.0] * (3 - len(row)) for row in rows])
+
+    @cached_property
+    def _P(self) -> tuple[Polynomial, ...]:
+        """The coefficients of P, the constant first, each a polynomial in the value."""
+        chain = self.chain
+        m1, m2, k1, k2 = ((Fraction(one),) for one in (chain.m1, chain.m2, chain.k1, chain.k2))
+        c1, c2 = ((Fraction(a), Fraction(b)) for a, b in zip(self.base, self.direction, strict=True))
+        return (
+            product(k1, k2),
+            added(product(c1, k2), product(c2, k1)),
+            added(product(m1, k2), product(m2, k1), product(m2, k2), product(c1, c2)),
+            added(product(m1, c2), product(m2, c1), product(m2, c2)),
+            product(m1, m2),
+        )
+
+    @property
+    def _discriminant(self) -> Polynomial:
+        """The discriminant of P, or of what is left of it where the chain drifts."""
+        parts = dict(zip("edcba", self._P, strict=True))
+        if not (any(parts["e"]) or any(parts["d"])):
+            return added(product(parts["b"], parts["b"]), product((Fraction(-4),), parts["a"], parts["c"]))
+        terms = (product((Fraction(factor),), *(parts[one] for one in term)) for factor, term in _DISCRIMINANT)
+        return added(*terms)
