@@ -90,13 +90,26 @@ def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
     return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
 
 
-def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
+def damped_lags(chain: TwoMassChain, c: float, omega: ArrayLike, c1: float = 0.0) -> Array:
+    """The lags in rad of both masses behind the force: (2,), or (2, n) for n omega.
+
+    Lag 1 is in [0, pi] within 2 u of a radian, lag 2 in [0, 2 pi] within 8 u. Both are continuous in omega, without
+    unwrapping, but where mass 1 stands still, and at a natural frequency without dashpots, they jump: the value is that
+    of the frequencies just below. If nothing moves mass 2 it has the lag of mass 1.
+    """
+    frequencies = checked_damping(c, 0.0, omega, c1)
+    whole = _Whole.of(chain, c, 0.0, c1)
+    rows = [whole.lags(w) for w in frequencies.tolist()]
+    return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
+
+
+def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
     """|X1| and the absorber's stroke |X2 - X1| in m, which is what its spring must allow: (2,), or (2, n) for n omega.
 
     X2 - X1 = m2 omega^2 F_0/D, whatever c. Both within 0.51 ulp; otherwise as damped_amplitude.
     """
-    frequencies = checked_damping(c, F_0, omega)
-    whole = _Whole.of(chain, c, F_0)
+    frequencies = checked_damping(c, F_0, omega, c1)
+    whole = _Whole.of(chain, c, F_0, c1)
     rows = [whole.at(w).swing_and_stroke(w) for w in frequencies.tolist()]
     return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
 
@@ -228,6 +241,28 @@ class _Whole(NamedTuple):
             machine * N[1] + braked * N[0] - inertia * kappa[1],
         )
         return _Parts(N, kappa, D, (self.F_0[0] * self.scale * q**2, self.F_0[1]))
+
+    def lags(self, omega: float) -> tuple[float, float]:
+        """The lag of mass 1, in which c1 only adds to the imaginary part, and that of mass 2, which lags behind it."""
+        N, kappa, D, _ = self.at(omega)
+        if not any(N):
+            N = (1, 0)
+        if not any(D) and not omega:
+            D = (-N[1], N[0]) if self.c1 else (-kappa[0] or -N[0], -kappa[1])
+        first = _angle(_turned_back(D, N))
+        return first, first + _angle(_turned_back(N, kappa))
+
+
+def _angle(z: tuple[int, int]) -> float:
+    """The angle in rad of a complex whole number of any size; 0 of 0."""
+    shift = max(0, max(map(int.bit_length, z)) - _BITS)
+    re, im = (float(part >> shift) if part >= 0 else -float(-part >> shift) for part in z)
+    return math.atan2(im + 0.0, re + 0.0)
+
+
+def _turned_back(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int]:
+    """a times the conjugate of b."""
+    return a[0] * b[0] + a[1] * b[1], a[1] * b[0] - a[0] * b[1]
 
 
 def checked_damping(c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:

@@ -102,6 +102,11 @@ class DrivenOscillator:
         except OverflowError:
             raise ValueError(f"the amplitude at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None
 
+    def bode(self, omega: ArrayLike, size: float = 1.0, kind: Drive = "force") -> tuple[Array, Array]:
+        """|X| in m and the lag in rad at drive frequencies (n,) in rad/s, as `response` and `lag` have them."""
+        each = [self.response(w, size, kind) for w in finite_array("omega", omega).tolist()]
+        return np.array(list(map(abs, each))), np.array(list(map(lag, each)))
+
     def motion(
         self, omega: float, size: float = 1.0, x_0: float = 0.0, v_0: float = 0.0, t: ArrayLike = 0.0,
         kind: Drive = "force", effort: Effort = EXACT,

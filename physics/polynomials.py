@@ -70,6 +70,12 @@ def positive_roots(a: Polynomial) -> list[tuple[Any, int]]:
     return sorted(found)
 
 
+def reduced(a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """Two polynomials without their common factors; the first may be 0."""
+    shared = _shared(a, b)
+    return _divided(trimmed(a), shared)[0], _divided(trimmed(b), shared)[0]
+
+
 def _by_multiplicity(a: Polynomial) -> Iterator[tuple[Polynomial, int]]:
     slope, times = derivative(a), 1
     shared = _shared(a, slope)

@@ -1,0 +1,172 @@
+"""Response, lags, peaks and half-power points of the damped chain and of the driven mass, against 50 digits."""
+
+from __future__ import annotations
+
+import json
+import math
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from physics.bode import Resonances, chain_resonances, driven_resonances, quarter_lags
+from physics.damped_chain import DampedChain
+from physics.driven import DrivenOscillator
+from tests.grids import tries
+from tests.physics.braked_cases import Case, cases
+from tests.physics.chain_cases import log_uniform
+
+U = 2.0**-53
+REFERENCE = Path(__file__).parents[1] / "reference"
+CASES = json.loads((REFERENCE / "bode_cases.json").read_text())["cases"]
+DRIVEN = json.loads((REFERENCE / "beyond_cases.json").read_text())["driven"]
+NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
+each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+each_driven = pytest.mark.parametrize("case", DRIVEN, ids=lambda case: str(case["id"]))
+
+
+def chain_of(case: dict[str, Any]) -> DampedChain:
+    return DampedChain(**{name: case[name] for name in NAMES})
+
+
+@each_case
+def test_response_lags_and_works_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    chain, F_0 = chain_of(case), case["F_0"]
+    X, lags = chain.response(case["omega"], F_0), chain.lags(case["omega"])
+    with mp.workdps(30):
+        for i, true in enumerate(case["at"]):
+            if true is None:
+                assert np.isinf(X[0, i])
+                continue
+            for j, name in enumerate(("X1", "X2")):
+                wanted = mp.mpc(*true[name])
+                assert abs(mp.mpc(complex(X[j, i])) - wanted) <= U * abs(wanted)
+                if true["lag"][j] is not None:
+                    assert abs(mp.mpf(float(lags[j, i])) - mp.mpf(true["lag"][j])) <= (2, 8)[j] * U
+            works = chain.works(case["omega"][i], F_0)
+            assert works == pytest.approx([float(one) for one in true["work"][1:]], rel=4 * U, abs=0)
+            work = -mp.pi * F_0 * X[0, i].imag
+            assert abs(work - mp.mpf(true["work"][0])) <= 4 * U * abs(work)
+
+
+@each_case
+def test_peaks_dips_and_half_power_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    found = chain_resonances(chain_of(case))
+    for one, name in zip(found, ("X1", "X2", "stroke"), strict=True):
+        true = case["over_F_0"][name]
+        check(one, [*true["peaks"], *true["dips"]])
+        assert one.poles == pytest.approx([float(w) for w in true["infinite"]], rel=U, abs=0)
+    wanted = [float(w) for w in case["quarter_lag_1"]]
+    assert quarter_lags(chain_of(case)) == pytest.approx(wanted, rel=U, abs=0)
+
+
+def check(found: Resonances, wanted: list[dict[str, Any]]) -> None:
+    every = [*found.peaks, *found.dips]
+    assert len(every) == len(wanted)
+    for one, true in zip(every, wanted, strict=True):
+        sides = [None if side is None else float(side) for side in true.get("half_power", (None, None))]
+        assert [side is None for side in one.half_power] == [side is None for side in sides]
+        pairs = [(one.omega, float(true["omega"])), (one.height, float(true["height"]))]
+        pairs += [(a, b) for a, b in zip(one.half_power, sides, strict=True) if a and b]
+        assert all(a == pytest.approx(b, rel=U, abs=0) for a, b in pairs)
+
+
+@each_driven
+def test_peaks_of_the_driven_mass_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    one, kind = DrivenOscillator(m=case["m"], c=case["c"], k=case["k"]), case["kind"]
+    found = driven_resonances(one, kind)
+    if not case["c"]:
+        assert found.poles == (one.free.omega_n,) and not found.peaks
+        return
+    assert len(found.peaks) == (case.get("peak") is not None)
+    for peak in found.peaks:
+        unit = {"force": 1 / case["k"], "base": 1.0, "unbalance": 1 / case["m"]}[kind]
+        assert peak.omega / one.free.omega_n == pytest.approx(float(case["peak"]["r"]), rel=2e-15)
+        assert peak.height / unit == pytest.approx(float(case["peak"]["ratio"]), rel=1e-14)
+
+
+@each_driven
+def test_amplitude_and_lag_of_the_driven_mass_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    if case["resonance"] or case["amplitude"] is None:
+        return
+    one, kind = DrivenOscillator(m=case["m"], c=case["c"], k=case["k"]), case["kind"]
+    size = case.get("F_0") or case.get("Y") or case["mu"] * case["e"]
+    (amplitude,), (lag,) = one.bode([case["omega"]], size, kind)
+    assert amplitude == pytest.approx(float(case["amplitude"]), rel=4 * U, abs=0)
+    assert abs(lag - float(case["lag"])) <= 8 * U
+
+
+@settings(max_examples=tries(400))
+@given(*[log_uniform(-150, 150)] * 7, st.sets(st.sampled_from(NAMES[2:])))
+def test_lags_over_many_decades_are_those_of_the_forces(
+    m1: float, m2: float, k1: float, k2: float, c1: float, c2: float, omega: float, none: set[str]
+) -> None:
+    """Lag 1 from 60 digits; lag 2 is behind it by an angle from 0 to pi."""
+    chain = DampedChain(**(dict(zip(NAMES, (m1, m2, k1, k2, c1, c2), strict=True)) | dict.fromkeys(none, 0.0)))
+    assume(chain.c1 or chain.c2)
+    lags = chain.lags(omega).tolist()
+    with mp.workdps(800):
+        m1, m2, k1, k2, c1, c2, w = (mp.mpf(one) for one in (*(getattr(chain, name) for name in NAMES), omega))
+        link, N = mp.mpc(k2, c2 * w), mp.mpc(k2 - m2 * w**2, c2 * w)
+        D = mp.mpc(k1 - m1 * w**2, c1 * w) * N - m2 * w**2 * link
+        assume(N)
+        first = mp.arg(D / N)
+        assert abs(lags[0] - first) <= 2 * U and 0 <= lags[0] <= math.pi
+        if link:
+            assert abs(lags[1] - lags[0] - mp.arg(N / link)) <= 8 * U and lags[0] <= lags[1] <= 2 * math.pi
+
+
+@settings(max_examples=tries(200))
+@given(cases(), st.integers(0, 2))
+def test_between_extremes_the_amplitude_only_rises_or_only_falls(case: Case, i: int) -> None:
+    chain = case.damped
+    found = chain_resonances(chain)[i]
+    turns = sorted([(one.omega, 1) for one in found.peaks] + [(one.omega, -1) for one in found.dips])
+    assert all(one[1] != two[1] for one, two in pairwise(turns)) or found.poles
+    assert list(found.peaks) == sorted(found.peaks) and list(found.dips) == sorted(found.dips)
+    for one in found.peaks:
+        beside = [one.omega * (1 + step) for step in (-1e-5, 1e-5)]
+        X = chain.response([one.omega, *beside])
+        sizes = np.abs([*X, X[1] - X[0]])[i]
+        assert sizes[0] == pytest.approx(one.height, rel=1e-6) and max(sizes[1:]) <= one.height * (1 + 1e-9)
+        for side in one.half_power:
+            if side:
+                X, room = chain.response(side), 1e-12 + 4 * U * side / abs(side - one.omega)
+                assert abs([*X, X[1] - X[0]][i]) == pytest.approx(one.height / math.sqrt(2), rel=room)
+
+
+def test_lag_1_falls_back_where_mass_1_stands_still_and_lag_2_does_not() -> None:
+    chain = DampedChain(m1=2, m2=1, k1=4, k2=2.25, c1=0.1)
+    below, at, above = chain.lags([1.5 - 1e-9, 1.5, 1.5 + 1e-9]).T
+    assert at == pytest.approx(below, abs=1e-6) and below[0] > 3 and above[0] < 0.1
+    assert above[1] == pytest.approx(below[1], abs=1e-6)
+    assert chain.response(1.5)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("numbers", "omega", "lags"),
+    [
+        ({"k1": 4.0, "k2": 2.0}, [0.0, 1.0, 1.2, 2.0, 9.0], [(0, 0), (0, 0), (1, 1), (0, 1), (1, 2)]),
+        ({"k1": 0.0, "k2": 2.0, "c1": 1.0}, [0.0], [(0.5, 0.5)]),
+        ({"k1": 0.0, "k2": 2.0, "c2": 1.0}, [0.0], [(1, 1)]),
+        ({"k1": 0.0, "k2": 0.0}, [0.0], [(1, 1)]),
+        ({"k1": 4.0, "k2": 0.0, "c1": 1.0}, [0.0], [(0, 0)]),
+    ],
+)
+def test_lags_in_limits(numbers: dict[str, float], omega: list[float], lags: list[tuple[float, float]]) -> None:
+    """In half turns; at a natural frequency without dashpots the lag of the frequencies just below."""
+    found = DampedChain(m1=2, m2=1, **numbers).lags(omega).T / math.pi
+    assert found.tolist() == [list(pair) for pair in lags]
+
+
+def test_the_work_of_the_force_is_what_the_dashpots_take() -> None:
+    chain = DampedChain(m1=2, m2=1, k1=4, k2=2, c1=0.3, c2=0.1)
+    for omega in (0.4, 1.0, 1.5, 7.0):
+        assert sum(chain.works(omega, 3.0)) == pytest.approx(
+            -3 * math.pi * chain.response(omega, 3.0)[0].imag, rel=1e-14
+        )
