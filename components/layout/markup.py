@@ -14,7 +14,7 @@ MATH = {
 }
 ELEMENTS = {"p", "b", "sub", "span", "a"} | {SPACE + name for name in MATH}
 COLOURS = {"m1", "m2", "slow", "fast", "T", "V", "total", "F", "xp", "xc", "k", "mute", "ink"}
-CLASSES = {"tint", "n", "v", "up", "small", "boxed", "whole"} | COLOURS
+CLASSES = {"tint", "n", "v", "up", "dots", "small", "boxed", "whole"} | COLOURS
 NAMES = {
     *("display", "displaystyle", "scriptlevel", "mathvariant", "mathcolor", "form", "fence", "stretchy", "separator"),
     *("columnalign", "columnlines", "rowlines", "accent", "accentunder", "notation", "symmetric", "largeop"),

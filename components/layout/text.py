@@ -40,7 +40,11 @@ _OPERATORS = {
     "&#x003D5;": "&#x003C6;",
     '<mo stretchy="false">&#x0007C;</mo>': '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>',
     "<mo>&#x0002F;</mo>": '<mo lspace="0.1em" rspace="0.1em">&#x0002F;</mo>',
+    # Time derivatives, which WebKit sets too high: static/styles/text.css.
+    **{f"<mo>{dots}</mo></mover>": f'<mo class="dots">{dots}</mo></mover>' for dots in ("&#x002D9;", "&#x000A8;")},
 }
+# WebKit sets the sign of an index as one between two numbers.
+_INDEX_SIGN = re.compile(r"(<msub(?:sup)?><mi>[^<]*</mi>(?:<mrow>)?<mo)(>&#x0(?:002B|2212|00B1);</mo>)")
 _PRIMED = re.compile(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>")
 _PRIMED_POWER = re.compile(r"<msup>(<mi>\w</mi>)<mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
 _PRIME = '<mo lspace="0" rspace="0">&#x02032;</mo>'
@@ -81,6 +85,7 @@ def _converted(latex: str) -> str:
     markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
     for wrong, right in _OPERATORS.items():
         markup = markup.replace(wrong, right)
+    markup = _INDEX_SIGN.sub(r'\1 lspace="0" rspace="0"\2', markup)
     markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
     markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
     # Not the minus of a difference, which would stand apart from its number.
