@@ -49,9 +49,9 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
 
 def test_the_arrows_are_as_high_as_what_they_are_said_to_show() -> None:
     scene = OscillatorScene(**OscillatorScene.opens)
-    assert "as high as" in said(scene) and "atan" not in said(scene) and not scene.shown.forms.get("formulas")
+    assert "as high as" in said(scene) and "atan" not in said(scene) and not scene.shown.forms["view_not_swing"]
     w, unit = math.sqrt(scene.k / scene.m), scene.shown.axes["t"]
-    data, C = scene.sources["time"].data, scene.shown.scalars["C"]
+    data, C = scene.sources["time"].data, scene.x_0
     for i in range(0, len(data["t"]), 17):
         now = played(scene.shown, unit.place(data["t"][i]))
         assert C * now["sine"] == pytest.approx(data["x"][i], abs=1e-9)

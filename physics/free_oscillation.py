@@ -1,0 +1,90 @@
+"""Free motion of an oscillator from its initial conditions, as motions that can be drawn and played.
+
+The equations are those of physics.oscillator; without a spring the mass drifts at constant speed.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from math import floor, pi
+from operator import attrgetter
+
+import numpy as np
+
+from physics.exact import Array, exact, precise, rounded
+from physics.motion import Elementary, ExactMotion, Harmonic, constant
+from physics.oscillator import Oscillator, OscillatorConstants, OscillatorMotion
+from physics.sampling import Sinusoid
+
+QUARTER = pi / 2
+
+
+@dataclass(frozen=True, kw_only=True)
+class FreeOscillation:
+    """A motion of an oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s)."""
+
+    oscillator: Oscillator
+    x_0: float
+    v_0: float
+
+    @cached_property
+    def constants(self) -> OscillatorConstants:
+        """The constants of both forms of the solution."""
+        return self.oscillator.constants(self.x_0, self.v_0)
+
+    @cached_property
+    def amplitudes(self) -> tuple[float, float, float]:
+        """C, omega C and omega^2 C, of x, v and a; of a free mass |x_0|, its constant speed, and 0."""
+        if not self.oscillator.k:
+            return abs(self.x_0), abs(self.v_0), 0.0
+        omega, C = exact(self.oscillator.omega_n), exact(self.constants.C)
+        with precise():
+            v, a = omega * C, omega * omega * C
+        return self.constants.C, rounded("the largest velocity", v), rounded("the largest acceleration", a)
+
+    @cached_property
+    def E(self) -> float:
+        """The energy in J, rounded once; V is 0 at x = 0."""
+        one = self.oscillator
+        with precise():
+            return rounded(
+                "the energy", (exact(one.m) * exact(self.v_0) ** 2 + exact(one.k) * exact(self.x_0) ** 2) / 2
+            )
+
+    @cached_property
+    def x(self) -> ExactMotion:
+        """The displacement in m."""
+        return self._motion_of("x", 0, (self.x_0, self.v_0))
+
+    @cached_property
+    def v(self) -> ExactMotion:
+        """The velocity in m/s."""
+        return self._motion_of("v", 1, (self.v_0, 0.0))
+
+    @cached_property
+    def a(self) -> ExactMotion:
+        """The acceleration in m/s^2."""
+        return self._motion_of("a", 2, (0.0, 0.0))
+
+    def _motion_of(self, symbol: str, derivative: int, line: tuple[float, float]) -> ExactMotion:
+        """One of x, v and a, a sine a quarter turn ahead for each derivative; of a free mass a line."""
+        omega, size = self.oscillator.omega_n, self.amplitudes[derivative]
+        sine = Sinusoid(size, omega, self.constants.phi + derivative * QUARTER)
+        value = attrgetter(symbol)
+        return Elementary(
+            symbol=symbol, exact=lambda t: np.asarray(value(self._motion(t))), size=lambda: size, omega=omega,
+            played=Harmonic((sine,)) if omega else Harmonic((), line), amplitude=lambda: constant(size),
+        )  # fmt: skip
+
+    def _motion(self, t: Array) -> OscillatorMotion:
+        return self._motions(t.tobytes())
+
+    @cached_property
+    def _motions(self) -> Callable[[bytes], OscillatorMotion]:
+        """The motion at the times in a buffer, which x, v and a share."""
+        return lru_cache(1)(lambda times: self.oscillator.motion(self.x_0, self.v_0, np.frombuffer(times)))
+
+    def last_peak(self, end: float) -> float:
+        """Return the last time in periods, up to `end` in s, at which x is largest; negative if it never is."""
+        first = ((QUARTER - self.constants.phi) % (2 * pi)) / (2 * pi)
+        return first + floor(end / self.oscillator.period - first)
