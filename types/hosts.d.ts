@@ -73,6 +73,13 @@ interface PageHost {
 }
 
 /** A host of cards, which puts a step to somebody: a walk, or a phone that follows one. */
+/** A press of the filled button: what it says, what it does, and whether it needs an answer. */
+interface Press {
+  words: string
+  needsAnswer?: boolean
+  act(always: boolean): void
+}
+
 interface WalkHost {
   readonly seed: string
   readonly sheet: {readonly steps: page.StepCard[]}
@@ -83,6 +90,7 @@ interface WalkHost {
   readonly before: Pick<page.Given, "curves"> | null
   lesson: page.Lesson | null
   unfolded: boolean
+  readonly press: Press
   show(always: boolean): void
   forward(): void
   back(): void

@@ -258,7 +258,8 @@ declare namespace page {
    * is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
    * `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
    * `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
-   * walk. `variants` are cards of its question with other numbers, under the seeds from 1 on. */
+   * walk. A step with `derive` shows how its answer follows by one more press. `variants` are cards of its question with
+   * other numbers, under the seeds from 1 on. */
   interface StepCard {
     id: string
     kind: string
@@ -268,6 +269,7 @@ declare namespace page {
     question: Html
     minutes: number
     core: boolean
+    derive: boolean
     opens: State
     reveals: State
     controls: string[]
@@ -428,7 +430,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "end" | "taken"
+    deed: "" | "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end" | "taken"
     step: string
     remotes: string[] | null
   }
@@ -549,7 +551,7 @@ declare namespace page {
   /** A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
    * whether to end the class, and ends it if that is asked already. */
   interface Done {
-    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "end"
+    deed: "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end"
     step: SaidName
   }
 

@@ -117,7 +117,9 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "end", "taken"] = ""
+    deed: Literal[
+        "", "next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end", "taken"
+    ] = ""
     step: str = ""
     remotes: tuple[str, ...] | None = None
 
@@ -254,7 +256,7 @@ class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
     whether to end the class, and ends it if that is asked already."""
 
-    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "end"]
+    deed: Literal["next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end"]
     step: SaidName = ""
 
 

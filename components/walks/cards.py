@@ -51,6 +51,7 @@ def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
         question=rich(question),
         minutes=step.planned,
         core=step.core,
+        derive=step.derive,
         opens=opens,
         reveals=subject.answer,
         controls=step.controls,

@@ -37,7 +37,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     `still` is what stays covered after it, for a later step that asks for it. In the spans of `vary`, by quantity, each
     student has numbers of their own: components/walks/variants.py. `controls` are the parameters that may be
     moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
-    one.
+    one. With `derive` a clicker shows the formulas in `follows` too.
     """
 
     id: Slug
@@ -55,6 +55,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     controls: Annotated[tuple[str, ...], Meta(max_length=3)] = ()
     minutes: float | None = None
     core: bool = False
+    derive: bool = False
 
     @property
     def shown(self) -> str:

@@ -15,7 +15,8 @@ import {BEGINS_NUMBER} from "../core/numbers.js"
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
 const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
-const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys, dialog.class-large"
+const LIES = ".walks[open], .scene-menu[open], dialog.keys, dialog.class-large"
+const OPEN = `${LIES}, .card .follows[open]`
 const OFF = "single-keys"
 const BOUNCE = 400 // ms within which a second press of a clicker counts as the first
 
@@ -42,13 +43,13 @@ export const KEYS = [
   {
     keys: ["PageDown"],
     shown: "Page Down",
-    does: "In a walk: show the answer, then go on; in a scene: back to the walk",
+    does: "In a walk: show the answer, the explanation, the next step; in a scene: back to the walk",
     act: l => l.walks.turn(1),
   },
   {
     keys: ["PageUp"],
     shown: "Page Up",
-    does: "In a walk: take the answer back, then one step back",
+    does: "In a walk: undo the last Page Down",
     act: l => l.walks.turn(-1),
   },
   ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
@@ -138,7 +139,7 @@ function isBounced({timeStamp}) {
 }
 
 /** Whether something lies over the page: a clicker closes that first. */
-const lies = () => document.querySelector(OPEN) !== null
+const lies = () => document.querySelector(LIES) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */
 function acts(event, {own}) {

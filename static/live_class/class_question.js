@@ -115,7 +115,16 @@ export class ClassQuestion {
     const [sheet, answers] = [{steps: [step]}, {of: () => null}]
     const {code: seed} = this.following
     const own = {seed, sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
-    return {...own, unfolded: false, show: () => this.#give(), forward: none, back: none, again: none, open: none}
+    return {
+      ...own,
+      unfolded: false,
+      press: NONE,
+      show: () => this.#give(),
+      forward: none,
+      back: none,
+      again: none,
+      open: none,
+    }
   }
 
   /** Sends the answer on the card. */
@@ -208,6 +217,9 @@ export class ClassQuestion {
 }
 
 const none = () => {}
+
+/** @type {Press} */
+const NONE = {words: "", act: none}
 
 /** @param {{walk: string, step: string, vote?: number}} question or answer */
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`

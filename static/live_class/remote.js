@@ -67,7 +67,8 @@ class Remote {
     this.isIn = true
     const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
       ["Next", "next"], ["Back", "back"], ["Show the votes", "votes"], ["Show the answer", "show"],
-      ["Vote again", "again"], ["Vote A to D", "poll"], ["Blank the screen", "blank"], ["Close the QR code", "close"],
+      ["How it follows", "derive"], ["Vote again", "again"], ["Vote A to D", "poll"], ["Blank the screen", "blank"],
+      ["Close the QR code", "close"],
     ]) // prettier-ignore
     const buttons = deeds.map(([name, deed]) =>
       button({class: deed === "next" ? "act filled" : "act"}, () => this.#do({deed}), name),

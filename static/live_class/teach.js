@@ -155,6 +155,13 @@ export class Teach {
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
+    else if (deed === "derive" && walk?.lesson) this.#derive(walk)
+  }
+
+  /** The formulas, with the explanation. @param {Walk} walk */
+  #derive(walk) {
+    if (this.votes.isOpen) this.votes.close()
+    walk.card?.derive()
   }
 
   /** Whether it was done. @param {page.Order} order @returns {Promise<boolean>} */

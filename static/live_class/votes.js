@@ -54,6 +54,7 @@ export class Votes {
     this.update()
   }
 
+  /** After the answer the explanation is then seen. */
   close() {
     const {walk} = this.teach.lecture.walks
     this.isOpen = false
@@ -100,15 +101,13 @@ export class Votes {
     const words = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
     this.status.textContent = tally ? words : "" // what is not counted yet is not 0
     const isTakenBack = this.teach.isTakenBack(walk)
-    const next = isTakenBack ? "Vote again" : this.waits ? "Show the votes" : card.last
-    if (!walk.lesson) card.forward.textContent = next
-    if (!walk.lesson) card.forward.classList.remove("waiting")
+    card.ready()
     const {closed} = this.teach.news.question ?? {}
     if (closed && !walk.lesson)
       this.status.append(isTakenBack ? ". The answer has been shown." : ". The vote is closed.")
     const isAsked = !walk.lesson && !isTakenBack
     const tools = [
-      ...(this.isOpen ? [this.hide] : []),
+      ...(this.isOpen && !walk.lesson ? [this.hide] : []),
       ...(isTakenBack ? [this.answer] : []),
       ...(isAsked && (this.isOpen || closed) ? [this.once] : []),
       ...(isAsked && !closed ? [this.end] : []),
@@ -130,8 +129,9 @@ export class Votes {
   leave() {
     const {card} = this
     this.#clear()
+    this.isOpen = false
     this.element.remove()
     this.card = null
-    if (card && !card.walk.lesson) card.forward.textContent = card.last
+    card?.ready()
   }
 }

@@ -70,6 +70,7 @@ export class Numeric extends Question {
   /** @param {page.Lesson} lesson */
   teach({right}) {
     this.field.readOnly = true
+    this.element.hidden = right === null // nothing was answered
     this.yours.textContent = right === null ? "" : "your answer"
     if (right !== null) this.yours.after(mark(right))
   }

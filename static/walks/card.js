@@ -6,6 +6,7 @@ import {SUCH} from "../questions/question.js"
 import {ask, claim} from "./claim.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
+export const FOLLOWS = "How it follows"
 const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
 const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
 const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
@@ -13,6 +14,9 @@ const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
 export class Card {
   /** @type {{part: Element, place: Comment}[]} controls that stand on the card, and where they come from */
   borrowed = []
+
+  /** @type {HTMLDetailsElement | null} the formulas of the step, once it has been answered */
+  fold = null
 
   /**
    * @param {WalkHost} walk
@@ -28,13 +32,13 @@ export class Card {
     this.after = element("div", {class: "after"})
     this.back = button({class: "act", "data-key": "PageUp"}, () => walk.back(), "Back")
     this.back.disabled = walk.place === 0
-    this.forward = button({class: "act filled"}, () => walk.forward(), this.last)
+    this.forward = button({class: "act filled"}, () => walk.forward())
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
     this.body.append(this.after)
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
     this.element.append(element("div", {class: "foot"}, this.refusal, this.back, this.forward)) // stays in sight
-    this.question.changed = () => this.#ready()
+    this.question.changed = () => this.ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
     // On a phone it stands among the plots: what is drawn over them moves along.
@@ -46,11 +50,6 @@ export class Card {
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
     this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
-  }
-
-  /** The words of the filled button once nothing else is to be seen before it: of a poll nothing is right. */
-  get last() {
-    return this.walk.step.poll ? "Go on" : "Show the answer"
   }
 
   #head() {
@@ -71,11 +70,14 @@ export class Card {
     for (const {name, holder} of page.sheet.items)
       holder.classList.toggle("at-issue", opens.covered.includes(`form:${name}`))
     for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
-    this.#ready()
+    this.ready()
   }
 
-  #ready() {
-    const isReady = this.walk.lesson !== null || this.question.given() !== null
+  /** The filled button says what the next press does. */
+  ready() {
+    const {words, needsAnswer} = this.walk.press
+    const isReady = !needsAnswer || this.question.given() !== null
+    this.forward.textContent = words
     this.forward.classList.toggle("waiting", !isReady)
     this.forward.title = isReady ? "" : ANSWER_FIRST
     this.refusal.textContent = ""
@@ -96,8 +98,12 @@ export class Card {
     this.after.replaceChildren(...this.#meaning(lesson))
     page.live.find(this.after)
     page.redraw()
-    this.forward.textContent = this.walk.place + 1 < this.walk.sheet.steps.length ? "Next" : "Contents"
-    this.#ready()
+    this.ready()
+  }
+
+  /** Opens the formulas of the step over the paper, or closes them. */
+  derive() {
+    if (this.fold) this.fold.open = !this.fold.open
   }
 
   /** @param {page.Lesson} lesson */
@@ -113,9 +119,29 @@ export class Card {
       ...answered,
       ...sentence,
       marked("p", {class: "why"}, explain),
-      ...derivation(follows, this.walk),
+      ...this.#derivation(follows),
       ...this.#try(next),
     ]
+  }
+
+  /**
+   * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper. A
+   * hall sees the plots first.
+   * @param {page.Html[]} follows
+   */
+  #derivation(follows) {
+    const {walk, page} = this
+    if (!follows.length) return []
+    const lines = follows.map(html => marked("div", {class: "line"}, html))
+    const sheet = element("div", {class: "lines", tabindex: 0, role: "group", "aria-label": FOLLOWS}, ...lines)
+    const fold = element("details", {class: "fold follows"}, element("summary", {}, FOLLOWS), sheet)
+    fold.open = walk.unfolded && !page.host.hall.on
+    fold.addEventListener("toggle", () => {
+      walk.unfolded = fold.open
+      this.ready()
+    })
+    this.fold = fold
+    return [fold]
   }
 
   /** @param {page.Html} next */
@@ -194,19 +220,3 @@ const asked = step => [
 
 /** @param {page.StepCard} step */
 const given = step => (step.given ? [marked("p", {class: "given"}, step.given)] : [])
-
-/**
- * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper.
- * @param {page.Html[]} follows @param {WalkHost} walk
- */
-function derivation(follows, walk) {
-  if (!follows.length) return []
-  const lines = follows.map(html => marked("div", {class: "line"}, html))
-  const sheet = element("div", {class: "lines", tabindex: 0, role: "group", "aria-label": "How it follows"}, ...lines)
-  const fold = element("details", {class: "fold follows"}, element("summary", {}, "How it follows"), sheet)
-  fold.open = walk.unfolded
-  fold.addEventListener("toggle", () => {
-    walk.unfolded = fold.open
-  })
-  return [fold]
-}

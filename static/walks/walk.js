@@ -1,7 +1,7 @@
 // A guided walk: from step to step, from the question to what it means.
 
 import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
-import {ANSWER_FIRST, Card} from "./card.js"
+import {ANSWER_FIRST, Card, FOLLOWS} from "./card.js"
 import {Contents} from "./contents.js"
 import {tabStorage} from "../core/storage.js"
 import {ownSeed, seedOf, variant} from "./variants.js"
@@ -175,14 +175,34 @@ export class Walk {
     clock.seek(0)
   }
 
-  /** Does what the filled button says; Page Down, too. @param {boolean} [always] without an answer, too */
+  /**
+   * The next press of the filled button or of Page Down: in a class the votes, the answer with the votes, the
+   * explanation, then the next step. Alone there are no votes.
+   * @returns {Press}
+   */
+  get press() {
+    const {led} = this.lecture.classes
+    if (this.lesson) return this.#onward(this.card, led?.votes)
+    if (led?.isTakenBack(this)) return {words: "Vote again", act: () => led.again()}
+    if (led?.votes.waits) return {words: "Show the votes", act: () => led.votes.open()}
+    if (this.step.poll) return {words: "Go on", act: () => this.walks.goOn()}
+    return {words: "Show the answer", needsAnswer: !led, act: always => this.show(always || Boolean(led))}
+  }
+
+  /**
+   * The presses after the answer.
+   * @param {Card | null} card @param {import("../live_class/votes.js").Votes | undefined} votes @returns {Press}
+   */
+  #onward(card, votes) {
+    if (votes?.isOpen) return {words: "Show the explanation", act: () => votes.close()}
+    if (this.step.derive && card?.fold && !card.fold.open) return {words: FOLLOWS, act: () => card.derive()}
+    const isLast = this.#towards(1) >= this.sheet.steps.length
+    return {words: isLast ? "Contents" : "Next", act: () => this.next()}
+  }
+
+  /** Does what the filled button says; Page Down does too. @param {boolean} [always] without an answer, too */
   forward(always = false) {
-    const teach = this.lecture.classes.led
-    if (this.lesson) this.next()
-    else if (teach?.isTakenBack(this)) teach.again()
-    else if (teach?.votes.waits) teach.votes.open()
-    else if (this.step.poll) this.walks.goOn()
-    else this.show(always || Boolean(teach))
+    this.press.act(always)
   }
 
   /** @param {number} place of an answer on the screen */
@@ -216,10 +236,13 @@ export class Walk {
     else this.open(true)
   }
 
-  /** The answer is taken back, then the step. */
+  /** Takes the last press back: the formulas, the explanation in a class, the answer, then the step. */
   back() {
-    if (this.lesson) this.again()
-    else this.go(this.#towards(-1))
+    const {led} = this.lecture.classes
+    if (!this.lesson) this.go(this.#towards(-1))
+    else if (this.card?.fold?.open) this.card.derive()
+    else if (led && !led.votes.isOpen) led.votes.open()
+    else this.again()
   }
 
   /** The step as it stands, to come back to. */

@@ -97,6 +97,7 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
         clicked(lecture)
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         clicked(lecture)
+        clicked(lecture)
         put(phones, "d31-04")
         for phone in phones[:2]:
             draw(phone, lambda x: 0.2 + 0.6 * x)

@@ -58,6 +58,9 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
         lecture.wait_for_function(TAUGHT)
         found += seen(lecture, HEIGHT, f"{step} with votes, after")
         found += narrow(lecture, step, answer(0))
+        clicked(lecture)
+        expect(lecture.locator(".card .why")).to_be_visible()
+        found += seen(lecture, HEIGHT, f"{step} explained, after")
     assert not found, "\n".join(found)
 
 

@@ -69,6 +69,8 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     expect(phone.locator(".answers [data-option='0']").get_by_role("img", name="right")).to_be_visible()
     look(lecture, "lecture-choice", screenshot)
     clicked(lecture)
+    expect(lecture.locator(".card .why")).to_be_visible()
+    clicked(lecture)
 
 
 def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
@@ -82,6 +84,8 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
     look(lecture, "lecture-number", screenshot)
+    remote.get_by_role("button", name="How it follows").click()
+    expect(lecture.locator(".card .follows .lines")).to_be_visible()
     remote.get_by_role("button", name="Next").click()
 
 
@@ -98,6 +102,8 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
     look(lecture, "lecture-point", screenshot)
     clicked(lecture)
     expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
+    clicked(lecture)
+    expect(lecture.locator(".card .why")).to_be_visible()
     clicked(lecture)
 
 
@@ -116,6 +122,9 @@ def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
     expect(lecture.locator(".class-corner")).to_contain_text("1 here")
     look(lecture, "lecture-sketch", screenshot)
     expect(phone.locator(".findings li")).to_have_count(5)
+    clicked(lecture)
+    expect(lecture.locator("h1")).to_have_text("Two poles, and a zero between them")
+    expect(ink).to_have_count(0)
     clicked(lecture)
 
 

@@ -1,0 +1,126 @@
+"""Page Down alone leads through every step of every walk, and shows each claim and each explanation on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.walks.loading import load_walks
+from components.walks.walk import Step
+from tests.browser.classroom import LED, Open, joined, taught
+from tests.browser.halls import LAID, TAUGHT
+from tests.browser.waiting import clicked, passed
+from tests.grids import spread
+from tests.live_class.caller import call
+from tests.serving.server import Server
+from tests.walks.voters import answers
+
+pytestmark = pytest.mark.browser
+Take = Callable[[Page, str], Path]
+WALKS = load_walks(())
+NAMES = spread(["tour", "d31", "d32-33", "d34"], 4)
+SIZE = {"width": 1280, "height": 720}
+VOTERS = 57
+PHONES = ((390, 844), (360, 640), (844, 390))
+ASKED = f"id => oscillations.walks.walk?.step?.id === id && !oscillations.walks.walk.lesson && {LAID}"
+HIDDEN = """parts => {
+  const words = html => Object.assign(document.createElement("p"), {innerHTML: html}).textContent
+  const {lesson} = oscillations.walks.walk, heading = document.querySelector("h1")
+  const claims = heading.textContent === words(lesson.title) ? [] : [`the headline is ${heading.textContent}`]
+  return claims.concat(parts.filter(name => {
+    const part = document.querySelector(name)
+    if (!part?.checkVisibility({visibilityProperty: true, opacityProperty: true})) return true
+    const {left, top, right, bottom} = part.getBoundingClientRect()
+    const under = document.elementFromPoint((left + right) / 2, top + 4)
+    return top < 0 || left < 0 || right > innerWidth || bottom > innerHeight || !part.contains(under)
+  }).map(name => `${name} is not seen`))
+}"""
+"""Faults of the claim in the headline, and of parts of the card that are not seen whole."""
+CLAIM = ["h1", ".card .why"]
+PUT = "id => oscillations.asked.question?.step === id && oscillations.asked.card"
+GIVEN = "given => { const {question} = oscillations.asked.card; question.restore(given); question.changed() }"
+
+
+def asked(page: Page, step: Step) -> None:
+    page.wait_for_function(ASKED, arg=step.id)
+
+
+def explained(page: Page, step: Step) -> list[str]:
+    """Faults of claim, explanation, and with `derive` of the formulas; the next press goes on."""
+    passed(page)
+    found = [f"{step.id}: {fault}" for fault in page.evaluate(HIDDEN, CLAIM)]
+    if step.derive:
+        clicked(page)
+        passed(page)
+        found += [f"{step.id}: {fault}" for fault in page.evaluate(HIDDEN, [".card .follows .lines"])]
+    return found
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_alone(name: str, server: Server, page: Page, screenshot: Take) -> None:
+    page.set_viewport_size(SIZE)
+    page.goto(f"{server.url}?walk={name}&projector")
+    found: list[str] = []
+    for step in WALKS[name].steps:
+        asked(page, step)
+        clicked(page)
+        page.wait_for_function(TAUGHT)
+        found += explained(page, step)
+        screenshot(page, f"path-{step.id}")
+        clicked(page)
+    expect(page.locator("dialog.contents")).to_be_visible()
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.timeout(600)  # sixteen steps, on four pages
+@pytest.mark.parametrize("name", NAMES)
+def test_with_votes(name: str, server: Server, window: Open, screenshot: Take) -> None:
+    lecture, code = taught(window, f"walk={name}&projector")
+    lecture.set_viewport_size(SIZE)
+    phones = [joined(window, code, *size) for size in PHONES]
+    tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(VOTERS)]
+    pages = [lecture, *phones]
+    found: list[str] = []
+
+    def take(when: str) -> None:
+        for page, place in zip(pages, ("hall", "phone", "small", "wide"), strict=True):
+            screenshot(page, f"path-{step.id}-{when}-{place}")
+
+    for step in WALKS[name].steps:
+        asked(lecture, step)
+        voted(server, code, name, step, tokens, phones)
+        expect(lecture.locator(".votes [role=status]")).to_contain_text(f"{VOTERS + len(PHONES) - 1} ")
+        take("1-asked")
+        clicked(lecture)
+        lecture.wait_for_function(f"{LED}.votes.layer")
+        assert not lecture.evaluate("oscillations.walks.walk.lesson")
+        take("2-votes")
+        clicked(lecture)
+        lecture.wait_for_function(TAUGHT)
+        for phone in phones:
+            expect(phone.locator(".card .why")).to_be_attached()
+        take("3-answer")
+        clicked(lecture)
+        lecture.wait_for_function(f"!{LED}.votes.layer")
+        found += explained(lecture, step)
+        take("4-explained")
+        clicked(lecture)
+    expect(lecture.locator("dialog.contents")).to_be_visible()
+    assert not found, "\n".join(found)
+
+
+def voted(server: Server, code: str, name: str, step: Step, tokens: list[str], phones: list[Page]) -> None:
+    """All answer but the last phone."""
+    given: list[dict[str, Any]] = answers(step, len(tokens))
+    for token, answer in zip(tokens, given, strict=True):
+        call(server.url, f"/class/{code}/now", word=token)  # a phone that asks what is new is there
+        put = call(server.url, f"/class/{code}/answer", "PUT", {"walk": name, "step": step.id, **answer}, token)
+        assert put.status == 204, f"{step.id}: {put.text}"
+    for phone, answer in zip(phones[:-1], given, strict=False):
+        phone.wait_for_function(PUT, arg=step.id)
+        phone.evaluate(GIVEN, answer)
+        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
