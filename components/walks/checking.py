@@ -9,6 +9,7 @@ from components.layout.text import rich
 from components.quantities.numbers import excerpt
 from components.state.covers import coverable
 from components.walks.cards import ASKS, asked, sentences
+from components.walks.claims import untrue
 from components.walks.giveaways import giveaways
 from components.walks.leaks import leaks
 from components.walks.links import Scenes, standing_at
@@ -48,6 +49,7 @@ def _doubts(step: Step, subject: Subject) -> Iterator[str]:
         yield f"explain: it has {words} words, {MOST_WORDS} are the most."
     if not any(map(ASKS.search, sentences(step.question))):
         yield "question: no sentence ends with a question mark, or begins with Sketch or Mark."
+    yield from untrue(step, subject)
     yield from step.doubts(subject)
 
 
@@ -99,6 +101,8 @@ def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
         f"explain: there is no live number “{excerpt(name)}”."
         for name in sorted(spoken - {*after.shown.values, *after.shown.live})
     )
+    if step.derive and not step.equations:
+        yield "derive: there are no formulas in follows to show."
     yield from refused("question", lambda: rich(asked(step, subject)))
     yield from step.problems(subject)
 

@@ -40,9 +40,13 @@ export class Marker {
 
   /** The number at the mark, to three digits, as it is written at the axis. */
   get number() {
-    if (this.value === null) return ""
+    return this.value === null ? "" : this.#number(this.value)
+  }
+
+  /** @param {number} value a place on the axis */
+  #number(value) {
     const {log, exponent} = this.ruler
-    return short(log ? 10 ** this.value : this.value * 10 ** exponent)
+    return short(log ? 10 ** value : value * 10 ** exponent)
   }
 
   /** @param {PointerEvent} event */
@@ -126,8 +130,14 @@ export class Marker {
     this.layer.classList.add("taught")
     this.pill.disabled = true
     this.pill.hidden = this.value === null // nothing was marked
-    this.layer.append(...truths.map(() => element("i", {class: "line-mark true"})))
+    const lines = truths.map(truth => element("i", {class: "line-mark true"}, this.#named(truth)))
+    this.layer.append(...lines)
     this.place()
+  }
+
+  /** The number at a line, where there are several: the card has the only one. @param {number} truth */
+  #named(truth) {
+    return this.truths.length > 1 ? element("b", {}, withUnit(this.#number(truth), this.unit)) : ""
   }
 
   leave() {

@@ -102,6 +102,7 @@ def test_a_complaint_names_file_step_and_field(old: str, new: str, says: str) ->
         (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer needs a reply"),
         ("rise?", "rise, $\\\\left($?", "question: “\\left(” cannot be set as a formula."),
         ("Stiffer is", "{tau} is", "title: live numbers can stand in explain only."),
+        ('explain = "Both', 'derive = true\nexplain = "Both', "derive: there are no formulas in follows to show."),
     ],
 )
 def test_a_check_names_the_field(old: str, new: str, says: str) -> None:
@@ -212,9 +213,23 @@ def test_an_answer_is_a_quantity_of_the_scene() -> None:
         ("2 * tau", "tau + 0.01", "misses[0].is: 1.01099 is within the tolerance of the right answer."),
         ('["value:tau", "value:omega"]', "[]", "cover: nothing is covered, so that the answer can be read."),
         ('explain = "e"', f'explain = "{"word " * 61}"', "explain: it has 61 words, 60 are the most."),
+        (
+            'explain = "e"',
+            'explain = "*τ* = 2.5 s"',
+            "explain: “τ = 2.5” is not what is shown with the answer, 1.00: see",
+        ),
         ("How long?", "Tell.", "question: no sentence ends with a question mark, or begins with Sketch or Mark."),
     ):
         assert [one for one in told(ENERGY.replace(old, new)) if one.startswith(says)], told(ENERGY.replace(old, new))
+
+
+def test_a_claim_is_true_of_what_is_shown() -> None:
+    """The number that the texts give to a quantity, and the place that the answer plays."""
+    assert told(ENERGY.replace('explain = "e"', 'explain = "*τ* = 1.00 s, *x*_0 = 0.2 m"')) == []
+    place = '\n[[step]]\nid = "one"\nfrom = "d34-08"\nreveal = "?scene=modes&task=hunt&m1=1&m2=1&k1=1&k2=1&x1_0=1&x2_0='
+    for value, says in (("1.618", []), ("0.5", ["reveal: there x2_0 is 0.5; the answer is 1.62 m or −0.618 m."])):
+        walk = read_walk(f'title = "t"{place}{value}"\nexplain = "e"', "mine", steps_of(OWN.values()))
+        assert [one.partition("(one), ")[2] for one in shortcomings(walk, SCENES)] == says
 
 
 @pytest.mark.parametrize(("given", "says"), [('of = "tau", tol = 0', "above 0"), ("tol = 1", "neither of nor is")])

@@ -178,7 +178,7 @@ class SolvedNumbers(Declared[TwoMassChain]):
 
 
 class ShareNumbers(Declared[Mixture]):
-    share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
+    share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(round(100 * part, 9))} %" for part in m])
 
 
 def off_line(one: ComplexMode) -> float:

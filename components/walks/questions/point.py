@@ -13,6 +13,7 @@ from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
 from components.quantities.axes import Axis
 from components.quantities.numbers import excerpt
+from components.quantities.typed import unit_size
 from components.walks.questions.number import NumericStep
 from components.walks.questions.question import Judged, Written
 from components.walks.subject import Subject, number_at, place_of
@@ -62,6 +63,12 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         for value in places:
             if not low <= place_of(axis, value) <= high:
                 yield f"answer: {value:g} lies outside the axis."
+
+    def doubts(self, subject: Subject) -> Iterator[str]:
+        yield from super().doubts(subject)
+        value = subject.numbers.get(self.sets, 0.0) / unit_size(self.answer.unit)
+        if self.sets and not self.is_near(value, self.right(subject)):
+            yield f"reveal: there {self.sets} is {value:g}; the answer is {self.truth(subject)}."
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
         return StepCard(unit=self.answer.unit, plot=self.plot, axis=self.which, **step)
