@@ -126,6 +126,8 @@ def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
     expect(lecture.locator("h1")).to_have_text("Two poles, and a zero between them")
     expect(ink).to_have_count(0)
     clicked(lecture)
+    expect(lecture.locator(".card .follows .lines")).to_be_visible()
+    clicked(lecture)
 
 
 def table(lecture: Page, folder: Path) -> list[list[str]]:
