@@ -125,3 +125,10 @@ def test_a_part_is_short(path: Path) -> None:
 
 def test_the_rules_of_a_scene_lie_with_that_scene() -> None:
     assert {path.stem for path in SCENES.glob("*/*.css")} == {path.parent.name for path in SCENES.glob("*/*.css")}
+
+
+def test_what_is_not_selected_opens_no_menu_in_safari_either() -> None:
+    """There `user-select` has another name, and a long press opens a menu: no browser of the tests knows that rule."""
+    found = [{*names} for _, names in all_rules() if "user-select" in names]
+    assert found
+    assert all({"-webkit-user-select", "-webkit-touch-callout"} <= names for names in found)
