@@ -135,9 +135,10 @@ accuracy: $(VENV)/test.stamp
 bench: $(VENV)/test.stamp
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.bench.error_vs_time $(ARGS)
 
-# Of guided walks: make walk FILE=my-walk.toml
-walk: $(VENV)/run.stamp
-	$(BIN)/python -m tools.walk $(FILE)
+# Checks guided walks: make walk FILE=my-walk.toml. With ARGS=--look it also measures each step in a browser, as a hall sees it.
+LOOKS := $(filter --look,$(ARGS))
+walk: $(VENV)/$(if $(LOOKS),test,run).stamp
+	$(if $(LOOKS),$(BROWSER)) $(BIN)/python -m tools.walk $(ARGS) $(FILE)
 
 protocol: $(VENV)/test.stamp
 	$(BIN)/python -m tools.protocol

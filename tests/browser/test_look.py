@@ -1,0 +1,30 @@
+"""Measurements of a walk in a browser: `make walk ARGS=--look` says what the last row of a hall cannot read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+from components.walks.loading import load_walks, read_walk, steps_of
+from tests.serving.server import serving
+from tools.look import faults
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+FLAT = """title = "Too flat"
+[[step]]
+id = "flat"
+from = "d32-33-04"
+state = "?scene=damped&zeta=1&frame.x=-2,2"
+"""
+
+
+def test_a_curve_that_is_too_flat_is_reported_with_its_step_and_size(tmp_path: Path, browser: Browser) -> None:
+    (tmp_path / "flat.toml").write_text(FLAT, encoding="utf-8")
+    walk = read_walk(FLAT, "flat", steps_of(load_walks(()).values()))
+    with serving(tmp_path / "log", environment={"WALKS": str(tmp_path)}) as server:
+        found = list(faults(walk, browser, server.url))
+    for size in ("1280 x 720", "853 x 480"):
+        start = f"flat, step 1 (flat), question at {size}: plot x: its curves use "
+        assert [fault for fault in found if fault.startswith(start) and fault.endswith("25% are the least.")]

@@ -1,0 +1,120 @@
+"""Measurements of the steps of a walk in a hall, in a real browser: `make walk FILE=my-walk.toml ARGS=--look`.
+
+A step has to be read from the last row: at most one stage and two plots, each with numbers at both axes and as high as
+`LEAST` says, as a share of the window.
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from components.walks.loading import load_walks
+from components.walks.walk import Walk
+from tests.browser.chromium import find
+from tests.browser.fixtures import READY
+from tests.browser.halls import LAID, TAUGHT, seen
+from tests.serving.server import serving
+
+SIZES = ((1280, 720), (853, 480))
+LEAST = {"a plot beside another": 0.25, "the only plot": 0.35, "the stage": 0.17}
+"""The least heights of what is drawn, its axes included, as shares of the height of the window."""
+USED = 0.25
+"""The share of its height that the curves of a plot have to use."""
+MEASURED = """() => {
+  const stands = part => part.checkVisibility() && part.getBoundingClientRect().height > 1
+  const high = part => part.getBoundingClientRect().height / innerHeight
+  const used = ({block, view, x, y, hidden}) => {
+    const columns = block.curves.filter(({group}) => !hidden.has(group))
+      .map(({source, x, y}) => view.columns[source]?.[y] ?? []).filter(({length}) => length > 1)
+    const sizes = columns.map(column => {
+      const places = [...column].filter(Number.isFinite).map(value => (value - y.start) / (y.end - y.start))
+      return Math.min(1, Math.max(...places)) - Math.max(0, Math.min(...places))
+    })
+    return sizes.length ? Math.max(...sizes) : 1
+  }
+  const plots = oscillations.page.plots.filter(({host, absent}) => !absent && stands(host))
+  return {
+    stages: [...document.querySelectorAll(".block.stage")].filter(stands).map(high),
+    plots: plots.map(plot => ({
+      name: plot.block.name,
+      high: high(plot.host),
+      used: used(plot),
+      across: plot.block.x_labels ? [...plot.abscissae.values()].filter(Boolean).length : 0,
+      up: plot.labels.scale.childElementCount,
+      plain: plot.block.plain,
+    })),
+  }
+}"""
+
+
+def look(walk: Walk, path: Path) -> Iterator[str]:
+    """Serve a walk, from its file where it is not one of the lecture's, and yield its faults."""
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        environment = {"ARRIVALS": "1000000", "SESSIONS": "100000"}
+        if walk.name not in load_walks(()):
+            (Path(folder) / path.name).write_text(path.read_text("utf-8"), "utf-8")
+            environment["WALKS"] = folder
+        browser = playwright.chromium.launch(executable_path=find())
+        with serving(Path(folder) / "log", environment=environment) as server:
+            yield from faults(walk, browser, server.url)
+
+
+def faults(walk: Walk, browser: Browser, url: str) -> Iterator[str]:
+    """Yield a sentence for each fault of each step, asked and answered, of a walk that is served."""
+    for width, height in SIZES:
+        # Playwright's waiting for an expression is an eval, which the page forbids.
+        context = browser.new_context(
+            viewport={"width": width, "height": height}, bypass_csp=True, reduced_motion="reduce"
+        )
+        page = context.new_page()
+        page.goto(f"{url}?walk={walk.name}&projector")
+        for place, step in enumerate(walk.steps):
+            for when in _shown(page, place):
+                where = f"{walk.name}, step {place + 1} ({step.id}), {when} at {width} x {height}"
+                yield from (f"{where}: {fault}" for fault in _faults_of(page, height))
+        context.close()
+
+
+def _shown(page: Page, place: int) -> Iterator[str]:
+    """Show the question of a step, then its answer."""
+    page.wait_for_function(f"{READY} && oscillations.walks.walk")
+    page.evaluate("place => oscillations.walks.walk.go(place)", place)
+    page.wait_for_function(
+        f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY} && {LAID}",
+        arg=place,
+    )
+    yield "question"
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function(TAUGHT)
+    yield "answer"
+
+
+def _faults_of(page: Page, height: int) -> Iterator[str]:
+    """Return a sentence for each fault of the page: of its layout and type, then of what is drawn."""
+    yield from (re.sub("^.*? Show: ", "", fault) for fault in seen(page, height, ""))
+    measured: dict[str, Any] = page.evaluate(MEASURED)
+    stages, plots = measured["stages"], measured["plots"]
+    if len(stages) > 1 or len(plots) > 2:
+        counts = f"{len(stages)} stage{'s' * (len(stages) != 1)} and {len(plots)} plots"
+        yield f"{counts} are shown; one stage and two plots are the most."
+    for high in stages:
+        yield from _low("the stage", "the stage", high, height)
+    kind = "the only plot" if len(plots) == 1 else "a plot beside another"
+    for plot in plots:
+        yield from _low(f"plot {plot['name']}", kind, plot["high"], height)
+        if plot["used"] < USED:
+            yield f"plot {plot['name']}: its curves use {plot['used']:.0%} of its height, {USED:.0%} are the least."
+        if not plot["plain"] and min(plot["across"], plot["up"]) < 2:
+            yield f"plot {plot['name']} has {plot['across']} numbers across and {plot['up']} upwards; 2 are the least."
+
+
+def _low(name: str, kind: str, high: float, height: int) -> Iterator[str]:
+    if high < LEAST[kind] - 0.005:
+        least = f"{LEAST[kind] * height:.0f} px, {LEAST[kind]:.0%} of the window"
+        yield f"{name} is {high * height:.0f} px high; the least for {kind} is {least}."
