@@ -2,11 +2,13 @@
 
 import {element} from "../core/dom.js"
 
+const KEPT = 40000 // ms; Safari reads a file only some time after the click
+
 /** @param {string} name @param {BlobPart} content @param {string} kind its media type */
 export function save(name, content, kind) {
   const link = element("a", {href: URL.createObjectURL(new Blob([content], {type: kind})), download: name})
   link.click()
-  URL.revokeObjectURL(link.href)
+  setTimeout(() => URL.revokeObjectURL(link.href), KEPT)
 }
 
 /** A file that the server has made. @param {page.File} file */

@@ -69,7 +69,8 @@ export class Pad {
     this.layer.addEventListener("pointermove", event => {
       if (!this.layer.hasPointerCapture(event.pointerId)) return
       event.stopPropagation()
-      for (const one of event.getCoalescedEvents?.() ?? [event]) this.#draw(one)
+      const parts = event.getCoalescedEvents?.() ?? []
+      for (const part of parts.length ? parts : [event]) this.#draw(part)
     })
     this.layer.addEventListener("keydown", event => this.#key(event))
   }

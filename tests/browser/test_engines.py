@@ -7,6 +7,7 @@ import pytest
 from components.scenes import SCENES
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
+from tests.browser.hands import middle, opened, stroke
 from tests.browser.waiting import FRAMES
 from tests.serving.server import Server
 
@@ -52,3 +53,15 @@ def test_the_scrollbar_of_a_narrow_window_does_not_keep_the_stacked_layout(engin
     assert engine.evaluate(f"[{STACKED}, {BAR} > 0]") == [1, True]
     engine.set_viewport_size({"width": 1280, "height": 720})
     engine.wait_for_function(f"innerWidth === 1280 && !{STACKED} && !{BAR}")
+
+
+NONE_COALESCED = "() => { PointerEvent.prototype.getCoalescedEvents = () => [] }"
+DRAWN_TO = "document.querySelector('.strokes path.yours')?.getAttribute('d').split('L').length > 20"
+
+
+def test_a_curve_is_drawn_where_an_event_names_no_other(engine: Window, server: Server) -> None:
+    opened(engine, f"{server.url}?walk=d34&step=d34-10")
+    engine.evaluate(NONE_COALESCED)
+    x, y = middle(engine, ".drawing")
+    stroke(engine, [(x + 10 * i, y + i) for i in range(12)])
+    engine.wait_for_function(DRAWN_TO)

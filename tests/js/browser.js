@@ -20,9 +20,13 @@ class FakeElement extends EventTarget {
     return {left: 0, right: 640, top: 0, bottom: 240}
   }
 
+  click() {}
   closest() {}
   focus() {}
-  setAttribute() {}
+  setAttribute(name, value) {
+    this[name] = value
+  }
+
   setPointerCapture() {}
   remove() {}
   getContext() {

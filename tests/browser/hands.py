@@ -1,0 +1,59 @@
+"""A hand on a window of any engine: what is named on the page is found, pressed and dragged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from tests.browser.engines import Window
+from tests.browser.fixtures import READY
+
+Point = tuple[float, float]
+SEEN = "one => one.checkVisibility({opacityProperty: true, visibilityProperty: true})"
+NAMED = f"""([role, name]) => [...document.querySelectorAll({{
+    button: "button, summary, [role=button]", link: "a[href]", tab: "[role=tab]", slider: "[role=slider]",
+  }}[role])].filter({SEEN}).find(one => (one.getAttribute("aria-label") ?? one.textContent).trim() === name)"""
+"""The element with a role and a name, as a screen reader has them."""
+MIDDLE = """found => {
+  found.scrollIntoView({block: "nearest", inline: "nearest"})
+  const {left, top, width, height} = found.getBoundingClientRect()
+  return [left + width / 2, top + height / 2]
+}"""
+CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
+
+
+def opened(window: Window, address: str) -> None:
+    window.goto(address)
+    window.wait_for_function(CONNECTED)
+
+
+def middle(window: Window, selector: str) -> Point:
+    """The middle of an element, which is scrolled into sight, in pixels of the page."""
+    window.wait_for_function(f"[...document.querySelectorAll({selector!r})].some({SEEN})")
+    x, y = window.evaluate(f"({MIDDLE})([...document.querySelectorAll({selector!r})].find({SEEN}))")
+    return x, y
+
+
+def click(window: Window, role: str, name: str) -> None:
+    """Press what has a role and a name: ("button", "Play")."""
+    window.wait_for_function(NAMED, arg=[role, name])
+    x, y = window.evaluate(f"given => ({MIDDLE})(({NAMED})(given))", [role, name])
+    press(window, (x, y))
+
+
+def press(window: Window, at: Point) -> None:
+    stroke(window, [at])
+
+
+def stroke(window: Window, points: Iterable[Point]) -> None:
+    """Press the button at the first point, move over the others, and let go."""
+    for i, (x, y) in enumerate(points):
+        window.mouse.move(x, y)
+        if not i:
+            window.mouse.down()
+    window.mouse.up()
+
+
+def drag(window: Window, selector: str, dx: float, dy: float = 0.0) -> None:
+    """Drag the middle of an element by so many pixels, in steps."""
+    x, y = middle(window, selector)
+    stroke(window, [(x + i / 8 * dx, y + i / 8 * dy) for i in range(9)])
