@@ -179,14 +179,13 @@ class Book:
             raise ValueError(f"the form {name} is used in two ways")
         return name
 
-    def flag(self, name: str) -> str | None:
-        """Return the scalar that is 0 while this number or text is missing; None if it never is."""
-        known = self.numbers[name].of if name in self.numbers else self.texts[name][0] if name in self.texts else None
-        if known is None or known.optional is None:
-            return None
-        flag = f"has_{known.optional.name}"
-        self.flags[flag] = known.optional
-        return flag
+    def flagged(self, numbers: Iterable[str], texts: Iterable[str]) -> list[str]:
+        """Return the scalars that are 0 while one of these numbers and texts is missing."""
+        known = [self.numbers[name].of for name in numbers if name in self.numbers]
+        known += [self.texts[name][0] for name in texts if name in self.texts]
+        found = {f"has_{one.optional.name}": one.optional for one in known if one.optional}
+        self.flags.update(found)
+        return list(found)
 
 
 @dataclass(frozen=True, eq=False)

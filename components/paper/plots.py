@@ -98,7 +98,10 @@ class Plot(PlotFrame):
         """
 
         def compute(known: C, axes: Axes) -> V | None:
-            return of(known, axes[self.across.name], axes[self.up.name])
+            found, key = vars(known), f"{name} in frame"  # a case belongs to one picture
+            if key not in found:
+                found[key] = of(known, axes[self.across.name], axes[self.up.name])
+            return cast(V | None, found[key])
 
         return cast(V, computed(case, name, compute, optional))
 
@@ -228,15 +231,15 @@ class PlottedCurve(DrawnItem):
             x, y = self.columns
             return [Curve(source=name, x=x, y=y, **self._dot(plot), **look)]
         self.recorded.expression(plot.up)
-        late = [Curve(source=LATE, x="t", y=name, **look)] if self.fast == RINGING else []
+        late = [Curve(source=LATE, x="t", y=name, **{**look, "label": ()})] if self.fast == RINGING else []
         return [Curve(source=TIME, x="t", y=name, signal=name if self.dot else "", **look), *late]
 
     def _dot(self, plot: Plot) -> dict[str, Any]:
         """The names of the numbers that place the dot of a table's curve."""
         if not isinstance(self.dot, tuple):
             return {}
-        x, y = map(recorded, self.dot)
-        return {"signal_x": x.book.number(x, plot.across), "signal": y.book.number(y, plot.up)}
+        x, y = self.dot
+        return {"signal_x": number_name(x, plot.across), "signal": number_name(y, plot.up)}
 
     def bands(self, plot: Plot) -> list[Region]:
         name, look = self.recorded.name, {"tint": self.tint, "group": self.switch}
@@ -265,8 +268,7 @@ class PlottedPath(DrawnItem):
     group: str = ""
 
     def lines(self, plot: Plot) -> list[Curve]:
-        own, against = self.recorded, recorded(self.against)
-        x, y = against.book.number(against, plot.across), own.book.number(own, plot.up)
+        x, y = number_name(self.against, plot.across), number_name(self.of, plot.up)
         group = self.group or y
         return [Curve(source=self.source, x=x, y=y, signal_x=x, signal=y, tint=self.tint, group=group)]
 
@@ -356,6 +358,12 @@ def words(*paragraphs: str | EitherText, **look: Any) -> Block:
     return sheet.words(*(one.forms() if isinstance(one, EitherText) else one for one in paragraphs), **look)
 
 
+def number_name(of: object, on: PlotAxis | None = None) -> str:
+    """Return the name of an attribute as a number of the picture, counted on an axis or in SI units."""
+    own = recorded(of)
+    return own.book.number(own, on)
+
+
 def along(
     across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "",
     least: float | None = None, **sets: object,
@@ -367,11 +375,10 @@ def along(
     parameter is not set below `least`.
     """
     ((parameter, of),) = sets.items()
-    own, zero, axis = recorded(of), place(0.0), on.counting
-    moves = own.book.number(own, axis)
+    zero, axis = place(0.0), on.counting
     return Along(
-        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=moves, axis=axis.name, rate=rate,
-        least=least,
+        across=across, zero=zero, unit=place(UNIT) - zero, parameter=parameter, moves=number_name(of, axis),
+        axis=axis.name, rate=rate, least=least,
     )  # fmt: skip
 
 
@@ -389,16 +396,16 @@ def handle(of: float, **look: Any) -> Handle:
 
 
 @dataclass(frozen=True)
-class FormName:
-    """The name of a form of the picture."""
+class PictureName:
+    """The name of a form or of a number of a picture."""
 
     name: str
 
 
-def form_of(condition: object) -> FormName:
+def form_of(condition: object) -> PictureName:
     """Return the form by which a block or a group of controls is shown while a condition of the case holds."""
     own = recorded(condition)
-    return FormName(own.book.form(own, ["shown"]))
+    return PictureName(own.book.form(own, ["shown"]))
 
 
 def when(condition: object, block: Block) -> Block:
@@ -408,14 +415,12 @@ def when(condition: object, block: Block) -> Block:
 
 def hold_root(label: str, on: Plot, zero: Number, unit: Number, *, moves: object, **more: Any) -> Grab:
     """Return a grab that holds a root of s^2 + 2 z s + 1: see `components.language.shapes.Root`."""
-    own = recorded(moves)
-    return grab(label, Root(across="x", zero=zero, unit=unit, moves=own.book.number(own, None), **more), inside=on)
+    return grab(label, Root(across="x", zero=zero, unit=unit, moves=number_name(moves), **more), inside=on)
 
 
 def shown_by(condition: object, *shapes: AnyShape) -> list[AnyShape]:
     """Return the shapes, drawn only while a condition of the case holds."""
-    own = recorded(condition)
-    name = own.book.number(own, None)
+    name = number_name(condition)
     return [changed(one, show=(name, *one.show)) for one in shapes]
 
 
@@ -458,7 +463,5 @@ def _needing(shape: AnyShape, book: Book) -> AnyShape:
             recorded(getattr(deferred(book.kind), name)).expression()
     expressions = [one for one in (given | numbers).values() if isinstance(one, Expression)]
     names = [name for one in expressions for name in sorted(names_in(one))]
-    if isinstance(shape, Label):
-        names += [run.text for run in shape.words if run.kind == "value"]
-    flags = [flag for flag in map(book.flag, names) if flag]
-    return changed(shape, **numbers, show=tuple(dict.fromkeys((*given["show"], *flags))))
+    texts = [run.text for run in shape.words if run.kind == "value"] if isinstance(shape, Label) else []
+    return changed(shape, **numbers, show=tuple(dict.fromkeys((*given["show"], *book.flagged(names, texts)))))

@@ -10,10 +10,10 @@ from components.language.shapes import Along
 from components.layout.controls import Group
 from components.layout.grabs import grab
 from components.layout.sheet import blocks, column
-from components.layout.stage import circle
+from components.layout.stage import W, circle
 from components.paper.deferred import Attributes, deferred
 from components.paper.plot_axes import TIME, axis
-from components.paper.plots import Plot, along, curve, either, form_of, handle
+from components.paper.plots import Plot, along, curve, either, form_of, handle, words
 from components.quantities.axes import Axis, nice_axis
 from components.quantities.parameters import displacement, velocity
 from components.scene.case import CaseScene, ComparedNumber
@@ -42,6 +42,7 @@ class DecayShown(DecayCase):
     x = value(lambda c: c.free.x)
     at = value.optional(lambda c: c.c if c.c else None)
     lag = value(lambda c: 2.0)
+    W = value.optional(lambda c: c.at)
 
 
 c = deferred(DecayShown)
@@ -62,9 +63,10 @@ def paper() -> Block:
         RATE.block(
             curve(RATE.in_frame(c, "rates", table), words="the rate", columns=("c", "rate"), dot=(c.at, c.lag)),
             title="Rates",
-            over=[circle(RATE.x(c.at), RATE.y(0), 5, grab=hand)],
+            over=[circle(RATE.x(c.at), RATE.y(0), 5, grab=hand), circle(0.5 * W, RATE.y(0), 5)],
             handles=(handle(c.lag, parameter="c", label="Damping"),),
         ),
+        words(f"{c.W} J"),
         X.block(curve(c.x, words=either(c.at, shown="damped"), fast="ringing"), title="x"),
     )
 
@@ -92,7 +94,7 @@ def test_a_curve_of_a_table_has_its_columns_and_its_dot() -> None:
 
 
 def test_a_hand_sets_a_parameter_along_an_axis() -> None:
-    (shape,) = plots()[0].shapes
+    shape, _ = plots()[0].shapes
     assert shape.grab and isinstance(way := shape.grab.ways[0], Along)
     assert (way.parameter, way.moves, way.axis, way.least, shape.grab.inside) == ("c", "at", "r", 0.0, "rate")
     assert plots()[0].handles[0].text == "lag" and Decays().shown.values["lag"] == "2.00"
@@ -113,3 +115,7 @@ def test_a_motion_rings_down_to_a_line() -> None:
     assert len(ringing["t"]) + len(late["t"]) == len(t) + 1 and ringing["t"][-1] == late["t"][0]
     assert set(ringing["x_lo"]) == {0.25} and set(ringing["x_hi"]) == {0.75} and not late["x"].any()
     assert Decays().shown.traces["time"].names == ("x",)
+
+
+def test_a_missing_text_hides_no_shape_that_uses_the_width_of_its_stage() -> None:
+    assert Decays(c=0.0).shown.values["W"] == "" and plots()[0].shapes[1].show == ()
