@@ -196,6 +196,12 @@ def half_power(zeta: float) -> tuple[float, float]:
     return 1 / above, above
 
 
+def past_half(zeta: float) -> float:
+    """Return the r beyond which the response to a force and the power lost are both lower than half of theirs at 1."""
+    z = zeta * zeta
+    return max(half_power(zeta)[1], math.sqrt(1 - 2 * z + 2 * zeta * math.sqrt(3 + z)))
+
+
 def drawn(push: Push, t: ArrayLike) -> tuple[Array, Array]:
     """x and v (n,) from rest in plain doubles: within 5 (1 + omega t) u of the sizes of the parts."""
     t = finite_array("t", t)

@@ -42,7 +42,7 @@ class FreeDecay:
     v_0: float
 
     @cached_property
-    def x(self) -> ExactMotion:
+    def x(self) -> Elementary:
         """The displacement in m. Where it oscillates it fills its envelope, and the spring has half of the energy."""
         one = self.oscillator
         return Elementary(

@@ -2,4 +2,4 @@
 
 from components.dashpot.case import DashpotCase
 from components.dashpot.parameters import DashpotScene, keeping, parts
-from components.dashpot.stage import NARROW_BELOW, Has, apparatus
+from components.dashpot.stage import NARROW_BELOW, apparatus

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Protocol
-
 from components.language.numbers import Number
 from components.language.shapes import Grab
 from components.layout.stage import Shape, box, line, path, shown_by, spring, wall
-from components.quantities.declared import Declared, Scalar
-from physics.damped import DampedOscillator
-from physics.driven import DrivenOscillator
+from components.paper.plots import PictureName
 
 SQUARE = "M0 0H1V1H0Z"
 BELOW = 35
@@ -20,18 +16,8 @@ CUP = 11
 """Half the width of the cup, in pixels."""
 
 
-class WithDashpot(Protocol):
-    """A case with a mass on a spring and a dashpot."""
-
-    @property
-    def oscillator(self) -> DampedOscillator | DrivenOscillator: ...
-
-
-class Has(Declared[WithDashpot]):
-    """The scalars of the parts that may be missing."""
-
-    spring = Scalar[WithDashpot](lambda c, a: c.oscillator.k > 0)
-    dashpot = Scalar[WithDashpot](lambda c, a: c.oscillator.c > 0)
+HAS_SPRING, HAS_DASHPOT = PictureName("spring"), PictureName("dashpot")
+"""Attributes of every case with a dashpot."""
 
 
 def apparatus(
@@ -59,9 +45,9 @@ def apparatus(
     top = bottom - depth
     return [
         wall(x - 0.5 * side - 16, floor, side + (60 if beside else 32), side="bottom"),
-        spring(left, foot, left, floor, wire, height=9, show=Has.spring),
+        spring(left, foot, left, floor, wire, height=9, show=HAS_SPRING),
         *shown_by(
-            Has.dashpot,
+            HAS_DASHPOT,
             path(SQUARE, right - CUP, top, sx=2 * CUP, sy=depth, style="liquid", tint="T"),
             line(right - CUP, top - 4, right - CUP, bottom, tint="T"),
             line(right + CUP, top - 4, right + CUP, bottom, tint="T"),

@@ -12,10 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from components.language.shapes import Label
+from components.layout.sheet import blocks
 from components.scene import Scene
 from components.scenes import SCENES
-from components.scenes.driven.polygon import BASE, LEFT, PX, RIGHT, polygon
-from components.scenes.driven.words import SENTENCE
+from components.scenes.driven.case import LEFT, RIGHT
+from components.scenes.driven.paper import BASE, PX, polygon
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
 from tests.page.scripts import each
@@ -30,7 +31,14 @@ SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
 
 
 def sentence(scene: Scene) -> str:
-    return read(scene, SENTENCE.variants[scene.shown.forms["holds"]])
+    texts = (item for block in blocks(DRIVEN.sheet()) for item in getattr(block, "items", ()))
+    (variants,) = (item.variants for item in texts if item.name == "holds")
+    return read(scene, variants[scene.shown.forms["holds"]])
+
+
+def corners(scene: Scene) -> dict[str, float]:
+    """The numbers of the polygon of the forces."""
+    return {name.removeprefix("polygon_"): one for name, one in scene.shown.scalars.items() if "polygon" in name}
 
 
 def steady(scene: Any) -> complex:
@@ -112,7 +120,7 @@ def test_its_sentence_is_true(kind: str, m: float, k: float, r: float, zeta: flo
 def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
     """In units of the push, or of k Y, with X up, of the unbalance the acceleration; within its stage."""
     scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
-    at, M = scene.shown.scalars, scene.shown.axes["M"]
+    at, M = corners(scene), scene.shown.axes["M"]
     end = complex(at["end"], -at["across"])
     assert -LEFT <= at["across"] * at["scale"] / M.place(M.end) <= RIGHT
     if kind == "base":
@@ -132,10 +140,10 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
 def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -> None:
     """A push of 36 px, as in a low hall: the middles of both names are 9 px off the lines of the push and of kX."""
     scene = DRIVEN(zeta=zeta, omega=r * math.sqrt(39.48))
-    at = scene.shown.scalars
-    named = {**at, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "response.y0": 0.0}
+    at = corners(scene)
+    named = {**scene.shown.scalars, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "response.y0": 0.0}
     named["response.y1"] = -36 / at["scale"]
-    labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "unbalance" not in shape.show]
+    labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "kind_unbalance" not in shape.show]
     for name in ("F", "φ") if at["lags"] else ("F",):
         label = next(label for label in labels if label.words[0].text == name)
         x, y = each("static/core/signals.polynomial", ((place, named) for place in (label.x, label.y)))
@@ -150,8 +158,9 @@ def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
     """Nothing of it, its circle neither, lies on the formulas below; above its highest arrow is room for a name."""
     height, names = 260.0, {"wide": 0, "narrow": 1, "W": 358, "H": 260, "response.y0": 0, "response.y1": 0}
     for r, zeta in itertools.product((0.05, 0.5, 0.9, 1.0, 1.4, 2.4), (0.01, 0.2, 1.0, 1.5)):
-        at = DRIVEN(kind=kind, zeta=zeta, omega=r * math.sqrt(39.48)).shown.scalars
-        tail, push = each("static/core/signals.polynomial", ((one, {**names, **at}) for one in (BASE, PX)))
+        scene = DRIVEN(kind=kind, zeta=zeta, omega=r * math.sqrt(39.48))
+        at, named = corners(scene), {**scene.shown.scalars, **names}
+        tail, push = each("static/core/signals.polynomial", ((one, named) for one in (BASE, PX)))
         unit = push * at["scale"]
         assert tail + unit * max(1.0, -at["end"]) < height, (r, zeta)
         assert tail - unit * max(at["up"], at["end"]) > 18, (r, zeta)
@@ -202,7 +211,7 @@ def test_the_presets_are_as_they_say() -> None:
 def test_without_a_dashpot_it_grows_at_resonance_and_is_told_as_such() -> None:
     scene = taken("driven", "No dashpot")
     assert sentence(scene) == "Nothing holds the push: each swing grows by the same 0.159 m."
-    assert "M_at" not in scene.shown.scalars and scene.shown.scalars["growing"]
+    assert "M_at" not in scene.shown.scalars and corners(scene)["growing"]
     columns = scene.shown.sources["time"]
     assert np.all(np.abs(columns["x"]) <= columns["upper"] + 0.03)
     power = scene.shown.sources["power"]
@@ -226,14 +235,14 @@ def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
     scene = DRIVEN(**values)
     assert sentence(scene).startswith(told)
     if told.startswith(("At ω", "No push")):
-        assert scene.shown.scalars["idle"] and not scene.shown.columns["power"]
+        assert corners(scene)["idle"] and not scene.shown.columns["power"]
 
 
 def test_the_height_at_one_sets_the_damping_and_c_follows() -> None:
     page = Page(DRIVEN())
     put(page, zeta=0.1)
     assert page.scene.c == pytest.approx(0.2 * math.sqrt(39.48))
-    assert page.shown.scalars["Q"] == pytest.approx(5.0)
+    assert page.shown.scalars["peak"] == pytest.approx(5.0)
 
 
 def test_mass_spring_and_dashpot_come_along() -> None:
@@ -314,11 +323,11 @@ def test_next_to_resonance_it_says_how_it_grows_at_first_and_how_far(
 def test_both_points_of_half_power_lie_on_the_power_at_one_height(zeta: float, m: float) -> None:
     scene = DRIVEN(zeta=zeta, m=m)
     at, axes, data = scene.shown.scalars, scene.shown.axes, scene.sources["below"].data
-    width = axes["r"].end / axes["r"].place(axes["r"].end) * (at["half_r1"] - at["half_r0"])
+    width = axes["r"].end / axes["r"].place(axes["r"].end) * (at["half_high"] - at["half_low"])
     assert width == pytest.approx(2 * scene.value.zeta * math.sqrt(scene.k / scene.m), rel=1e-9)
-    r = np.array([at["half_r0"], at["half_r1"]]) * axes["r"].factor * math.sqrt(scene.m / scene.k)
+    r = np.array([at["half_low"], at["half_high"]]) * axes["r"].factor * math.sqrt(scene.m / scene.k)
     M = np.abs(magnification(r, scene.value.zeta))
-    assert axes["M"].place(0.25 / scene.value.zeta) == pytest.approx(at["half_Q"])
+    assert axes["M"].place(0.25 / scene.value.zeta) == pytest.approx(at["half_peak"])
     np.testing.assert_allclose(2 * scene.value.zeta * (r * M) ** 2, 0.25 / scene.value.zeta, rtol=1e-9)
     share = data["power"] * 2 * scene.value.zeta
     lost = (np.asarray(data["omega"]) * np.asarray(data["M"])) ** 2

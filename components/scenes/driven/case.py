@@ -1,105 +1,151 @@
-"""A driven motion as the scene sees it: how it is driven, its steady part, what it does at first, and its window."""
+"""The case of a driven mass: how it is driven, its steady part, what it does at first, and what the paper shows."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal, NamedTuple
 
 import numpy as np
 
-from components.quantities.motion import scaled
-from components.scene.frames import Windowed
-from components.scene.traces import Floats, samples
-from physics.damped import Fading
-from physics.driven import Drive, DrivenOscillator, Push, drawn, half_power, lag, magnification
+from components.dashpot import DashpotCase
+from components.language.picture import Pace
+from components.layout.stage import wire
+from components.paper.deferred import Attributes
+from components.quantities.axes import Axis
+from components.quantities.motion import pace, scaled
+from components.quantities.numbers import three
+from components.scene import Picture
+from components.scene.about import About, Place, bands_among, bounded, few_of, points
+from components.scene.case_curves import BandColumns
+from components.scene.traces import BAND, RINGING, Columns, Floats
+from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half
+from physics.forced_vibration import ForcedVibration, rotating
+from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
+from physics.reference_damped import driven_points, response_points
 from physics.sampling import drawable, periods
 
 KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")
 SWINGS, LONG = 6, 12
 """Natural periods in a window; those of a motion that hardly dies."""
 HARDLY = 0.02
-"""The damping ratio up to which it hardly dies."""
+"""Damping ratio up to which it hardly dies."""
 ALIKE = 0.02
-"""rad; without a dashpot a drive that gets no further from the own swing in the window is at resonance."""
+"""rad; an undamped drive that gets no further from the own motion in the window counts as resonant."""
 APART = 4.0
 """The parts are drawn while they are less than this many times as large as their sum."""
 UNSEEN = 0.002
-"""The share of the largest |x| that is less than half a pixel of the tallest plot."""
+"""Share of the largest |x| that is less than half a pixel of the tallest plot."""
+ALONE = 0.02
+"""If spring and inertia leave less than this share of the dashpot's force, it holds the push alone."""
+AT_ROOT = 1e-3
+"""Distance of r from √2 within which all dashpots are alike, if three digits say so."""
+END = 2.5
+"""The end of the axis of r, unless the drive is faster."""
+LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
+"""Height of the response: the smallest, that without a peak to show, the largest."""
+FEWEST, MOST, PER_PERIOD = 60, 240, 16
+"""The times at which powers are computed: the fewest, the most, those in a period."""
+EVEN = np.linspace(0.0, 1.0, 91)
+NEAR = np.geomspace(1e-4, 0.6, 24)
+# The polygon of the forces.
+ASIDE = 0.09
+"""Distance of arrows that would lie on each other, in pushes."""
+LEFT, RIGHT = 0.7, 0.6
+"""Reach of the polygon to each side, in heights of the response; a wider one is drawn smaller."""
+NARROWEST, ASIDE_OF_X = 0.6, 0.5
+"""A smaller lag, in rad, has no room for its name, which then lies so far on the other side of the arrow."""
+GROWN = 0.8
+"""Height of forces that grow, in heights of the response."""
+FILLED = 0.9
+"""Share of the height of a separate stage that the polygon fills."""
+APART_NOTE = "The steady and the complementary part are far larger than their sum here, so they are not drawn."
+RINGS_NOTE = "At first x rings too fast to be drawn as a line in this window: it stays within the band."
+BAND_NOTE = "The motion is too fast to be drawn as a line in this window: the band is what it stays within."
+BASE_NOTE = "The base moves too fast to be drawn as a line in this window: it stays within its band."
 
 
-@dataclass(frozen=True, kw_only=True)
-class DrivenCase(Windowed):
-    """An oscillator, its drive (`size` is F_0 in N, Y in m, mu e in kg m), its start."""
+class Polygon(NamedTuple):
+    """The polygon of the forces in units of the push, on the scale of the response, and where its names are.
 
-    oscillator: DrivenOscillator
+    From the tail the first arrow goes `up`, that of the dashpot `across`, the third one down to `end`, where the push
+    ends too. It reaches `below` the tail; `height` is that of its stage.
+    """
+
+    closed: bool = False
+    growing: bool = False
+    idle: bool = False
+    level: bool = False
+    braked: bool = False
+    y_braked: bool = False
+    lags: bool = False
+    up: float = 0.0
+    across: float = 0.0
+    aside: float = 0.0
+    end: float = 0.0
+    scale: float = 1.0
+    y_side: float = 0.0
+    y_up: float = 0.0
+    phi_side: float = 0.0
+    phi_up: float = 0.0
+    from_X: float = 0.0
+    to_F: float = 0.0
+    below: float = 0.0
+    height: float = 1.0
+
+    @property
+    def push(self) -> float:
+        """A push in heights of the stage."""
+        return FILLED / self.height
+
+
+class DrivenCase(DashpotCase):
+    """A driven motion of a mass on a spring and a dashpot."""
+
     kind: Drive
-    size: float
+    F_0: float
+    Y: float
+    moment: float
     omega: float
-    x_0: float
-    v_0: float
-
-    @cached_property
-    def omega_n(self) -> float:
-        return self.oscillator.free.omega_n
-
-    @cached_property
-    def zeta(self) -> float:
-        return self.oscillator.free.zeta
-
-    @cached_property
-    def r(self) -> float:
-        return scaled(0, self.omega, 1 / self.omega_n)
 
     @property
-    def pushed(self) -> bool:
-        return bool(self.size and self.omega)
+    def amount(self) -> float:
+        """The size of the drive: F_0 in N, Y in m, or m_0 e in kg m."""
+        return {"force": self.F_0, "base": self.Y, "unbalance": self.moment}[self.kind]
 
     @cached_property
-    def lasting(self) -> float:
-        swings = LONG if self.zeta < HARDLY else SWINGS
-        slow = min(self.omega_n, 2.5 * self.omega) if self.pushed else self.omega_n
-        end = periods(slow, swings)
-        return float(f"{end:.2g}") or end
+    def vibration(self) -> ForcedVibration:
+        oscillator = DrivenOscillator(m=self.m, c=self.c, k=self.k)
+        return ForcedVibration(
+            oscillator=oscillator, kind=self.kind, size=self.amount, omega=self.omega, x_0=self.x_0, v_0=self.v_0
+        )
 
     @property
-    def fastest(self) -> float:
-        return max(self.oscillator.free.omega_d, self.omega if self.pushed else 0.0)
-
-    @cached_property
-    def t(self) -> Floats:
-        return np.linspace(0.0, self.end, samples(self.end, self.fastest))
+    def is_driven(self) -> bool:
+        return self.vibration.is_driven
 
     @property
     def shaken(self) -> bool:
         """Whether the base moves."""
-        return self.kind == "base" and self.pushed
-
-    @cached_property
-    def resonant(self) -> bool:
-        """Whether there is no steady part: at resonance without a dashpot."""
-        return self.oscillator.at_resonance(self.omega)
-
-    @cached_property
-    def grows(self) -> bool:
-        """Whether, without a dashpot, the drive is at resonance as far as the window tells."""
-        detuning = abs(self.push.detuning) * self.end
-        return not self.oscillator.c and (self.resonant or detuning < ALIKE)
+        return self.kind == "base" and self.is_driven
 
     @property
-    def swells(self) -> bool:
-        """Whether the swing grows, under a push."""
-        return self.grows and self.pushed
+    def zeta(self) -> float:
+        return self.one.zeta
 
     @cached_property
-    def X(self) -> complex:
-        """The steady part x_p = Im(X exp(i omega t)) in m; infinite at an undamped resonance."""
-        return self.oscillator.response(self.omega, self.size, self.kind)
+    def r(self) -> float:
+        return scaled(0, self.omega, 1 / self.one.omega_n)
 
     @cached_property
     def ratio(self) -> complex:
         """X over F_0/k, over Y, or over m_0 e/m."""
         return complex(magnification(self.r, self.zeta, self.kind)[0])
+
+    @property
+    def M(self) -> float:
+        """The magnification."""
+        return abs(self.ratio)
 
     @cached_property
     def lag(self) -> float:
@@ -107,132 +153,345 @@ class DrivenCase(Windowed):
         return lag(self.ratio)
 
     @cached_property
-    def M(self) -> float:
-        """The magnification."""
-        return abs(self.ratio)
+    def lasting(self) -> float:
+        slow = min(self.one.omega_n, 2.5 * self.omega) if self.is_driven else self.one.omega_n
+        return periods(slow, LONG if self.zeta < HARDLY else SWINGS)
 
     @property
-    def steady(self) -> bool:
+    def highest(self) -> float:
+        return self.vibration.fastest
+
+    @property
+    def pace(self) -> Pace:
+        omega_n = self.one.omega_n
+        return pace(min(omega_n, self.omega or omega_n), max(omega_n, self.omega))
+
+    @property
+    def spans(self) -> dict[str, tuple[float, float]]:
+        return {"omega": (0.0, END * self.one.omega_n)}
+
+    # Resonance.
+
+    @cached_property
+    def resonant(self) -> bool:
+        """Whether there is no steady part: at resonance without a dashpot."""
+        return self.vibration.oscillator.at_resonance(self.omega)
+
+    @cached_property
+    def grows(self) -> bool:
+        """Whether, without a dashpot, the drive is at resonance as far as the window tells."""
+        return not self.c and (self.resonant or abs(self.vibration.push.detuning) * self.end < ALIKE)
+
+    @property
+    def swells(self) -> bool:
+        """Whether the motion grows, under a push."""
+        return self.grows and self.is_driven
+
+    @property
+    def settles(self) -> bool:
         """Whether the steady part has a size."""
         return not self.grows and math.isfinite(self.M)
 
-    @cached_property
-    def push(self) -> Push:
-        return self.oscillator.push(self.omega, self.size, self.kind)
+    @property
+    def steady(self) -> bool:
+        """Whether there is a steady part."""
+        return self.is_driven and self.settles
 
     @cached_property
-    def free(self) -> tuple[Fading, Fading]:
-        """x and v of the start alone."""
-        x, v, _ = self.oscillator.free.fading(self.x_0, self.v_0)
-        return x, v
+    def half_power(self) -> tuple[float, float] | None:
+        """omega in rad/s below and above omega_n at which the dashpot takes half of its most, if that is drawn."""
+        if self.kind != "force" or not 0.02 < self.zeta < 0.6:
+            return None
+        below, above = half_power(self.zeta)
+        return below * self.one.omega_n, above * self.one.omega_n
 
-    @cached_property
-    def complementary(self) -> Fading:
-        """x beside the steady part."""
-        return self.oscillator.free.fading(*self.start)[0]
+    @property
+    def top(self) -> float:
+        """The upper end of the axis of the response."""
+        peak = highest(self.zeta, self.kind)
+        if peak and math.isinf(peak[1]):
+            return USUAL
+        return min(max(1.1 * (peak[1] if peak else 1.0), LEAST), TALLEST)
 
-    @cached_property
-    def start(self) -> tuple[float, float]:
-        """The start of the complementary part, in m and m/s."""
-        return self.x_0 - self.X.imag, self.v_0 - scaled(0, self.omega, self.X.real)
+    def response(self, r: Axis, side: Literal["below", "above"]) -> Columns:
+        """Return omega, the response, the lag and the power lost; without damping below or above the resonance alone.
 
-    def drawn(self, t: Floats) -> tuple[Floats, Floats]:
-        """x and v in doubles, as they are drawn."""
-        x, v = drawn(self.push, t)
-        return x + self.free[0].at(t), v + self.free[1].at(t)
+        The power has its peak at Q, the height of the response at r = 1.
+        """
+        zeta, ratio = self.zeta, self._grid(r.end / self.one.omega_n)
+        if not zeta:
+            ratio = ratio[ratio < 1 if side == "below" else ratio > 1]
+        elif side == "above":
+            return {}
+        X = magnification(ratio, zeta, self.kind)
+        lags = np.array([lag(complex(one)) if np.isfinite(one) else math.pi / 2 for one in X])
+        power = {"power": 2 * zeta * (ratio * np.abs(X)) ** 2} if self.half_power else {}
+        return {"omega": ratio * self.one.omega_n, "M": np.abs(X), "lag": lags, **power}
+
+    def _grid(self, end: float) -> Floats:
+        """Values of r, closer together about 1, where a light damping has its peak."""
+        zeta = self.zeta
+        sharp = [1 - zeta * NEAR * 10, 1 + zeta * NEAR * 10] if 0 < zeta < 0.1 else []
+        r = np.unique(np.concatenate([end * EVEN, 1 - NEAR, 1 + NEAR, *sharp, [1.0]]))
+        return r[(r >= 0) & (r <= end)]
+
+    # What is drawn over time.
 
     @cached_property
     def _sampled(self) -> float:
         """The largest |x| at the instants that are drawn, in m."""
-        return float(np.abs(self.drawn(self.t)[0]).max())
-
-    @cached_property
-    def reach(self) -> float:
-        """The largest |x| in the window, in m; of parts that are too fast for a line, the bound."""
-        if not (self.split and (self.steady_is_fast or self.dying_is_fast)):
-            return self._sampled
-        return float((np.abs(self.slow_part) + self.fast_size).max())
-
-    @property
-    def tallest(self) -> float:
-        """The largest displacement that is drawn, of the mass or of its base, in m; 1 where nothing moves."""
-        return max(self.reach, self.size if self.kind == "base" else 0.0) or 1.0
-
-    @property
-    def steady_is_fast(self) -> bool:
-        """Whether the steady part, or the base, is too fast for a line."""
-        return self.pushed and not drawable(self.omega, self.t)
-
-    @property
-    def dying_is_fast(self) -> bool:
-        """Whether the complementary part is too fast for a line."""
-        return not drawable(self.oscillator.free.omega_d, self.t)
-
-    @cached_property
-    def ringing(self) -> Floats:
-        """The size in m that is left of the complementary part, which swings, at the instants that are drawn."""
-        one = self.complementary
-        size = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
-        return np.asarray(size * np.exp(-one.slow * self.t))
-
-    @cached_property
-    def fast_size(self) -> Floats:
-        """The size in m of what of x is too fast for a line; two parts that beat slowly swing as one."""
-        steady, one = self.steady_is_fast * abs(self.X), self.complementary
-        if not (self.steady_is_fast and self.dying_is_fast and drawable(one.swing - self.omega, self.t)):
-            return steady + self.dying_is_fast * self.ringing
-        beat = complex(-one.slow, one.swing - self.omega) * self.t
-        return np.asarray(np.abs(self.X + complex(one.rate / one.swing, one.start) * np.exp(beat)))
-
-    @cached_property
-    def slow_part(self) -> Floats:
-        """The sum of those parts of x that are slow enough for a line, in m, at the instants that are drawn."""
-        steady = (self.X * np.exp(1j * self.omega * self.t)).imag if not self.steady_is_fast else np.zeros_like(self.t)
-        return steady if self.dying_is_fast else steady + self.complementary.at(self.t)
-
-    @cached_property
-    def settled(self) -> int:
-        """The index of the first instant from which nothing is seen of ringing that is too fast for a line."""
-        return int(np.count_nonzero(self.ringing > UNSEEN * self.tallest)) if self.dying_is_fast else 0
-
-    @property
-    def trembles(self) -> bool:
-        """Whether the steady part is too fast for a line, and large enough to be seen."""
-        return self.steady_is_fast and abs(self.X) > UNSEEN * self.tallest
+        return float(np.abs(self.vibration.at(self.times)[0]).max())
 
     @cached_property
     def split(self) -> bool:
         """Whether the motion is shown in its parts: near an undamped resonance these are huge and opposite."""
-        if not self.pushed or self.grows:
+        if not self.is_driven or self.grows:
             return False
-        return abs(self.X) <= APART * max(self._sampled, abs(self.X) / LONG) and math.isfinite(abs(self.X))
+        size = abs(self.vibration.X)
+        return size <= APART * max(self._sampled, size / LONG) and math.isfinite(size)
 
     @cached_property
-    def growth(self) -> float:
-        """The growth from swing to swing of an undamped resonance, in m."""
-        return scaled(0, math.pi, math.hypot(self.push.re, self.push.im), 1 / self.omega, 1 / self.omega)
+    def reach(self) -> float:
+        """The largest |x| in the window, in m; of parts that are too fast for a line, the bound."""
+        if not (self.split and (self._steady_is_fast or self._transient_is_fast)):
+            return self._sampled
+        return float((np.abs(self._slow_part) + self._fast_size).max())
 
     @property
-    def rate(self) -> float:
-        """The growth in m/s."""
-        return self.growth * self.omega / (2 * math.pi)
+    def tallest(self) -> float:
+        """The largest displacement that is drawn, of the mass or of its base, in m; 1 if nothing moves."""
+        return max(self.reach, self.amount if self.kind == "base" else 0.0) or 1.0
 
     @cached_property
-    def half_power(self) -> tuple[float, float] | None:
-        """omega below and above omega_n at which the dashpot takes half of its most, where that is drawn."""
-        if self.kind != "force" or not 0.02 < self.zeta < 0.6:
-            return None
-        below, above = half_power(self.zeta)
-        return below * self.omega_n, above * self.omega_n
+    def _steady_is_fast(self) -> bool:
+        return self.is_driven and not drawable(self.omega, self.times)
+
+    @cached_property
+    def _transient_is_fast(self) -> bool:
+        return not drawable(self.one.omega_d, self.times)
+
+    @cached_property
+    def _ringing(self) -> Floats:
+        """The amplitude in m that is left of the transient, at the instants that are drawn."""
+        one = self.vibration.transient.fadings[0]
+        size = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
+        return np.asarray(size * np.exp(-one.slow * self.times))
+
+    @cached_property
+    def _fast_size(self) -> Floats:
+        """The amplitude in m of what of x is too fast for a line; two parts that beat slowly move as one."""
+        X, one = self.vibration.X, self.vibration.transient.fadings[0]
+        if not (self._steady_is_fast and self._transient_is_fast and drawable(one.swing - self.omega, self.times)):
+            return self._steady_is_fast * abs(X) + self._transient_is_fast * self._ringing
+        beat = complex(-one.slow, one.swing - self.omega) * self.times
+        return np.asarray(np.abs(X + complex(one.rate / one.swing, one.start) * np.exp(beat)))
+
+    @cached_property
+    def _slow_part(self) -> Floats:
+        """The sum of the parts of x that are slow enough for a line, in m, at the instants that are drawn."""
+        t = self.times
+        steady = np.zeros_like(t) if self._steady_is_fast else self.vibration.x_p.at(t)
+        return steady if self._transient_is_fast else steady + self.vibration.transient.fadings[0].at(t)
+
+    @cached_property
+    def _settled(self) -> int:
+        """The index of the first instant from which nothing is seen of a transient that is too fast for a line."""
+        return int(np.count_nonzero(self._ringing > UNSEEN * self.tallest)) if self._transient_is_fast else 0
 
     @property
-    def past_half(self) -> float:
-        """The r beyond which response and power are lower than half of Q."""
-        z = self.zeta * self.zeta
-        return max(half_power(self.zeta)[1], math.sqrt(1 - 2 * z + 2 * self.zeta * math.sqrt(3 + z)))
+    def _trembles(self) -> bool:
+        """Whether the steady part is too fast for a line, and large enough to be seen."""
+        return self._steady_is_fast and abs(self.vibration.X) > UNSEEN * self.tallest
+
+    @property
+    def rings(self) -> bool:
+        """Whether x and the transient are too fast for a line at first alone."""
+        return self.split and not self._trembles and 0 < self._settled < self.times.size
 
     @cached_property
-    def work(self) -> float:
-        """The work of a cycle of the steady part in J, all of it the dashpot's."""
-        stroke = self.X - self.size if self.kind == "base" else self.X
-        return scaled(0, math.pi, self.oscillator.c, self.omega, abs(stroke), abs(stroke))
+    def bands(self) -> dict[str, BandColumns]:
+        """Bands of the motions of which something too fast for a line is seen.
+
+        Where a part has died so far that nothing is seen of it, the band is as narrow as the line that goes on.
+        """
+        nothing = np.zeros_like(self.times)
+        if not self.split:
+            fast = not drawable(self.highest, self.times)
+            return dict.fromkeys(("x", "y", "upper", "lower"), _around(nothing, self.reach)) if fast else {}
+        found = {}
+        if self._trembles:
+            found["x_p"] = _around(nothing, abs(self.vibration.X))
+        if self._trembles or self._settled:
+            found["x"] = _around(self._slow_part, self._fast_size)
+        if self._settled:
+            found["x_c"] = _around(nothing, self._ringing)
+        if self.shaken and self._steady_is_fast:
+            found["y"] = _around(nothing, self.amount)
+        if self.rings:  # lines are drawn in doubles: more digits would take longer than a picture may
+            t, transient = self.times[self._settled :], self.vibration.transient.fadings[0]
+            found["x"] = found["x"]._replace(late=self.vibration.at(t)[0])
+            found["x_c"] = found["x_c"]._replace(late=transient.at(t))
+        return found
+
+    def notes(self) -> tuple[str, ...]:
+        parts = self.is_driven and not self.split and not self.grows
+        found = {APART_NOTE: parts, RINGS_NOTE: self.rings, BAND_NOTE: "x" in self.bands and not self.rings}
+        return tuple(note for note, holds in (found | {BASE_NOTE: self.shaken and "y" in self.bands}).items() if holds)
+
+    @cached_property
+    def power(self) -> Columns:
+        """The mean powers; none if nothing pushes, or if they are too fast for a line."""
+        if not self.is_driven:
+            return {}
+        wanted = PER_PERIOD * self.end * max(self.highest, self.omega) / (2 * math.pi)
+        if wanted > 4 * MOST:
+            return {}
+        return self.vibration.mean_powers(self.end, int(min(max(wanted, FEWEST), MOST)))._asdict()
+
+    # The polygon of the forces.
+
+    def polygon(self, top: float) -> Polygon:
+        """Return the polygon next to an axis of the response that ends at `top`."""
+        if self.swells:
+            return Polygon(growing=True, up=GROWN * top, below=1.0, height=top + 1.0)
+        if not self.steady:
+            return Polygon(idle=True, below=1.0, height=top + 1.0)
+        turned, way = self.kind == "unbalance", 1.0 if self.kind == "unbalance" else -1.0
+        size, across = self.M, 2 * self.zeta * self.r
+        spring, inertia = size, self.r * self.r * size
+        if turned:
+            spring, inertia, across = size / (self.r * self.r), size, across / (self.r * self.r)
+        first, third = (inertia, spring) if turned else (spring, inertia)
+        side = way * across * size
+        scale = min(1.0, 0.92 * top / max(first, third - first, side / RIGHT, -side / LEFT, 1.0))
+        below = scale * max(1.0, third - first)
+        middle = self.lag / 2 if self.lag > NARROWEST else -ASIDE_OF_X
+        based, start = self.kind == "base", 0.0 if turned else math.pi
+        return Polygon(
+            closed=True, level=scale == 1.0, braked=abs(side) > ASIDE, y_braked=based and across > ASIDE,
+            lags=self.lag > 0.15, up=first, across=side, end=first - third, scale=scale,
+            aside=math.copysign(max(abs(side), ASIDE / scale), side),
+            y_side=-math.sin(self.lag), y_up=math.cos(self.lag),
+            phi_side=way * math.sin(middle), phi_up=-way * math.cos(middle), from_X=start, to_F=start + self.lag,
+            below=below, height=top + below,
+        )  # fmt: skip
+
+    def about(self, shown: Picture) -> About:
+        columns, sweep, one = shown.sources["time"], shown.sources["below"], self.vibration.oscillator
+        response, x = {"M": "$|X|$ over its unit", "lag": r"$\phi$"}, {"x": "$x$"}
+        true = driven_points(one, self.omega, self.amount, self.kind, self.x_0, self.v_0, few_of(columns["t"]))
+        true_response = response_points(one, self.kind, few_of(sweep["omega"]))
+        tables = (
+            bounded("$x(t)$", 4, "the sum of the sizes of its parts", points(x, columns, true)),
+            bounded(
+                "the response and the lag", 16, "itself, as far as rounding $r$ allows",
+                points(response, sweep, true_response, Place("omega", r"$\omega$", "rad/s")),
+            ),
+        )  # fmt: skip
+        work = "The work put in and the work lost in a cycle are equal once the complementary part has died."
+        bands = {BAND: shown.sources.get(BAND, {}) | shown.sources.get(RINGING, {})}
+        return About(tables, work if self.c and self.is_driven else "", bands_among(bands, x))
+
+
+def _around(middle: Floats, size: Floats | float) -> BandColumns:
+    return BandColumns(middle - size, middle + size)
+
+
+def _growth(case: DrivenCase) -> float:
+    """The growth from period to period of an undamped resonance, in m."""
+    push = case.vibration.push
+    return scaled(0, math.pi, math.hypot(push.re, push.im), 1 / case.omega, 1 / case.omega)
+
+
+def _rate(case: DrivenCase) -> float:
+    """The growth in m/s."""
+    return _growth(case) * case.omega / (2 * math.pi)
+
+
+def _part(case: DrivenCase) -> str:
+    """The word for what becomes of the transient, if it is drawn."""
+    return "" if not case.split else "dies" if case.c else "stays"
+
+
+def _work(case: DrivenCase) -> float:
+    """The work of a cycle of the steady part in J, all of which the dashpot takes."""
+    stroke = abs(case.vibration.X - (case.amount if case.kind == "base" else 0.0))
+    return scaled(0, math.pi, case.c, case.omega, stroke, stroke)
+
+
+def _line(rate: float) -> ExactMotion:
+    return harmonic_motion("line", Harmonic((), (0.0, rate)), lambda t: rate * t)
+
+
+def _holds(case: DrivenCase) -> str:
+    """The word for what holds the push."""
+    if not case.omega:
+        return "still"
+    if not case.amount:
+        return "idle"
+    if case.grows:
+        return ("grows" if case.resonant else "nearly") + ("_on" if case.x_0 or case.v_0 else "")
+    r, zeta = case.r, case.zeta
+    if not zeta and not math.isfinite(case.M):
+        return "near"
+    if case.kind == "base":
+        if abs(r - math.sqrt(2.0)) < AT_ROOT and three(case.M) == "1.00":
+            return "alike"
+        return "more" if r < math.sqrt(2.0) else "less" if zeta else "isolated"
+    left, dashpot = abs((1 - r) * (1 + r)), 2 * zeta * r
+    if dashpot < left:
+        return "spring" if r < 1 else "inertia"
+    return "alone" if left < ALONE * min(dashpot, 1.0) else "dashpot"
+
+
+value = Attributes(DrivenCase)
+
+
+class DrivenShown(DrivenCase):
+    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+
+    x = value(lambda c: c.vibration.x)
+    x_c = value.optional(lambda c: c.vibration.transient.x if c.split else None)
+    y = value.optional(lambda c: c.vibration.drive if c.shaken else None)
+    base = value(lambda c: c.vibration.drive if c.shaken else constant(0.0))
+    x_p = value.optional(lambda c: c.vibration.x_p if c.split and not c.shaken else None)
+    upper = value.optional(lambda c: _line(_rate(c)) if c.swells else None)
+    lower = -upper
+    F = value(lambda c: c.vibration.drive)
+    sine = value(lambda c: rotating("sine", 1.0, c.omega))
+    cosine = value(lambda c: rotating("cosine", 1j, c.omega))
+    # Numbers in formulas and sentences.
+    X = value.optional(lambda c: (math.inf if c.resonant else abs(c.vibration.X)) if c.is_driven else None)
+    phi = value.optional(lambda c: c.lag if c.is_driven else None)
+    phi_minus = value(lambda c: -c.lag)
+    Q = value(lambda c: 0.5 / c.zeta if c.zeta else math.inf)
+    width = value(lambda c: 2 * c.zeta * c.one.omega_n)
+    W = value.optional(lambda c: _work(c) if c.steady else None)
+    growth = value.optional(lambda c: _growth(c) if c.is_driven else None)
+    rate = value.optional(lambda c: _rate(c) if c.is_driven else None)
+    decay = value(lambda c: c.one.rates[0])
+    P_in = value.optional(lambda c: float(c.power["P_in"][-1]) if c.power else None)
+    P_lost = value.optional(lambda c: float(c.power["P_lost"][-1]) if c.power else None)
+    # Which formulas and words are shown.
+    size = value(lambda c: ("grows" if c.resonant else "nearly") if c.swells else c.kind)
+    quality = value(lambda c: c.kind if c.kind != "base" and c.zeta else "")
+    work = value(lambda c: ("base" if c.shaken else "push") if c.steady and c.c else "")
+    holds = value(_holds)
+    part = value(_part)
+    steady_part = value(lambda c: "" if c.shaken else _part(c))
+    growing = value(lambda c: ("always" if c.resonant else "first") if c.swells else "")
+    is_peaked = value(lambda c: bool(c.half_power))
+    is_flat = value(lambda c: not c.half_power)
+    has_power = value(lambda c: bool(c.power))
+    # Places on the stage and on the response. A hand sets zeta by `half` over the height at r = 1.
+    side = value(lambda c: min(max(c.m**0.15, 0.75), 1.25))
+    wire = value(lambda c: wire(c.k))
+    stroke = value(lambda c: c.Y if c.kind == "base" else 0.0)
+    root2 = value(lambda c: math.sqrt(2.0) * c.one.omega_n)
+    M_at = value.optional(lambda c: c.M if c.settles else None)
+    lag_at = value.optional(lambda c: c.lag if c.settles else None)
+    half_low, half_high = value.pair(lambda c: c.half_power)
+    half = value(lambda c: 0.5)
+    peak = value(lambda c: 0.5 / c.zeta if c.half_power else 0.0)
+    half_peak = value.optional(lambda c: 0.25 / c.zeta if c.half_power else None)
+    beyond = value.optional(lambda c: past_half(c.zeta) * c.one.omega_n if c.half_power else None)

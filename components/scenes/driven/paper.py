@@ -1,0 +1,496 @@
+"""The paper of the driven mass: the block and its drive, x(t) and powers, the response and the lag, the forces."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+import numpy as np
+from msgspec.structs import replace
+
+from components.dashpot import NARROW_BELOW, apparatus
+from components.language.blocks import Block
+from components.language.numbers import Number
+from components.language.plots import Room
+from components.language.shapes import Quotient
+from components.layout.grabs import grab
+from components.layout.sheet import choice, column, desk, row, stage
+from components.layout.stage import (
+    HALL,
+    ON_NARROW,
+    ON_WIDE,
+    H,
+    Looks,
+    Shape,
+    T,
+    W,
+    arc,
+    arrow,
+    circle,
+    line,
+    path,
+    text,
+    wide,
+)  # fmt: skip
+from components.paper.deferred import deferred, number
+from components.paper.plot_axes import TIME, axis
+from components.paper.plots import (
+    UNIT,
+    EitherText,
+    Plot,
+    PlotItem,
+    PlotValue,
+    along,
+    curve,
+    drag,
+    either,
+    handle,
+    note,
+    number_name,
+    share,
+    shown_by,
+    when,
+    words,
+)  # fmt: skip
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.parameters import one_of
+from components.scenes.driven.case import END, KINDS, DrivenShown
+from physics.driven import Drive, lag, magnification
+
+c = deferred(DrivenShown)
+KIND = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
+TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
+ROOM = 1.2
+"""The reach of the axis of x, in its largest value."""
+SIDES, LEFT = Room(48, 26), Room(40, 14, top=10)
+FAINT = (0.0, 0.5, 1.0)
+"""The damping ratios of the curves behind."""
+BEHIND = "faint: *ζ* = 0, 0.5, 1"
+
+
+def is_kind(kind: Drive) -> bool:
+    """Return the condition that a mass is driven in this way."""
+    return c.kind == kind
+
+
+def _ratios(case: DrivenShown) -> Axis:
+    """The axis of r, in natural frequencies."""
+    end, omega_n = max(END, float(f"{1.1 * case.r:.2g}")), case.one.omega_n
+    ratios = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
+    return replace(ratios, drawn=(0.0, max(1.2, case.r) * omega_n), si="rad/s")
+
+
+def _powers(case: DrivenShown) -> tuple[float, float]:
+    """The lowest and the highest power that is drawn, in W."""
+    powers = [case.power[name] for name in ("P_in", "P_lost") if case.power]
+    least, most = (pick(*(pick(one) for one in powers), 0.0) for pick in (min, max)) if powers else (0.0, 0.0)
+    return float(least), float(most) or 1.0
+
+
+def _drive(case: DrivenShown) -> Axis:
+    unit = {"force": "N", "base": "m", "unbalance": "kg m"}[case.kind]
+    return nice_axis(0.0, 1.25 * (case.amount or 1.0), unit, exact=True)
+
+
+def _lags(case: DrivenShown) -> Axis:
+    ticks = (0.0, math.pi / 2, math.pi)
+    return Axis(0.0, 1.08 * math.pi, "rad", ticks=ticks, labels=("0", "π/2", "π"), drawn=(0.0, math.pi))
+
+
+R, DRIVE = axis("", _ratios, "r"), axis("", _drive, "drive")
+X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, count=2))
+POWER = Plot(
+    "power",
+    TIME,
+    axis("W", lambda c: (1.1 * _powers(c)[0], 1.15 * _powers(c)[1]), "P", count=1, seen=_powers),
+)
+RESPONSE = Plot("response", R, axis("", lambda c: (0.0, c.top), "M", count=3, seen=lambda c: (0.0, c.top / 1.1)))
+PHASE = Plot("phase", R, axis("", _lags, "lag"))
+
+MIDDLE, LEVEL = wide(0.34 * W, 0.28 * W), wide(X.y(0), 0.3 * H)
+IS_BASE = number(c.kind == "base")
+STROKE = (0.7 - 0.15 * HALL + (0.4 - 0.25 * HALL) * IS_BASE) * wide(X.bottom - X.top, 0.34 * H)
+SIDE: Number = 42 * c.side
+ASIDE = MIDDLE + 0.5 * SIDE + 48
+"""The place of the drive, next to the block."""
+PUSH = wide(0.34 * (X.bottom - X.top), 0.16 * H)
+"""The length of the drive's axis, in pixels."""
+WHEEL = 9
+BELOW, ABOVE = (
+    RESPONSE.in_frame(c, side, partial(lambda side, c, r, M: c.response(r, side), side)) for side in ("below", "above")
+)
+"""The tables of the response, below an undamped resonance and above it."""
+RESPONSE_HEIGHT = RESPONSE.bottom - RESPONSE.top
+POLYGON = RESPONSE.in_frame(c, "polygon", lambda c, r, M: c.polygon(M.place(M.end)))
+PX = wide(-1 * RESPONSE.per_y, H * POLYGON.push)
+"""Pixels of one push."""
+BASE, CENTER = wide(RESPONSE.y(0), H * (0.98 - POLYGON.below * POLYGON.push)), 0.56 * W
+"""The tail of the polygon of the forces."""
+
+
+def paper() -> Block:
+    curves, lags = response(), phase()  # files begin with the table of the response
+    label = "Mass on a spring and a dashpot, and what drives it"
+    return column(
+        desk(words(TASK, style="task", phone=0)),
+        row(
+            stage(*block(), label=label, grow=150, height=210),
+            column(displacement(), desk(when(c.has_power, powers())), grow=460),
+            column(
+                choice(KIND, basis=36, phone=2),
+                words(*facts(), style="facts", phone=13),
+                desk(words(work(), style="facts", phone=14)),
+                words(sentence(), style="facts", phone=2),
+                grow=290,
+            ),
+            grow=250,
+            gap=6,
+        ),
+        row(column(curves, lags, grow=620), polygon(), grow=290, gap=6),
+    )
+
+
+def displacement() -> Block:
+    sine = rf"$X \sin(\omega\,t\, {c.phi_minus:+})$"
+    rate = rf"$\pm {c.rate}\, t$"
+    return X.block(
+        curve(c.x, "sum", "m1", label="*x*", legend="x(t)", fast="ringing", dot=True),
+        curve(
+            c.x_p, "line", "xp", words=either(c.steady_part, dies=f"steady {sine}", stays=f"particular {sine}"),
+            read="steady", fast="band", dot=True,
+        ),
+        curve(c.y, "line", "xp", legend=rf"y = {c.Y} \sin({c.omega}\,t)", read="base", fast="band", dot=True),
+        curve(
+            c.x_c, "dash", "xc",
+            words=either(c.part, dies=rf"dying $e^{{-{c.decay}\,t}}$", stays="other part, which stays"),
+            read="complementary", fast="ringing", dot=True,
+        ),
+        curve(
+            c.upper, "thin", "m1", words=either(c.growing, always=f"growth {rate}", first=f"growth at first {rate}"),
+            read="envelope",
+        ),
+        curve(c.lower, "thin", "m1", group="upper"),
+        title="Displacement against time", room=SIDES, grow=150, phone=15, height=170,
+    )  # fmt: skip
+
+
+def powers() -> Block:
+    return POWER.block(
+        curve(c.power, "line", "F", columns=("t", "P_in"), words=f"power in {c.P_in} W", read="put in"),
+        curve(c.power, "sum", "T", columns=("t", "P_lost"), words=f"lost {c.P_lost} W", read="lost"),
+        note("mean of a swing, at the end", "mute"),
+        title="Power put in by the drive and power lost in the dashpot, each the mean of the last swing of the drive",
+        x_labels=False, room=SIDES, grow=56, phone=16, height=110,
+    )  # fmt: skip
+
+
+def facts() -> tuple[EitherText, ...]:
+    root = r"(1 - r^2)^2 + (2 \zeta r)^2"
+    return (
+        either(
+            c.kind,
+            force=r"$m \ddot{x} + c \dot{x} + k x = F_0 \sin \omega t$",
+            base=r"$m \ddot{x} + c (\dot{x} - \dot{y}) + k (x - y) = 0$",
+            unbalance=r"$m \ddot{x} + c \dot{x} + k x = m_0 e\, \omega^2 \sin \omega t$",
+        ),
+        either(
+            c.size,
+            force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = \dfrac{{1}}{{\sqrt{{{root}}}}} = {c.M}}}$",
+            base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = \sqrt{{\dfrac{{1 + (2 \zeta r)^2}}{{{root}}}}} = {c.M}}}$",
+            unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = \dfrac{{r^2}}{{\sqrt{{{root}}}}} = {c.M}}}$",
+            grows=rf"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{{m1}}{{X = {c.rate}\, t}}$ grows",
+            nearly=rf"$c = 0,\ \omega \approx \omega_n$: steady [m1|$X = {c.X}$ m], "
+            rf"at first $\tint{{m1}}{{{c.rate}\, t}}$",
+        ),
+        either(c.steady, shown=rf"[m1|$X = {c.X}$ m, $\phi = {c.phi}$ rad]"),
+        either(
+            c.quality,
+            force=rf"$Q = 1 / (2 \zeta) = {c.Q},\ \Delta \omega = {c.width}$ rad/s",
+            unbalance=rf"$Q = 1 / (2 \zeta) = {c.Q}$",
+        ),
+    )
+
+
+def work() -> EitherText:
+    return either(
+        c.work,
+        push=rf"Steady: $\pi c\, \omega X^2 = {c.W}$ J a cycle",
+        base=rf"Steady: $\pi c\, \omega |X - Y|^2 = {c.W}$ J a cycle",
+    )
+
+
+def sentence() -> EitherText:
+    """The sentence on what holds the push."""
+    return either(
+        c.holds,
+        spring="**Below resonance the spring holds most of the push.**",
+        inertia="**Above resonance inertia holds most of the push.**",
+        dashpot="**Here the dashpot holds most of the push.**",
+        alone="**At resonance the dashpot alone holds the push.**",
+        grows=f"**Nothing holds the push: each swing grows by the same {c.growth} m.**",
+        grows_on=f"**Nothing holds the push: in the end each swing grows by {c.growth} m.**",
+        nearly=f"**Nothing holds the push at first: each swing grows by {c.growth} m, until a long beat turns it.**",
+        nearly_on=f"**At first the push adds {c.growth} m to its response in each swing; a long beat takes it away.**",
+        near="**Next to resonance and without a dashpot the swing grows for very long.**",
+        more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
+        alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
+        less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
+        isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
+        still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
+        idle="**No push: the motion is that of the start alone.**",
+    )
+
+
+# The stage.
+
+
+def raised(value: PlotValue) -> Number:
+    """The pixels of a displacement."""
+    return wide(X.up_pixels(value), 0.12 * ROOM * H * X.share(value))
+
+
+def height(value: PlotValue) -> Number:
+    return LEVEL - raised(value)
+
+
+def strength(value: PlotValue) -> Number:
+    """The height of a force, or of an unbalance, on its own axis next to the block."""
+    return LEVEL - PUSH * share(DRIVE, value)
+
+
+FLOOR = LEVEL + 0.5 * STROKE + 0.5 * SIDE
+"""The lowest place of the foot of the block."""
+
+
+def foot(value: PlotValue) -> Number:
+    """The height of the base if it is displaced by this value."""
+    return FLOOR + NARROW_BELOW - raised(value)
+
+
+def block() -> list[Shape]:
+    """The block between its wall and its drive, on one level line with the curve."""
+    y, arrow_at = height(c.x), MIDDLE - 0.5 * SIDE - 14
+    hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
+    return [
+        line(0.03 * W, LEVEL, wide(X.left - 30, 0.55 * W), LEVEL, style="eq", tint="mute"),
+        line(MIDDLE, y, X.x(T), y, style="level", tint="m1", show=ON_WIDE),
+        *apparatus(MIDDLE, y, SIDE, FLOOR, STROKE, number(c.wire), hand, raised(c.base), beside=True),
+        arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
+        *drives(y),
+        text(wide(2, 0.58 * W), 16, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+    ]
+
+
+def drives(y: Number) -> list[Shape]:
+    """The force next to the block, the motion of the base next to its wall, the mass that turns in the block."""
+    push, base = strength(c.amount), foot(c.stroke)
+    turning = MIDDLE + WHEEL * number(c.cosine), y - WHEEL * number(c.sine)
+    set_force = along("y", strength, DRIVE, F_0=c.amount, least=0.0)
+    set_base = along("y", foot, X.up, Y=c.stroke, least=0.0)
+    set_moment = along("y", strength, DRIVE, moment=c.amount, least=0.0)
+    moving: Looks = {"tint": "F", "style": "thick", "head": 14}
+    ring: Looks = {"style": "ghost", "tint": "F"}
+    name: Looks = {"anchor": "start", "tint": "F", "style": "t2 b halo"}
+    return [
+        *shown_by(
+            c.kind == "force",
+            line(ASIDE, LEVEL, ASIDE, push, style="dotted", tint="F"),
+            arrow(ASIDE, LEVEL, ASIDE, strength(c.F), **moving),
+            circle(ASIDE, push, 5, **ring, grab=grab("Force, amplitude", set_force)),
+            text(ASIDE + 10, push + 5, "*F*_0", **name),
+        ),
+        *shown_by(
+            c.kind == "base",
+            line(ASIDE, foot(0), ASIDE, base, style="dotted", tint="F"),
+            arrow(ASIDE, foot(0), ASIDE, foot(c.base), **moving),
+            circle(ASIDE, base, 5, **ring, grab=grab("Base, amplitude", set_base)),
+            text(ASIDE + 10, base + 5, "*Y*", **name),
+        ),
+        *shown_by(
+            c.kind == "unbalance",
+            circle(MIDDLE, y, WHEEL, style="wheel", tint="ink"),
+            circle(*turning, 5, tint="F"),
+            line(ASIDE, LEVEL, ASIDE, push, style="dotted", tint="F"),
+            circle(ASIDE, push, 5, **ring, grab=grab("Unbalance", set_moment)),
+            text(ASIDE + 10, push + 5, "*m*_0*e*", **name),
+        ),
+    ]
+
+
+# The response and the lag over one axis of r.
+
+
+def outline(kind: Drive, zeta: float, of_phase: bool) -> str:
+    """Return the path of a curve behind, in r to the right and |X| or the lag upwards (negative)."""
+    r = np.concatenate([np.linspace(0, 0.9, 30), np.linspace(0.905, 1.1, 40), np.linspace(1.11, 2.5, 40)])
+    X = magnification(r[r != 1], zeta, kind)
+    up = np.array([lag(complex(one)) for one in X]) if of_phase else np.minimum(np.abs(X), 12.0)
+    return "M" + "L".join(f"{a:.3f} {-b:.3f}" for a, b in zip(r[r != 1], up, strict=True))
+
+
+def behind(plot: Plot) -> list[Shape]:
+    """Return outlines of other dampings, which are drawn once for all visitors and scaled to the axes."""
+    place: Looks = {"x": plot.x(0), "y": plot.y(0), "sx": plot.per_x, "sy": -1 * plot.per_y}
+    look: Looks = {"style": "scaled behind", "tint": "m1", "inside": plot}
+    outlines = ((kind, outline(kind, zeta, plot is PHASE)) for kind in KINDS for zeta in FAINT)
+    return [shape for kind, d in outlines for shape in shown_by(c.kind == kind, path(d, **place, **look))]
+
+
+def sweeps(column: str, group: str, dot: float, legend: EitherText | str = "") -> list[PlotItem]:
+    """Return the curve below an undamped resonance, with its dot, and the one above."""
+    columns = ("omega", column)
+    return [
+        curve(BELOW, "sum", "m1", columns=columns, group=group, legend=legend, dot=(c.omega, dot)),
+        curve(ABOVE, "sum", "m1", columns=columns, group=group),
+    ]
+
+
+def response() -> Block:
+    M = RESPONSE.in_frame(c, "M_held", lambda c, r, M: min(c.M, M.end) if c.settles else None, optional=True)
+    x, y, root2 = RESPONSE.x(c.omega), RESPONSE.y(M), RESPONSE.x(c.root2)
+    hand = grab("Drive frequency, on the curve", along("x", RESPONSE.x, R, omega=c.omega, least=0.0), inside=RESPONSE)
+    legend = either(c.kind, force="k |X| / F_0", base="|X| / Y", unbalance="m |X| / m_0 e")
+    return RESPONSE.block(
+        *sweeps("M", "response", c.M_at, legend),
+        curve(
+            BELOW, "line", "T", columns=("omega", "power"), words=either(c.is_peaked, shown="power lost, peak at *Q*")
+        ),
+        note(either(c.is_flat, shown=BEHIND), "mute"),
+        title="Size of the steady swing against r, the drive frequency over the natural one",
+        over=[
+            *behind(RESPONSE),
+            *half_width(),
+            *shown_by(
+                c.kind == "base",
+                line(root2, RESPONSE.top, root2, RESPONSE.bottom, style="eq", tint="mute"),
+                line(RESPONSE.left, RESPONSE.y(UNIT), RESPONSE.right, RESPONSE.y(UNIT), style="eq", tint="mute"),
+                text(root2 + 8, RESPONSE.top + 16, "every *ζ* passes 1 at √2", "start", style="halo", tint="mute"),
+            ),
+            line(x, RESPONSE.top, x, RESPONSE.bottom, style="thin", tint="F"),
+            circle(x, y, 0, grab=hand),
+            text(x - 9, y - 8, f"{c.M}", "end", tint="m1", style="t2 b halo"),
+        ],
+        x_labels=False, room=LEFT, grow=190, phone=10, height=230,
+    )  # fmt: skip
+
+
+def half_width() -> list[Shape]:
+    """The width of the power at half its peak, and the height at r = 1, which is Q: its line sets the damping."""
+    low, high, one, past = map(RESPONSE.x, (c.half_low, c.half_high, c.one.omega_n, c.beyond))
+    y, height, aside = RESPONSE.y(c.half_peak), RESPONSE.y(c.peak), RESPONSE.top + 0.19 * RESPONSE_HEIGHT
+    hand = Quotient(
+        across="y", zero=RESPONSE.y(0), unit=RESPONSE.per_y, parameter="zeta", moves=number_name(c.peak, RESPONSE.up),
+        over=number_name(c.half), least=0.2,
+    )  # fmt: skip
+    return shown_by(
+        c.is_peaked,
+        line(low, y, high, y, style="thin", tint="ink"),
+        circle(low, y, 3.5, tint="T"),
+        circle(high, y, 3.5, tint="T"),
+        text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s at half the power", "start", style="halo", show=ON_WIDE),
+        text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s", "start", style="halo", show=ON_NARROW),
+        text(past + 10, y + 20, "at half the power", "start", style="halo", show=ON_NARROW),
+        line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
+        circle(one + 60, height, 5, style="ghost", tint="T", grab=grab("Height at r = 1, Q", hand)),
+        text(one + 70, height + 5, f"*Q* = {c.Q}", "start", style="b halo"),
+        text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo"),
+    )
+
+
+def phase() -> Block:
+    x = PHASE.x(c.omega)
+    return PHASE.block(
+        *sweeps("lag", "phase", c.lag_at),
+        title="Lag of the swing behind the drive against r: from 0 to half a turn",
+        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
+        over=[
+            *behind(PHASE),
+            line(x, PHASE.top, x, PHASE.bottom, style="thin", tint="F"),
+            text(PHASE.left + 8, PHASE.top + 18, "*φ*: how far *x* lags", "start", tint="mute", style="halo"),
+        ],
+        room=LEFT, grow=46, phone=11, height=100,
+    )  # fmt: skip
+
+
+# The forces in steady vibration, tail to tip: they close on the push, on the scale of the response.
+
+
+def polygon() -> Block:
+    unit, p = PX * POLYGON.scale, POLYGON
+    kX, inertia = ("k", "*kX*"), ("m1", "*mω*²*X*")
+    up, end = BASE - unit * p.up, BASE - unit * p.end
+    across, aside = CENTER + unit * p.across, CENTER + unit * p.aside
+    shapes = [
+        *shown_by(
+            p.closed,
+            circle(CENTER, BASE, unit, style="hair dotted", tint="mute"),
+            *shown_by(p.level, line(RESPONSE.x(c.omega), up, CENTER, up, style="level", tint="m1", show=ON_WIDE)),
+            *shown_by(c.kind != "unbalance", *arrows(up, across, aside, end, kX, inertia, -1)),
+            *shown_by(c.kind == "unbalance", *arrows(up, across, aside, end, inertia, kX, 1)),
+            *pushes(unit, across, end),
+        ),
+        *shown_by(p.growing, *growing_forces(up)),
+        *shown_by(p.idle, text(CENTER, BASE - 40, "no push", tint="mute", style="t2")),
+    ]
+    label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
+    return stage(*shapes, label=label, grow=236, phone=12, height=260, style="still")
+
+
+def arrows(
+    up: Number, across: Number, aside: Number, end: Number, first: tuple[str, str], third: tuple[str, str], way: int
+) -> list[Shape]:
+    """The first arrow up, that of the dashpot across, the third one down."""
+    near, far = ("start", "end") if way < 0 else ("end", "start")
+    return [
+        arrow(CENTER, BASE, CENTER, up, tint=first[0], head=13),
+        *shown_by(POLYGON.braked, arrow(CENTER, up, across, up, tint="T", head=11)),
+        arrow(aside, up, aside, end, tint=third[0], head=13),
+        text(CENTER - 10 * way, (BASE + up) * 0.5, first[1], near, tint=first[0], style="t2 b halo"),
+        text(aside + 10 * way, (up + end) * 0.5, third[1], far, tint=third[0], style="t2 b halo"),
+        *shown_by(POLYGON.braked, text((CENTER + across) * 0.5, up - 9, "*cωX*", tint="T", style="t2 b halo")),
+    ]
+
+
+def pushes(unit: Number, across: Number, end: Number) -> list[Shape]:
+    """The push, from the tail to where the others end, and the angle by which x lags it."""
+    x, y, p, look = CENTER, BASE, POLYGON, Looks(tint="F", style="t2 b halo")
+    shaken = x + unit * p.y_side, y - unit * p.y_up
+    middle = (x + across) * 0.5, (y + end) * 0.5
+    away = middle[0] - 16 * p.end, middle[1] - 16 * p.across + 5  # from the others, at right angles to it
+    return [
+        *shown_by(c.kind != "base", arrow(x, y, across, end, tint="F", style="thick", head=15)),
+        *shown_by(c.kind == "force", text(*away, "*F*_0", **look)),
+        *shown_by(c.kind == "unbalance", text(middle[0] + 12, middle[1] + 16, "*F*_0", "start", **look)),
+        *shown_by(
+            c.kind == "base",
+            arrow(x, y, *shaken, tint="F", style="thick", head=15),
+            text((x + shaken[0]) * 0.5 - 8, (y + shaken[1]) * 0.5 + 16, "*kY*", "end", **look),
+            *shown_by(
+                p.y_braked,
+                arrow(*shaken, across, end, tint="F", head=12),
+                text((across + shaken[0]) * 0.5 - 8, (end + shaken[1]) * 0.5 + 18, "*cωY*", "end", **look),
+            ),
+        ),
+        *shown_by(
+            p.lags,
+            arc(x, y, 24, number(p.from_X), number(p.to_F), style="floor", tint="ink"),
+            text(x + 38 * p.phi_side, y - 38 * p.phi_up + 5, "*φ*", style="t2 b halo"),
+        ),
+        circle(x, y, 4, tint="ink"),
+    ]
+
+
+def growing_forces(up: Number) -> list[Shape]:
+    """Undamped at resonance: spring and inertia cancel, and what is left of the push makes the swing grow."""
+    x, y, left = CENTER, BASE, CENTER - PX
+    return [
+        arrow(x, y, x, up, tint="k", head=13),
+        arrow(x, up, left, up, tint="m1", head=11),
+        arrow(left, up, left, y, tint="m1", head=13),
+        arrow(x, y, left, y, tint="F", style="thick", head=15),
+        text(x + 10, (y + up) * 0.5, "*kX* grows", "start", tint="k", style="b halo"),
+        text(left - 8, (y + up) * 0.5, "*mω*²*X*", "end", tint="m1", style="b halo"),
+        text((x + left) * 0.5, up - 9, "growth", tint="m1", style="b halo"),
+        text((x + left) * 0.5, y + 20, "*F*_0", tint="F", style="t2 b halo"),
+        circle(x, y, 4, tint="ink"),
+    ]
