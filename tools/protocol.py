@@ -34,7 +34,7 @@ asked, as a measurement does. What a scene is made of comes once, as its `SceneS
 first picture is in the page itself.
 
 A message of the server is deflated, with the sheet's `usual` text as what it may refer to: a line of JSON and, with a
-`View`, the numbers of its columns and of the runs of its signals, in steps: components/state/encoding.py.
+`PagePicture`, the numbers of its columns and of the runs of its signals, in steps: components/state/encoding.py.
 
 Types are in TypeScript's notation, numbers are doubles. What may be left out has what then stands in its place.
 

@@ -16,7 +16,7 @@ type Columns = Record<string, Record<string, Float64Array>>
 
 /** A view whose columns have come out of the array that was sent with it, and the page around it. */
 type Drawn = Omit<page.Shown, "view" | "held"> & {
-  view: Omit<page.View, "columns"> & {columns: Columns}
+  view: Omit<page.PagePicture, "columns"> & {columns: Columns}
   held: Kept | null
 }
 

@@ -26,6 +26,7 @@ interface PartHost {
   readonly compare: import("../static/compare/compare.js").Compare
   readonly controls: import("../static/input/controls.js").Controls
   readonly sheet: import("../static/paper/sheet.js").Sheet
+  readonly views: import("../static/paper/views.js").Views
   readonly plots: import("../static/paper/plots.js").Plot[]
   readonly stages: import("../static/paper/stage.js").Stage[]
   readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}

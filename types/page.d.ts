@@ -127,7 +127,7 @@ declare namespace page {
     type: "shown"
     scene: string
     sheet: string
-    view: View
+    view: PagePicture
     held: Held | null
     settings: Record<string, Setting>
     state: State
@@ -204,11 +204,20 @@ declare namespace page {
     taken: string[]
   }
 
+  /** A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
+   * first of the panel. */
+  interface ViewTab {
+    word: string
+    name: string
+    task: Html
+    keys: string[]
+  }
+
   /** All that the browser must know of a scene once, the same for every visitor: an immutable file.
    *
    * Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
    * opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
-   * numbers}. */
+   * numbers}. A scene without `views` always shows its whole paper; the parameter `view` says which one is shown. */
   interface SceneSheet {
     slug: string
     title: string
@@ -219,6 +228,7 @@ declare namespace page {
     onward: Onward[]
     usual: string
     spoken: Record<string, string>
+    views: ViewTab[]
     paper: Block
     panel: Panel
   }
@@ -238,8 +248,8 @@ declare namespace page {
 
   /** All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
    * fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
-   * to be predicted, the hidden curves where they are not the scene's own, and the step of a walk: "d34/d34-07", and
-   * "d34/d34-07/5" where its numbers have a seed. */
+   * to be predicted, the hidden curves where they are not the scene's own, the step of a walk: "d34/d34-07", and
+   * "d34/d34-07/5" where its numbers have a seed, and the parts to show in place of those of its view. */
   interface State {
     scene: string
     parameters: Record<string, Value>
@@ -249,6 +259,7 @@ declare namespace page {
     before: Record<string, Value> | null
     hidden: string[] | null
     step: string
+    show: string[]
   }
 
   /** The card of a step, before its answer.
@@ -611,7 +622,7 @@ declare namespace page {
    * `forms`     which variant of a formula or sentence stands, by name; "" hides it
    * `notes`     what the visitor must know about this picture
    * `left_out`  the quantities that are not sent because they are covered; a shape that needs one is not drawn */
-  interface View {
+  interface PagePicture {
     columns: Record<string, Record<string, Drawn>>
     axes: Record<string, Ruler>
     time: string
@@ -737,10 +748,13 @@ declare namespace page {
 
   /** The fields that all blocks have.
    *
-   * `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
-   * top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
-   * with the large type of a `hall` or not there. */
+   * `part` is its name in lists of what a step shows: stage, plot:x, words:why, table. Without any `views` it is in all
+   * of them. `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its
+   * place from top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form
+   * `form`, and with the large type of a `hall` or not there. */
   interface Part {
+    part: string
+    views: string[]
     grow: number
     basis: number
     phone: number | null

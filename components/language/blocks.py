@@ -14,10 +14,14 @@ from components.language.text import Forms, Html
 class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """The fields that all blocks have.
 
-    `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
-    top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
-    with the large type of a `hall` or not there.
+    `part` is its name in lists of what a step shows: stage, plot:x, words:why, table. Without any `views` it is in all
+    of them. `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its
+    place from top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form
+    `form`, and with the large type of a `hall` or not there.
     """
+
+    part: str = ""
+    views: tuple[str, ...] = ()
 
     grow: float = 0.0
     basis: int = 0

@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from components.language.blocks import Block
 from components.language.controls import Panel, Setting
-from components.language.picture import Held, Progress, View
+from components.language.picture import Held, Progress, PagePicture
 from components.language.state import State
 from components.language.text import Html
 from components.language.walk import Lesson, WalkSheet
@@ -146,7 +146,7 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
 
     scene: str
     sheet: str
-    view: View
+    view: PagePicture
     held: Held | None = None
     settings: dict[str, Setting]
     state: State
@@ -226,12 +226,22 @@ class Onward(Struct, frozen=True, kw_only=True):
     taken: tuple[str, ...]
 
 
+class ViewTab(Struct, frozen=True, kw_only=True):
+    """A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
+    first of the panel."""
+
+    word: str
+    name: str
+    task: Html
+    keys: tuple[str, ...]
+
+
 class SceneSheet(Struct, frozen=True, kw_only=True):
     """All that the browser must know of a scene once, the same for every visitor: an immutable file.
 
     Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
     opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
-    numbers}.
+    numbers}. A scene without `views` always shows its whole paper; the parameter `view` says which one is shown.
     """
 
     slug: str
@@ -243,5 +253,6 @@ class SceneSheet(Struct, frozen=True, kw_only=True):
     onward: tuple[Onward, ...]
     usual: str
     spoken: dict[str, str]
+    views: tuple[ViewTab, ...]
     paper: Block
     panel: Panel

@@ -66,7 +66,7 @@ class Trace(Struct, frozen=True, array_like=True):
     signals: dict[str, str]
 
 
-class View(Struct, frozen=True, kw_only=True):
+class PagePicture(Struct, frozen=True, kw_only=True):
     """A picture as the browser shows it.
 
     `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`

@@ -24,8 +24,8 @@ class Frame(Struct, frozen=True, kw_only=True):
 class State(Struct, frozen=True, kw_only=True):
     """All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
     fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
-    to be predicted, the hidden curves where they are not the scene's own, and the step of a walk: "d34/d34-07", and
-    "d34/d34-07/5" where its numbers have a seed."""
+    to be predicted, the hidden curves where they are not the scene's own, the step of a walk: "d34/d34-07", and
+    "d34/d34-07/5" where its numbers have a seed, and the parts to show in place of those of its view."""
 
     scene: str
     parameters: dict[str, Value] = {}
@@ -35,3 +35,4 @@ class State(Struct, frozen=True, kw_only=True):
     before: dict[str, Value] | None = None
     hidden: tuple[str, ...] | None = None
     step: str = ""
+    show: Annotated[tuple[str, ...], Meta(max_length=50)] = ()

@@ -143,6 +143,7 @@ def plot(
     drawn = tuple(replace(one, x=one.x or called(x_column) or "t") for one in curves)
     filled = tuple(replace(one, x=one.x or called(x_column) or "t") for one in bands)
     return PlotBlock(
+        part=f"plot:{frame.name}",
         name=frame.name,
         title=title,
         brief=re.split("[,:]", title)[0],
@@ -154,8 +155,7 @@ def plot(
         room=room,
         cursor=bool(cursor),
         time=cursor == "time",
-        figure={},
-        **_named(dict(given)),
+        **_named({**given, "figure": {}}),
     )
 
 

@@ -58,16 +58,20 @@ def stage(
     height: int = 180,
     widest: float = 3.4,
     style: str = "",
+    name: str = "",
 ) -> Block:
-    """The picture. `label` describes it to those who do not see it."""
-    place = {"grow": grow, "basis": basis, "phone": phone, "height": height}
-    return StageBlock(shapes=shapes, label=label, widest=widest, style=style, **place)  # type: ignore[arg-type]
+    """The picture. `label` describes it to those who do not see it; a second one has a `name`."""
+    place: dict[str, Any] = {"grow": grow, "basis": basis, "phone": phone, "height": height}
+    part = f"stage:{name}" if name else "stage"
+    return StageBlock(shapes=shapes, label=label, part=part, widest=widest, style=style, **place)
 
 
-def words(*paragraphs: Paragraph, style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50) -> Block:
-    """Sentences and formulas."""
-    items = tuple(map(_item, paragraphs))
-    return WordsBlock(items=items, style=style, grow=grow, basis=basis, phone=phone)
+def words(
+    *paragraphs: Paragraph, name: str = "", style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
+) -> Block:
+    """Sentences and formulas; a step of a walk can show those that have a `name`."""
+    items, part = tuple(map(_item, paragraphs)), f"words:{name}" if name else ""
+    return WordsBlock(items=items, part=part, style=style, grow=grow, basis=basis, phone=phone)
 
 
 def table(
@@ -81,7 +85,7 @@ def table(
     """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
     cells = tuple(tuple(map(_item, line)) for line in rows)
     heads = tuple(map(rich, head))
-    return TableBlock(head=heads, rows=cells, style=style, grow=grow, basis=basis, phone=phone)
+    return TableBlock(head=heads, rows=cells, part="table", style=style, grow=grow, basis=basis, phone=phone)
 
 
 def either(form: Name, /, **variants: str) -> Forms:
@@ -109,6 +113,7 @@ def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, pho
     With the style "views" it stands right of the headline and switches the views of the scene.
     """
     return ChoiceBlock(
+        part=f"choice:{parameter.name}",
         name=parameter.name or "",
         options=labelled(parameter),
         label=parameter.label or "",

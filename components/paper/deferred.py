@@ -132,9 +132,14 @@ class FormWords(NamedTuple):
     words: dict[str, None]
 
     def word(self, value: object) -> str:
-        """Return the word for a value: a text is its own word; others choose yes or no, or the only word or none."""
+        """Return the word for a value: a text is its own word; others choose yes or no, or the only word or none.
+
+        A text that is missing has no word.
+        """
         if isinstance(value, str):
             return value if value in self.words else ""
+        if value is None and "yes" not in self.words:
+            return ""
         holds = value is not None and value is not False
         if "yes" in self.words:
             return "yes" if holds else "no"

@@ -17,6 +17,7 @@ import numpy as np
 from components.language.blocks import Block
 from components.language.picture import Pace
 from components.language.state import Frame
+from components.layout.views import check_views
 from components.paper.deferred import book_of, fields
 from components.paper.plots import settled
 from components.quantities.parameters import Values
@@ -161,8 +162,9 @@ class CaseScene(Scene):
     def written(cls) -> CasePaper:
         """Return the paper, built once per process."""
         book = book_of(cls.case)
-        block = cls.paper()
-        return CasePaper(settled(block, book), book)
+        block = settled(cls.paper(), book)
+        check_views(block, cls.views)
+        return CasePaper(block, book)
 
     @classmethod
     def sheet(cls) -> Block:

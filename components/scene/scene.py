@@ -14,7 +14,7 @@ from param.parameterized import ParameterizedMetaclass, discard_events
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.sheet import axes_of_columns
-from components.quantities.parameters import Quantity, Values
+from components.quantities.parameters import Quantity, Values, one_of
 from components.quantities.readouts import Readout
 from components.quantities.refusals import in_words
 from components.quantities.units import Unit
@@ -26,10 +26,17 @@ from components.scene.scene_info import SceneInfo
 from components.scene.traces import Columns
 
 NONE: Values = {}
+VIEW = "view"
+"""The parameter of a scene that says which of its views is shown."""
 
 
 class _SceneMeta(ParameterizedMetaclass, ABCMeta):
-    pass
+    """Gives a scene with views the parameter that chooses one."""
+
+    def __new__(mcs, name: str, bases: tuple[type, ...], given: dict[str, Any], **rest: Any) -> Any:
+        if views := given.get("views", ()):
+            given["view"] = one_of(views[0].slug, {view.slug: view.name for view in views}, "View")
+        return super().__new__(mcs, name, bases, given, **rest)
 
 
 class Scene(SceneInfo, metaclass=_SceneMeta):

@@ -11,6 +11,7 @@ import param
 from components.language.messages import Onward
 from components.layout.controls import Group
 from components.layout.stage import PlotFrame
+from components.layout.views import View
 from components.quantities.declared import LiveNumber
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene.running import Running
@@ -30,6 +31,13 @@ class SceneInfo(param.Parameterized):
     """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
+    views: ClassVar[tuple[View, ...]] = ()
+    """Its views; the first one opens. The parameter `view` is made from them. Without views all of the sheet is shown.
+    """
+    old_view: ClassVar[str] = ""
+    """The view of an old link that has values and names no view, if that is not the first."""
+    old_views: ClassVar[Mapping[str, Mapping[str, str]]] = {}
+    """The views that old links name in another way: by the old parameter and its value."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}
     watch: ClassVar[Mapping[str, str]] = {}

@@ -24,7 +24,7 @@ def linked(query: Query, scenes: Scenes, walks: Walks) -> tuple[Link, str]:
     try:
         if asked := asked_step(query, walks):
             step, name = asked
-            return dataclasses.replace(read_link(step.state, scenes), covered=step.cover), name
+            return dataclasses.replace(read_link(step.state, scenes), covered=step.cover, show=step.show), name
     except ValueError as reason:
         problems.append(str(reason))
     link = read_query(query, scenes).as_opened(scenes)

@@ -38,7 +38,8 @@ from components.session.worker import Apart, Errand, Here, Reading, Replied, Tea
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
 from components.state.encoding import view_of
-from components.state.scene_sheet import column_axes, sheet_address, usual
+from components.state.scene_sheet import sheet_address, usual
+from components.state.sent_picture import drawn_on, sent_picture
 from components.state.standing import Standing, changed, with_values
 from components.state.wire import Packet, decoded, packed
 from components.walks import Walks
@@ -273,7 +274,7 @@ class Session:
     ) -> Packet:
         """All that the browser needs to show what stands."""
         shown, left_out = now.told
-        view, numbers = view_of(shown, column_axes(now.kind), left_out)
+        view, numbers = view_of(sent_picture(now, shown), drawn_on(now), left_out)
         held, more = told_beside(now, shown)
         scene, work = now.scene, running or self.running
         told = Shown(

@@ -23,7 +23,7 @@ from components.scene.traces import Columns
 from components.state.beside import moved
 from components.state.covers import VALUE, spoken_of, without
 from components.state.encoding import columns_of, signals_of, traces_of
-from components.state.scene_sheet import column_axes
+from components.state.sent_picture import drawn_on, sent_picture
 from components.state.standing import Standing
 from components.state.wire import Steps
 
@@ -47,8 +47,9 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
     if drawn and differ:
         held, _ = without(kind, drawn, covered)
         alike = _units(held) == _units(shown)
-        columns, numbers = columns_of(_differing(held, shown, alike), column_axes(kind), shown.axes)
+        columns, numbers = columns_of(_differing(held, shown, alike), drawn_on(now), shown.axes)
         if alike:
+            held = sent_picture(now, held)
             traces = traces_of(held)
             traced = frozenset[str]().union(*(one.needed for one in held.traces.values()))
             needed, scalars = _needed(held, on_stage(kind) | traced)

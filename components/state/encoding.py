@@ -13,7 +13,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from components.language.picture import Drawn, Ruler, Trace, View
+from components.language.picture import Drawn, Ruler, PagePicture, Trace
 from components.language.signals import AnySignal, Sampled, Samples
 from components.quantities.axes import TIME_AXIS, Axis
 from components.scene.picture import Picture
@@ -30,11 +30,11 @@ FINE = 2**24 - 1
 """Steps of numbers that more is made of than a curve: as fine as float32."""
 
 
-def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
+def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[PagePicture, list[Steps]]:
     """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
     columns, numbers = columns_of(picture.columns, axes, picture.axes)
     signals, runs = signals_of(picture.signals)
-    view = View(
+    view = PagePicture(
         columns=columns,
         axes={name: axis.ruler for name, axis in picture.axes.items()},
         time=TIME_AXIS if TIME_AXIS in picture.axes else "",

@@ -3,7 +3,7 @@
 It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
 range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
 beside the picture: held.k=20, or held=default where that is how the scene opens. What was before the change that is to
-be predicted stands there in the same way: before.k=20.
+be predicted stands there in the same way: before.k=20. A list of parts, show=stage,plot:x, replaces those of the view.
 """
 
 from __future__ import annotations
@@ -18,18 +18,20 @@ from msgspec.structs import replace
 
 from components.language.state import Frame, State
 from components.layout.choices import chosen, word
+from components.layout.views import parts
 from components.quantities.axes import Range, ordered
 from components.quantities.numbers import MINUS, excerpt, parse_number, shortest
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene import Scene
 from components.scene.frames import FITTED, SIZES, checked
+from components.scene.scene import VIEW
 from components.state.beside import HIDDEN, holdable
 
 FOREIGN_KEYS = ("bokeh-", "panel-")
 PAGE_KEYS = frozenset({"theme", "projector", "walk", "step", "seed"})
 MOST_PROBLEMS = 8
-MOST_COVERS = 200
-COVER = "cover"
+MOST_NAMES = 200
+COVER, SHOW = "cover", "show"
 FRAME, GIVEN = "frame.", Frame(given=True)
 HELD, BEFORE = "held", "before"
 DEFAULT = "default"
@@ -55,6 +57,7 @@ class Link:
     covered: tuple[str, ...] = ()
     held: Values | None = None
     before: Values | None = None
+    show: tuple[str, ...] = ()
 
     def as_opened(self, scenes: Mapping[str, type[Scene]]) -> Link:
         """The link, or where it has no part of a state, that of the scene as a page of it opens."""
@@ -65,8 +68,9 @@ class Link:
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
     """Read a query key by key: what is good is kept, what is bad is named. Without a scene: the first one."""
     slug, problems = _read_slug(args.get("scene", ()), scenes)
-    known = scenes[slug].linked()
+    kind, known = scenes[slug], scenes[slug].linked()
     values: dict[str, object] = {}
+    show: tuple[str, ...] = ()
     others: dict[str, Values | None] = {HELD: None, BEFORE: None}
     frame: Frame | None = None
     covered: tuple[str, ...] = ()
@@ -75,33 +79,46 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
             continue
         try:
             if key == COVER:
-                covered = _read_covers(_only(key, given))
+                covered = _read_names(COVER, _only(key, given))
+            elif view := _old_view(kind, key, given):
+                values[VIEW] = view
+            elif key == SHOW and key not in known:
+                show = _read_parts(kind, _read_names(SHOW, _only(key, given)))
             elif key.startswith(FRAME):
                 frame = _with_part(frame or GIVEN, key.removeprefix(FRAME), _only(key, given))
             elif (other := key.partition(".")[0]) in others:
-                others[other] = {**(others[other] or {}), **_read_other(scenes[slug], key, given)}
+                others[other] = {**(others[other] or {}), **_read_other(kind, key, given)}
             else:
                 values[key] = _read(known, key, given)
         except ValueError as error:
             problems.append(str(error))
-    return Link(slug, values, _shortened(problems), frame, covered, others[HELD], others[BEFORE])
+    if kind.old_view and VIEW not in values and (values or frame or covered or any(others.values())):
+        values[VIEW] = kind.old_view
+    return Link(slug, values, _shortened(problems), frame, covered, others[HELD], others[BEFORE], show)
+
+
+def _old_view(scene: type[Scene], key: str, given: Sequence[bytes]) -> str:
+    """The view that an old link names by another parameter or value, "" for none."""
+    return scene.old_views.get(key, {}).get(_only(key, given), "") if key in scene.old_views else ""
 
 
 def write_query(state: State, scene: type[Scene]) -> str:
     """The text after the question mark that brings a state of the scene back.
 
-    Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
+    Its slug comes first, then the view and what differs from the default, then the frame;
     numbers are the shortest text that reads back as the same double.
     """
-    own = {**state.parameters} | ({} if state.hidden is None else {HIDDEN: list(state.hidden)})
-    parts = {"scene": scene.slug} | {name: _written(own[name]) for name in scene.linked() if name in own}
-    parts |= _frame_parts(state.frame or FITTED)
+    view = {VIEW: scene.views[0].slug} if scene.views else {}
+    own = view | state.parameters | ({} if state.hidden is None else {HIDDEN: list(state.hidden)})
+    written = {"scene": scene.slug} | {name: _written(own[name]) for name in scene.linked() if name in own}
+    written |= _frame_parts(state.frame or FITTED)
     for which, others in ((HELD, state.held), (BEFORE, state.before)):
         if others is not None:
-            parts |= {f"{which}.{name}": _written(value) for name, value in others.items()} or {which: DEFAULT}
-    if len(parts) == 1 and not state.covered:  # alone, the name of a scene opens it otherwise
-        parts |= {name: _written(scene.param[name].default) for name in scene.opens}
-    return urlencode(parts | ({COVER: ",".join(state.covered)} if state.covered else {}), safe=",:")
+            written |= {f"{which}.{name}": _written(value) for name, value in others.items()} or {which: DEFAULT}
+    if len(written) == 1 and not state.covered:  # alone, the name of a scene opens it otherwise
+        written |= {name: _written(scene.param[name].default) for name in scene.opens}
+    lists = {SHOW: state.show, COVER: state.covered}
+    return urlencode(written | {key: ",".join(names) for key, names in lists.items() if names}, safe=",:")
 
 
 def step_query(step: str) -> str:
@@ -155,11 +172,18 @@ def _range(text: str) -> tuple[float, float]:
     return parse_number(ends[0]), parse_number(ends[1])
 
 
-def _read_covers(text: str) -> tuple[str, ...]:
-    covers = tuple(dict.fromkeys(name for name in text.split(",") if name))
-    if len(covers) > MOST_COVERS:
-        raise ValueError(f"{COVER}: give at most {MOST_COVERS} names.")
-    return covers
+def _read_names(key: str, text: str) -> tuple[str, ...]:
+    names = tuple(dict.fromkeys(name for name in text.split(",") if name))
+    if len(names) > MOST_NAMES:
+        raise ValueError(f"{key}: give at most {MOST_NAMES} names.")
+    return names
+
+
+def _read_parts(scene: type[Scene], names: tuple[str, ...]) -> tuple[str, ...]:
+    known = parts(scene.sheet())
+    if unknown := next((name for name in names if name not in known), None):
+        raise ValueError(f"{SHOW}: “{excerpt(unknown)}” is not possible: choose from {', '.join(known)}.")
+    return names
 
 
 def _read_slug(given: Sequence[bytes], scenes: Mapping[str, type[Scene]]) -> tuple[str, list[str]]:

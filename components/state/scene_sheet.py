@@ -38,6 +38,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
         onward=scene.onward,
         spoken={what: text if isinstance(text, str) else text.aloud for what, text in scene.spoken.items()},
         usual=usual(scene).decode(),
+        views=tuple(view.sent for view in scene.views),
         paper=scene.sheet(),
         panel=panel(
             scene.param.objects("existing"),

@@ -10,13 +10,15 @@ from typing import Any
 
 import msgspec
 
-from components.language.messages import Open, SetValues
+from components.language.messages import Choose, Open, SetValues
 from components.language.state import Frame, State
+from components.layout.views import parts
 from components.quantities.numbers import excerpt
 from components.quantities.parameters import Values
 from components.scene import Scene
 from components.scene.frames import FITTED, checked, unfitted
 from components.scene.picture import Framed, Framing, Picture, draw
+from components.scene.scene import VIEW
 from components.state.beside import HIDDEN, WINDOW, moved, own_values, shown_as
 from components.state.commands import Command, RefusalError, asked_values, refusal, sentence
 from components.state.covers import NEXT, checked_covers
@@ -36,6 +38,7 @@ class Standing:
     `before`   what stood before the change that is to be predicted: it is told in place of this
     `covered`  the plots, numbers and sentences that are not told
     `step`     the step of a walk that it belongs to, "d34/d34-07"; with a seed "d34/d34-07/5"
+    `show`     the parts that are shown in place of those of the view
     `shared`   the system that goes along to other scenes
     `in_hand`  whether a hand holds on to what is drawn: then the axes that it moves along stay
     `number`   of the message that led here: one that comes again is not done again
@@ -48,6 +51,7 @@ class Standing:
     before: Standing | None = None
     covered: tuple[str, ...] = ()
     step: str = ""
+    show: tuple[str, ...] = ()
     shared: Shared = field(default_factory=dict)
     in_hand: bool = False
     number: int | None = None
@@ -90,6 +94,7 @@ class Standing:
             before=None if self.before is None else stated_own(self.before.scene),
             hidden=tuple(self.scene.values[HIDDEN]) if HIDDEN in own else None,
             step=self.step,
+            show=self.show,
         )
 
     def is_told_like(self, other: Standing) -> bool:
@@ -103,7 +108,7 @@ class Standing:
 
     @property
     def _marks(self) -> tuple[object, ...]:
-        return self.drawn.frame, self.drawn.fitted, self.covered, self.step
+        return self.drawn.frame, self.drawn.fitted, self.covered, self.step, self.show
 
     @property
     def query(self) -> str:
@@ -160,7 +165,9 @@ def _done(now: Standing, command: Command) -> Standing:
     frame = after.drawn.loosened({*along, *now.kind.steady})
     if said is False and not (now.step or now.covered) and frame != after.drawn.frame:
         after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
-    return _predicted(replace(after, in_hand=bool(said)), now.before or now, begins=now.before is None)
+    chooses_view = isinstance(command, Choose) and command.name == VIEW
+    after = replace(after, in_hand=bool(said), show=() if chooses_view else after.show)
+    return _predicted(after, now.before or now, begins=now.before is None)
 
 
 def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standing:
@@ -236,6 +243,7 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
         held=held,
         covered=checked_covers(kind, drawn.picture, state.covered),
         step=state.step,
+        show=tuple(name for name in state.show if name in parts(kind.sheet())),
         in_hand=False,
     )
     begins = state.before is None

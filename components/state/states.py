@@ -27,6 +27,7 @@ def state_in(link: Link) -> State:
         covered=link.covered,
         before=before,
         hidden=None if hidden is None else tuple(hidden),  # type: ignore[arg-type]  # a list of names
+        show=link.show,
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from components.layout.text import rich
+from components.layout.views import parts
 from components.quantities.numbers import excerpt
 from components.state.covers import coverable
 from components.walks.cards import ASKS, asked, sentences
@@ -92,6 +93,10 @@ def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
         return
     known, parameters = coverable(before.kind, before.shown), after.kind.param
     yield from (f"cover: “{excerpt(name)}” cannot be covered here." for name in step.cover if name not in known)
+    known_parts = parts(before.kind.sheet())
+    choices = ", ".join(known_parts)
+    unknown = [name for name in step.show if name not in known_parts]
+    yield from (f"show: “{excerpt(name)}” is not possible: choose from {choices}." for name in unknown)
     yield from (f"still: “{excerpt(name)}” is not in cover." for name in step.still if name not in step.cover)
     if step.cover and set(step.cover) == set(step.still):
         yield "still: the answer shows nothing that was covered."

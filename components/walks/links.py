@@ -59,11 +59,11 @@ def name_in_state(walk: str, step: BaseStep, seed: int = 0) -> str:
 
 def opening_state(name: str, step: BaseStep, scenes: Scenes) -> State:
     """The state that a step's question is asked of; `name` is that of the step in a state."""
-    return replace(state_of_link(step.state, scenes), covered=step.cover, step=name)
+    return replace(state_of_link(step.state, scenes), covered=step.cover, step=name, show=step.show)
 
 
 def elsewhere(name: str, step: BaseStep, link: str, scenes: Scenes) -> State:
     """The state of another link, at which the page stays in the step, after its answer."""
     state = state_of_link(link, scenes)
-    still = step.still if state.scene == state_of_link(step.state, scenes).scene else ()
-    return replace(state, covered=still, step=name)
+    is_same = state.scene == state_of_link(step.state, scenes).scene
+    return replace(state, covered=step.still if is_same else (), step=name, show=step.show if is_same else ())

@@ -34,7 +34,8 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """One idea: a question, the state that it is asked of, what is covered until it is answered, and what it means.
 
     `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
-    `still` is what stays covered after it, for a later step that asks for it. In the spans of `vary`, by quantity, each
+    `still` is what stays covered after it, for a later step that asks for it. `show` are the parts of the scene that
+    are shown, by default those of its view. In the spans of `vary`, by quantity, each
     student has numbers of their own: components/walks/variants.py. `controls` are the parameters that may be
     moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
     one. With `derive` a clicker shows the formulas in `follows` too.
@@ -52,6 +53,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     reveal: Address = ""
     cover: tuple[str, ...] = ()
     still: tuple[str, ...] = ()
+    show: tuple[str, ...] = ()
     controls: Annotated[tuple[str, ...], Meta(max_length=3)] = ()
     minutes: float | None = None
     core: bool = False

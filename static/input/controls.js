@@ -3,6 +3,7 @@
 
 import {button, chip, element, marked, svg} from "../core/dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
+import {viewOf} from "../paper/views.js"
 
 const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
 
@@ -10,7 +11,8 @@ const TYPING = "A digit begins a number in its field; Enter sets it, Escape take
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
  * @typedef {typeof import("../paper/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
- * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} PanelState
+ * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here">} Told
+ * @typedef {Told & {view: Pick<page.PagePicture, "forms">}} PanelState
  */
 
 /** A small drawing, if there is one. @param {string} d */
@@ -107,6 +109,9 @@ export class Controls {
   /** @type {ReturnType<typeof buildChoice>[]} */
   choices = []
 
+  /** @type {Map<string, {row: Element, place: Comment}>} the rows, each with its place in its group */
+  rows = new Map()
+
   /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
   folds = []
 
@@ -116,16 +121,24 @@ export class Controls {
   /** @type {HTMLElement[]} */
   actionProblems = []
 
+  /** @type {string | undefined} the view whose controls stand first */
+  view
+
+  /** @type {boolean[]} of each group, whether all of its controls are elsewhere */
+  bare = []
+
   /** @type {{span: HTMLElement, hint: string, names: string[]}[]} what stands beside the titles of groups */
   hints = []
 
   /**
-   * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
+   * @param {HTMLElement} host @param {page.SceneSheet} sheet @param {Send} send @param {Take} take
    * @param {Pictured} [pictured]
    */
-  constructor(host, spec, send, take, pictured) {
+  constructor(host, {panel: spec, views}, send, take, pictured) {
     this.host = host
     this.spec = spec
+    this.views = views
+    this.keys = element("section", {class: "group keys-of-view", hidden: ""}, element("h2", {}, "Move this"))
     this.send = send
     this.pictured = pictured
     // What is said is about the control that has the focus; without one nothing is.
@@ -133,6 +146,7 @@ export class Controls {
     this.sections = spec.groups.map(group => this.#section(group))
     this.presets = new Presets(spec, take)
     host.classList.add("controls")
+    if (views.length) host.append(this.keys)
     if (spec.presets.length) host.append(this.presets.element)
     host.append(...this.sections, this.says)
   }
@@ -150,7 +164,7 @@ export class Controls {
     else section.classList.add("on")
     const rows = group.folded ? this.#fold(group) : section
     this.hints[this.hints.length - 1]?.names.push(...group.rows.map(row => row.name))
-    for (const row of group.rows) this.#row(rows, row)
+    for (const row of group.rows) this.#placed(rows, row)
     const actions = group.title ? section : rows
     if (group.actions.length) actions.append(this.#actions(group.actions))
     if (group.facts.length) section.append(factTable(group.facts))
@@ -183,6 +197,27 @@ export class Controls {
     const rows = element("details", {class: "fold"}, summary)
     this.folds.push({rows, names: group.rows.map(row => row.name), wanted: false})
     return rows
+  }
+
+  /** @param {HTMLElement} host @param {page.ControlRow} row */
+  #placed(host, row) {
+    const place = document.createComment(row.name)
+    host.append(place)
+    this.#row(host, row)
+    this.rows.set(row.name, {row: /** @type {Element} */ (host.lastElementChild), place})
+  }
+
+  /** The controls of the view's task stand first; the others are in their groups. @param {string} view */
+  #arrange(view) {
+    if (this.view === view) return
+    this.view = view
+    for (const {row, place} of this.rows.values()) place.after(row)
+    const keys = this.views.find(({word}) => word === view)?.keys ?? []
+    for (const name of keys) this.keys.append(/** @type {{row: Element}} */ (this.rows.get(name)).row)
+    this.keys.hidden = !keys.length
+    this.bare = this.spec.groups.map(
+      ({rows, actions, facts}) => rows.every(({name}) => keys.includes(name)) && !actions.length && !facts.length,
+    )
   }
 
   /** @param {HTMLElement} host @param {page.ControlRow} row */
@@ -234,7 +269,9 @@ export class Controls {
 
   /** @param {PanelState} told */
   update({settings, errors, preset, here, view: {forms}}) {
-    for (const [i, {form}] of this.spec.groups.entries()) this.sections[i].hidden = Boolean(form) && !forms[form]
+    this.#arrange(viewOf(settings))
+    for (const [i, {form}] of this.spec.groups.entries())
+      this.sections[i].hidden = this.bare[i] || (Boolean(form) && !forms[form])
     for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
     for (const choice of this.choices) choice.update(settings)
     this.presets.update(preset)

@@ -5,6 +5,7 @@ export function showWaiting(page, waiting) {
   if (!waiting.size && !page.waiting.size) return
   page.waiting = waiting
   page.controls.wait(waiting)
+  page.views.wait(waiting)
   for (const part of page.root.querySelectorAll("[data-grab], [data-name]")) mark(part, waiting)
   for (const plot of page.plots) if (plot.shown) plot.handles.place()
 }

@@ -66,7 +66,7 @@ function fillPart(part, axes, numbers) {
 
 /**
  * The columns of signals over time.
- * @param {page.Trace} trace @param {Pick<page.View, "signals" | "scalars">} part
+ * @param {page.Trace} trace @param {Pick<page.PagePicture, "signals" | "scalars">} part
  * @returns {Record<string, Float64Array>}
  */
 function traced([end, count, names, called], {signals, scalars}) {

@@ -5,7 +5,7 @@ import {bokeh} from "../net/bokeh.js"
 import {Controls, isPicker} from "../input/controls.js"
 import {Clock} from "../core/clock.js"
 import {Compare} from "../compare/compare.js"
-import {element, frame, unitSize} from "../core/dom.js"
+import {element, frame, set, unitSize} from "../core/dom.js"
 import {guarded} from "../core/faults.js"
 import {Hand} from "../input/hand.js"
 import {later, using} from "../later.js"
@@ -13,6 +13,7 @@ import {Live} from "./live.js"
 import {Notice} from "../core/notes.js"
 import {Sheet} from "./sheet.js"
 import {Tools} from "../shell/tools.js"
+import {PAPER, Views} from "./views.js"
 import {Transport} from "../input/transport.js"
 
 /**
@@ -59,12 +60,16 @@ export class Page {
     this.root = element("div", {class: `page ${sheet.slug}`})
     this.paper = element("main", {class: "paper"})
     this.sheet = new Sheet(sheet.paper, this)
+    set(this.sheet.element, {id: PAPER, role: sheet.views.length ? "tabpanel" : null})
     this.heading = element("h1", {tabindex: -1}, sheet.headline)
     this.transport = new (RunBar ?? Transport)(this)
-    this.paper.append(this.heading, this.notice.element, this.sheet.element, this.transport.element)
-    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     const send = (/** @type {page.Said} */ message) => this.send(message)
-    this.controls = new Controls(this.panel, sheet.panel, send, sets => host.take(sets), pictured)
+    this.views = new Views(sheet.views, send)
+    this.root.classList.toggle("in-views", sheet.views.length > 0)
+    const {heading, notice, views, transport} = this
+    this.paper.append(heading, notice.element, views.task, views.element, this.sheet.element, transport.element)
+    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
+    this.controls = new Controls(this.panel, sheet, send, sets => host.take(sets), pictured)
     this.plots = this.sheet.plots
     this.stages = [...this.sheet.stages, ...this.controls.stages]
     for (const stage of this.stages) stage.resized = () => this.redraw()
@@ -79,9 +84,9 @@ export class Page {
 
   /** In the order in which they take a picture; what is fetched joins them. @returns {Part[]} */
   #parts() {
-    const {compare, sheet, live, hand, stages, plots, controls, tools, clock, transport, notice} = this
+    const {compare, views, sheet, live, hand, stages, plots, controls, tools, clock, transport, notice} = this
     const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before anything takes its new place
-    return [stand, sheet, live, hand, ...stages, ...plots, controls, compare, tools, clock, transport, notice]
+    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, tools, clock, transport, notice]
   }
 
   #aboutNumbers() {

@@ -142,13 +142,12 @@ export class Plot {
     const {view} = shown
     this.shown = shown
     this.view = view
-    this.absent = !view.axes[this.block.x] || !view.axes[this.block.y]
+    const isAway = this.host.closest("[hidden]") !== null
+    this.absent = isAway || !view.axes[this.block.x] || !view.axes[this.block.y]
     this.asked = {x: this.handles.ruler(this.block.x), y: this.handles.ruler(this.block.y)}
     this.x = this.asked.x ?? this.x
     this.y = this.asked.y ?? this.y
     this.hidden = new Set(this.page.hidden)
-    if (this.host.parentElement)
-      this.host.parentElement.hidden = Boolean(this.block.form) && !view.forms[this.block.form]
     this.cover.update()
     if (this.absent) return
     this.#widen()

@@ -5,6 +5,7 @@ import {buildChoice} from "../input/controls.js"
 import {element, long, marked, set} from "../core/dom.js"
 import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
+import {viewOf} from "./views.js"
 
 /** @typedef {{name: string, text: HTMLElement}} Variant a form and what then stands */
 
@@ -24,8 +25,8 @@ export class Sheet {
   /** @type {{name: string, holder: HTMLElement, variants: Variant[]}[]} */
   items = []
 
-  /** @type {{host: HTMLElement, form: string}[]} */
-  conditional = []
+  /** @type {Map<page.Block, HTMLElement>} */
+  hosts = new Map()
 
   /** @type {{host: HTMLElement, height: number | null}[]} stages that stay in sight on a phone */
   sticky = []
@@ -33,6 +34,7 @@ export class Sheet {
   /** @param {page.Block} block @param {PartHost} page */
   constructor(block, page) {
     this.page = page
+    this.paper = block
     this.element = this.#block(block)
   }
 
@@ -42,7 +44,7 @@ export class Sheet {
     host.style.setProperty("--flex", flex(block))
     if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
     if (block.height) host.style.setProperty("--phone-height", long(block.height))
-    if (block.form && block.kind !== "plot") this.conditional.push({host, form: block.form})
+    this.hosts.set(block, host)
     if (!block.hall) host.classList.add("at-desk")
     this.#fill(host, block)
     return host
@@ -153,21 +155,43 @@ export class Sheet {
     return table
   }
 
+  /**
+   * Hides what neither the view nor the step's own list of parts shows, and says whether anything of it is left.
+   * @param {page.Block} block @param {Drawn} shown @returns {boolean}
+   */
+  #stand(block, shown) {
+    const {settings, state, view} = shown
+    const parts = state.show ?? []
+    const isInView = parts.length > 0 || !block.views.length || block.views.includes(viewOf(settings))
+    let stands = isInView && (!block.form || Boolean(view.forms[block.form]))
+    if (stands && (block.kind === "row" || block.kind === "column"))
+      stands = block.blocks.map(child => this.#stand(child, shown)).includes(true)
+    else if (parts.length) stands &&= parts.includes(block.part)
+    const host = /** @type {HTMLElement} */ (this.hosts.get(block))
+    host.hidden = !stands
+    return stands
+  }
+
   /** @param {Drawn} shown */
-  update({view: {forms}, settings, state: {covered, before}}) {
+  update(shown) {
+    const {
+      view: {forms},
+      settings,
+      state: {covered, before},
+    } = shown
+    this.#stand(this.paper, shown)
     for (const {term, part, variants} of this.headings) {
       const wanted = forms[term.form] ?? "formula"
-      let shown = false
+      let hasText = false
       for (const {name, text} of variants) {
         text.hidden = variants.length > 1 && name !== wanted
-        shown ||= !text.hidden && text.innerHTML !== ""
+        hasText ||= !text.hidden && text.innerHTML !== ""
       }
-      part.style.display = wanted === "" || !shown ? "none" : ""
+      part.style.display = wanted === "" || !hasText ? "none" : ""
       const off = this.page.hidden.includes(term.curve)
       part.classList.toggle("off", off)
       if (term.curve) part.setAttribute("aria-pressed", String(!off))
     }
-    for (const {host, form} of this.conditional) host.hidden = !forms[form]
     for (const {name, variants, holder} of this.items) {
       const wanted = forms[name] ?? ""
       const waits = !holder.hidden && covered.includes(`form:${name}`)

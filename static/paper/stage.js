@@ -167,6 +167,15 @@ export class Stage {
   /** @type {Canvas | undefined} a plot of the same size, whose texts stand already */
   under
 
+  /** @type {Named} whether lines of plots go on in it */
+  join = {}
+
+  /** @type {Set<string>} the plots beside it */
+  beside = new Set()
+
+  /** @type {Named} */
+  nowhere = {}
+
   /** @type {(() => void) | undefined} called when there is more or less room */
   resized
 
@@ -205,6 +214,7 @@ export class Stage {
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(shape, shape.grab)
+    this.#joins()
     this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
       const before = this.size
@@ -212,6 +222,14 @@ export class Stage {
       if (Object.entries(this.size).some(([name, value]) => value !== before[name])) this.resized?.()
     })
     this.observer.observe(host)
+  }
+
+  /** Finds the plots that stand beside it on a wide screen, whose lines go on in it. */
+  #joins() {
+    const joined = this.shapes.filter(({needs}) => needs.has("wide"))
+    this.beside = new Set(joined.flatMap(({plots}) => [...plots]))
+    // What their places count as while they stand elsewhere or not at all.
+    this.nowhere = Object.fromEntries(joined.flatMap(({places}) => places.map(name => [name, 0])))
   }
 
   /** Takes the place that there is. */
@@ -238,6 +256,8 @@ export class Stage {
     const origin = this.svg.getBoundingClientRect()
     this.clear.measure(this.host, origin, this.under)
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
+    const isJoined = !this.size.narrow && [...this.beside].every(name => `${name}.left` in this.plots)
+    this.join = {wide: Number(isJoined), narrow: Number(!isJoined)}
     // On a phone the plot that is asked about stands apart: what joins it to others would lie over the card.
     this.apart = this.size.narrow > 0 && plots.some(({host}) => host.matches(".sketched, .marked"))
     for (const [plot, {rect}] of this.frames) {
@@ -274,12 +294,13 @@ export class Stage {
   /** Once a frame: all shapes at the instant of `named`. @param {Named} named */
   frame(named) {
     if (this.host.closest("[hidden]")) return
-    const all = {...named, ...this.plots, ...this.size}
+    const all = {...this.nowhere, ...named, ...this.plots, ...this.size, ...this.join}
     for (const shape of this.shapes) {
-      const {spec, kind, parts, group, places, plots, covered} = shape
+      const {spec, kind, parts, group, needs, places, plots, covered} = shape
       const away = covered || (this.apart && plots.size > 1)
-      // What lies over a plot does not stand without it.
-      const shown = !away && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
+      // What lies over a plot does not stand without it; what only goes on from it on a wide screen does.
+      const stands = (!all.wide && needs.has("wide")) || places.every(name => name in this.plots)
+      const shown = !away && stands && spec.show.every(name => all[name])
       group.style.display = shown ? "" : "none"
       const now = shown ? atInstant(shape, all) : null
       if (now) kind.move(parts, now)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from components.language.blocks import PlotBlock, StageBlock
-from components.language.picture import View
+from components.language.picture import PagePicture
 from components.language.shapes import AnyShape, Grab
 from components.layout.sheet import blocks, in_force
 from components.scene import Picture, Scene
@@ -42,7 +42,7 @@ def _axes(scene: type[Scene]) -> list[tuple[str, str, str]]:
     return [(plot.name, plot.x, plot.y) for plot in plots(scene)]
 
 
-def _view(picture: Picture) -> View:
+def _view(picture: Picture) -> PagePicture:
     return replace(view_of(picture, {})[0], signals=picture.signals)
 
 

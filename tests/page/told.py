@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from components.language.messages import ToldAny
-from components.language.picture import View
+from components.language.picture import PagePicture
 from components.layout.controls import panel
 from components.scene import Picture, Scene
 from components.scenes import SCENES
@@ -52,7 +52,7 @@ def take_preset(scene: Scene, label: str) -> Errors:
 def picture_wire(scene: Scene | Standing) -> dict[str, Any]:
     """The picture as the browser has it after unpacking: nested lists and dicts, columns as arrays."""
     view, numbers = view_of(scene.shown, column_axes(scene.kind if isinstance(scene, Standing) else type(scene)))
-    msgspec.json.decode(as_json(view), type=View)
+    msgspec.json.decode(as_json(view), type=PagePicture)
     return dict(scripts.unpacked(packed({"view": view}, numbers))["view"])  # type: ignore[arg-type]
 
 

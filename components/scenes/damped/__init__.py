@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from components.dashpot import DashpotScene, keeping, parts
 from components.layout.controls import Group
-from components.quantities.parameters import displacement, one_of, velocity
+from components.layout.views import View
+from components.quantities.parameters import displacement, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.damped.case import DampedShown
 from components.scenes.damped.paper import paper
@@ -66,12 +67,34 @@ class Damped(DashpotScene, CaseScene):
         0.0, symbol="v_0", tint="m1", softbounds=(-3.0, 3.0),
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
-    view = one_of("motion", {"motion": "Motion", "forces": "Forces"}, "What is shown beside the mass")
+    views = (
+        View(
+            "Motion",
+            "Turn up the damping *ζ*: where does the swinging end, and does still more bring the mass home sooner?",
+            keys=(zeta,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Roots",
+            "Drag the black dot: left it dies faster, up it swings faster. Where does the swinging end?",
+            keys=(zeta,), names=("plot:roots",),
+        ),
+        View(
+            "Energy", "Watch the coloured areas: when does the dashpot take most of the energy?",
+            keys=(zeta,), names=("plot:energy",),
+        ),
+        View(
+            "Forces", "Watch both arrows: where does the dashpot pull hardest, and where not at all?",
+            keys=(zeta,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Formulas", "Change one value, and watch the numbers in each formula.", keys=(zeta,),
+            names=("plot:x", "words:formulas"),
+        ),
+    )  # fmt: skip
     groups = (
         Group("Mass, spring, dashpot", (m, k, c, zeta)),
         Group("When m or k changes", (keep,)),
         Group("Start", (x_0, v_0)),
-        Group("Shown", (view,)),
     )
 
     case = DampedShown

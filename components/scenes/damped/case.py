@@ -130,6 +130,11 @@ class DampedCase(DashpotCase):
         """The largest power in W."""
         return scaled(0, self.c, self.free.fastest.v, self.free.fastest.v)
 
+    @property
+    def heading(self) -> Literal["words", "numbers"]:
+        """The names of curves over a plot: words, or formulas with numbers."""
+        return "numbers" if self.view == "formulas" else "words"
+
     @cached_property
     def greatest(self) -> float:
         """The largest force of spring or dashpot in N, in the window; 0 in a view without forces."""
@@ -250,7 +255,9 @@ class DampedShown(DampedCase):
     glide = value.optional(lambda c: scaled(0, abs(c.v_0), 1 / c.one.rates[1]) if c.said == "glide" else None)
     # Which formulas and words are shown.
     power = value(lambda c: c.c > 0)
-    x_form = value(lambda c: "parts" if c.parted else c.kind)
+    x_form = value(lambda c: "words" if c.heading == "words" else "parts" if c.parted else c.kind)
+    envelope_form = value.optional(lambda c: c.heading if c.kind == "under" else None)
+    parts_form = value.optional(lambda c: c.heading if c.parted else None)
     roots = value(_formula)
     fastest = value(_where)
     # The stage.

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from components.dashpot import apparatus
+from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
 from components.language.numbers import Number
 from components.language.plots import Room
-from components.layout.sheet import column, desk, row, stage
+from components.layout.sheet import column, row, stage
 from components.layout.stage import AT_DESK, ON_WIDE, H, Shape, T, W, arrow, circle, line, path, text, wall, wide
+from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
 from components.paper.plots import (
@@ -64,21 +65,25 @@ def _reach(case: DampedShown) -> float:
 
 def paper() -> Block:
     label = "Mass on a spring and a dashpot, which stand on a wall"
-    task = "Drag a root: where does the swinging end, and does still more damping bring the mass home sooner?"
-    return column(
-        desk(words(task, style="task", phone=0)),
-        row(
-            stage(*block(), label=label, grow=150, height=232),
-            column(displacement(), desk(power()), energy(), grow=470),
-            column(plane(), *facts(), grow=272),
-            gap=6,
+    return row(
+        stage(*block(), label=label, grow=160, height=172),
+        column(
+            displacement(),
+            in_views(power(), "energy"),
+            in_views(energy(), "energy"),
+            in_views(words(fate(), phone=15, name="fate"), "motion", "roots", "forces", "formulas"),
+            grow=450,
         ),
+        in_views(column(plane(), grow=262), "roots"),
+        in_views(column(facts(), grow=250), "formulas"),
+        gap=6,
     )
 
 
 def displacement() -> Block:
     x = either(
         c.x_form,
+        words=r"\text{displacement } x",
         under=rf"x = {c.C}\, e^{{-{c.a}\,t}} \sin({c.omega_d}\,t\, {c.phi:+})",
         plain=rf"x = {c.C}\, \sin({c.omega}\,t\, {c.phi:+})",
         critical=rf"x = ({c.A}\, {c.B:+}\,t)\, e^{{-{c.a}\,t}}",
@@ -88,15 +93,17 @@ def displacement() -> Block:
         glide=rf"x = {c.x_0}\, {c.v_0:+}\, \frac{{1 - e^{{-{c.rate}\,t}}}}{{{c.rate}}}",
         drift=rf"x = {c.x_0}\, {c.v_0:+}\,t",
     )
-    envelope = rf"\pm {c.C}\, e^{{-{c.a}\,t}}"
+    envelope = either(c.envelope_form, words=r"\text{envelope}", numbers=rf"\pm {c.C}\, e^{{-{c.a}\,t}}")
+    slow = either(c.parts_form, words=r"\text{slow part}", numbers=rf"{c.A}\, e^{{{c.slow}\,t}}")
+    fast = either(c.parts_form, words=r"\text{fast part}", numbers=rf"{c.B:+}\, e^{{{c.fast}\,t}}")
     return X.block(
         curve(c.x, "sum", "m1", label="*x*", legend=x, fast="band", dot=True),
         curve(c.upper, "thin", "m1", read="envelope", legend=envelope),
         curve(c.lower, "thin", "m1", group="upper"),
-        curve(c.slow_part, "thin", "m1", read="slow part", legend=rf"{c.A}\, e^{{{c.slow}\,t}}"),
-        curve(c.fast_part, "dash", "m1", read="fast part", legend=rf"{c.B:+}\, e^{{{c.fast}\,t}}"),
+        curve(c.slow_part, "thin", "m1", read="slow part", legend=slow),
+        curve(c.fast_part, "dash", "m1", read="fast part", legend=fast),
         title="Displacement against time",
-        over=stairs(), x_labels=False, room=SIDES, grow=184, phone=10, height=190,
+        over=stairs(), room=SIDES, grow=184, phone=10, height=212,
     )  # fmt: skip
 
 
@@ -110,7 +117,7 @@ def energy() -> Block:
             layer(c.heat, "k2fill", top=c.E_0, words=f"+ heat {c.heat}", read="heat"),
         ),
         title="Energy against time: potential, kinetic, and what has become heat in the dashpot; the sum is constant",
-        over=at_fastest(ENERGY), room=SIDES, grow=160, phone=12, height=170,
+        over=at_fastest(ENERGY), room=SIDES, grow=160, phone=8, height=190,
     )  # fmt: skip
 
 
@@ -127,7 +134,7 @@ def power() -> Block:
         note(where, "mute"),
         title="Power that the dashpot takes, against time",
         over=at_fastest(POWER, POWER.y(c.P_max)), x_labels=False, room=SIDES, grow=82, phone=11,
-        height=130,
+        height=110,
     )  # fmt: skip
     return when(c.power, block)
 
@@ -145,11 +152,11 @@ def plane() -> Block:
         curve(c.locus, "thin", "ink", read="other *ζ*", columns=("re", "im"), group="locus"),
         note(formula),
         title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
-        over=roots(), room=Room(2, 2), square=True, plain=True, grow=250, phone=30, height=300,
+        over=roots(), room=Room(2, 2), square=True, plain=True, grow=250, phone=9, height=290,
     )  # fmt: skip
 
 
-def facts() -> tuple[Block, ...]:
+def facts() -> Block:
     natural = either(
         c.spring,
         yes=rf"$\omega_n = \sqrt{{\dfrac{{k}}{{m}}}} = {c.omega}$ rad/s",
@@ -174,12 +181,7 @@ def facts() -> tuple[Block, ...]:
             over=rf"$s_1 s_2 = \omega_n^2 = {c.square}$ 1/s²",
         ),
     )
-    return (
-        words(r"$m \ddot{x} + c \dot{x} + k x = 0$", phone=31),
-        desk(words(natural, phone=32)),
-        words(*numbers, phone=33),
-        desk(words(fate(), style="small", phone=34)),
-    )
+    return words(r"$m \ddot{x} + c \dot{x} + k x = 0$", natural, *numbers, phone=12, name="formulas")
 
 
 def fate() -> EitherText:
@@ -211,20 +213,21 @@ def height(x: PlotValue) -> Number:
 def block() -> list[Shape]:
     """Block, spring and dashpot on their wall, on one level line with the curve."""
     y, lowest = height(c.x), LEVEL + 0.5 * STROKE + 0.5 * SIDE
-    aside, foot = MIDDLE - 0.5 * SIDE - 15, lowest + STROKE + 35
+    aside, foot = MIDDLE - 0.5 * SIDE - 15, lowest + NARROW_BELOW
     hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
     return [
         line(0.03 * W, LEVEL, wide(X.left - 30, 0.55 * W), LEVEL, style="eq", tint="mute"),
         line(MIDDLE, y, X.x(T), y, style="level", tint="m1", show=ON_WIDE),
-        *apparatus(MIDDLE, y, SIDE, lowest, STROKE, c.wire, hand),
+        *apparatus(MIDDLE, y, SIDE, lowest, STROKE, c.wire, hand, beside=True),
         arrow(aside, LEVEL, aside, y, tint="m1"),
         *force(number(c.pull), aside, -9, y, "k", "−*kx*", "end"),
         *force(number(c.brake), MIDDLE + 0.5 * SIDE + 15, 9, y, "T", "−*cv*", "start"),
         text(
             wide(2, 0.58 * W), wide(16, 0.28 * H), f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo",
         ),
-        text(2, foot + 28, "smooth table,", "start", tint="mute", style="halo", show=(ON_WIDE, AT_DESK)),
-        text(2, foot + 44, "seen from above", "start", tint="mute", style="halo", show=(ON_WIDE, AT_DESK)),
+        text(
+            2, foot + 26, "smooth table, seen from above", "start", tint="mute", style="halo", show=(ON_WIDE, AT_DESK),
+        ),
     ]  # fmt: skip
 
 

@@ -1,0 +1,72 @@
+"""Views of a scene: each shows some parts of its sheet, under a task of its own."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from msgspec.structs import replace
+
+from components.language.blocks import Block, Column, Row
+from components.language.messages import ViewTab
+from components.layout.sheet import blocks
+from components.layout.text import rich
+from components.quantities.parameters import AnyParameter, names_of
+
+
+@dataclass(frozen=True)
+class View:
+    """A view of a scene: the name on its tab, and a task.
+
+    `keys` are the parameters that the task names: their controls are the first of the panel. `names` are the parts that
+    the task speaks of, such as "stage" and "plot:x": a phone's first screen has all of them. `word` is its name in
+    links, by default the first word of its name.
+    """
+
+    name: str
+    task: str
+    keys: tuple[AnyParameter, ...] = ()
+    names: tuple[str, ...] = ("stage",)
+    word: str = ""
+
+    @property
+    def slug(self) -> str:
+        return self.word or re.findall(r"\w+", self.name.lower())[0]
+
+    @property
+    def sent(self) -> ViewTab:
+        return ViewTab(word=self.slug, name=self.name, task=rich(self.task), keys=tuple(names_of(self.keys)))
+
+
+def in_views(block: Block, *views: str) -> Block:
+    """Return the block, shown only in these views, each by its word."""
+    return replace(block, views=views)
+
+
+def check_views(sheet: Block, views: Sequence[View]) -> None:
+    """Raise ValueError for a block in an unknown view, and for a view whose task names a part that it does not show."""
+    known = {view.slug for view in views}
+    for block in blocks(sheet):
+        if unknown := set(block.views) - known:
+            raise ValueError(f"{block.part or 'A block'} is in {', '.join(unknown)}, which is not a view.")
+    for view in views:
+        shown = {block.part for block in shown_blocks(sheet, view.slug)}
+        if missing := [name for name in view.names if name not in shown]:
+            raise ValueError(f"The view {view.name} does not show {', '.join(missing)}, which its task names.")
+
+
+def shown_blocks(block: Block, view: str, show: Sequence[str] = ()) -> Iterator[Block]:
+    """Yield the blocks without blocks inside that a view shows; those named in `show`, if it has any names."""
+    if not show and block.views and view not in block.views:
+        return
+    if isinstance(block, (Row, Column)):
+        for inner in block.blocks:
+            yield from shown_blocks(inner, view, show)
+    elif not show or block.part in show:
+        yield block
+
+
+def parts(sheet: Block) -> list[str]:
+    """Return the names of the parts of a sheet, each once: what the list `show` of a step can name."""
+    return list(dict.fromkeys(block.part for block in blocks(sheet) if block.part))

@@ -1,0 +1,87 @@
+"""The part of a picture that is sent: what the shown parts of the sheet need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import msgspec
+
+from components.language.blocks import Column
+from components.layout.sheet import axes_of_columns
+from components.layout.views import shown_blocks
+from components.scene import Picture, Scene
+from components.scene.scene import VIEW
+from components.state.covers import spoken_of
+from components.state.encoding import ColumnAxes
+from components.state.scene_sheet import LIVE, column_axes, scene_sheet
+from components.state.standing import Standing
+
+MOST_LISTS = 300
+"""Views, and lists of parts, that a process remembers."""
+
+
+@dataclass(frozen=True)
+class SentParts:
+    """The needs of the shown parts of a sheet: the axis of each column, and the names of signals and scalars.
+
+    The names are all strings of these parts, so that none is missed.
+    """
+
+    axes: ColumnAxes
+    names: frozenset[str]
+
+
+def sent_parts(now: Standing) -> SentParts | None:
+    """Return what the shown parts of a page need; None for a scene that shows all of its sheet."""
+    if not (now.kind.views or now.show):
+        return None
+    return _sent_parts(now.kind, now.scene.values.get(VIEW, ""), now.show)
+
+
+@lru_cache(MOST_LISTS)
+def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentParts:
+    blocks, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
+    names = frozenset(_strings(msgspec.to_builtins([*blocks, sheet.panel, sheet.spoken])))
+    return SentParts(axes_of_columns(Column(blocks=tuple(blocks))), names)
+
+
+def drawn_on(now: Standing) -> ColumnAxes:
+    """Return the axis of each column that is sent, by source."""
+    parts = sent_parts(now)
+    return parts.axes if parts else column_axes(now.kind)
+
+
+def sent_picture(now: Standing, picture: Picture) -> Picture:
+    """Return the picture without the curves and motions that no shown part needs; texts all stay."""
+    parts = sent_parts(now)
+    if parts is None:
+        return picture
+    axes = parts.axes
+    traces = {name: one.less(set(one.names) - axes.get(name, {}).keys()) for name, one in picture.traces.items()}
+    wanted = parts.names.union(*(one.needed for one in traces.values()))
+    if now.step:
+        wanted = wanted.union(picture.live)  # the texts of a step may have any of them
+    for name, signal in reversed(list(picture.signals.items())):
+        if name in wanted:
+            wanted |= spoken_of(signal)
+    return replace(
+        picture,
+        traces=traces,
+        signals={name: one for name, one in picture.signals.items() if name in wanted},
+        scalars={name: one for name, one in picture.scalars.items() if name in wanted},
+        live={name: one for name, one in picture.live.items() if name in wanted},
+    )
+
+
+def _strings(part: Any) -> Iterator[str]:
+    if isinstance(part, str):
+        yield part
+        yield from LIVE.findall(part)
+    elif isinstance(part, (list, tuple)):
+        for one in part:
+            yield from _strings(one)
+    elif isinstance(part, dict):
+        yield from _strings(list(part.values()))

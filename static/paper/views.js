@@ -1,0 +1,85 @@
+// The views of a scene: the tabs that choose one, and the task of the one that is shown.
+
+import {button, element, marked, set} from "../core/dom.js"
+
+export const PAPER = "view" // the id of what a tab shows
+
+/** @type {Record<string, (at: number, count: number) => number>} by the key, which tab comes next */
+const MOVES = {
+  ArrowLeft: at => at - 1,
+  ArrowRight: at => at + 1,
+  Home: () => 0,
+  End: (_, count) => count - 1,
+}
+
+/** The word of the view that is shown, "" of a scene without views. @param {Drawn["settings"]} settings */
+export const viewOf = settings => String(settings.view?.value ?? "")
+
+/** @implements {Part} */
+export class Views {
+  moves = false // whether the focus goes along with the choice
+
+  /** @param {page.ViewTab[]} views @param {Send} send */
+  constructor(views, send) {
+    this.views = views
+    this.send = send
+    this.tabs = views.map(({word, name}, i) =>
+      button({role: "tab", "aria-controls": PAPER, "data-view": word}, () => this.choose(i), name),
+    )
+    this.tasks = views.map(({task}) => marked("p", {class: "view-task", hidden: ""}, task))
+    this.task = element("div", {class: "view-tasks"}, ...this.tasks)
+    this.element = element("div", {class: "tabs", role: "tablist", "aria-label": "Views"}, ...this.tabs)
+    this.element.addEventListener("keydown", event => this.#key(event))
+  }
+
+  /** @param {number} place */
+  choose(place) {
+    const {word} = this.views[(place + this.views.length) % this.views.length]
+    this.send({type: "choose", name: "view", value: word})
+  }
+
+  /** To the next view, or the one before: -1. @param {1 | -1} by */
+  turn(by) {
+    if (this.views.length && !this.element.hidden) this.choose(this.chosen + by)
+  }
+
+  get chosen() {
+    return this.tabs.findIndex(tab => tab.getAttribute("aria-selected") === "true")
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const move = MOVES[event.key]
+    if (!move || event.ctrlKey || event.altKey || event.metaKey) return
+    event.preventDefault()
+    event.stopPropagation()
+    this.choose(move(this.chosen, this.views.length))
+    this.moves = true
+  }
+
+  /** The tab that was pressed waits for the server. @param {Waits} waiting */
+  wait(waiting) {
+    for (const tab of this.tabs) tab.classList.toggle("waits", tab.dataset.view === waiting.get("view"))
+  }
+
+  /** A question has the page for itself: there are no tabs until it is answered. @param {Drawn} shown */
+  update({settings, state}) {
+    const now = viewOf(settings)
+    const asks = Boolean(state.step) && state.covered.length > 0
+    this.element.hidden = asks || !this.views.length
+    for (const [i, tab] of this.tabs.entries()) {
+      const isChosen = tab.dataset.view === now
+      if (isChosen && tab.getAttribute("aria-selected") !== "true") this.#enter(tab)
+      set(tab, {"aria-selected": isChosen, tabindex: isChosen ? 0 : -1})
+      this.tasks[i].hidden = !isChosen || Boolean(state.step)
+    }
+    this.moves = false
+  }
+
+  /** A row of tabs that is wider than a phone moves along. @param {HTMLElement} tab */
+  #enter(tab) {
+    if (this.moves) tab.focus({preventScroll: true})
+    const {offsetLeft, offsetWidth, parentElement: row} = tab
+    if (row) row.scrollLeft = offsetLeft + offsetWidth / 2 - row.clientWidth / 2
+  }
+}
