@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from components.language.blocks import Block
 from components.language.controls import Panel, Setting
-from components.language.picture import Held, Progress, PagePicture
+from components.language.picture import Held, PagePicture, Progress
 from components.language.state import State
 from components.language.text import Html
 from components.language.walk import Lesson, WalkSheet

@@ -13,7 +13,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from components.language.picture import Drawn, Ruler, PagePicture, Trace
+from components.language.picture import Drawn, PagePicture, Ruler, Trace
 from components.language.signals import AnySignal, Sampled, Samples
 from components.quantities.axes import TIME_AXIS, Axis
 from components.scene.picture import Picture

@@ -14,7 +14,7 @@ import {BEGINS_NUMBER} from "../core/numbers.js"
  */
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
-const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
+const MOVED = "input, [role=slider], [role=application], [role=menuitem], [role=tab]"
 const LIES = ".walks[open], .scene-menu[open], dialog.keys, dialog.class-large"
 const OPEN = `${LIES}, .card .follows[open]`
 const OFF = "single-keys"

@@ -67,7 +67,7 @@ export class Page {
     this.views = new Views(sheet.views, send)
     this.root.classList.toggle("in-views", sheet.views.length > 0)
     const {heading, notice, views, transport} = this
-    this.paper.append(heading, notice.element, views.task, views.element, this.sheet.element, transport.element)
+    this.paper.append(heading, notice.element, views.element, this.sheet.element, transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     this.controls = new Controls(this.panel, sheet, send, sets => host.take(sets), pictured)
     this.plots = this.sheet.plots

@@ -27,9 +27,9 @@ export class Views {
       button({role: "tab", "aria-controls": PAPER, "data-view": word}, () => this.choose(i), name),
     )
     this.tasks = views.map(({task}) => marked("p", {class: "view-task", hidden: ""}, task))
-    this.task = element("div", {class: "view-tasks"}, ...this.tasks)
-    this.element = element("div", {class: "tabs", role: "tablist", "aria-label": "Views"}, ...this.tabs)
-    this.element.addEventListener("keydown", event => this.#key(event))
+    this.row = element("div", {class: "tabs", role: "tablist", "aria-label": "Views"}, ...this.tabs)
+    this.row.addEventListener("keydown", event => this.#key(event))
+    this.element = element("div", {class: "views-head"}, element("div", {class: "view-tasks"}, ...this.tasks), this.row)
   }
 
   /** @param {number} place */
@@ -40,7 +40,7 @@ export class Views {
 
   /** To the next view, or the one before: -1. @param {1 | -1} by */
   turn(by) {
-    if (this.views.length && !this.element.hidden) this.choose(this.chosen + by)
+    if (this.views.length && !this.row.hidden) this.choose(this.chosen + by)
   }
 
   get chosen() {
@@ -66,7 +66,7 @@ export class Views {
   update({settings, state}) {
     const now = viewOf(settings)
     const asks = Boolean(state.step) && state.covered.length > 0
-    this.element.hidden = asks || !this.views.length
+    this.row.hidden = asks || !this.views.length
     for (const [i, tab] of this.tabs.entries()) {
       const isChosen = tab.dataset.view === now
       if (isChosen && tab.getAttribute("aria-selected") !== "true") this.#enter(tab)

@@ -1,0 +1,77 @@
+"""Views: what a scene shows, sends and links to in each."""
+
+from __future__ import annotations
+
+from urllib.parse import parse_qs
+
+import pytest
+
+from components.language.messages import Choose, Open
+from components.language.state import State
+from components.layout.views import shown_blocks
+from components.scenes import SCENES
+from components.state.link import read_query
+from components.state.sent_picture import drawn_on, sent_picture
+from components.state.standing import Standing, changed, fitted, standing_in
+from components.state.states import state_in
+
+VIEWS = [(slug, view.slug) for slug, scene in SCENES.items() for view in scene.views]
+views = pytest.mark.parametrize(("slug", "view"), VIEWS)
+
+
+def opened(query: str) -> Standing:
+    """The page of a link, which has no problems."""
+    args = {key: [text.encode() for text in texts] for key, texts in parse_qs(query, keep_blank_values=True).items()}
+    link = read_query(args, SCENES)
+    assert not link.problems
+    return standing_in(SCENES[link.slug], state_in(link))
+
+
+@views
+def test_a_link_names_its_view(slug: str, view: str) -> None:
+    now = fitted(SCENES[slug](view=view))
+    assert f"view={view}" in now.query
+    assert opened(now.query).scene.key == now.scene.key
+
+
+@views
+def test_every_view_has_something_of_its_own(slug: str, view: str) -> None:
+    sheet = SCENES[slug].sheet()
+    shown = {one.slug: frozenset(map(id, shown_blocks(sheet, one.slug))) for one in SCENES[slug].views}
+    texts = {one.slug: one.task for one in SCENES[slug].views}
+    assert shown[view]
+    assert all(texts[view] != text for name, text in texts.items() if name != view)
+
+
+@views
+def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) -> None:
+    now = fitted(SCENES[slug](view=view))
+    first = fitted(SCENES[slug]())
+    assert now.shown.sources.keys() == first.shown.sources.keys()
+    for source, columns in first.shown.sources.items():
+        assert list(now.shown.sources[source]) == list(columns)
+    sent = sent_picture(now, now.shown)
+    for source, traces in sent.traces.items():
+        assert set(traces.names) <= drawn_on(now).get(source, {}).keys()
+        assert traces.needed <= sent.signals.keys()
+
+
+def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
+    state = State(scene="damped", show=("stage", "plot:P"))
+    now = changed(fitted(SCENES["oscillator"]()), Open(state=state), SCENES)
+    assert "show=stage,plot:P" in now.query
+    assert drawn_on(now)["time"].keys() == {"t", "P", "zero"}
+    assert opened(now.query).show == now.show
+    now = changed(now, Choose(name="view", value="roots"), SCENES)
+    assert now.show == ()
+    assert "roots" in drawn_on(now) or "locus" in drawn_on(now)
+
+
+def test_a_list_with_an_unknown_part_is_refused_in_words() -> None:
+    link = read_query({"scene": [b"damped"], "show": [b"stage,plot:z"]}, SCENES)
+    assert link.problems == ["show: “plot:z” is not possible: choose from " + ", ".join(known_parts()) + "."]
+    assert link.show == ()
+
+
+def known_parts() -> list[str]:
+    return ["stage", "plot:x", "plot:P", "plot:energy", "words:fate", "plot:roots", "words:formulas"]
