@@ -10,7 +10,7 @@ from panel.viewable import Viewable, Viewer
 
 from components.language.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
 from components.language.controls import ActionButton, GroupSection, PresetButton, SliderRow
-from components.language.messages import Act
+from components.language.messages import Act, Choose, ViewTab
 from components.language.text import Html
 from components.layout.controls import settings
 from components.panel_face.live_figure import LiveFigure, colours
@@ -19,6 +19,7 @@ from components.quantities.parameters import Values
 from components.quantities.refusals import SORRY, report
 from components.scene import Picture, Scene
 from components.scene.html import filled, heading, notes, table, words
+from components.scene.scene import VIEW
 from components.state.commands import Command, RefusalError, asked_values, refusal
 from components.state.scene_sheet import scene_sheet
 
@@ -40,12 +41,14 @@ class PanelFace(Viewer):
         self.figures: dict[str, LiveFigure] = {}
         self.actions: dict[str, Any] = {}
         self._texts: list[tuple[Any, Callable[[Picture], Html]]] = []
-        self._forms: list[tuple[Viewable, str]] = []
+        self.parts: list[tuple[Viewable, str, tuple[str, ...]]] = []
         self.refused = pn.pane.Alert(alert_type="danger", visible=False)
         self.presets = {one.label: self._button(one, scene.preset_all(one.label)) for one in sheet.panel.presets}
         groups = map(self._section, sheet.panel.groups)
         self.panel = pn.Column(self.refused, pn.FlexBox(*self.presets.values()), *groups, max_width=320)
-        self.paper = pn.Column(f"## {sheet.headline}", self._block(sheet.paper), self._html(notes), min_width=NARROWEST)
+        self.tabs = self._tabs(sheet.views)
+        paper = self._block(sheet.paper)
+        self.paper = pn.Column(f"## {sheet.headline}", self.tabs, paper, self._html(notes), min_width=NARROWEST)
         self.widgets = {one.row.name: one.field for one in self.controls}
         self.sliders = {one.row.name: one.slider for one in self.controls if isinstance(one, QuantityControl)}
         self._show(scene.shown)
@@ -78,17 +81,31 @@ class PanelFace(Viewer):
         pn.io.push_notebook(self.paper)
         for pane, write in self._texts:
             pane.object = filled(write(picture), picture)
-        for view, form in self._forms:
-            view.visible = bool(picture.forms.get(form))
+        view = self.scene.value.values.get(VIEW)
+        for part, form, views in self.parts:
+            part.visible = (not form or bool(picture.forms.get(form))) and (not views or view in views)
 
     def _tell(self, picture: Picture) -> None:
         scene = self.scene.value
         told = settings(scene.param.objects("existing"), scene.values, scene.units(), picture.spans)
         for one in self.controls:
             one.tell(told[one.row.name])
+        if self._words:
+            self.tabs.active = self._words.index(scene.values[VIEW])
         here = {scene.preset(), *scene.here()}
         for name, button in (self.presets | self.actions).items():
             button.button_type = "primary" if name in here else "default"
+
+    def _tabs(self, views: tuple[ViewTab, ...]) -> Any:
+        """Tabs that choose a view, each with its task."""
+        tabs = pn.Tabs(*((one.name, pn.pane.HTML(one.task)) for one in views), visible=bool(views))
+
+        def choose(event: Any) -> None:
+            self._ask(Choose(name=VIEW, value=views[event.new].word))
+
+        tabs.param.watch(choose, "active")
+        self._words = [one.word for one in views]
+        return tabs
 
     def _button(self, does: PresetButton | ActionButton, values: Values | None = None) -> Any:
         button = pn.widgets.Button(label=does.label)
@@ -113,12 +130,12 @@ class PanelFace(Viewer):
         self._texts.append((pane, write))
         return pane
 
-    def _standing(self, view: Viewable, form: str) -> Viewable:
-        self._forms += [(view, form)] if form else []
+    def _standing(self, view: Viewable, form: str, views: tuple[str, ...] = ()) -> Viewable:
+        self.parts += [(view, form, views)] if form or views else []
         return view
 
     def _block(self, block: Block) -> Viewable:
-        return self._standing(self._part(block), block.form)
+        return self._standing(self._part(block), block.form, block.views)
 
     def _part(self, block: Block) -> Viewable:
         """A part of the paper; nothing for the stage, which only the lecture moves."""

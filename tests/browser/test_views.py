@@ -26,8 +26,9 @@ LINES = """(() => {
   return Math.round((task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / parseFloat(lineHeight))
 })()"""
 SIDE_BY_SIDE = """(() => {
-  const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].find(one => one.checkVisibility())
-  const [stage, plot] = [seen("stage"), seen("plot")].map(one => one?.getBoundingClientRect())
+  const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
+    .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
+  const [stage, plot] = [seen("stage"), seen("plot")]
   return !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom && plot.top < stage.bottom)
 })()"""
 CHOSEN = """() => [...document.querySelectorAll("[role=tab][aria-selected=true]")].map(tab => tab.textContent)"""

@@ -163,10 +163,26 @@ def test_a_choice_shows_another_view() -> None:
 def test_what_stands_follows_the_picture() -> None:
     scene = SCENES["coupled"]()
     face = scene.panel()
-    column = {view for view, form in face._forms if form == "start_modes"}
+    column = {part for part, form, _ in face.parts if form == "start_modes"}
     assert not any(view.visible for view in column)
     face.widgets["given_by"].value = "modes"
     assert all(view.visible for view in column)
+
+
+def test_a_tab_shows_its_view_and_follows_the_scene() -> None:
+    scene = SCENES["damped"]()
+    face = PanelFace(scene)
+
+    def shown() -> set[str]:
+        away = [pane for part, _, _ in face.parts if not part.visible for pane in part.select(pn.pane.Bokeh)]
+        hidden = [pane.object for pane in away]
+        return {name for name, figure in face.figures.items() if figure.model not in hidden}
+
+    assert shown() == {"x"}
+    face.tabs.active = [view.slug for view in scene.views].index("energy")
+    assert scene.view == "energy" and shown() == {"x", "P", "energy"}
+    scene.view = "roots"
+    assert face.tabs.active == 1 and shown() == {"x", "roots"}
 
 
 def test_a_response_has_its_resonances_and_the_drive_marked() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 import numpy as np
@@ -21,8 +22,7 @@ from tests.scenes.checks import as_arguments, check_picture, choices, corners, q
 
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
-
-BEGINS = {"Pull", "Drag", "Turn", "Watch", "Choose", "Change", "Let", "Take", "Follow", "Compare", "Meet", "Make", "Start"}
+BEGINS = re.compile("Pull|Drag|Turn|Watch|Choose|Change|Let|Take|Follow|Compare|Meet|Make|Start")
 """The first words of tasks."""
 scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys())
 
@@ -39,7 +39,7 @@ def test_one_task_in_plain_words_opens_each_scene(slug: str) -> None:
     sheet, views = SCENES[slug].sheet(), SCENES[slug].views
     for view in views:
         assert len(view.task) <= 105, view.task
-        assert view.task.split()[0] in BEGINS, view.task
+        assert BEGINS.match(view.task), view.task
     if views:
         return
     for block in _tasks(blocks(sheet)):
