@@ -11,12 +11,13 @@ from operator import attrgetter
 
 import numpy as np
 
-from physics.exact import Array, exact, precise, rounded
-from physics.motion import Elementary, ExactMotion, Harmonic, constant
+from physics.exact import Array, exact, precise, rounded, sin_cos
+from physics.motion import Elementary, ExactMotion, Harmonic, computed_by, constant
 from physics.oscillator import Oscillator, OscillatorConstants, OscillatorMotion
 from physics.sampling import Sinusoid
 
 QUARTER = pi / 2
+NAMES = ("displacement", "velocity", "acceleration")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,15 +33,13 @@ class FreeOscillation:
         """The constants of both forms of the solution."""
         return self.oscillator.constants(self.x_0, self.v_0)
 
-    @cached_property
-    def amplitudes(self) -> tuple[float, float, float]:
-        """C, omega C and omega^2 C, of x, v and a; of a free mass |x_0|, its constant speed, and 0."""
+    def amplitude(self, derivative: int) -> float:
+        """C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0."""
         if not self.oscillator.k:
-            return abs(self.x_0), abs(self.v_0), 0.0
-        omega, C = exact(self.oscillator.omega_n), exact(self.constants.C)
+            return (abs(self.x_0), abs(self.v_0), 0.0)[derivative]
         with precise():
-            v, a = omega * C, omega * omega * C
-        return self.constants.C, rounded("the largest velocity", v), rounded("the largest acceleration", a)
+            size = exact(self.oscillator.omega_n) ** derivative * exact(self.constants.C)
+            return rounded(f"the largest {NAMES[derivative]}", size)
 
     @cached_property
     def E(self) -> float:
@@ -66,9 +65,36 @@ class FreeOscillation:
         """The acceleration in m/s^2."""
         return self._motion_of("a", 2, (0.0, 0.0))
 
+    @cached_property
+    def sine(self) -> ExactMotion:
+        """x over its amplitude; it must oscillate, if only with the amplitude 0."""
+        return self._turning("sine", self.constants.phi)
+
+    @cached_property
+    def cosine(self) -> ExactMotion:
+        """v over its amplitude; it must oscillate, if only with the amplitude 0."""
+        return self._turning("cosine", self.constants.phi + QUARTER)
+
+    @cached_property
+    def T(self) -> ExactMotion:
+        """The kinetic energy in J; it must oscillate."""
+        return computed_by((0.5 * self.oscillator.m * self.v**2).at, self.E * self.cosine**2)
+
+    @cached_property
+    def V(self) -> ExactMotion:
+        """The energy of the spring in J, from x = 0; it must oscillate."""
+        return computed_by((0.5 * self.oscillator.k * self.x**2).at, self.E * self.sine**2)
+
+    def _turning(self, symbol: str, phase: float) -> ExactMotion:
+        omega = self.oscillator.omega_n
+        return Elementary(
+            symbol=symbol, exact=lambda t: sin_cos(omega, 0.0, t, phase)[0], size=lambda: 1.0, omega=omega,
+            played=Harmonic((Sinusoid(1.0, omega, phase),)), amplitude=lambda: constant(1.0),
+        )  # fmt: skip
+
     def _motion_of(self, symbol: str, derivative: int, line: tuple[float, float]) -> ExactMotion:
         """One of x, v and a, a sine a quarter turn ahead for each derivative; of a free mass a line."""
-        omega, size = self.oscillator.omega_n, self.amplitudes[derivative]
+        omega, size = self.oscillator.omega_n, self.amplitude(derivative)
         sine = Sinusoid(size, omega, self.constants.phi + derivative * QUARTER)
         value = attrgetter(symbol)
         return Elementary(

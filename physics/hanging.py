@@ -24,51 +24,11 @@ from numpy.typing import ArrayLike
 
 from physics.energy import half_square
 from physics.exact import Array, exact, precise, rounded, snapped, split, two_sum
+from physics.motion import ExactMotion, computed_by
 from physics.oscillator import Oscillator, OscillatorMotion
 from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Datum = Literal["equilibrium", "separate"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class HangingEnergy:
-    """Energies of states x, v (n,) in J, each (n,) and worked out when it is asked for; V by the datum."""
-
-    system: "HangingMass"
-    x: Array
-    v: Array
-    datum: Datum
-
-    @cached_property
-    def T(self) -> Array:
-        return half_square("T", self.system.m, self.v)
-
-    @cached_property
-    def V(self) -> Array:
-        return self.system.well(self.x, self.datum)
-
-    @cached_property
-    def spring(self) -> Array:
-        """The energy of the spring from its natural length."""
-        m, k, g = exact(self.system.m), exact(self.system.k), exact(self.system.g)
-        with precise():
-            deflection, rest = split(snapped(m * g / k))
-        with np.errstate(over="ignore", invalid="ignore"):
-            stretch, error = two_sum(self.x, deflection)
-            stretch += error + rest
-        return half_square("of the spring", self.system.k, stretch)
-
-    @cached_property
-    def gravity(self) -> Array:
-        """The energy in gravity from x = 0."""
-        with precise():
-            weight = rounded("the weight m g", exact(self.system.m) * exact(self.system.g))
-        with np.errstate(over="ignore"):
-            return in_range("the energy of gravity", -weight * self.x)
-
-    @property
-    def total(self) -> Array:
-        return self.T + self.V
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,6 +55,12 @@ class HangingMass:
         return self.oscillator.omega_n
 
     @cached_property
+    def weight(self) -> float:
+        """m g in N, rounded once."""
+        with precise():
+            return rounded("the weight m g", exact(self.m) * exact(self.g))
+
+    @cached_property
     def delta_st(self) -> float:
         """Static deflection m g/k in m, rounded once."""
         with precise():
@@ -110,17 +76,26 @@ class HangingMass:
         """x, v, a (n,) about equilibrium, from x(0) = x_0 downward and x'(0) = v_0."""
         return self.oscillator.motion(x_0, v_0, t)
 
-    def total_energy(self, x_0: float, v_0: float) -> float:
-        """T + V of this start, V from equilibrium, in J, rounded once."""
-        with precise():
-            twice = exact(self.m) * exact(v_0) ** 2 + exact(self.k) * exact(x_0) ** 2
-            return rounded("the energy", twice / 2)
-
     def well(self, x: ArrayLike, datum: Datum = "equilibrium") -> Array:
         """V(x) for x (n,) in m, off by at most 2 u: no term cancels another."""
         V = half_square("V", self.k, finite_array("x", x))
         return V + self.datum_shift if datum == "separate" else V
 
-    def energies(self, x: ArrayLike, v: ArrayLike, datum: Datum = "equilibrium") -> HangingEnergy:
-        """Energies of states x, v (n,)."""
-        return HangingEnergy(system=self, x=finite_array("x", x), v=finite_array("v", v), datum=datum)
+    def spring(self, x: ArrayLike) -> Array:
+        """The energy of the spring from its natural length for x (n,) in m; off by at most 4 u."""
+        with precise():
+            deflection, rest = split(snapped(exact(self.m) * exact(self.g) / exact(self.k)))
+        with np.errstate(over="ignore", invalid="ignore"):
+            stretch, error = two_sum(finite_array("x", x), deflection)
+            stretch += error + rest
+        return half_square("of the spring", self.k, stretch)
+
+    def spring_along(self, x: ExactMotion) -> ExactMotion:
+        """The energy of the spring along a motion x in m."""
+        energy = 0.5 * self.k * x**2 + self.weight * x + self.datum_shift
+        return computed_by(lambda t: self.spring(x.at(t)), energy)
+
+    def gravity(self, x: ArrayLike) -> Array:
+        """The energy in gravity from x = 0, for x (n,) in m."""
+        with np.errstate(over="ignore"):
+            return in_range("the energy of gravity", -self.weight * finite_array("x", x))

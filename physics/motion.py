@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cached_property
 from typing import TypeAlias
@@ -83,6 +83,12 @@ MotionBand: TypeAlias = tuple[ExactMotion, ExactMotion]
 """The lower and the upper edge of a band."""
 MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
 """A factor and the motions that it multiplies."""
+
+
+def computed_by(exact: Callable[[Array], Array], motion: ExactMotion) -> ExactMotion:
+    """Return a sum of motions whose values are computed in a way that loses fewer digits."""
+    assert isinstance(motion, MotionPolynomial)
+    return replace(motion, exact=exact)
 
 
 def constant(value: float) -> ExactMotion:
@@ -177,7 +183,8 @@ class MotionPolynomial(ExactMotion):
         if self.exact:
             return self.exact(t)
         with np.errstate(over="ignore", invalid="ignore"):
-            total, *others = [_product(factor, motions, t) for factor, motions in self.flat()]
+            parts = self.flat(whole=lambda one: isinstance(one, MotionPolynomial) and one.exact is not None)
+            total, *others = [_product(factor, motions, t) for factor, motions in parts]
             for one in others:
                 total = total + one
         return total

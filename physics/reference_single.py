@@ -5,11 +5,14 @@ asked for at a few times (s) or frequencies (rad/s).
 """
 
 from collections.abc import Sequence
+from decimal import Decimal
 from functools import lru_cache
 from math import log10
 from typing import Any
 
 from physics.coupled import TwoMassChain
+from physics.exact import precise
+from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum
 from physics.reference import EXACT, Point, point
@@ -37,6 +40,29 @@ def oscillator_points(oscillator: Oscillator, x_0: float, v_0: float, t: Sequenc
             points["v"].append(point(v * c - A * omega * s, omega * C if omega else abs(v)))
             points["a"].append(point(-(omega**2) * x, omega**2 * C))
     return points
+
+
+def hanging_points(mass: HangingMass, x_0: float, v_0: float, t: Sequence[float], separate: bool) -> Points:
+    """x, and T, V and the energies of spring and gravity, each measured by the largest that it reaches.
+
+    V is 0 at equilibrium, or with `separate` the sum of spring and gravity.
+    """
+    found = oscillator_points(mass.oscillator, x_0, v_0, t)
+    m, k, g = map(Decimal, (mass.m, mass.k, mass.g))
+    states = list(zip(found["x"], found["v"], strict=True))
+    with precise():
+        deflection = m * g / k
+        shift = k * deflection**2 / 2 if separate else Decimal(0)
+        largest = [k * x.size**2 / 2 for x, _ in states]
+        return {
+            "x": found["x"],
+            "T": [Point(m * v.value**2 / 2, E) for (_, v), E in zip(states, largest, strict=True)],
+            "V": [Point(k * x.value**2 / 2 + shift, E + shift) for (x, _), E in zip(states, largest, strict=True)],
+            "spring": [
+                Point(k * (x.value + deflection) ** 2 / 2, k * (x.size + deflection) ** 2 / 2) for x, _ in states
+            ],
+            "gravity": [Point(-m * g * x.value, m * g * x.size) for x, _ in states],
+        }
 
 
 def _turns(omega: float, t: Sequence[float]) -> int:

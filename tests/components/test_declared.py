@@ -31,7 +31,6 @@ from components.quantities.motion import derived, total
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scene.about import rows
-from components.scenes.energy.numbers import Numbers as N
 
 number = LiveNumber[complex]
 
@@ -157,7 +156,7 @@ def test_it_is_read_aloud_with_its_unit() -> None:
 
 def test_a_misspelt_name_is_an_error_of_types() -> None:
     with pytest.raises(AttributeError):
-        N.omga  # type: ignore[attr-defined]  # noqa: B018
+        Own.omga  # type: ignore[attr-defined]  # noqa: B018
     wrong = number(lambda z: z.rael)  # type: ignore[attr-defined]
     first, _ = number.both(lambda z: (z.rael, z.imag))  # type: ignore[attr-defined]
     for one in (wrong, first):

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from tests.grids import tries
 
@@ -34,22 +35,14 @@ def test_gravity_moves_the_equilibrium_and_not_the_frequency():
 
 
 @settings(max_examples=tries(300))
-@given(m=positive, k=positive, g=positive, x=signed, v=signed)
-def test_energies_against_rational_arithmetic(m, k, g, x, v):
-    M, K, W, X, V = (Fraction(value) for value in (m, k, Fraction(m) * Fraction(g), x, v))
-    true = {
-        "T": M * V**2 / 2,
-        "V": K * X**2 / 2,
-        "spring": K * (X + W / K) ** 2 / 2,
-        "gravity": -W * X,
-    }
+@given(m=positive, k=positive, g=positive, x=signed)
+def test_energies_against_rational_arithmetic(m, k, g, x):
+    K, W, X = (Fraction(value) for value in (k, Fraction(m) * Fraction(g), x))
     mass = HangingMass(m=m, k=k, g=g)
-    energies = mass.energies([x], [v])
-    for name, value in true.items():
-        error = abs(Fraction(float(getattr(energies, name)[0])) - value)
-        assert error <= 4 * Fraction(U) * abs(value), name
-    separate = mass.energies([x], [v], "separate")
-    assert separate.V[0] == pytest.approx(float(true["spring"] + true["gravity"]), rel=4 * U)
+    true = {mass.well: K * X**2 / 2, mass.spring: K * (X + W / K) ** 2 / 2, mass.gravity: -W * X}
+    for energy, value in true.items():
+        assert abs(Fraction(float(energy([x])[0])) - value) <= 4 * Fraction(U) * abs(value), energy
+    assert mass.well([x], "separate")[0] == pytest.approx(float(true[mass.spring] + true[mass.gravity]), rel=4 * U)
 
 
 @settings(max_examples=tries(100))
@@ -57,7 +50,7 @@ def test_energies_against_rational_arithmetic(m, k, g, x, v):
 def test_the_spring_is_relaxed_at_its_natural_length(m, k, g):
     """At x = -delta_st what is left is the rounding of x itself."""
     mass = HangingMass(m=m, k=k, g=g)
-    spring = mass.energies([-mass.delta_st], [0.0]).spring[0]
+    spring = mass.spring([-mass.delta_st])[0]
     rest = Fraction(m) * Fraction(g) / Fraction(k) - Fraction(mass.delta_st)
     assert spring == pytest.approx(float(Fraction(k) * rest**2 / 2), rel=1e-14)
 
@@ -66,31 +59,42 @@ def test_the_spring_is_relaxed_at_its_natural_length(m, k, g):
 def test_total_energy_is_constant_within_8_u(periods):
     tau = 2 * math.pi / MASS.omega_n
     t = np.random.default_rng(3).uniform(periods - 1, periods, 2000) * tau
-    motion = MASS.motion(0.13, -0.4, t)
-    total = MASS.energies(motion.x, motion.v).total
-    assert np.max(np.abs(total / MASS.total_energy(0.13, -0.4) - 1)) <= 8 * U
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.13, v_0=-0.4)
+    total = (0.5 * MASS.m * free.v**2).at(t) + MASS.well(free.x.at(t))
+    assert np.max(np.abs(total / free.E - 1)) <= 8 * U
 
 
 def test_the_two_datums_differ_by_a_constant_and_only_one_has_equal_maxima():
     t = np.linspace(0, 2 * math.pi / MASS.omega_n, 401)
-    motion = MASS.motion(0.1, 0.0, t)
-    equilibrium, separate = (MASS.energies(motion.x, motion.v, datum) for datum in ("equilibrium", "separate"))
-    np.testing.assert_allclose(separate.V - equilibrium.V, MASS.datum_shift, rtol=1e-14)
-    assert np.max(equilibrium.V) == pytest.approx(np.max(equilibrium.T), rel=1e-14)
-    assert np.max(separate.V) - np.max(separate.T) == pytest.approx(MASS.datum_shift, rel=1e-13)
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.0)
+    T = (0.5 * MASS.m * free.v**2).at(t)
+    equilibrium, separate = (MASS.well(free.x.at(t), datum) for datum in ("equilibrium", "separate"))
+    np.testing.assert_allclose(separate - equilibrium, MASS.datum_shift, rtol=1e-14)
+    assert np.max(equilibrium) == pytest.approx(np.max(T), rel=1e-14)
+    assert np.max(separate) - np.max(T) == pytest.approx(MASS.datum_shift, rel=1e-13)
+
+
+def test_the_spring_along_a_motion_is_that_of_each_place():
+    t = np.linspace(0, 4, 300)
+    x = FreeOscillation(oscillator=MASS.oscillator, x_0=-MASS.delta_st, v_0=0.0).x
+    along = MASS.spring_along(x)
+    np.testing.assert_array_equal(along.at(t), MASS.spring(x.at(t)))
+    low, high = along.band(0.0)
+    assert np.all(low.at(t) <= along.at(t)) and np.all(along.at(t) <= high.at(t) * (1 + U))
+    np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
 
 
 def test_exchange_runs_at_twice_the_frequency():
     t = np.linspace(0, 2, 50)
-    motion = MASS.motion(0.1, 0.0, t)
-    energies = MASS.energies(motion.x, motion.v)
-    swing = MASS.total_energy(0.1, 0.0) / 2
-    np.testing.assert_allclose(energies.V, swing * (1 + np.cos(2 * MASS.omega_n * t)), atol=1e-15)
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.0)
+    swing = free.E / 2
+    np.testing.assert_allclose(MASS.well(free.x.at(t)), swing * (1 + np.cos(2 * MASS.omega_n * t)), atol=1e-15)
 
 
 def test_the_well_meets_the_energy_at_the_turning_points():
-    C = MASS.oscillator.constants(0.1, 0.3).C
-    np.testing.assert_allclose(MASS.well([-C, C]), MASS.total_energy(0.1, 0.3), rtol=4 * U)
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.3)
+    C = free.constants.C
+    np.testing.assert_allclose(MASS.well([-C, C]), free.E, rtol=4 * U)
     np.testing.assert_allclose(MASS.well([0.0], "separate"), MASS.datum_shift)
 
 
@@ -103,9 +107,7 @@ def test_bad_parameters_are_refused(name, value):
 def test_what_leaves_the_range_of_doubles_is_named():
     with pytest.raises(ValueError, match="static deflection"):
         _ = HangingMass(m=1e300, k=1e-300, g=9.81).delta_st
-    with pytest.raises(ValueError, match="T leaves the range"):
-        _ = MASS.energies([0.0], [1e200]).T
     with pytest.raises(ValueError, match="of the spring leaves the range"):
-        _ = MASS.energies([1e200], [0.0]).spring
+        _ = MASS.spring([1e200])
     with pytest.raises(ValueError, match="the weight m g = "):
-        _ = HangingMass(m=1e200, k=1.0, g=1e200).energies([0.0], [0.0]).gravity
+        _ = HangingMass(m=1e200, k=1.0, g=1e200).gravity([0.0])

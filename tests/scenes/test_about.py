@@ -234,7 +234,7 @@ def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
     about = told_by(opened("oscillator", {"x_0": 1e300}))
     assert about is not None and about.tables[0].rows
     assert about.energy == (
-        "$T + V$ cannot be computed over the window: the energy T leaves the range of doubles, about 5·10⁻³²⁴ to "
+        "$T + V$ cannot be computed over the window: the energy leaves the range of doubles, about 5·10⁻³²⁴ to "
         "1.8·10³⁰⁸ in SI units."
     )
 

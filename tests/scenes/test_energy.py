@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from components.scenes.energy import Energy
-from components.scenes.energy.curves import PLANETS
+from components.scenes.energy.case import PLANETS
 from tests.page.scripts import played
 from tests.page.told import take_preset
 from tests.scenes.checks import check_picture, columns, corners, typed
@@ -87,7 +87,7 @@ def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
     for slug, (_, g) in PLANETS.items():
         scene.set(scene.action(slug))
         assert scene.g == g
-        assert scene.shown.scalars[f"{slug}_here"] == 1.0
+        assert scene.shown.scalars[f"here_{slug}"] == 1.0
         for name in ("x", "T", "V"):
             np.testing.assert_array_equal(columns(scene)[name], motion[name])
         assert scene.shown.values["omega"] == values["omega"]
@@ -104,8 +104,8 @@ def test_turning_points_stand_on_the_level() -> None:
 
 def test_other_planets_stand_where_the_mass_would_hang() -> None:
     scalars = Energy().shown.scalars
-    assert scalars["mars"] - scalars["natural"] == pytest.approx(3.71 / 39.4)
-    assert scalars["moon"] - scalars["natural"] == pytest.approx(1.62 / 39.4)
+    assert scalars["planet1"] - scalars["natural"] == pytest.approx(3.71 / 39.4)
+    assert scalars["planet0"] - scalars["natural"] == pytest.approx(1.62 / 39.4)
 
 
 def test_a_natural_length_far_away_is_left_out_of_the_picture() -> None:

@@ -3,45 +3,28 @@
 
 from __future__ import annotations
 
-from components.language.state import Frame
 from components.layout.controls import Group
-from components.quantities.motion import pace
 from components.quantities.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
-from components.quantities.readouts import Readout
-from components.scene import Picture, Scene
-from components.scene.about import About
-from components.scene.frames import FITTED, framed
-from components.scene.traces import over_time
-from components.scenes.energy.about import energy_about
-from components.scenes.energy.case import HangingCase, axes_of
-from components.scenes.energy.curves import (
-    ENERGY,
-    PLANETS,
-    Places,
-    Signals,
-    drawn,
-    exact,
-    moving,
-    planets_of,
-    well_columns,
-)
-from components.scenes.energy.numbers import Forms
-from components.scenes.energy.numbers import Numbers as N
-from components.scenes.energy.sheet import hanging_sheet
-from components.scenes.energy.watch import WATCH
-from physics.hanging import Datum, HangingMass
+from components.scene.case import CaseScene, ComparedNumber, example
+from components.scenes.energy.case import PLANETS, EnergyShown
+from components.scenes.energy.paper import ENERGY, paper
 
 PULLED = {"m": 1.0, "k": 39.4, "x_0": 0.2, "v_0": 0.0}
 
 
-class Energy(Scene):
+class Energy(CaseScene):
     slug = "energy"
     title = "Energy"
     lecture = "D31"
     points = "points 4 to 6"
     headline = "Energy swings between motion and position; the sum stays constant"
     pictured = (ENERGY, {"window": 1.5})
-    spoken = {"natural frequency": N.omega, "period": N.tau, "energy": N.E_total, "static deflection": N.delta_st}
+    spoken = {
+        "natural frequency": "{omega} rad/s",
+        "period": "{tau} s",
+        "energy": "{E_total} {E_unit}",
+        "static deflection": "{delta_st}",
+    }
     equations = (
         "m x'' + k x = 0; x downwards from equilibrium",
         "T = m v^2/2; delta_st = m g/k",
@@ -49,15 +32,25 @@ class Energy(Scene):
     )
     places = tuple(PLANETS)
     shares = {"mass": "m", "stiffness": "k"}
-    watch = WATCH
-    presets = {
-        "Pulled down": PULLED,
-        "Pushed up": {**PULLED, "x_0": -0.2},
-        "Kicked at equilibrium": {**PULLED, "x_0": 0.0, "v_0": 1.2},
-        "Heavy": {**PULLED, "m": 2.0},
-        "Soft": {**PULLED, "k": 20.0},
-        "Hanging still": {**PULLED, "x_0": 0.0},
-    }
+    examples = (
+        example(
+            "Pulled down", "T is largest where x passes 0, V where the mass turns; the sum stays constant.", PULLED
+        ),
+        example("Pushed up", "As far up as it was pulled down: the same energy.", PULLED, x_0=-0.2),
+        example(
+            "Kicked at equilibrium", "It starts with its largest T; a quarter period later T is 0.", PULLED,
+            x_0=0.0, v_0=1.2,
+        ),
+        example(
+            "Heavy", "Twice the mass hangs twice as deep, and swings more slowly with the same T at its largest.",
+            PULLED, m=2.0,
+        ),
+        example(
+            "Soft", "On a softer spring it swings more slowly, and where there is gravity it hangs deeper.", PULLED,
+            k=20.0,
+        ),
+        example("Hanging still", "At rest in equilibrium nothing swings: x and T stay 0.", PULLED, x_0=0.0),
+    )  # fmt: skip
 
     m = mass(
         1.0,
@@ -95,37 +88,14 @@ class Energy(Scene):
         Group("V is counted from", (datum,)),
     )
 
-    sheet = staticmethod(hanging_sheet)
+    case = EnergyShown
+    paper = staticmethod(paper)
+    compared = (
+        ComparedNumber("omega", "ω_n", "rad/s"),
+        ComparedNumber("tau", "τ", "s"),
+        ComparedNumber("E_total", "E", "J", of="T_max"),
+        ComparedNumber("delta_st", "δ_{st}", "m", of="delta"),
+    )
 
     def action(self, name: str) -> Values:
         return {"g": PLANETS[name][1]}
-
-    def picture(self, frame: Frame = FITTED) -> Picture:
-        case = self._case(self.datum, frame)
-        signals, bands = drawn(case)
-        axes = framed(frame, axes_of(case))
-        return Picture(
-            columns={**bands, "well": well_columns(case, axes)},
-            axes=axes,
-            signals=Signals.signals(case, axes),
-            traces=over_time(
-                case.end, 2 * case.omega, signals, lambda t: exact(case, t), moving=moving(case), moves=case.omega
-            ),
-            scalars=Places.scalars(case, axes) | planets_of(case, axes),
-            pace=pace(case.omega, case.omega),
-            values=N.texts(case, axes),
-            live=Signals.live(axes),
-            forms=Forms.forms(case),
-        )
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return N.readouts(self._case("equilibrium"))
-
-    def _case(self, datum: str, frame: Frame = FITTED) -> HangingCase:
-        system, window = HangingMass(m=self.m, k=self.k, g=self.g), self.window
-        return HangingCase(system=system, x_0=self.x_0, v_0=self.v_0, datum=datum, window=window, standing=frame.window)
-
-    def about(self, shown: Picture) -> About:
-        system = HangingMass(m=self.m, k=self.k, g=self.g)
-        datum: Datum = "separate" if self.datum == "separate" else "equilibrium"
-        return energy_about(shown, system, self.x_0, self.v_0, datum)

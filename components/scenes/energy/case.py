@@ -1,35 +1,70 @@
-"""A hanging mass as the scene sees it: its start, its window, from where V is counted, and the axes that follow."""
+"""The case of a hanging mass: its motion, its energies by the datum of V, and everything that the paper shows."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
 from functools import cached_property
 
-import numpy as np
-from msgspec.structs import replace
-
-from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis
-from components.quantities.declared import Declared, DrawnAxis, by_name
-from components.quantities.numbers import at_tick, power_unit, three
-from components.scene.frames import Windowed
-from components.scene.traces import Floats, samples
-from physics.exact import exact, precise, rounded
+from components.language.picture import Pace
+from components.layout.stage import wire
+from components.paper.deferred import Attributes
+from components.quantities.motion import pace, scaled
+from components.quantities.numbers import three
+from components.scene import Picture
+from components.scene.about import About, bands_among, bounded, drift, few_of, points
+from components.scene.case import Case
+from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
-from physics.oscillator import OscillatorConstants
-from physics.sampling import periods
+from physics.motion import constant
+from physics.reference_single import hanging_points
+from physics.sampling import drawable, periods
 
-FARTHEST = 6.0
-"""Amplitudes up to which the natural length is in the picture."""
+PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
+"""Names and gravities in m/s^2."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class HangingCase(Windowed):
-    """A hanging mass, its start, and from where V is counted."""
+class EnergyCase(Case):
+    """A motion of a hanging mass; `datum` says from where V is counted."""
 
-    system: HangingMass
+    m: float
+    k: float
+    g: float
     x_0: float
     v_0: float
     datum: str
+
+    @cached_property
+    def system(self) -> HangingMass:
+        return HangingMass(m=self.m, k=self.k, g=self.g)
+
+    @cached_property
+    def free(self) -> FreeOscillation:
+        return FreeOscillation(oscillator=self.system.oscillator, x_0=self.x_0, v_0=self.v_0)
+
+    @property
+    def omega(self) -> float:
+        return self.system.omega_n
+
+    @property
+    def lasting(self) -> float:
+        return periods(2 * self.omega, 6)
+
+    @property
+    def highest(self) -> float:
+        """Energies oscillate twice as fast as x."""
+        return 2 * self.omega
+
+    @property
+    def resolved(self) -> float:
+        return self.omega
+
+    @property
+    def pace(self) -> Pace:
+        return pace(self.omega, self.omega)
+
+    @property
+    def C(self) -> float:
+        return self.free.constants.C
 
     @property
     def separate(self) -> bool:
@@ -42,89 +77,67 @@ class HangingCase(Windowed):
         return self.datum in ("separate", "slide")
 
     @cached_property
-    def omega(self) -> float:
-        return self.system.omega_n
-
-    @cached_property
-    def constants(self) -> OscillatorConstants:
-        return self.system.oscillator.constants(self.x_0, self.v_0)
-
-    @cached_property
-    def lasting(self) -> float:
-        return periods(2 * self.omega, 6)
-
-    @cached_property
-    def t(self) -> Floats:
-        return np.linspace(0.0, self.end, samples(self.end, 2 * self.omega))
-
-    @cached_property
-    def E(self) -> float:
-        """T_max; and V_max counted from equilibrium."""
-        return self.system.total_energy(self.x_0, self.v_0)
-
-    @cached_property
     def shift(self) -> float:
         return self.system.datum_shift if self.separate else 0.0
 
     @cached_property
-    def total(self) -> float:
-        return self.E + self.shift
+    def E_total(self) -> float:
+        return self.free.E + self.shift
 
     @property
-    def constant(self) -> float:
-        """k delta_st^2/2, which the slide takes off."""
-        return self.system.datum_shift
-
-    @cached_property
     def weight(self) -> float:
-        """m g C, the largest of the energy of gravity."""
-        with precise():
-            return rounded("the energy m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
+        """m g C in J, the largest energy of gravity."""
+        return scaled(0, self.m, self.g, self.C)
+
+    @property
+    def claim(self) -> str:
+        """The word for the sentence on the largest T and V: none swings at rest; without weight both V are equal."""
+        if not self.C:
+            return "rest_apart" if self.shift else "rest"
+        return "weightless" if self.separate and not self.shift else self.datum
+
+    @property
+    def here(self) -> str:
+        """The planet with this gravity, or an empty text."""
+        return next((slug for slug, (_, g) in PLANETS.items() if g == self.g), "")
+
+    def about(self, shown: Picture) -> About:
+        columns, x = shown.sources["time"], {"x": "$x$"}
+        energies = {"T": "$T$", "V": "$V$", "spring": "spring", "gravity": "gravity"}
+        true = hanging_points(self.system, self.x_0, self.v_0, few_of(columns["t"]), self.separate)
+        tables = (
+            bounded("$x(t)$", 4, "its amplitude", points(x, columns, true)),
+            bounded("an energy", 12, "its largest value", points(energies, columns, true)),
+        )
+        total = self.free.T + self.free.V
+        return About(tables, drift(total.at(columns["t"]), self.free.E), bands_among(shown.sources, x | energies))
 
 
-class Axes(Declared[HangingCase]):
-    t, x, x_well, E, E_time = DrawnAxis.some(5)
+value = Attributes(EnergyCase)
 
 
-def axes_of(case: HangingCase) -> dict[str, Axis]:
-    """The energies over time have the axis of the well, whose level has its number there alone."""
-    energy = _energy_axis(case)
-    total, labelled = energy.place(case.total), zip(energy.ticks, energy.labels, strict=True)
-    beside = replace(energy, labels=tuple("" if tick == total else label for tick, label in labelled))
-    x = _x_axis(case)
-    own = {Axes.t: time_axis(case.own_end), Axes.x: x, Axes.x_well: _well_axis(case, x)}
-    return by_name({**own, Axes.E: energy, Axes.E_time: beside})
+class EnergyShown(EnergyCase):
+    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
 
-
-def _x_axis(case: HangingCase) -> Axis:
-    """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
-    C, delta = case.constants.C, case.system.delta_st
-    high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
-    low = 1.25 * C or 0.5 * high
-    exponent, suffix = power_unit(max(high, low))
-    seen = (-delta if 1.12 * delta == high else -C, C)
-    bare = Axis(low, -high, "m", exponent, suffix, drawn=seen)
-    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 2))
-
-
-def _well_axis(case: HangingCase, x: Axis) -> Axis:
-    """The axis of the well, in the unit of x; the well is drawn a little beyond the turning points."""
-    end = 1.18 * case.constants.C or x.start
-    ticks = nice_ticks(x.place(-end), x.place(end), 2)
-    C = case.constants.C
-    return replace(x, start=-end, end=end, ticks=ticks, drawn=(-C, C))
-
-
-def _energy_axis(case: HangingCase) -> Axis:
-    """The axis from the lowest to the highest energy drawn; the sum T + V has its own tick."""
-    top, bottom = case.total, 0.0
-    if case.apart:
-        top, bottom = case.E + case.constant + case.weight, -case.weight
-    if case.datum == "slide":
-        bottom = -max(case.weight, case.constant)
-    room = 0.11 * (top - bottom) or 1.0
-    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 2, exact=True)
-    total, span = axis.place(case.total), axis.place(axis.end) - axis.place(axis.start)
-    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.16 * span), total}))
-    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else at_tick(tick) for tick in ticks)
-    return replace(axis, ticks=ticks, labels=labels, drawn=(bottom, top))
+    x = value(lambda c: c.free.x)
+    T = value(lambda c: c.free.T)
+    V = value(lambda c: c.free.V + c.shift)
+    spring = value.optional(lambda c: c.system.spring_along(c.free.x) if c.apart else None)
+    gravity = value.optional(lambda c: -c.system.weight * c.free.x if c.apart else None)
+    total = value(lambda c: constant(c.E_total))
+    constant = value.optional(lambda c: constant(-c.system.datum_shift) if c.datum == "slide" else None)
+    # Numbers in formulas.
+    tau = value(lambda c: c.system.oscillator.period)
+    delta = value(lambda c: c.system.delta_st)
+    delta_st = value(lambda c: f"{three(c.system.delta_st)} m")
+    omega_2 = value(lambda c: 2 * c.omega)
+    T_max = value(lambda c: c.free.E)
+    v_max = value(lambda c: c.free.amplitude(1))
+    place = value(lambda c: "said")
+    # Numbers of shapes.
+    V_share = value(lambda c: (c.free.V + c.shift) / (c.E_total or 1.0))
+    side = value(lambda c: min(max(math.sqrt(c.m), 0.5), 1.3))
+    wire = value(lambda c: wire(c.k))
+    swings = value.optional(lambda c: c.end / c.system.oscillator.period if drawable(c.omega, c.times) else None)
+    has_energy = value(lambda c: c.E_total > 0)
+    swinging = value(lambda c: c.C > 0)

@@ -16,7 +16,6 @@ from components.scene.about import About, bands_among, bounded, drift, few_of, p
 from components.scene.case import Case
 from components.scene.traces import Floats
 from physics.free_oscillation import FreeOscillation
-from physics.motion import constant
 from physics.oscillator import Oscillator
 from physics.reference_single import oscillator_points
 from physics.sampling import drawable, periods, time_window
@@ -119,7 +118,7 @@ class OscillatorCase(Case):
     @property
     def greatest(self) -> float:
         """The largest force in N; 0 in a view without it."""
-        return scaled(0, self.k, max(self.free.amplitudes[0], abs(self.x_0))) if self.view == "force" else 0.0
+        return scaled(0, self.k, max(self.free.amplitude(0), abs(self.x_0))) if self.view == "force" else 0.0
 
     def about(self, shown: Picture) -> About:
         columns, names = shown.sources["time"], {"x": "$x$", "v": "$v$", "a": "$a$"}
@@ -145,8 +144,8 @@ class OscillatorShown(OscillatorCase):
     v = value(lambda c: c.free.v)
     a = value(lambda c: c.free.a)
     F = value.optional(lambda c: -c.k * c.free.x if c.view == "force" else None)
-    sine = value(lambda c: c.free.x / c.free.constants.C if c.turns else constant(0.0))
-    cosine = value(lambda c: c.free.v / c.omega / c.free.constants.C if c.turns else constant(0.0))
+    sine = value.optional(lambda c: c.free.sine if c.omega else None)
+    cosine = value.optional(lambda c: c.free.cosine if c.omega else None)
     # Numbers in formulas.
     tau = value.optional(lambda c: c.one.period if c.omega else None)
     C = value.optional(lambda c: c.free.constants.C if c.omega else None)
@@ -160,9 +159,9 @@ class OscillatorShown(OscillatorCase):
     drift = value(lambda c: c.free.constants.drift)
     v_start = value(lambda c: signed(c.v_0))
     ratio = value(lambda c: scaled(0, c.omega, c.omega))
-    top_x = value(lambda c: c.free.amplitudes[0])
-    top_v = value(lambda c: c.free.amplitudes[1])
-    top_a = value(lambda c: c.free.amplitudes[2])
+    top_x = value(lambda c: c.free.amplitude(0))
+    top_v = value(lambda c: c.free.amplitude(1))
+    top_a = value(lambda c: c.free.amplitude(2))
     # Numbers of shapes.
     peak_x = value(lambda c: c.peak(0))
     peak_v = value(lambda c: c.peak(1))

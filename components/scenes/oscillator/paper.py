@@ -67,7 +67,7 @@ period."""
 
 def _amplitude_axis(case: OscillatorShown, i: int) -> Axis:
     """The axis of x, v or a, with ticks at the amplitudes; on those under marks these must be seen too."""
-    size, unit, (below, above) = case.free.amplitudes[i], UNITS[i], ROOM[i]
+    size, unit, (below, above) = case.free.amplitude(i), UNITS[i], ROOM[i]
     if not i and not case.omega and case.v_0:
         return _drift_axis(case)
     if not size:
@@ -303,7 +303,7 @@ def lead(late: int) -> list[Shape]:
 
 def _is_peak_seen(i: int, case: OscillatorShown, t: Axis, up: Axis) -> bool:
     """Whether peaks are marked and that of x, v or a is in the frame."""
-    return case.last_peak > 0 and case.free.amplitudes[i] <= up.end
+    return case.last_peak > 0 and case.free.amplitude(i) <= up.end
 
 
 def hero() -> list[Shape]:

@@ -1,0 +1,394 @@
+"""The paper of the hanging mass: its stage with T on V as a bar, the well under it, x and the energies over time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from msgspec.structs import replace
+
+from components.language.blocks import Block
+from components.language.numbers import Number
+from components.layout.plots import Room
+from components.layout.sheet import column, desk, row, stage
+from components.layout.stage import (
+    HALL,
+    ON_NARROW,
+    ON_WIDE,
+    H,
+    Looks,
+    Shape,
+    T,
+    W,
+    arrow,
+    box,
+    circle,
+    line,
+    path,
+    spring,
+    text,
+    wall,
+    wave,
+    wide,
+)
+from components.layout.stage import shown_by as on_screens
+from components.paper.deferred import deferred, number
+from components.paper.plot_axes import TIME, axis
+from components.paper.plots import (
+    Plot,
+    PlotValue,
+    along,
+    curve,
+    drag,
+    either,
+    note,
+    on_axis,
+    shown_by,
+    words,
+)
+from components.quantities.axes import Axis, nice_axis, nice_ticks
+from components.quantities.numbers import at_tick, power_unit, three
+from components.scene.traces import Columns
+from components.scenes.energy.case import PLANETS, EnergyShown
+
+c = deferred(EnergyShown)
+FARTHEST = 6.0
+"""Amplitudes up to which the natural length is in the picture."""
+POINTS = 121
+"""Points of a curve of the well."""
+
+
+def _x_axis(case: EnergyShown) -> Axis:
+    """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
+    C, delta = case.C, case.delta
+    high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
+    low = 1.25 * C or 0.5 * high
+    exponent, suffix = power_unit(max(high, low))
+    seen = (-delta if 1.12 * delta == high else -C, C)
+    bare = Axis(low, -high, "m", exponent, suffix, drawn=seen)
+    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 2))
+
+
+def _well_axis(case: EnergyShown) -> Axis:
+    """The axis of the well, in the unit of x; the well is drawn a little beyond the turning points."""
+    x = _x_axis(case)
+    end = 1.18 * case.C or x.start
+    ticks = nice_ticks(x.place(-end), x.place(end), 2)
+    return replace(x, start=-end, end=end, ticks=ticks, drawn=(-case.C, case.C))
+
+
+def _energy_axis(case: EnergyShown) -> Axis:
+    """The axis from the lowest to the highest energy drawn; the sum T + V has its own tick."""
+    top, bottom, constant = case.E_total, 0.0, case.system.datum_shift
+    if case.apart:
+        top, bottom = case.free.E + constant + case.weight, -case.weight
+    if case.datum == "slide":
+        bottom = -max(case.weight, constant)
+    room = 0.11 * (top - bottom) or 1.0
+    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 2, exact=True)
+    total, span = axis.place(case.E_total), axis.place(axis.end) - axis.place(axis.start)
+    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.16 * span), total}))
+    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else at_tick(tick) for tick in ticks)
+    return replace(axis, ticks=ticks, labels=labels, drawn=(bottom, top))
+
+
+def _axis_beside(case: EnergyShown) -> Axis:
+    """The axis of the energies over time, without the number of the sum, which the well has."""
+    axis = _energy_axis(case)
+    total, labelled = axis.place(case.E_total), zip(axis.ticks, axis.labels, strict=True)
+    return replace(axis, labels=tuple("" if tick == total else label for tick, label in labelled))
+
+
+X = Plot("x", TIME, axis("m", _x_axis))
+WELL = Plot("well", axis("m", _well_axis, "x_well", like=X.up), axis("J", _energy_axis, "E"))
+ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
+
+CENTRE = wide(0.5 * W + 16 * HALL, 0.12 * W + 100)
+"""Where it hangs: on a phone names have room left of it, and planets right of it."""
+HALF, ASIDE = wide(62 - 8 * HALL, 40), wide(45, 33)
+"""The reach of the levels to either side of it, and where arrows stand."""
+CEILING, BAR = wide(16, 12), wide(22, 8)
+STRIP, STRIP_LENGTH = 0.83 * W, 0.16 * W
+"""On a phone the stage has a small x(t) of its own."""
+NOW = wide(X.x(T), STRIP + STRIP_LENGTH * TIME.share * T)
+LENGTH = 0.58 * H
+"""The length of the axis of x on a phone."""
+X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
+X_BOTTOM = X.in_frame(c, "x_bottom", lambda c, t, x: x.start)
+PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
+SQUARE = "M0 0H1V1H0Z"
+UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
+"""Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
+
+
+def height(x: PlotValue) -> Number:
+    """The height of a displacement: on the axis of the plot beside it; on a phone, on one like it."""
+    return wide(X.y(x), 0.2 * H + LENGTH * (on_axis(X.up, x) - on_axis(X.up, X_TOP)) * PER_SPAN)
+
+
+TOP, BOTTOM = height(X_TOP), height(X_BOTTOM)
+
+
+def paper() -> Block:
+    label = "Mass on a spring, its natural length and its equilibrium, and its energy as a bar"
+    task = "Pull the mass down and let go: where is all the energy kinetic, and where none of it?"
+    shapes = (*bar(), *levels(), *body(), *planets(), *strip())
+    return column(
+        desk(words(task, style="task", phone=0)),
+        row(
+            column(stage(*shapes, label=label, grow=UPPER, basis=BETWEEN, height=230), well(), grow=330),
+            column(words(style="room", grow=ABOVE), displacement(), datum(), energies(), grow=390),
+            column(gravity(), law(), grow=190),
+            gap=0,
+        ),
+    )
+
+
+def displacement() -> Block:
+    natural = X.y(NATURAL)
+    return X.block(
+        curve(c.x, "sum", "m1", label="*x*", fast="band", dot=True),
+        title="Displacement from equilibrium, downwards, against time",
+        over=shown_by(NATURAL_SEEN, line(X.x(0), natural, X.right, natural, style="eq", tint="mute")),
+        x_labels=False, room=Room(58, 56), grow=UPPER - ABOVE, phone=10, height=150,
+    )  # fmt: skip
+
+
+def datum() -> Block:
+    """The words between the plots, on the datum of V."""
+    T_max, shift = f"{WELL.text(c.T_max)}", f"{WELL.text(c.shift)} {WELL.unit}"
+    return words(
+        either(
+            c.claim,
+            equilibrium=rf"$T_{{\mathrm{{max}}}} = V_{{\mathrm{{max}}}} = {T_max}$ {WELL.unit}: all $T$ "
+            rf"at equilibrium, where $v = \omega_n x_{{\mathrm{{max}}}} = {c.v_max}$ m/s; all $V$ where it turns.",
+            separate=r"$V_{\mathrm{max}} = T_{\mathrm{max}} + \tfrac{1}{2} k \delta_{\mathrm{st}}^2 "
+            f"= {T_max} + $ {shift}: a constant more; the motion does not change.",
+            weightless="Without weight both ways of counting $V$ are one: "
+            rf"$V_{{\mathrm{{max}}}} = T_{{\mathrm{{max}}}} = {T_max}$ {WELL.unit}.",
+            rest="Nothing moves: it rests in equilibrium, where $T$ and $V$ stay 0.",
+            rest_apart=f"Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {shift}.",
+            slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
+            "gravity drops out of the motion.",
+        ),
+        style="small", basis=BETWEEN, phone=12,
+    )  # fmt: skip
+
+
+def energies() -> Block:
+    twice = rf"at $2 \omega_n = {c.omega_2}$ rad/s"
+    return ENERGY.block(
+        curve(c.total, "sum", "total", legend="T + V", read="*T*+*V*", dot=True),
+        curve(c.V, "line", "V", legend="V", read="*V*", fast="band", dot=True),
+        curve(c.T, "dash", "T", legend="T", read="*T*", fast="band", dot=True),
+        curve(c.spring, "line", "k", words="spring", label="spring", fast="band"),
+        curve(c.gravity, "dash", "k", words="gravity", label="gravity", fast="band"),
+        curve(c.constant, "dots", "k", label="const.", dot=True),
+        note(either(c.datum, equilibrium=twice), "mute"),
+        title="Kinetic energy, potential energy and their constant sum against time",
+        room=Room(58, 56), grow=LOWER, phone=13, height=230,
+    )  # fmt: skip
+
+
+def _well_columns(case: EnergyShown, across: Axis, up: Axis) -> Columns:
+    """V over x; term by term, also its terms, and where the slide's constant is not among them, the slide's V."""
+    x = np.linspace(across.start, across.end, POINTS)
+    slide = case.system.well(x)
+    if not case.apart:
+        return {"x": x, "V": slide}
+    columns = {"x": x, "spring": case.system.spring(x), "gravity": case.system.gravity(x)}
+    if case.separate:
+        return columns | {"V": case.system.well(x, "separate"), "other": slide}
+    return columns | {"V": slide, "constant": np.full_like(x, -case.system.datum_shift)}
+
+
+def well() -> Block:
+    table = WELL.in_frame(c, "well", _well_columns)
+    V = either(
+        c.datum,
+        equilibrium=r"V = \tfrac{1}{2} k x^2",
+        separate=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - m g x",
+        slide=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - \tfrac{1}{2} k \delta_{\mathrm{st}}^2 - m g x",
+    )
+    other = either(c.datum, separate="the slide's")
+    return WELL.block(
+        curve(table, "sum", "V", columns=("x", "V"), legend=V, read="*V*", group="well"),
+        curve(table, "dash", "V", columns=("x", "other"), words=other),
+        curve(table, "dots", "k", columns=("x", "constant"), read="constant"),
+        curve(table, "dash", "k", columns=("x", "gravity"), read="gravity"),
+        curve(table, "line", "k", columns=("x", "spring"), read="spring"),
+        title="The potential well: V against displacement, with the level of the energy and the turning points",
+        over=ball(), room=Room(58, 40), grow=LOWER, phone=20, height=250,
+    )  # fmt: skip
+
+
+def gravity() -> Block:
+    return words(
+        rf"$\delta_{{\mathrm{{st}}}} = \frac{{m g}}{{k}} = {c.delta}$ m",
+        rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {c.omega}$ rad/s",
+        either(c.place, said="[small|Gravity sets where it hangs, not how fast it swings.]"),
+        rf"$\tau = 2 \pi / \omega_n = {c.tau}$ s",
+        style="proof", grow=UPPER, basis=BETWEEN, phone=40,
+    )  # fmt: skip
+
+
+def law() -> Block:
+    """d/dt (T + V) = 0, written out to the equation of motion."""
+    by_terms = r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$"
+    return words(
+        rf"[T|$T = \tfrac{{1}}{{2}} m \dot{{x}}^2 = {c.T}$ {WELL.unit}]",
+        either(
+            c.datum,
+            equilibrium=rf"[V|$V = \tfrac{{1}}{{2}} k x^2 = {c.V}$ {WELL.unit}]",
+            separate=rf"[V|$V = {c.spring}\; {c.gravity:+} = {c.V}$ {WELL.unit}]",
+            slide=rf"[V|$V = {c.spring}\; {c.constant:+}\; {c.gravity:+} = {c.V}$]",
+        ),
+        f"$T + V = {WELL.text(c.E_total)}$ {WELL.unit}",
+        r"$\dfrac{\mathrm{d}}{\mathrm{d} t} (T + V) =$",
+        either(c.datum, equilibrium=r"$\dot{x} (m \ddot{x} + k x) = 0$", separate=by_terms, slide=by_terms),
+        r"[boxed|$m \ddot{x} + k x = 0$]",
+        "[small|Energy gives the equation for one degree of freedom.]",
+        style="derivation", grow=LOWER, basis=52, phone=41,
+    )  # fmt: skip
+
+
+NATURAL = X.in_frame(c, "natural", lambda c, t, x: max(-c.delta, x.end))
+"""The natural length, or the end of the frame if it is beyond."""
+NATURAL_SEEN = X.in_frame(c, "natural_seen", lambda c, t, x: -c.delta >= x.end)
+NATURAL_FAR = X.in_frame(c, "natural_far", lambda c, t, x: -c.delta < x.end)
+
+
+def _naming(case: EnergyShown, t: Axis, x: Axis) -> str:
+    """The word for the names of natural length and equilibrium: apart, too close for two names, or together."""
+    return "together" if not case.delta else "apart" if case.delta > 0.1 * (x.start - x.end) else "close"
+
+
+def levels() -> list[Shape]:
+    """Natural length and equilibrium, and delta_st between them."""
+    natural, level, left = height(NATURAL), height(0), CENTRE - HALF - 6
+    naming = X.in_frame(c, "naming", _naming)
+    look: Looks = {"anchor": "end", "tint": "mute", "style": "halo given"}
+
+    def beside(*lines: str) -> list[Shape]:
+        return [text(left, level - 10 + 15 * n, one, **look) for n, one in enumerate(lines)]
+
+    return [
+        *shown_by(NATURAL_SEEN, line(left + 6, natural, CENTRE + HALF, natural, style="eq", tint="mute")),
+        line(left + 6, level, CENTRE + HALF, level, style="eq", tint="mute"),
+        *shown_by(
+            naming == "apart",
+            *shown_by(
+                NATURAL_SEEN,
+                text(left, natural - 4, "natural", **look),
+                text(left, natural + 11, "length", **look),
+            ),
+            text(left, level + 5, "equilibrium", **look),
+            arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9),
+            text(
+                CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, f"*δ*_{{st}} {c.delta_st}", "end", style="b halo"
+            ),
+        ),
+        *shown_by(NATURAL_FAR, text(left, TOP + 2, "natural", **look), text(left, TOP + 17, "length ↑", **look)),
+        *shown_by(naming == "together", *beside("equilibrium", "= natural", "length")),
+        *shown_by(naming == "close", *beside("equilibrium,", f"{c.delta_st} below", "natural length")),
+    ]  # fmt: skip
+
+
+def body() -> list[Shape]:
+    """Ceiling, spring and mass; its end is the level line."""
+    hook, side = height(c.x), wide(58, 40) * c.side
+    hand = drag("Mass, start", along("y", lambda x: height(x) + 0.5 * side, X.up, x_0=c.x, rate="v_0"))
+    return [
+        wall(CENTRE - 62, CEILING, 124, side="top"),
+        line(CENTRE, hook, NOW, hook, style="level", tint="m1"),
+        spring(CENTRE, CEILING, CENTRE, hook, c.wire, height=15),
+        box(CENTRE, hook + side, side, "*m*", tint="m1", grab=hand),
+        arrow(CENTRE + ASIDE, height(0), CENTRE + ASIDE, hook, tint="m1"),
+        text(
+            CENTRE + ASIDE - 6 * HALL, BOTTOM + 22, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo",
+        ),
+    ]  # fmt: skip
+
+
+def _planets(case: EnergyShown, t: Axis, x: Axis) -> list[Any]:
+    """Where the mass would hang on each planet in m; None unless that is in the frame and apart from what else is."""
+    taken, found = [0.0, -case.delta], list[Any]()
+    for _, g in PLANETS.values():
+        place = case.delta * (g / case.g - 1) if case.g else g * case.m / case.k
+        is_free = min(abs(place - other) for other in taken) > 0.065 * (x.start - x.end)
+        found.append(place if is_free and x.end <= place <= x.start else None)
+        taken += (one for one in found[-1:] if one is not None)
+    return found
+
+
+def planets() -> list[Shape]:
+    """The levels at which the mass would hang elsewhere."""
+    x, places, found = CENTRE + HALF, X.in_frame(c, "planet", _planets), list[Shape]()
+    for i, (slug, (name, _)) in enumerate(PLANETS.items()):
+        y = height(places[i])
+        found += [
+            line(x, y, x + 8, y, style="floor"),
+            text(x + 12, y + 4.5, name, "start", tint="mute", style="halo given"),
+            *shown_by(
+                c.here == slug,
+                line(x, height(0), x + 8, height(0), style="floor"),
+                text(x + 12, height(0) + 4.5, name, "start", style="b halo given"),
+            ),
+        ]
+    return found
+
+
+def bar() -> list[Shape]:
+    """T on V, stacked to their constant sum, beside the mass."""
+    whole = BOTTOM - TOP
+    V = whole * number(c.V_share)
+    letters = [
+        text(BAR + 9, TOP + 13, "*T*", "start", tint="T", style="t2 b halo"),
+        text(BAR + 9, BOTTOM - 3, "*V*", "start", tint="V", style="t2 b halo"),
+    ]
+    return [
+        *shown_by(
+            c.has_energy,
+            path(SQUARE, 2, BOTTOM - V, sx=BAR, sy=V, style="body", tint="V"),
+            path(SQUARE, 2, TOP, sx=BAR, sy=whole - V, style="body", tint="T"),
+        ),
+        path(SQUARE, 2, TOP, sx=BAR, sy=whole, style="scaled outline", tint="ink"),
+        *shown_by(c.has_energy, *on_screens(ON_WIDE, *letters)),
+    ]
+
+
+def strip() -> list[Shape]:
+    """The small x(t) on a phone, with its cursor."""
+    size = -1 * LENGTH * PER_SPAN * on_axis(X.up, c.C)
+    phase = number(c.free.constants.phi)
+    return on_screens(
+        ON_NARROW,
+        wave(STRIP, height(0), STRIP_LENGTH, size, number(c.swings), phase, style="sum strip", tint="m1"),
+        line(NOW, TOP, NOW, BOTTOM, style="now strip"),
+        circle(NOW, height(c.x), 5, tint="m1", style="strip"),
+    )
+
+
+def ball() -> list[Shape]:
+    """Over the well: the level of T + V to its plot over time, the stack V, T at the mass, and the ball."""
+    x, floor, V, level = WELL.x(c.x), WELL.y(0), WELL.y(c.V), WELL.y(c.total)
+    middle, C, shift = WELL.x(0), WELL.across_pixels(c.C), WELL.y(c.shift)
+    hand = drag("Ball, start", along("x", WELL.x, WELL.across, x_0=c.x, rate="v_0"))
+    shifted = WELL.in_frame(c, "shifted", lambda c, x, E: c.shift > 0.1 * (E.end - E.start))
+    return [
+        *shown_by(c.has_energy, line(middle - C, level, wide(ENERGY.left, middle + C), level, style="sum")),
+        *shown_by(c.swinging, text(middle - C + 12, level - 8, "turns here", "start", tint="mute", style="halo")),
+        path(SQUARE, x - 4, V, sx=8, sy=floor - V, style="body", tint="V"),
+        path(SQUARE, x - 4, level, sx=8, sy=V - level, style="body", tint="T"),
+        line(x, V, wide(ENERGY.x(T), x), V, style="level", tint="V", show=ON_WIDE),
+        *shown_by(c.swinging, *(circle(middle + side * C, level, 4, tint="ink") for side in (-1, 1))),
+        *shown_by(
+            shifted,
+            arrow(middle, floor, middle, shift, tint="ink", style="thin", head=9),
+            text(
+                middle, (floor + shift) * 0.5, f"½ *k δ*_{{st}}² = {WELL.text(c.shift)} {WELL.unit}", "beside",
+                style="b halo",
+            ),
+        ),
+        circle(x, V, 8, tint="m1", grab=hand),
+    ]  # fmt: skip
