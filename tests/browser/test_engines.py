@@ -8,7 +8,7 @@ from components.scenes import SCENES
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
 from tests.browser.hands import middle, opened, stroke
-from tests.browser.waiting import FRAMES
+from tests.browser.waiting import FRAMES, QUIET
 from tests.serving.server import Server
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -65,3 +65,25 @@ def test_a_curve_is_drawn_where_an_event_names_no_other(engine: Window, server: 
     x, y = middle(engine, ".drawing")
     stroke(engine, [(x + 10 * i, y + i) for i in range(12)])
     engine.wait_for_function(DRAWN_TO)
+
+
+HOLD_BACK = """() => {
+  const {wire} = oscillations.messages
+  const send = wire.send
+  wire.send = message => (message.type === "open" ? (globalThis.go = () => send(message)) : send(message))
+  oscillations.walks.walk.show(true)
+}"""
+EXPLAINED = "document.querySelector('.card .why')"
+READ = f"getComputedStyle({EXPLAINED}).visibility === 'visible' && {EXPLAINED}.textContent"
+
+
+def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server) -> None:
+    """They come with the picture that the answer shows, which is held back here."""
+    opened(engine, f"{server.url}?walk=d34&step=d34-10")
+    engine.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
+    engine.evaluate(HOLD_BACK)
+    engine.wait_for_function(f"{EXPLAINED} && Boolean(globalThis.go)")
+    assert not engine.evaluate(READ)
+    engine.evaluate("() => globalThis.go()")
+    engine.wait_for_function(READ)
+    assert "back every 31.3 s. Half-way" in engine.evaluate(READ)
