@@ -31,6 +31,8 @@ from physics.curves import ScaledCurve, combined, product, turning
 from physics.elementary import SMALLEST_EXPONENT, exponential
 from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
 from physics.oscillator import OscillatorMotion, phase_of
+from physics.periodic import PeriodicPush
+from physics.pushed import PushedMass, PushedMotion
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array
 
 QUANTITIES = ("the displacement", "the velocity", "the acceleration")
@@ -142,6 +144,14 @@ class DampedOscillator:
                 result[:, where] = combined(*form(starts, t[where]), QUANTITIES)
         x, v, acceleration = result
         return OscillatorMotion(t=t, x=x, v=v, a=acceleration)
+
+    def pushed(self, push: PeriodicPush) -> PushedMass:
+        """Its motions under a push."""
+        return PushedMass(self.m, self.c, self.k, push)
+
+    def steady(self, push: PeriodicPush, t: ArrayLike) -> PushedMotion:
+        """The steady x and v (n,) under a push at the times t (n,) in s, within 4 u of the largest; see PushedMass."""
+        return self.pushed(push).steady(t)
 
     def decays(self, x_0: float, v_0: float) -> tuple[Decay, ...]:
         """x as a sum for a signal, in doubles: one damped swing, or two exponentials.

@@ -95,22 +95,18 @@ class Expansion:
         return tuple(horner(polynomial, at) * over for polynomial in self.drive)
 
     @cached_property
-    def at_rest(self) -> tuple[Rows, Rows]:
-        """The terms of exponents of 0: a constant, and a drift where there are two of them."""
-        P, none = self.P, (self.ctx.zero,) * 3
-        if not self.zeros:
-            return none, none
-        square = self.omega**2 or self.ctx.one
-        over = [
-            [a + b / square for a, b in zip_longest(one[:2], two[:2], fillvalue=self.ctx.zero)]
-            for one, two in zip(self.start, self.drive, strict=True)
-        ]
-        first = tuple(row[0] / P[self.zeros] for row in over)
-        if self.zeros == 1:
-            return first, none
-        Q1 = P[3] if len(P) > 3 else self.ctx.zero
-        second = tuple(((row[1] if len(row) > 1 else 0) - b * Q1) / P[2] for row, b in zip(over, first, strict=True))
-        return second, first
+    def at_rest(self) -> list[Rows]:
+        """The factors of 1, t, t^2/2 and so on: a term for each exponent of 0, and at least a constant and a drift."""
+        none, Q, square = self.ctx.zero, self.P[self.zeros :], self.omega**2 or self.ctx.one
+        columns = []
+        for one, two in zip(self.start, self.drive, strict=True):
+            over = [a + b / square for a, b in zip_longest(one, two[:2], fillvalue=none)]
+            series: list[Any] = []
+            for j in range(self.zeros):
+                known = sum((Q[i] * series[j - i] for i in range(1, min(j + 1, len(Q)))), none)
+                series.append(((over[j] if j < len(over) else none) - known) / Q[0])
+            columns.append([*reversed(series), none, none][: max(2, self.zeros)])
+        return list(zip(*columns, strict=True))
 
     @cached_property
     def waves(self) -> list[ExponentialTerm]:
@@ -135,7 +131,7 @@ class Expansion:
             yield from ((p, [A]) for p, A in self.terms)
         else:
             yield from self._gathered()
-        constant, drift = self.at_rest
+        constant, drift = self.at_rest  # no more, as a chain has no more exponents of 0 than moving masses
         yield self.ctx.mpc(0), [constant, drift] if any(drift) else [constant]
 
     @property

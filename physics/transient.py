@@ -25,6 +25,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,7 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from physics.absorber import damped_solution
 from physics.coupled import QUANTITIES, Motion, TwoMassChain
-from physics.curves import ScaledCurve, rounded_once, scaled_sum
+from physics.curves import ScaledCurve, product, rounded_once, scaled_sum
 from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.exact import Array, angle, pair_product, precise, rounded
 from physics.forced import REST, forced_motion
@@ -190,7 +191,7 @@ def summed(expand: Callable[[int], Expansion], t: Array, effort: Effort = EXACT)
 
     `expand` gives the sum in so many digits. ValueError where it takes more work than `effort` allows.
     """
-    values, sure = _in_pairs(expand(DIGITS), t, effort)
+    values, sure = in_pairs(expand(DIGITS), t, effort)
     left = effort.work
     for n in np.flatnonzero(~sure & (t != 0.0)):
         values[:, n], spent = _in_many_digits(expand, float(t[n]), min(effort.digits, left))
@@ -207,7 +208,7 @@ class _Summand(NamedTuple):
     doubt: Array
 
 
-def _in_pairs(modes: Expansion, t: Array, effort: Effort) -> tuple[Array, NDArray[np.bool_]]:
+def in_pairs(modes: Expansion, t: Array, effort: Effort) -> tuple[Array, NDArray[np.bool_]]:
     """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says."""
     summands = [*_waves(modes, t), *_drift(modes, t)]
     rows = list(zip(*(summand.row for summand in summands), strict=True))
@@ -252,12 +253,17 @@ def _decaying(p: Any, t: Array) -> tuple[ScaledCurve, ScaledCurve, Array]:
 
 
 def _drift(modes: Expansion, t: Array) -> Iterator[_Summand]:
-    constant, drift = modes.at_rest
-    steady, moving = (*constant, *drift[:2]), (*drift, 0 * modes.omega, 0 * modes.omega)
-    for row, values in ((steady, np.ones_like(t)), (moving, t)):
-        if any(row):
-            sizes = _decimals(map(abs, row))
-            yield _Summand(ScaledCurve(values, 0.0 * t, Decimal(1)), _decimals(row), sizes, _IN_PAIRS * np.abs(values))
+    """A polynomial in t: its terms, and a unit of each in the velocities of the term after it."""
+    time, power = ScaledCurve(t, 0.0 * t, Decimal(1)), ScaledCurve(np.ones_like(t), 0.0 * t, Decimal(1))
+    none = (0 * modes.omega,) * 3
+    for n, (row, rate) in enumerate(pairwise([*modes.at_rest, none])):
+        if n:
+            power = time if n == 1 else product(power, time).times(1 / Decimal(n))
+        values = (*row, *rate[:2])
+        if any(values):
+            with precise():
+                doubt = _IN_PAIRS * float(power.scale) * np.abs(power.hi)
+            yield _Summand(power, _decimals(values), _decimals(map(abs, values)), doubt)
 
 
 def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -> tuple[list[float], int]:
@@ -276,9 +282,12 @@ def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -
 
 def _summed(modes: Expansion, t: float) -> list[Any] | None:
     """None where too many digits cancel, or the exponents do not reproduce the equations well enough."""
-    ctx, radians, (constant, drift) = modes.ctx, 1.0, modes.at_rest
-    total = [a + b * t for a, b in zip((*constant, *drift[:2]), (*drift, 0, 0), strict=True)]
-    doubt = [abs(a) for a in total]
+    ctx, radians = modes.ctx, 1.0
+    total, doubt = [ctx.zero] * 5, [ctx.zero] * 5
+    for n, (row, rate) in enumerate(pairwise([*modes.at_rest, (ctx.zero,) * 3])):
+        power = ctx.mpf(t) ** n / math.factorial(n)
+        total = [a + b * power for a, b in zip(total, (*row, *rate[:2]), strict=True)]
+        doubt = [a + abs(b * power) for a, b in zip(doubt, (*row, *rate[:2]), strict=True)]
     for p, row, sizes in modes.waves:
         turned = ctx.exp(p * t) if p.real * t > _DIED_OUT else ctx.zero
         turns = 1 + taxicab(p) * abs(t)

@@ -1,0 +1,117 @@
+r"""Periodic and impulsive pushes of one damped mass, m x'' + c x' + k x = F(t), of the period T = 2 pi/omega.
+
+    square     +F in the first half of a period, -F in the second
+    triangle   like the sine: 0 at t = 0, F at T/4, -F at 3T/4
+    pulses     F for 0 < t < w T, else 0
+    impulses   of F in N s at 0, T, 2T, ..
+    step       F from t = 0 on
+    impulse    of F in N s at t = 0
+
+The motions that they cause are those of physics.pushed.
+
+Source: beyond lecture D31; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.1 and 3.1.
+"""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal, NamedTuple, get_args
+
+from physics.turns import cospi, sinpi
+from physics.valid import check_finite, check_positive
+
+PushKind = Literal["square", "triangle", "pulses", "impulses", "step", "impulse"]
+
+
+class Piece(NamedTuple):
+    """A part of a period, from one share of it to another: the force in N at its start, and its rise in N a period."""
+
+    begin: Fraction
+    end: Fraction
+    force: Fraction
+    rise: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PeriodicPush:
+    """A push of `size` F in N, or in N s for impulses, with omega in rad/s; `width` is the share of a period of pulses.
+
+    omega and width do not matter for a step or one impulse.
+    """
+
+    kind: PushKind
+    size: float = 1.0
+    omega: float = 1.0
+    width: float = 0.5
+
+    def __post_init__(self) -> None:
+        if self.kind not in get_args(PushKind):
+            raise ValueError(f"kind = {self.kind!r}: a push is allowed to be {' or '.join(get_args(PushKind))}")
+        check_finite("the size of a push", size=self.size)
+        check_positive("a drive frequency in rad/s", omega=self.omega)
+        if not 0 < self.width < 1:
+            raise ValueError(f"width = {self.width!r}: choose a share of the period between 0 and 1")
+
+    @property
+    def once(self) -> bool:
+        """Whether it does not repeat."""
+        return self.kind in ("step", "impulse")
+
+    @property
+    def impulsive(self) -> bool:
+        """Whether it changes the velocity at once."""
+        return self.kind in ("impulses", "impulse")
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pieces of a period; cut in the middle if they alternate."""
+        F, none = Fraction(self.size), Fraction(0)
+        match self.kind:
+            case "square":
+                ends, forces, rises = [Fraction(1, 2)], [F, -F], [none] * 2
+            case "triangle":
+                ends, forces = [Fraction(i, 4) for i in (1, 2, 3)], [none, F, none, -F]
+                rises = [4 * F, -4 * F, -4 * F, 4 * F]
+            case "pulses":
+                ends, forces, rises = [Fraction(self.width)], [F, none], [none] * 2
+            case _:
+                ends, forces, rises = [], [none if self.impulsive else F], [none]
+        return tuple(map(Piece, [none, *ends], [*ends, Fraction(1)], forces, rises))
+
+    @property
+    def alternates(self) -> bool:
+        """Whether the second half of a period is the first, turned over."""
+        return self.kind in ("square", "triangle")
+
+    @property
+    def mean(self) -> float:
+        """The mean force in N."""
+        if self.kind == "pulses":
+            return self.size * self.width
+        return self.size * self.omega / (2 * math.pi) if self.kind == "impulses" else 0.0
+
+    def has_line(self, n: int) -> bool:
+        """Whether the line n > 0 is part of the push."""
+        if self.kind == "pulses":
+            return bool((Fraction(self.width) * n) % 1)
+        return self.kind == "impulses" or n % 2 == 1
+
+    def line(self, n: int) -> complex:
+        """f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u; of one that does not repeat there is none."""
+        if self.once:
+            raise ValueError(f"kind = {self.kind!r}: only pushes that repeat have lines")
+        if not n:
+            return complex(self.mean)
+        if not self.has_line(n):
+            return 0j
+        over, quarter = n * math.pi, (1.0, -1.0)[n // 2 % 2]
+        match self.kind:
+            case "square":
+                return complex(0.0, -4 * self.size / over)
+            case "triangle":
+                return complex(0.0, -8 * self.size * quarter / over**2)
+            case "pulses":
+                turn = Fraction(self.width) * n
+                size = 2 * self.size * sinpi(turn) / over
+                return complex(size * cospi(turn), -size * sinpi(turn))
+        return complex(self.size * self.omega / math.pi)

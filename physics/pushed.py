@@ -1,0 +1,490 @@
+r"""Motions of one damped mass under a push that repeats, or acts once: m x'' + c x' + k x = F(t).
+
+A push is constant, or rises evenly, on each of its pieces, so x and v at the end of a piece are affine in those at its
+start. With p1, p2 the exponents of the free motion and f[..] divided differences over them, in e^(p t):
+
+    x = A x_0 + B v_0 + F/m E2 + F'/m E3,   B = [p1, p2],  E2 = [0, p1, p2],  E3 = [0, 0, p1, p2],  A = B' + c/m B.
+
+These are regular at zeta = 0, at critical damping and without a spring. The steady motion is the one that the pieces of
+a period bring back to its start: no Fourier sum. It does not exist where c = 0 and a line n of the push is at
+omega_n = n omega, or where k = 0 and the push has a mean. From rest a period is applied M times by repeated squaring,
+at a resonance too.
+
+States at the start of a piece have as many digits as they need; in pieces motions are summed as in physics.transient.
+
+Source: beyond lecture D31; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.1 and 3.1.
+"""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from physics.exact import FINE, PI, Array, exact, precise, remainders, two_product, two_sum
+from physics.laplace import NOTHING, Expansion, expanded
+from physics.periodic import PeriodicPush, Piece
+from physics.polynomials import Polynomial, context
+from physics.transient import DIGITS, Effort, in_pairs
+from physics.valid import check_not_negative, finite_array, in_range
+
+QUANTITIES = "the displacement", "the velocity"
+_CLOSE = Effort(2.0**-56, of_largest=True)
+_DIGITS, _MOST = 40, 8000
+_DIED_OUT = -1e5  # of an exponent: e^-1e5 is nothing beside any double
+_PERIODS = 64  # bits of the number of periods until a time
+_SHORT, _TERMS = 0.1, 12
+_BITS = 250  # of a time in a piece
+
+PhasePoint = tuple[Any, Any]  # x and v, numbers of mpmath
+
+
+class PushedMotion(NamedTuple):
+    """Times in s, displacements in m and velocities in m/s, each (n,)."""
+
+    t: Array
+    x: Array
+    v: Array
+
+
+class PushLine(NamedTuple):
+    """A line of a push, F(t) = sum of Re(f exp(i n omega t)) in N, and of x = sum of Re(X exp(i n omega t)) in m.
+
+    X is infinite where no steady motion exists because of this line.
+    """
+
+    n: int
+    f: complex
+    X: complex
+
+
+class AffineMap(NamedTuple):
+    """x and v become a x + b v + p and c x + d v + q; numbers of mpmath."""
+
+    a: Any
+    b: Any
+    c: Any
+    d: Any
+    p: Any
+    q: Any
+
+    def at(self, state: PhasePoint) -> PhasePoint:
+        x, v = state
+        return self.a * x + self.b * v + self.p, self.c * x + self.d * v + self.q
+
+    def after(self, first: "AffineMap") -> "AffineMap":
+        """The map that applies another one first."""
+        (p, q), zero = self.at((first.p, first.q)), 0 * self.p
+        plain = AffineMap(*self[:4], zero, zero)
+        (a, c), (b, d) = plain.at((first.a, first.c)), plain.at((first.b, first.d))
+        return AffineMap(a, b, c, d, p, q)
+
+    @property
+    def fixed(self) -> PhasePoint:
+        """The state that it leaves alone."""
+        below = (1 - self.a) * (1 - self.d) - self.b * self.c
+        return ((1 - self.d) * self.p + self.b * self.q) / below, (self.c * self.p + (1 - self.a) * self.q) / below
+
+
+@dataclass(frozen=True)
+class PushedMass:
+    """One damped mass, m in kg, c in N s/m and k in N/m, under a push."""
+
+    m: float
+    c: float
+    k: float
+    push: PeriodicPush
+
+    @cached_property
+    def resonant_line(self) -> int | None:
+        """The n of omega_n = n omega, decided without error; None with a dashpot."""
+        if self.c or not self.k:
+            return None
+        square = Fraction(self.k) / Fraction(self.m) / Fraction(self.push.omega) ** 2
+        n = math.isqrt(int(square))
+        return n if n and n * n == square else None
+
+    @property
+    def steady_exists(self) -> bool:
+        """Whether a steady motion exists, decided without error."""
+        if not self.push.size:
+            return True
+        if (self.push.kind == "step" or self.push.mean) and not self.k:
+            return False
+        n = None if self.push.once else self.resonant_line
+        return n is None or not self.push.has_line(n)
+
+    @property
+    def growth(self) -> float:
+        """The rate in m/s at which the amplitude grows from rest where a line is at the natural frequency, else 0."""
+        n = self.resonant_line
+        if n is None or self.push.once or not self.push.has_line(n):
+            return 0.0
+        return abs(self.push.line(n)) / (2 * self.m * n * self.push.omega)
+
+    def lines(self, count: int) -> list[PushLine]:
+        """The lines 0 to `count` of the push and of the steady motion, within 5 u."""
+        return [PushLine(n, f, self._moved_by(n, f)) for n, f in ((n, self.push.line(n)) for n in range(count + 1))]
+
+    def _moved_by(self, n: int, f: complex) -> complex:
+        turn = n * Fraction(self.push.omega)
+        real, turned = Fraction(self.k) - Fraction(self.m) * turn**2, Fraction(self.c) * turn
+        square = real**2 + turned**2
+        if not square:
+            return complex(math.inf) if f else 0j
+        return f * complex(float(real / square), -float(turned / square))
+
+    def steady(self, t: ArrayLike) -> PushedMotion:
+        """x and v at the times t (n,) in s, within 4 u of the largest; the v of an impulse is that just after it.
+
+        ValueError where no steady motion exists.
+        """
+        t, push = finite_array("t", t), self.push
+        if not self.steady_exists:
+            raise ValueError(self._refusal)
+        x, v = np.zeros((2, t.size))
+        if not push.size or push.once:
+            return PushedMotion(t, x + (push.size / self.k if push.kind == "step" and push.size else 0.0), v)
+        places = TimesInPieces.of(push, t)
+        for i, piece in enumerate(push.pieces):
+            here = places.piece == i
+            if np.any(here):
+                x[here], v[here] = self._in_piece(i, piece, places.tau[here], places.rest[here])
+        return PushedMotion(t, in_range(QUANTITIES[0], x), in_range(QUANTITIES[1], v))
+
+    def _in_piece(self, i: int, piece: Piece, tau: Array, rest: Array) -> tuple[Array, Array]:
+        """The steady motion in a piece, at times tau + rest after it began."""
+        start = _steady_starts(self)[i]
+        x, _ = self._summed(tau, self._expansion(piece, start), lambda exactly, t: exactly.forced(t, piece).at(start))
+        rate = self._rate(piece, start)
+        v, a = self._summed(tau, self._expansion(*rate), lambda exactly, t: exactly.forced(t, rate[0]).at(rate[1]))
+        rise = np.full_like(tau, float(piece.rise) / self.m * self.push.omega / (2 * math.pi))
+        return self._advanced(x, v, a, rise, rest)
+
+    def _advanced(self, x: Array, v: Array, a: Array, rise: Array, rest: Array) -> tuple[Array, Array]:
+        """x and v a moment later, by their Taylor series: a quick mass may swing by a share of a turn in that moment.
+
+        `rise` (n,) is F'/m. Where the quicker part has died out long ago the slope is enough.
+        """
+        damping, square = self.c / self.m, self.k / self.m
+        short = np.where(max(damping, math.sqrt(square)) * np.abs(rest) < _SHORT, rest, 0.0)
+        power, last, now = rest, v, a
+        x, v = x + v * rest, v + a * rest
+        for n in range(2, _TERMS):
+            power = power * short / n
+            later = rise - damping * now - square * last
+            x, v = x + now * power, v + later * power
+            last, now, rise = now, later, 0.0 * rise
+        return x, v
+
+    def _rate(self, piece: Piece, start: PhasePoint) -> tuple[Piece, PhasePoint]:
+        """The rate of change of the force in a piece, as a piece, and of the state at its start."""
+        ctx = context(DIGITS)
+        m, c, k, (x, v) = ctx.mpf(self.m), ctx.mpf(self.c), ctx.mpf(self.k), start
+        rise = _number(ctx, piece.rise) * self.push.omega / (2 * ctx.pi)
+        return piece._replace(force=_fraction(rise), rise=Fraction(0)), (
+            v,
+            (_number(ctx, piece.force) - c * v - k * x) / m,
+        )
+
+    def from_rest(self, t: ArrayLike) -> PushedMotion:
+        """x and v at the times t (n,) in s, 0 or more, from rest before the push: within 4 u of the largest."""
+        t = finite_array("t", t)
+        check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
+        places, pieces = TimesInPieces.of(self.push, t), self.push.pieces
+        starts, m = self._from_rest(places), Fraction(self.m)
+        ctx = context(_DIGITS)
+        rises = [_number(ctx, one.rise / m) * self.push.omega / (2 * ctx.pi) for one in pieces]
+        numbers = [
+            (*starts[key], _number(ctx, pieces[key[1]].force / m), rises[key[1]])
+            for key in zip(places.period, places.piece.tolist(), strict=True)
+        ]
+        hi = np.array([[float(one) for one in row] for row in numbers]).T
+        lo = np.array([[float(one - float(one)) for one in row] for row in numbers]).T
+        one, none = Fraction(self.m), np.zeros((2, t.size))
+        A, dA = self._response(places.tau, (Fraction(self.c), one), 0)
+        B, dB = self._response(places.tau, (one,), 0)
+        E2 = self._response(places.tau, (one,), 1)[0] if any(hi[2]) or any(hi[3]) else none[0]
+        E3 = self._response(places.tau, (one,), 2)[0] if any(hi[3]) else none[0]
+        x = _combined(zip(hi, lo, (A, B, E2, E3), strict=True))
+        v = _combined(zip(hi, lo, (dA, dB, B, E2), strict=True))
+        damping, square = self.c / self.m, self.k / self.m
+        a = -square * dB * hi[0] - (damping * dB + square * B) * hi[1] + dB * hi[2] + B * hi[3]
+        x, v = self._advanced(x, v, a, hi[3], places.rest)
+        return PushedMotion(t, in_range(QUANTITIES[0], x), in_range(QUANTITIES[1], v))
+
+    def force(self, t: ArrayLike) -> Array:
+        """F in N at the times t (n,) in s; impulses left out."""
+        places = TimesInPieces.of(self.push, finite_array("t", t))
+        force, rise = np.array([[float(one.force), float(one.rise)] for one in self.push.pieces])[places.piece].T
+        return np.asarray(force + rise * self.push.omega / (2 * math.pi) * places.tau)
+
+    def convolution(self, t: float, count: int) -> tuple[Array, Array, Array]:
+        """The push until t in s as so many impulses: their times in s, their sizes in N s, and the x in m each leaves.
+
+        The sum of the last row tends to the motion from rest like 1/count^2 if no edge of the push is inside a slice.
+        """
+        times = t * (np.arange(count) + 0.5) / count
+        sizes = self.force(times) * t / count
+        impulse = PushedMass(self.m, self.c, self.k, PeriodicPush(kind="impulse"))
+        return times, sizes, sizes * impulse.from_rest(t - times).x
+
+    @cached_property
+    def work(self) -> float:
+        """The energy in J that a cycle of the steady motion brings, all of which the dashpot takes; rounded once."""
+        if not self.c or not self.push.size or self.push.once:
+            return 0.0
+        if not self.steady_exists:
+            raise ValueError(self._refusal)
+        ((work, _),) = _agreed(self, lambda exactly: [(exactly.work, exactly.ctx.zero)])
+        return float(work)
+
+    @property
+    def _refusal(self) -> str:
+        if not self.k:
+            return "k = 0: without a spring a push with a mean drives the mass away; a stiffness above 0 N/m is needed"
+        return (
+            f"line {self.resonant_line} of the push is at the natural frequency of the undamped mass, where no steady "
+            "motion exists: another frequency or a dashpot is needed"
+        )
+
+    def _from_rest(self, places: "TimesInPieces") -> dict[tuple[int, int], PhasePoint]:
+        """x and v at the start of each piece of each period in which a time is, from rest."""
+        exactly = _Exact(context(6 * _DIGITS), self)
+        state, period, found = (
+            exactly.jump.at((exactly.ctx.zero, exactly.ctx.zero)),
+            0,
+            dict[tuple[int, int], PhasePoint](),
+        )
+        pieces = sorted(set(zip(places.period, places.piece.tolist(), strict=True)))
+        for number in sorted({number for number, _ in pieces}):
+            state, period = exactly.periods(state, number - period), number
+            found |= dict(
+                zip(((number, i) for i in range(len(self.push.pieces))), exactly.through(state), strict=False)
+            )
+        return found
+
+    def _expansion(self, piece: Piece, start: PhasePoint) -> Expansion:
+        """The motion in a piece as a sum of exponentials."""
+        ctx, m, c = context(DIGITS), Fraction(self.m), Fraction(self.c)
+        x, v = map(_fraction, start)
+        rise = _fraction(_number(ctx, piece.rise) * self.push.omega / (2 * ctx.pi))
+        forces = (rise, piece.force) if rise else (piece.force,) if piece.force else ()
+        return self._transformed((*forces, m * v + c * x, m * x), len(forces))
+
+    def _response(self, tau: Array, start: Polynomial, zeros: int) -> Array:
+        """x and v (2, n) of a motion whose transform is start/(s^zeros (m s^2 + c s + k))."""
+        return self._summed(tau, self._transformed(start, zeros), lambda exactly, t: exactly.response(t, start, zeros))
+
+    def _transformed(self, start: Polynomial, zeros: int) -> Expansion:
+        P = (*(Fraction(0),) * zeros, *map(Fraction, (self.k, self.c, self.m)))
+        return expanded(P, (start,) * 3, (NOTHING,) * 3, 0.0, DIGITS, undamped=not self.c)
+
+    def _summed(self, tau: Array, terms: Expansion, one: Callable[["_Exact", float], PhasePoint]) -> Array:
+        """x and v (2, n) as the sum of `terms`, one by one where these cancel too far."""
+        values, sure = in_pairs(terms, tau, _CLOSE)
+        exactly = _Exact(context(3 * _DIGITS), self)
+        for n in np.flatnonzero(~sure | (tau == 0.0)).tolist():
+            values[[0, 3], n] = [float(part) for part in one(exactly, tau[n])]
+        return values[[0, 3]]
+
+
+class TimesInPieces(NamedTuple):
+    """Times by the period they are in, the piece of it, and tau + rest in s since that piece began."""
+
+    period: list[int]
+    piece: NDArray[np.int_]
+    tau: Array
+    rest: Array
+
+    @classmethod
+    def of(cls, push: PeriodicPush, t: Array) -> "TimesInPieces":
+        none = np.zeros(t.size, dtype=int)
+        if push.once:
+            return cls(none.tolist(), none, t, np.zeros_like(t))
+        with precise():
+            rate, T = exact(push.omega) / (2 * PI), 2 * PI / exact(push.omega)
+        above, below = T.as_integer_ratio()
+        shift = _BITS - above.bit_length() + below.bit_length()
+        unit = (above << max(0, shift)) // (below << max(0, -shift))
+        turns = remainders(rate, t, 1 << _PERIODS)
+        shares = [turn & ((1 << FINE) - 1) for turn in turns]
+        begins = [math.floor(one.begin * (1 << FINE)) for one in push.pieces]
+        piece = np.array([sum(share >= begin for begin in begins) - 1 for share in shares], dtype=int)
+        times = [(share - begins[i]) * unit >> FINE for share, i in zip(shares, piece.tolist(), strict=True)]
+        tau = [math.ldexp(float(time), -shift) for time in times]
+        rest = [math.ldexp(float(time - int(float(time))), -shift) for time in times]
+        return cls([turn >> FINE for turn in turns], piece, np.array(tau), np.array(rest))
+
+
+class _Exact:
+    """The motion through pieces in numbers of mpmath, and its steady states.
+
+    Where nodes of a divided difference are one they are parted by a share of the digits: what is left are a quarter.
+    """
+
+    def __init__(self, ctx: Any, mass: PushedMass) -> None:
+        self.ctx, self.push = ctx, mass.push
+        self.m, self.c, self.k = map(ctx.mpf, (mass.m, mass.c, mass.k))
+        self.T = 2 * ctx.pi / self.push.omega
+        self.hair = ctx.mpf(10) ** (-ctx.dps // 4) / self.T
+        half, square = self.c / (2 * self.m), self.k / self.m
+        excess = half**2 - square
+        if excess < 0:
+            swing = ctx.sqrt(-excess)
+            self.p: tuple[Any, Any] = (ctx.mpc(-half, swing), ctx.mpc(-half, -swing))
+        else:
+            fast = half + ctx.sqrt(excess)
+            self.p = (ctx.mpc(-square / fast if fast else 0), ctx.mpc(-fast))
+        self.rate = max(abs(self.p[1]), self.push.omega * ctx.one)
+        self.least = abs(ctx.mpf(self.push.size)) / self.m / (1 if self.push.impulsive else self.rate)
+        if mass.resonant_line:  # of a line that is missing, or no steady motion would exist
+            self.p = (self.p[0] - self.hair, self.p[1] - self.hair)
+
+    @property
+    def steady_starts(self) -> list[PhasePoint]:
+        """x and v at the start of each piece."""
+        half, *others = self.maps
+        if self.push.alternates:
+            for one in others[: len(self.maps) // 2 - 1]:
+                half = one.after(half)
+            return self.through(AffineMap(*(-one for one in half)).fixed)
+        for one in others:
+            half = one.after(half)
+        return self.through(self.jump.after(half).fixed)
+
+    @cached_property
+    def maps(self) -> list[AffineMap]:
+        """The map of each piece."""
+        return [self._map(piece) for piece in self.push.pieces]
+
+    @cached_property
+    def jump(self) -> AffineMap:
+        """The map of an impulse."""
+        one, none = self.ctx.one, self.ctx.zero
+        J = self.ctx.mpf(self.push.size) if self.push.impulsive else none
+        return AffineMap(one, none, none, one, none, J / self.m)
+
+    def same(self, before: PhasePoint, now: PhasePoint) -> bool:
+        """Whether two states are one, beside the least velocity that the push causes."""
+        (x, v), (y, w) = before, now
+        size = self.least + abs(y) * self.rate + abs(w)
+        return bool(max(abs(x - y) * self.rate, abs(v - w)) <= self.ctx.mpf(10) ** -_DIGITS * size)
+
+    def through(self, state: PhasePoint) -> list[PhasePoint]:
+        """x and v at the start of each piece, from those at the start of a period."""
+        states = [state]
+        for one in self.maps[:-1]:
+            states.append(one.at(states[-1]))
+        return states
+
+    def periods(self, state: PhasePoint, count: int) -> PhasePoint:
+        """x and v after so many periods."""
+        for i in range(count.bit_length()):
+            while len(self._powers) <= i:
+                self._powers.append(self._powers[-1].after(self._powers[-1]))
+            if count >> i & 1:
+                state = self._powers[i].at(state)
+        return state
+
+    @cached_property
+    def _powers(self) -> list[AffineMap]:
+        """A period, two of them, four and so on."""
+        whole, *others = self.maps
+        for one in (*others, self.jump):
+            whole = one.after(whole)
+        return [whole]
+
+    @property
+    def work(self) -> Any:
+        """The energy that a cycle brings."""
+        F, T, m, w = self.ctx.mpf(self.push.size), self.T, self.m, self.ctx.mpf(self.push.width)
+        exp = self._exp
+        if self.push.kind == "square":
+            return 4 * F**2 / m * self._divided(lambda z: (exp(z * T / 2) - 1) / (exp(z * T / 2) + 1), 1)
+        if self.push.kind == "triangle":
+            return -64 * F**2 / (m * T**2) * self._divided(lambda z: (exp(z * T / 2) - 1) / (exp(z * T / 2) + 1), 3)
+        if self.push.kind == "pulses":
+            on, off = w * T, T - w * T
+            over = lambda z: (1 - exp(z * off)) * (1 - exp(z * on)) / (exp(z * T) - 1) if z else z  # noqa: E731
+            return F**2 / m * self._divided(over, 1)
+        return -(F**2) / (2 * m) * self._divided(lambda z: z * (exp(z * T) + 1) / (exp(z * T) - 1), 0)
+
+    def _map(self, piece: Piece) -> AffineMap:
+        return self.forced(_number(self.ctx, piece.end - piece.begin) * self.T, piece)
+
+    def forced(self, tau: Any, piece: Piece) -> AffineMap:
+        """The map from the start of a piece to a time after it."""
+        F, rise = _number(self.ctx, piece.force) / self.m, _number(self.ctx, piece.rise) / self.T / self.m
+        B, slope = self.B(tau, 0), self._divided(lambda z: z * self._exp(z * tau), 0)
+        E2, E3 = self.B(tau, 1) if F or rise else F, self.B(tau, 2) if rise else rise
+        return AffineMap(
+            slope + self.c / self.m * B, B, -self.k / self.m * B, slope, F * E2 + rise * E3, F * B + rise * E2
+        )
+
+    def B(self, tau: Any, zeros: int) -> Any:
+        """e^(p tau)[0, .., 0, p1, p2] with so many nodes at 0: B, E2 or E3."""
+        return self._divided(lambda z: self._exp(z * tau), zeros)
+
+    def response(self, tau: float, start: Polynomial, zeros: int) -> PhasePoint:
+        """x and v of a motion whose transform is start/(s^zeros (m s^2 + c s + k)), start m or m s + c."""
+        if len(start) > 1:
+            free = self.forced(tau, Piece(*(Fraction(0),) * 3))
+            return free.a, free.c
+        slope = self.B(tau, zeros - 1) if zeros else self._divided(lambda z: z * self._exp(z * tau), 0)
+        return self.B(tau, zeros), slope
+
+    def _divided(self, f: Callable[[Any], Any], zeros: int) -> Any:
+        """f[0, .., 0, p1, p2] with so many nodes at 0."""
+        nodes: list[Any] = []
+        for z in (*(self.ctx.mpc(0),) * zeros, *self.p):
+            while any(abs(z - other) < self.hair / 2 for other in nodes):
+                z += self.hair
+            nodes.append(z)
+        parts = (f(z) / self.ctx.fprod(z - other for other in nodes if other is not z) for z in nodes)
+        return self.ctx.fsum(parts).real
+
+    def _exp(self, z: Any) -> Any:
+        return self.ctx.exp(z) if z.real > _DIED_OUT else self.ctx.zero
+
+
+@lru_cache(maxsize=64)
+def _steady_starts(mass: PushedMass) -> list[PhasePoint]:
+    """x and v at the start of each piece of the steady motion."""
+    return _agreed(mass, lambda exactly: exactly.steady_starts)
+
+
+def _agreed(mass: PushedMass, compute: Callable[["_Exact"], list[PhasePoint]]) -> list[PhasePoint]:
+    """States that twice the digits do not change, beside the motion that they are part of."""
+    spent, states = 3 * _DIGITS, list[PhasePoint]()
+    while spent < _MOST:
+        spent *= 2
+        exactly = _Exact(context(spent), mass)
+        before, states = states, compute(exactly)
+        if before and all(exactly.same(*pair) for pair in zip(before, states, strict=True)):
+            break
+    return states
+
+
+def _combined(terms: Iterable[tuple[Array, Array, Array]]) -> Array:
+    """The sum of products; hi and lo of each first factor, and the second one."""
+    total = rest = np.zeros(1)
+    for hi, lo, curve in terms:
+        p, e = two_product(hi, curve)
+        total, carried = two_sum(total, p)
+        rest = rest + (carried + e + lo * curve)
+    return np.asarray(total + rest)
+
+
+def _number(ctx: Any, value: Fraction) -> Any:
+    return ctx.mpf(value.numerator) / value.denominator
+
+
+def _fraction(value: Any) -> Fraction:
+    """A number of mpmath, digit for digit."""
+    sign, mantissa, exponent, _ = value.real._mpf_
+    return Fraction(int(-mantissa if sign else mantissa)) * Fraction(2) ** int(exponent)
