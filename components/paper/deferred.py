@@ -44,13 +44,20 @@ class Attribute(Generic[V]):
     """An attribute of a case, computed once, when it is first read.
 
     If it is `optional` it may be None: what needs it is then not drawn. `called` is its name in pictures and files, if
-    that differs from its name in the class.
+    that differs from its name in the class. With a `meaning` it is one of the numbers of the scene, in SI: `unit`.
     """
 
     name = ""
 
-    def __init__(self, compute: Callable[[Any], V | None], optional: bool = False, called: str = "") -> None:
-        self.compute, self.optional, self.called = compute, optional, called
+    def __init__(
+        self,
+        compute: Callable[[Any], V | None],
+        optional: bool = False,
+        called: str = "",
+        unit: str = "",
+        meaning: str = "",
+    ) -> None:
+        self.compute, self.optional, self.called, self.unit, self.meaning = compute, optional, called, unit, meaning
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name, self.called = name, self.called or name
@@ -91,17 +98,24 @@ class Attribute(Generic[V]):
 
 
 class Attributes(Generic[C]):
-    """Makes attributes of cases of a class: after `value = Attributes(MyCase)`, `side = value(lambda c: c.m**0.15)`."""
+    """Makes attributes of cases of a class: after `value = Attributes(MyCase)`, `side = value(lambda c: c.m**0.15)`.
+
+    A number of the scene has a unit and a meaning: `tau = value(lambda c: c.one.period, "s", "natural period")`.
+    """
 
     def __init__(self, kind: type[C]) -> None:
         self.kind = kind
 
-    def __call__(self, compute: Callable[[C], V], called: str = "") -> Attribute[V]:
-        return Attribute(compute, called=called)
+    def __call__(
+        self, compute: Callable[[C], V], unit: str = "", meaning: str = "", *, called: str = ""
+    ) -> Attribute[V]:
+        return Attribute(compute, False, called, unit, meaning)
 
-    def optional(self, compute: Callable[[C], V | None], called: str = "") -> Attribute[V]:
+    def optional(
+        self, compute: Callable[[C], V | None], unit: str = "", meaning: str = "", *, called: str = ""
+    ) -> Attribute[V]:
         """Return an attribute that may be None."""
-        return Attribute(compute, optional=True, called=called)
+        return Attribute(compute, True, called, unit, meaning)
 
     def pair(
         self, compute: Callable[[C], Sequence[V] | None], called: tuple[str, str] = ("", "")
@@ -315,6 +329,13 @@ class DeferredCase:
 def fields(kind: type) -> tuple[str, ...]:
     """Return the names that a class and its bases annotate: the parameters that its cases have."""
     return tuple(name for owner in reversed(kind.__mro__) for name in get_annotations(owner))
+
+
+@cache
+def attributes(kind: type) -> tuple[Attribute[Any], ...]:
+    """Return the attributes of cases of a class, in their order."""
+    members = (one for owner in reversed(kind.__mro__) for one in vars(owner).values())
+    return tuple(one for one in members if isinstance(one, Attribute))
 
 
 @cache

@@ -18,7 +18,7 @@ from components.language.blocks import Block
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.layout.views import check_views
-from components.paper.deferred import book_of, fields
+from components.paper.deferred import attributes, book_of, fields
 from components.paper.plots import settled
 from components.quantities.parameters import Values
 from components.quantities.readouts import Readout
@@ -110,6 +110,15 @@ class Case(ABC):
 
 
 @dataclass(frozen=True)
+class CaseNumber:
+    """A number of a scene in SI units, with its unit ("" for none) and its meaning in words."""
+
+    value: float
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
 class Example:
     """A preset with its values and the sentence on what to watch."""
 
@@ -176,6 +185,17 @@ class CaseScene(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         return CasePicture(self.written(), self.of(frame)).picture
+
+    @property
+    def numbers(self) -> dict[str, CaseNumber]:
+        """The numbers that the scene shows in any of its views, by name; those that have no value now are missing."""
+        case = self.value.of()
+        known = {one.called: one for one in attributes(self.case) if one.meaning}
+        found = {name: (one, one.of(case)) for name, one in known.items()}
+        return {
+            name: CaseNumber(float(number), one.unit, one.meaning)
+            for name, (one, number) in found.items() if isinstance(number, (int, float))
+        }  # fmt: skip
 
     def readouts(self) -> tuple[Readout, ...]:
         case = self.of()

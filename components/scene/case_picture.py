@@ -9,7 +9,7 @@ from typing import Any
 from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
-from components.paper.deferred import FORMATS, Attribute, Book, ExpressionRecord, recorded
+from components.paper.deferred import FORMATS, Book, ExpressionRecord, attributes, recorded
 from components.paper.plot_axes import PlotAxis
 from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
 from components.quantities.axes import ONE, Axis
@@ -46,8 +46,7 @@ class CasePaper:
     @cached_property
     def named(self) -> list[str]:
         """The names of all attributes, in the order of their class, which files have too."""
-        members = [one for owner in reversed(self.book.kind.__mro__) for one in vars(owner).values()]
-        return list(dict.fromkeys(one.called for one in members if isinstance(one, Attribute)))
+        return list(dict.fromkeys(one.called for one in attributes(self.book.kind)))
 
     @cached_property
     def numbers(self) -> list[str]:

@@ -226,33 +226,47 @@ class DampedShown(DampedCase):
     brake = value.optional(lambda c: -c.c * c.free.v / c.greatest if c.c and c.greatest else None)
     locus = value(lambda c: {"re": c.one.omega_n * np.cos(TURN), "im": c.one.omega_n * np.sin(TURN)} if c.k else {})
     # Numbers in formulas.
-    E_total = value(lambda c: c.free.E_0)
-    omega = value(lambda c: c.one.omega_n if c.k else three(0.0))
-    zeta = value(lambda c: c.one.zeta if c.k else "none")
-    rate = value(lambda c: three(c.one.rates[1]) if c.k else c.one.rates[1])
-    omega_d = value(lambda c: c.one.omega_d or three(0.0))
-    delta = value(lambda c: c.one.log_decrement if c.one.omega_d else "∞")
-    square = value(lambda c: c.k / c.m)
-    a = value(lambda c: c.one.rates[0])
-    slow = value(lambda c: -c.one.rates[0])
-    fast = value(lambda c: -c.one.rates[1])
-    C = value(lambda c: c.free.amplitude_and_phase[0] if c.swings else 0.0)
-    phi = value(lambda c: c.free.amplitude_and_phase[1] if c.swings else 0.0)
+    E_total = value(lambda c: c.free.E_0, "J", "energy at the start")
+    omega = value(lambda c: c.one.omega_n if c.k else three(0.0), "rad/s", "natural frequency")
+    zeta = value(lambda c: c.one.zeta if c.k else "none", "", "damping ratio")
+    rate = value(lambda c: three(c.one.rates[1]) if c.k else c.one.rates[1], "1/s", "rate c/m, without a spring")
+    omega_d = value(lambda c: c.one.omega_d or three(0.0), "rad/s", "frequency of the damped motion")
+    delta = value(lambda c: c.one.log_decrement if c.one.omega_d else "∞", "", "logarithmic decrement")
+    square = value(lambda c: c.k / c.m, "1/s²", "square of the natural frequency")
+    a = value(lambda c: c.one.rates[0], "1/s", "slower decay rate")
+    slow = value(lambda c: -c.one.rates[0], "1/s", "slower root")
+    fast = value(lambda c: -c.one.rates[1], "1/s", "faster root")
+    C = value.optional(lambda c: c.free.amplitude_and_phase[0] if c.swings else None, "m", "amplitude at the start")
+    phi = value.optional(lambda c: c.free.amplitude_and_phase[1] if c.swings else None, "rad", "phase at the start")
     A = value(lambda c: signed(c.free.fadings[0].late[0]) if c.kind == "over" else c.x_0)
     B = value(lambda c: c.free.fadings[0].late[1] if c.kind == "over" else c.free.fadings[0].rate)
-    tau_d = value.optional(lambda c: 2 * math.pi / c.one.omega_d if c.one.omega_d else None)
+    tau_d = value.optional(lambda c: 2 * math.pi / c.one.omega_d if c.one.omega_d else None, "s", "period")
     # Numbers in the sentence.
     keep = value.optional(lambda c: kept(c.one.log_decrement) if c.one.omega_d else None)
     keep_x = value(lambda c: f"× {three(math.exp(-c.one.log_decrement))}")
     keep_energy = value(lambda c: kept(2 * c.one.log_decrement, 2 * ALL_BUT))
     half = value(lambda c: kept(c.one.log_decrement / 2))
     longer = value(lambda c: percent(math.expm1(-math.log1p(-(c.one.zeta**2)) / 2) if c.one.zeta < 1 else 0.0))
-    home = value.optional(lambda c: c.free.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None)
-    home_3 = value.optional(lambda c: _home_thrice(c) if c.said == "thrice" else None)
+    home = value.optional(
+        lambda c: c.free.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None,
+        "s",
+        "time until 1 % of the start",
+    )
+    home_3 = value.optional(
+        lambda c: _home_thrice(c) if c.said == "thrice" else None, "s", "the same with three times the damping"
+    )
     farthest = value.optional(lambda c: signed(c.turning) if c.said == "out" else None)
-    zero = value.optional(lambda c: c.free.first_zero or 0.0 if c.said == "crosses" else None)
-    crossing = value.optional(lambda c: c.crossing_speed if c.said == "crosses" else None)
-    glide = value.optional(lambda c: scaled(0, abs(c.v_0), 1 / c.one.rates[1]) if c.said == "glide" else None)
+    zero = value.optional(
+        lambda c: c.free.first_zero or 0.0 if c.said == "crosses" else None, "s", "time of the only zero"
+    )
+    crossing = value.optional(
+        lambda c: c.crossing_speed if c.said == "crosses" else None, "m/s", "inward speed above which the mass passes 0"
+    )
+    glide = value.optional(
+        lambda c: scaled(0, abs(c.v_0), 1 / c.one.rates[1]) if c.said == "glide" else None,
+        "m",
+        "distance that the mass glides",
+    )
     # Which formulas and words are shown.
     power = value(lambda c: c.c > 0)
     x_form = value(lambda c: "words" if c.heading == "words" else "parts" if c.parted else c.kind)
