@@ -127,12 +127,12 @@ class EnergyShown(EnergyCase):
     total = value(lambda c: constant(c.E_total))
     constant = value.optional(lambda c: constant(-c.system.datum_shift) if c.datum == "slide" else None)
     # Numbers in formulas.
-    tau = value(lambda c: c.system.oscillator.period)
-    delta = value(lambda c: c.system.delta_st)
+    tau = value(lambda c: c.system.oscillator.period, "s", "period")
+    delta = value(lambda c: c.system.delta_st, "m", "sag of the spring under the weight")
     delta_st = value(lambda c: f"{three(c.system.delta_st)} m")
-    omega_2 = value(lambda c: 2 * c.omega)
-    T_max = value(lambda c: c.free.E)
-    v_max = value(lambda c: c.free.amplitude(1))
+    omega_2 = value(lambda c: 2 * c.omega, "rad/s", "frequency of T and V")
+    T_max = value(lambda c: c.free.E, "J", "largest kinetic energy")
+    v_max = value(lambda c: c.free.amplitude(1), "m/s", "largest speed")
     place = value(lambda c: "said")
     # Numbers of shapes.
     V_share = value(lambda c: (c.free.V + c.shift) / (c.E_total or 1.0))
