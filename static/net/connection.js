@@ -38,7 +38,8 @@ export class Connection {
     messages.overdue = () => this.lose()
     addEventListener("offline", () => this.lose())
     addEventListener("online", () => this.#again())
-    document.addEventListener("visibilitychange", () => document.hidden || this.#again())
+    document.addEventListener("visibilitychange", () => document.hidden || this.#wake())
+    addEventListener("pageshow", ({persisted}) => persisted && this.#wake())
     document.documentElement.dataset.connected = "false"
   }
 
@@ -100,6 +101,12 @@ export class Connection {
     this.status.wait(pause)
     clearTimeout(this.timer)
     this.timer = setTimeout(() => this.#again(), pause)
+  }
+
+  /** The page is in sight again. */
+  #wake() {
+    this.messages.probe()
+    this.#again()
   }
 
   async #again() {

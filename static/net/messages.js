@@ -1,11 +1,12 @@
 // The messages of a page, one in flight, numbered, sent again where its answer is lost; without a wire all wait.
 
 const PATIENCE = 5000 // ms without an answer until a message is sent once more, and until the wire is given up
+const PROBE = 2500 // ms without an answer until the wire of a page that comes back into sight is given up
 const AGAIN = 1000 // ms until what a new session had no time for is sent again
 
 /**
  * All that is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
- * starts anew with its answer, the values that it `sets` if it is made later, whether it is there for a new session
+ * starts anew with its answer, the values that it `sets` if it is made later, whether it is there for one session
  * alone, who waits for its answer, and what undo makes of it.
  * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
  *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
@@ -104,6 +105,14 @@ export class Messages {
   /** The answer to a message, whatever else is told meanwhile. @param {page.Said} message @returns {Promise<Told>} */
   ask(message) {
     return new Promise(answered => this.send(message, {answered}))
+  }
+
+  /** Finds out whether the wire still works: one that died while a phone slept says nothing. */
+  probe() {
+    if (!this.wire) return
+    if (!this.asked) this.send({type: "set", values: {}}, {anew: true})
+    clearTimeout(this.reminder)
+    this.reminder = setTimeout(() => this.overdue(), PROBE)
   }
 
   /** Of what waits, the newest value of each parameter wins. @param {string[]} names */

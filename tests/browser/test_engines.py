@@ -7,7 +7,7 @@ import pytest
 from components.scenes import SCENES
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
-from tests.browser.hands import middle, opened, stroke
+from tests.browser.hands import CONNECTED, middle, opened, stroke
 from tests.browser.waiting import FRAMES, QUIET
 from tests.serving.server import Server
 
@@ -87,3 +87,20 @@ def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server)
     engine.evaluate("() => globalThis.go()")
     engine.wait_for_function(READ)
     assert "back every 31.3 s. Half-way" in engine.evaluate(READ)
+
+
+HIDE = """hidden => {
+  Object.defineProperty(document, "hidden", {configurable: true, get: () => hidden})
+  document.dispatchEvent(new Event("visibilitychange"))
+}"""
+KILL = "() => { oscillations.messages.wire.send = () => {} }"
+
+
+def test_a_connection_that_died_while_the_page_was_hidden_is_replaced(engine: Window, server: Server) -> None:
+    """Nothing is said by the visitor meanwhile."""
+    opened(engine, f"{server.url}?scene=coupled")
+    engine.wait_for_function(QUIET)
+    engine.evaluate(KILL)
+    engine.evaluate(HIDE, True)
+    engine.evaluate(HIDE, False)
+    engine.wait_for_function(f"oscillations.messages.wires === 1 && {CONNECTED}")

@@ -105,3 +105,22 @@ test("a packet that cannot be read is a fault of the connection", async () => {
   await messages.heard
   assert.deepEqual([failed, reported], [["!"], []])
 })
+
+test("the wire of a page in sight again is given up after one message without an answer", async () => {
+  const sent = []
+  let lost = 0
+  const messages = new Messages(async told => told, () => {}, assert.fail, assert.fail) // prettier-ignore
+  messages.overdue = () => void lost++
+  messages.probe()
+  messages.attach({send: message => sent.push(message)}, false)
+  messages.probe()
+  assert.deepEqual(sent, [{type: "set", values: {}, number: 1}])
+  await answer(messages, {type: "kept"})
+  mock.timers.tick(20000)
+  assert.equal(lost, 0)
+  messages.probe()
+  mock.timers.tick(3000)
+  assert.equal(lost, 1)
+  messages.detach()
+  assert.equal(messages.changes, 0)
+})
