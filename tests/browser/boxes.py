@@ -66,7 +66,8 @@ FAULTS = r"""([least, leastIndex]) => {
     const holder = scroller(piece.owner)
     const frame = holder?.getBoundingClientRect() ?? {left: 0, right: innerWidth, top: -Infinity, bottom: Infinity}
     // What a list that scrolls along holds beyond its edge is not cut off.
-    if (holder?.matches(".tabs, .chips, .roles, .words, .table, .choice, .head, .group") && wide(holder)) piece.gone = true
+    const isList = holder?.matches(".tabs, .chips, .roles, .words, .table, .choice, .head, .group")
+    if (isList && wide(holder)) piece.gone = true
     else if (piece.boxes.some(box => isCut(box, frame))) faults.push(`cut: ${named(piece)}`)
     piece.boxes = piece.boxes.filter(({top, bottom}) => bottom > frame.top && top < frame.bottom)
     if (!piece.boxes.length) piece.gone = true
