@@ -195,13 +195,18 @@ class FreeModes:
     def omega_lo(self) -> Array:
         return self.chain.modes().omega_lo
 
-    @cached_property
+    @property
     def amplitude(self) -> Array:
+        return self.amplitudes[:, :2]
+
+    @cached_property
+    def amplitudes(self) -> Array:
+        """The amplitudes of x1, x2 and the elongation of spring 2 (2, 3)."""
         rows = []
         for mode, q, v in self.each():
             with precise():
                 size = (q**2 + (v / mode.omega) ** 2).sqrt() if mode.omega else Decimal(0)
-                rows.append([rounded("an amplitude", size * part) for part in mode.shape])
+                rows.append([rounded("an amplitude", size * part) for part in mode.rows])
         return np.array(rows)
 
     @cached_property
@@ -209,19 +214,29 @@ class FreeModes:
         with precise():
             return np.array([phase_of(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])
 
-    @cached_property
+    @property
     def drift_a(self) -> Array:
-        return self._drift("the start of the drift", self.coordinate)
+        return self.drifts[0, :2]
+
+    @property
+    def drift_b(self) -> Array:
+        return self.drifts[1, :2]
 
     @cached_property
-    def drift_b(self) -> Array:
-        return self._drift("the velocity of the drift", self.velocity)
+    def drifts(self) -> Array:
+        """The starts and the velocities of the drifts of x1, x2 and the elongation of spring 2 (2, 3)."""
+        return np.array(
+            [
+                self._drift("the start of the drift", self.coordinate),
+                self._drift("the velocity of the drift", self.velocity),
+            ]
+        )
 
-    def _drift(self, quantity: str, values: Vector) -> Array:
-        drifting = [(m.shape, q) for m, q in zip(self.chain.exact_modes, values, strict=True) if not m.omega]
+    def _drift(self, quantity: str, values: Vector) -> list[float]:
+        drifting = [(m.rows, q) for m, q in zip(self.chain.exact_modes, values, strict=True) if not m.omega]
         with precise():
-            sums = [sum((shape[i] * q for shape, q in drifting), Decimal(0)) for i in (0, 1)]
-        return np.array([rounded(quantity, total) for total in sums])
+            sums = [sum((rows[i] * q for rows, q in drifting), Decimal(0)) for i in (0, 1, 2)]
+        return [rounded(quantity, total) for total in sums]
 
     @cached_property
     def energy(self) -> Array:

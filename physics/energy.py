@@ -7,15 +7,13 @@ digit left, and the energy of a free motion would seem to change. The energies o
 FreeModes.energy.
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.coupled import FreeModes, Motion, TwoMassChain
-from physics.exact import Array, exact, precise, rounded
-from physics.sampling import Sinusoid, root_mean_square
+from physics.coupled import Motion, TwoMassChain
+from physics.exact import Array
 from physics.valid import in_range, rows_in_range
 
 _NAMES = [f"the energy {name}" for name in ("T1", "T2", "V1", "V2")]
@@ -45,27 +43,6 @@ def _energies(chain: TwoMassChain, values: Array) -> ChainEnergy:
     factors = np.array([[chain.m1], [chain.m2], [chain.k1], [chain.k2]])
     found = rows_in_range(_NAMES, _half_squares(factors, values))
     return ChainEnergy(T=found[:2], V=found[2:])
-
-
-def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
-    """The energies of a free motion, averaged over the swings that the grid t (n,) is too coarse to draw."""
-    chain = free.chain
-    with precise():
-        stretches = [exact(row[0]) * mode.stretch for row, mode in zip(free.amplitude, chain.exact_modes, strict=True)]
-    shapes = [[*row, rounded("an amplitude", e)] for row, e in zip(free.amplitude, stretches, strict=True)]
-    drifts = list(zip(free.drift_a, free.drift_b, strict=True))
-    stretch = (drifts[1][0] - drifts[0][0], drifts[1][1] - drifts[0][1])
-
-    def root(place: int, base: tuple[float, float], rate: bool) -> Array:
-        terms = [
-            Sinusoid(shape[place] * (omega if rate else 1.0), omega, phase + (math.pi / 2 if rate else 0.0))
-            for shape, omega, phase in zip(shapes, free.omega, free.phase, strict=True)
-            if omega
-        ]
-        return root_mean_square(terms, t, base[1] + 0.0 * t if rate else base[0] + base[1] * t)
-
-    velocities = [root(i, drifts[i], True) for i in (0, 1)]
-    return _energies(chain, np.array([*velocities, root(0, drifts[0], False), root(2, stretch, False)]))
 
 
 def half_square(quantity: str, factor: float, values: Array) -> Array:

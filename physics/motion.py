@@ -10,13 +10,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TypeAlias
 
 import numpy as np
 
 from physics.exact import Array
-from physics.sampling import CurveOrBand, Sinusoid, curve_or_band, root_mean_square
+from physics.sampling import CurveOrBand, Sinusoid, curve_or_band, highest_drawn, root_mean_square
 
 ONE = Decimal(1)
 
@@ -47,6 +47,11 @@ class ExactMotion(ABC):
 
         Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
         """
+
+    def extremes(self, t: Array) -> tuple[float, float]:
+        """Return the least and the largest value at the times t (n,) in s, or of the band that they show."""
+        low, high = self.band(highest_drawn(t)) or (self, self)
+        return float(low.at(t).min()), float(high.at(t).max())
 
     @property
     def mean_square(self) -> tuple[ExactMotion, ...]:
@@ -148,6 +153,13 @@ class Harmonic:
         """Return about its largest magnitude."""
         return sum(abs(one.amplitude) for one in self.sinusoids) or max(map(abs, self.line)) or 1.0
 
+    def quick(self, t: Array) -> Array:
+        """Return its values at the times t (n,), as exact as a plot needs."""
+        found = self._base(t)
+        for amplitude, omega, phase in self.sinusoids:
+            found = found + amplitude * np.sin(omega * t + phase)
+        return found
+
     def drawn(self, t: Array) -> CurveOrBand:
         """Return its values at the times t (n,), or the band that it fills between them."""
         return curve_or_band(self.sinusoids, t, self._base(t))
@@ -212,6 +224,11 @@ class MotionPolynomial(ExactMotion):
             yield factor, tuple(parts)
 
 
+def added(*motions: ExactMotion) -> ExactMotion:
+    """Return the sum of motions."""
+    return MotionPolynomial(tuple((ONE, (one,)) for one in motions))
+
+
 @dataclass(frozen=True, eq=False)
 class Superposition(MotionPolynomial):
     """A sum of motions that are played by harmonics. It knows which of them are close in frequency and beat."""
@@ -221,8 +238,15 @@ class Superposition(MotionPolynomial):
     def size(self) -> float:
         return self.harmonic.size()
 
+    def extremes(self, t: Array) -> tuple[float, float]:
+        if self.omega > highest_drawn(t):
+            return super().extremes(t)
+        values = self.harmonic.quick(t)
+        return float(values.min()), float(values.max())
+
     def band(self, drawn: float) -> MotionBand:
-        return _slow(lambda t: self.harmonic.drawn(t).lo), _slow(lambda t: self.harmonic.drawn(t).hi)
+        drawn_at = lru_cache(1)(lambda times: self.harmonic.drawn(np.frombuffer(times)))
+        return _slow(lambda t: drawn_at(t.tobytes()).lo), _slow(lambda t: drawn_at(t.tobytes()).hi)
 
     @property
     def mean_square(self) -> tuple[ExactMotion, ...]:

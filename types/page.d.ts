@@ -1020,15 +1020,13 @@ declare namespace page {
 
   type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade
 
-  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
-   * velocity on an axis of places `per` is the one of the time. Of what goes on as it was every digit is taken
-   * `exactly`; an angle, in rad, without whole turns. */
+  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. Of what
+   * goes on as it was every digit is taken `exactly`; an angle, in rad, without whole turns. */
   interface Begin {
     parameter: string
     of: string
     axis: string
     size: number
-    per: string
     exactly: boolean
     angle: boolean
   }

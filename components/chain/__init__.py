@@ -18,7 +18,7 @@ from components.chain.parameters import (
     start_positions,
     start_velocities,
 )
-from components.chain.signals import Axes, FreeSignals, Signals, both, components, free_rates, free_signals, positions
+from components.chain.signals import Axes, FreeSignals, Signals, both, components, free_signals, positions
 from components.chain.stage import (
     BODY,
     EQUILIBRIUM,

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from math import fsum
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.modes import BOTH, MODES
 from components.chain.parameters import Pair
-from components.chain.signals import Signals as S
-from components.quantities.declared import Signal, by_name
-from components.scene.about import CheckedPoint, Place, Table, drift, few_of, rows
+from components.scene.about import CheckedPoint, Place, Table, drift, few_of, points
 from components.scene.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain
 from physics.energy import chain_energy
@@ -21,13 +18,13 @@ from physics.exact import precise
 from physics.problem import Problem
 from physics.reference import Point, modal_points, modes_of
 
-MASSES = {S.x[i]: f"$x_{i}$" for i in BOTH}
+MASSES = {f"x{i}": f"$x_{i}$" for i in BOTH}
 DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))
 ROUNDED_ONCE = 0.51
 
 
 def motion_rows(
-    names: Mapping[Signal[Any], str],
+    names: Mapping[str, str],
     columns: Columns,
     chain: TwoMassChain,
     x_0: Pair,
@@ -40,15 +37,13 @@ def motion_rows(
     return modal_rows(names, columns, modal_points(Problem(chain=chain, x_0=x_0, v_0=v_0, t=t, F_0=F_0, omega=omega)))
 
 
-def modal_rows(
-    names: Mapping[Signal[Any], str], columns: Columns, modal: list[list[list[Point]]]
-) -> list[CheckedPoint]:
+def modal_rows(names: Mapping[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
     """The checked points of a motion that is given by its modes at a few times."""
-    true: dict[Signal[Any], Sequence[Point]] = {}
+    true: dict[str, Sequence[Point]] = {}
     for i, both in zip(BOTH, zip(*modal, strict=True), strict=True):
-        true[S.x[i]] = [_sum(parts) for parts in zip(*both, strict=True)]
-        true |= {S.x_part[i, mode]: points for mode, points in zip(MODES, both, strict=True)}
-    return rows(names, columns, by_name(true))
+        true[f"x{i}"] = [_sum(parts) for parts in zip(*both, strict=True)]
+        true |= {f"x{i}_{mode}": part for mode, part in zip(MODES, both, strict=True)}
+    return points(names, columns, true)
 
 
 def _sum(parts: Iterable[Point]) -> Point:

@@ -12,7 +12,7 @@ from components.chain.parameters import Pair
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
 from components.quantities.declared import Declared, DrawnAxis, Family, Signal, by_name
-from components.quantities.motion import rates, sines, total
+from components.quantities.motion import sines, total
 from components.scene.traces import Columns, Floats
 from physics.coupled import FreeModes
 from physics.sampling import Sinusoid
@@ -25,14 +25,12 @@ class Axes(Declared[Any]):
 
 
 class Signals(Declared[Any]):
-    """The displacements and velocities of the masses, what each mode has of them and how far it has turned, in rad; the
-    forces on them, and the drive as a sine of size 1."""
+    """The displacements and velocities of the masses, what each mode has of the former; the forces on the masses, and
+    the drive as a sine of size 1."""
 
     x = signal.each(BOTH, on=Axes.x, signed=True)
     v, F = signal.each(BOTH), signal.each(BOTH)
     x_part = signal.each(PARTS, "x{}_{}")
-    v_part = signal.each(PARTS, "v{}_{}")
-    turn = signal.each(MODES)
     drive = signal()
 
 
@@ -53,11 +51,6 @@ def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal
     A mode of frequency zero is a drift, counted with the slow part.
     """
     return {Signals.x_part[part].name: sines(size, time, term, line=line) for part, term, line in _parts(free)}
-
-
-def free_rates(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
-    """The slow and the fast part of each velocity, in the unit of `size` per unit of time."""
-    return {Signals.v_part[part].name: rates(size, time, term, drift=line[1]) for part, term, line in _parts(free)}
 
 
 def _parts(free: FreeModes) -> Iterator[tuple[tuple[int, str], tuple[float, float, float], Pair]]:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from msgspec.structs import replace
+
 from components.chain.modes import BOTH
 from components.chain.parameters import Pair
 from components.chain.signals import Axes
 from components.chain.signals import Signals as S
-from components.language.numbers import Name, Number, var
+from components.language.numbers import Expression, Name, Number, names_in, var
 from components.language.shapes import Grab
 from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, shown_by, spring, text, wall, wire
 from components.quantities.axes import Axis
@@ -136,39 +138,85 @@ def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float
     return DrawnChain(sizes(system) | by_name(scaling), values, notes, factor, fits)
 
 
-def masses(
-    foot: Number,
-    x1: Number,
-    x2: Number,
-    *,
-    small: bool = False,
-    corner: bool = False,
-    grabs: tuple[Grab | None, Grab | None] = (None, None),
-) -> list[Shape]:
-    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines,
-    `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses."""
-    size = 0.42 if small else 1.0
-    side1, side2 = side(1) * size, side(2) * size
-    height = foot - var(P.hook) * BODY * (0.65 if small else 1)
-    teeth: Looks = {"height": (1 if small else 2) + var(P.hook) * (125 if small else 275)}
-    teeth["style"] = "faint" if small else None
-    faces: Looks = {"style": "ghost"} if small else {"corner": True} if corner else {}
-    wire1, wire2 = (var(P.wire[i]) * (0.5 if small else 1) for i in BOTH)
-    return [
-        spring(WALL * W, height, x1 - side1 / 2, height, wire1, show=P.wire[1], **teeth),
-        spring(x1 + side1 / 2, height, x2 - side2 / 2, height, wire2, show=P.wire[2], **teeth),
-        box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
-        box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
-    ]
+@dataclass(frozen=True)
+class ChainDrawing:
+    """The sizes by which the chain is drawn: numbers of shapes.
 
+    `sides` of the blocks and `metre`, the length of one of the axis of displacements, are in pixels. `hook` is the
+    height of the springs over `BODY`. `wires` are the widths of the springs; one of width 0 is not drawn. `tick` is the
+    text of the floor's tick, `tick_at` its distance in pixels from the place of mass 1 at rest.
+    """
 
-def cups(foot: Number, x1: Number, x2: Number) -> list[Shape]:
-    """The dashpots under the springs, where there are any: the piston stays in its cup however far the masses go."""
-    height, half1, half2 = foot - var(P.hook) * BODY * CUP_AT, side(1) / 2, side(2) / 2
-    return [
-        *shown_by(Has.dashpot[1], *_cup(WALL * W, x1 - half1, rest(1) - half1 - WALL * W, height)),
-        *shown_by(Has.dashpot[2], *_cup(x1 + half1, x2 - half2, rest(2) - rest(1) - half1 - half2, height)),
-    ]
+    sides: tuple[Number, Number]
+    hook: Number
+    wires: tuple[Expression, Expression]
+    metre: Number
+    tick: str
+    tick_at: Number
+
+    def side(self, mass: int) -> Number:
+        """The side of the block of mass 1 or 2 in pixels."""
+        return self.sides[mass - 1]
+
+    def place(self, mass: int, displacement: Number) -> Number:
+        """The place of a displaced mass in pixels."""
+        return rest(mass) + self.metre * displacement
+
+    def masses(
+        self, foot: Number, x1: Number, x2: Number, *, small: bool = False, corner: bool = False,
+        grabs: tuple[Grab | None, Grab | None] = (None, None),
+    ) -> list[Shape]:  # fmt: skip
+        """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines.
+
+        `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses.
+        """
+        size = 0.42 if small else 1.0
+        side1, side2 = self.sides[0] * size, self.sides[1] * size
+        height = foot - self.hook * BODY * (0.65 if small else 1)
+        teeth: Looks = {"height": (1 if small else 2) + self.hook * (125 if small else 275)}
+        teeth["style"] = "faint" if small else None
+        faces: Looks = {"style": "ghost"} if small else {"corner": True} if corner else {}
+        wires = [wire * (0.5 if small else 1) for wire in self.wires]
+        springs = (
+            spring(WALL * W, height, x1 - side1 / 2, height, wires[0], **teeth),
+            spring(x1 + side1 / 2, height, x2 - side2 / 2, height, wires[1], **teeth),
+        )
+        return [
+            *(replace(one, show=tuple(names_in(by))) for one, by in zip(springs, self.wires, strict=True)),
+            box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
+            box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
+        ]
+
+    def cups(self, foot: Number, x1: Number, x2: Number) -> list[Shape]:
+        """The dashpots under the springs, where there are any: a piston stays in its cup however far the masses go."""
+        height, half1, half2 = foot - self.hook * BODY * CUP_AT, self.sides[0] / 2, self.sides[1] / 2
+        one = _cup(WALL * W, x1 - half1, rest(1) - half1 - WALL * W, height)
+        two = _cup(x1 + half1, x2 - half2, rest(2) - rest(1) - half1 - half2, height)
+        return [*shown_by(Has.dashpot[1], *one), *shown_by(Has.dashpot[2], *two)]
+
+    def ground(self, foot: Number) -> list[Shape]:
+        """Floor, a tick at each mass's own zero, and the scale from the first."""
+        shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
+        for mass in BOTH:
+            tint = f"m{mass}"
+            shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0 halo"))
+            shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
+        tick = rest(1) + self.tick_at
+        return [
+            *shapes,
+            text(tick, foot + 17, self.tick, tint="m1", style="t0 halo"),
+            line(tick, foot, tick, foot + 5, style="floor"),
+        ]
+
+    def displacement_arrow(self, mass: int, foot: Number, x: Number, words: str, top: int = 27) -> list[Shape]:
+        """The arrow from equilibrium to the mass at x (pixels), and words over the equilibrium line, which stays."""
+        tint = f"m{mass}"
+        return [
+            line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
+            line(x, top, x, foot - self.side(mass), tint="mute", style="eq told"),
+            arrow(rest(mass), top, x, top, tint=tint),
+            text(rest(mass), top - 12, f"*x*_{mass} = {words}", tint=tint, style="t2 b"),
+        ]
 
 
 def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
@@ -185,46 +233,31 @@ def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
     ]
 
 
-def side(mass: int) -> Number:
-    """The side of the block of mass 1 or 2, in pixels."""
-    return var(P.side[mass]) * BODY
-
-
 def rest(mass: int) -> Number:
     """The place of mass 1 or 2 at rest, in pixels."""
     return EQUILIBRIUM[mass - 1] * W
 
 
-def place(mass: int, signal: Name | None = None) -> Number:
-    """The place of a mass, or of one that is displaced by `signal`, in pixels."""
-    return rest(mass) + var(P.metre) * W * var(signal or S.x[mass])
-
-
-def ground(foot: Number) -> list[Shape]:
-    """Floor, a tick at each mass's own zero, and the scale from the first."""
-    shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
-    for mass in BOTH:
-        tint = f"m{mass}"
-        shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0 halo"))
-        shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
-    tick = rest(1) + var(P.tick_at) * W
-    return [
-        *shapes,
-        text(tick, foot + 17, f"{P.tick}", tint="m1", style="t0 halo"),
-        line(tick, foot, tick, foot + 5, style="floor"),
-    ]
-
-
-def displacement_arrow(mass: int, foot: Number, top: int = 27) -> list[Shape]:
-    """The arrow from equilibrium to the mass, and the number over the equilibrium line, where nothing moves."""
-    x, tint = place(mass), f"m{mass}"
-    return [
-        line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
-        line(x, top, x, foot - side(mass), tint="mute", style="eq told"),
-        arrow(rest(mass), top, x, top, tint=tint),
-        text(rest(mass), top - 12, f"*x*_{mass} = {S.x[mass]} {P.x_unit}", tint=tint, style="t2 b"),
-    ]
-
-
 def standing_wall(top: Number, length: Number) -> Shape:
     return wall(WALL * W, top, length, side="left")
+
+
+DECLARED = ChainDrawing(
+    sides=(var(P.side[1]) * BODY, var(P.side[2]) * BODY),
+    hook=var(P.hook),
+    wires=(var(P.wire[1]), var(P.wire[2])),
+    metre=var(P.metre) * W,
+    tick=f"{P.tick}",
+    tick_at=var(P.tick_at) * W,
+)
+"""The drawing of the scenes that declare their numbers."""
+side, masses, cups, ground = DECLARED.side, DECLARED.masses, DECLARED.cups, DECLARED.ground
+
+
+def place(mass: int, signal: Name | None = None) -> Number:
+    """The place of a mass, or of one that is displaced by `signal`, in pixels."""
+    return DECLARED.place(mass, var(signal or S.x[mass]))
+
+
+def displacement_arrow(mass: int, foot: Number) -> list[Shape]:
+    return DECLARED.displacement_arrow(mass, foot, place(mass), f"{S.x[mass]} {P.x_unit}")

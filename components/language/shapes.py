@@ -97,15 +97,13 @@ AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade
 
 
 class Begin(Struct, frozen=True):
-    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
-    velocity on an axis of places `per` is the one of the time. Of what goes on as it was every digit is taken
-    `exactly`; an angle, in rad, without whole turns."""
+    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. Of what
+    goes on as it was every digit is taken `exactly`; an angle, in rad, without whole turns."""
 
     parameter: str
     of: str = ""
     axis: str = ""
     size: float = 1.0
-    per: str = ""
     exactly: bool = False
     angle: bool = False
 

@@ -41,12 +41,9 @@ def on_plot(plot: PlotFrame, across: Literal["x", "y"], parameter: str, moves: N
     return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moves.name, axis=axis.name, **more)
 
 
-def begins(
-    parameter: str, of: Name, axis: Name | None = None, *, per: Name | None = None, size: float = 1.0,
-    exactly: bool = False, angle: bool = False,
-) -> Begin:  # fmt: skip
+def begins(parameter: str, of: Name, axis: Name | None = None, *, size: float = 1.0) -> Begin:
     """The start of `parameter` from what is seen: components.language.shapes.Begin."""
-    return Begin(parameter, of.name, called(axis), size, called(per), exactly, angle)
+    return Begin(parameter, of.name, called(axis), size)
 
 
 def at_rest(*velocities: str) -> tuple[Begin, ...]:

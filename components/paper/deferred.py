@@ -17,6 +17,7 @@ from components.language.numbers import Expression, Number, named
 from components.paper.plot_axes import PlotAxis
 from components.quantities.axes import Axis
 from components.quantities.numbers import plus, three
+from physics.motion import added as added_motions
 
 C = TypeVar("C")
 V = TypeVar("V")
@@ -122,9 +123,12 @@ class Attributes(Generic[C]):
     ) -> tuple[Attribute[V], Attribute[V]]:
         """Return two attributes from one sequence, both None if it is None."""
 
+        both = Attribute(compute)
+        both.name = f"pair_{id(both)}"  # computed once per case, for both
+
         def part(i: int) -> Attribute[V]:
             def one(case: C) -> V | None:
-                found = compute(case)
+                found = both.__get__(case, self.kind)
                 return None if found is None else found[i]
 
             return Attribute(one, optional=True, called=called[i])
@@ -299,15 +303,16 @@ def made(
     return Deferred(ExpressionRecord(book, text, name, compute, own if optional else inherited))
 
 
-def added(one: ExpressionRecord, other: ExpressionRecord) -> Deferred:
-    """Return the sum of two motions. None if one of them is None."""
+def added(parts: Sequence[ExpressionRecord]) -> Deferred:
+    """Return the sum of motions. None if one of them is None."""
 
     def compute(case: Any, axes: Axes) -> Any:
-        a, b = one.compute(case, axes), other.compute(case, axes)
-        return None if a is None or b is None else a + b
+        motions = [one.compute(case, axes) for one in parts]
+        return None if None in motions else added_motions(*motions)
 
-    text, name = f"{one.text} + {other.text}", f"{one.name}_{other.name}"
-    return made(one.book, text, name, compute, False, one.optional or other.optional)
+    text, name = " + ".join(one.text for one in parts), "_".join(one.name for one in parts)
+    inherited = next((one.optional for one in parts if one.optional), None)
+    return made(parts[0].book, text, name, compute, False, inherited)
 
 
 class DeferredCase:

@@ -277,7 +277,7 @@ class PlottedPath(DrawnItem):
 class PlottedLayer(DrawnItem):
     """A layer of a stack, up to `top`, the sum of itself and the layers under it; the lowest is its own sum.
 
-    Its legend is LaTeX, or plain `words`.
+    Its legend is LaTeX, or plain `words`; without a `switch` it cannot be hidden.
     """
 
     tint: str
@@ -285,7 +285,12 @@ class PlottedLayer(DrawnItem):
     legend: str = ""
     words: str = ""
     read: str = ""
+    switch: bool = True
     below: str = FLOOR
+
+    @property
+    def group(self) -> str:
+        return self.recorded.name if self.switch else ""
 
     @property
     def edge(self) -> ExpressionRecord:
@@ -295,12 +300,12 @@ class PlottedLayer(DrawnItem):
         for one in (self.recorded, self.edge):
             one.expression(plot.up)
         return [
-            _region(self.below, self.edge.name, tint=self.tint, group=self.recorded.name, read=plain(self.read))
+            _region(self.below, self.edge.name, tint=self.tint, group=self.group, read=plain(self.read))
         ]  # fmt: skip
 
     def terms(self) -> list[Term]:
         text, is_formula = self.words or self.legend, not self.words
-        return [_term(text, "band", self.tint, self.recorded.name, self.recorded, is_formula)]
+        return [_term(text, "band", self.tint, self.group, self.recorded, is_formula)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -323,9 +328,11 @@ def stack(*layers: PlottedLayer) -> list[PlottedLayer]:
     One without a `top` reaches up to the sum of itself and the layers under it. Files have no column of that sum.
     """
     found: list[PlottedLayer] = []
+    under: list[ExpressionRecord] = []
     for one in layers:
+        under = [*under, one.recorded] if one.top is None else [one.edge]
         if found and one.top is None:
-            one = replace(one, top=added(found[-1].edge, one.recorded))
+            one = replace(one, top=added(under))
         found.append(replace(one, below=found[-1].edge.name if found else FLOOR))
     return found
 

@@ -215,7 +215,7 @@ def _held(scene: type[Scene]) -> frozenset[str]:
     """The motions that a hand on the stage begins: their start is among what is set, and no secret."""
     stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
     grabs = (shape.grab for block in stages for shape in block.shapes if shape.grab)
-    return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis and not begin.per)
+    return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis)
 
 
 @cache

@@ -92,9 +92,8 @@ class Grab {
     clock.playing = false
     clock.seek(0)
     if (!start.length) return
-    const values = start.map(({parameter, of, axis, size, per, exactly, angle}) => {
-      const seconds = per ? 10 ** this.#ruler(per).exponent : 1
-      const value = of ? toSI(this.#ruler(axis), now[of]) / seconds / size : 0
+    const values = start.map(({parameter, of, axis, size, exactly, angle}) => {
+      const value = of ? toSI(this.#ruler(axis), now[of]) / size : 0
       return [parameter, angle ? turned(value) : exactly ? value : digits(value)]
     })
     this.begun = Object.fromEntries(values)

@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
-from components.scenes.coupled.starting import BY_MODES
+from components.scenes.coupled import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import seen
 from tests.browser.waiting import QUIET, passed, turned

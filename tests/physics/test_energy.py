@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from physics.coupled import TwoMassChain, free_modes, free_motion
-from physics.energy import chain_energy, half_square, mean_energy
+from physics.energy import chain_energy, half_square
 from physics.forced import driven_modes, forced_motion
 from tests.grids import tries
 from tests.physics.chain_cases import chain_with, each_family
@@ -128,29 +128,6 @@ def test_elongations_keep_the_energy_of_a_stiff_spring():
     naive = np.sum(energy.T, axis=0) + energy.V[0] + STIFF.k2 * (motion.x[1] - motion.x[0]) ** 2 / 2
     assert np.all(np.abs(energy.total - true) <= 8 * U * true)
     assert np.max(np.abs(naive - true)) > 1e4 * U
-
-
-@pytest.mark.parametrize("start", [(1.0, 1.0), (1.0, 1.000001)])
-def test_mean_energies_of_a_spring_too_stiff_to_draw(start):
-    """Over a coarse grid the fast mode counts by its mean, the slow one as it is; their sum is the whole energy."""
-    t = np.linspace(0.0, 30.0, 300)
-    free = free_modes(STIFF, start, (0.0, 0.0))
-    mean = mean_energy(free, t)
-    assert mean.total == pytest.approx(math.fsum(free.energy), rel=1e-6)
-    slow_V = (
-        STIFF.k2
-        * (np.cos(STIFF.modes().omega[0] * t) * free.amplitude[0, 0] * float(STIFF.exact_modes[0].stretch)) ** 2
-        / 2
-    )
-    assert mean.V[1] == pytest.approx(slow_V + free.energy[1] / 2, rel=1e-9)
-
-
-def test_mean_energies_of_what_can_be_drawn_are_the_energies():
-    t = np.linspace(0.0, 6.0, 300)
-    mean = mean_energy(free_modes(LECTURE, (1.0, -0.5), (0.25, 0.5)), t)
-    energy = chain_energy(LECTURE, free_motion(LECTURE, (1.0, -0.5), (0.25, 0.5), t))
-    for found, true in ((mean.T, energy.T), (mean.V, energy.V)):
-        assert found == pytest.approx(true, abs=1e-14)
 
 
 def test_the_energy_of_a_mode_without_frequency_is_kinetic():

@@ -13,6 +13,9 @@ from components.scenes.coupled import Coupled
 from physics.coupled import TwoMassChain, free_modes
 from tests.page.scripts import values_of
 
+EDGES = ("zero", "T1", "T1_V1", "T1_V1_V2", "T1_V1_V2_T2")
+"""The edges of the energies in their stack."""
+
 
 def test_default_is_the_good_chain() -> None:
     """m1 = 2, m2 = 1, k1 = 4, k2 = 2: omega = 1 and 2, ratios +2 and -1, period 2 pi, mode energies 1/3 + 8/3 = 3."""
@@ -47,7 +50,7 @@ def test_curves_are_the_motion() -> None:
 
 def test_energies_are_stacked_to_a_flat_top() -> None:
     data = Coupled(v1_0=1.0).sources["time"].data
-    edges = np.array([data[f"e{i}"] for i in range(5)])
+    edges = np.array([data[name] for name in EDGES])
     assert np.all(np.diff(edges, axis=0) >= 0)
     np.testing.assert_allclose(edges[-1], edges[-1, 0], rtol=1e-14)
 
@@ -56,7 +59,7 @@ def test_energies_of_the_modes_are_two_flat_lines() -> None:
     scene = Coupled(energy="modes")
     flat = scene.sources["time"].data
     np.testing.assert_allclose([flat["E_slow"], flat["E_fast"]], [[1 / 3] * 301, [8 / 3] * 301], rtol=1e-14)
-    assert "e1" not in scene.sources["time"].data
+    assert "T1" not in scene.sources["time"].data
 
 
 def test_beats_exchange_all_energy() -> None:
@@ -64,7 +67,7 @@ def test_beats_exchange_all_energy() -> None:
     scene.set(Coupled.presets["Beats"])
     data = scene.sources["time"].data
     assert data["t"][-1] == pytest.approx(4 * math.pi / (math.sqrt(1.2) - math.sqrt(0.8)))
-    first = data["e2"] - data["e0"]
+    first = data["T1_V1"]
     assert first.min() < 0.02 * first.max()
     assert np.abs(data["x2"]).max() == pytest.approx(5 * np.abs(data["x1"]).max(), rel=0.02)
 
@@ -100,7 +103,7 @@ def test_a_motion_too_fast_to_draw_is_its_envelope() -> None:
     assert np.all(x1 >= low - 2e-3) and np.all(x1 <= high + 2e-3)
     assert x1.max() > high.max() - 0.01 and x1.min() < low.min() + 0.01
     assert any("band" in note for note in scene.shown.notes)
-    edges = np.array([time[f"e{i}"] for i in range(5)])
+    edges = np.array([time[name] for name in EDGES])
     np.testing.assert_allclose(edges[-1], edges[-1, 0], rtol=1e-9)
 
 
@@ -122,10 +125,7 @@ def test_blocks_never_meet(values: dict[str, float]) -> None:
 def test_the_clock_plays_a_slow_period_in_four_to_ten_seconds() -> None:
     for values in ({}, {"k1": 1e-6, "k2": 1e-6}, {"m1": 1e-9, "m2": 1e-9}, {"k1": 0.0}):
         scene = Coupled(**values)
-        slow, fast = (
-            float(w)
-            for w in (scene.shown.signals["x1_slow"].sines[0].omega, scene.shown.signals["x1_fast"].sines[0].omega)
-        )
+        slow, fast = (sum(one.omega for one in scene.shown.signals[name].sines) for name in ("x1_slow", "x1_fast"))
         unit = 10.0 ** scene.shown.axes["t"].exponent
         assert 4 <= 2 * math.pi / (slow or fast) * unit / scene.shown.pace.auto <= 10 + 1e-9
 
@@ -181,8 +181,6 @@ def test_names_stand_on_the_directions_inside_the_plane() -> None:
 
 def test_forces_are_the_springs_pull() -> None:
     scene = Coupled(view="forces", x1_0=0.4, x2_0=0.8)
-    size = scene.shown.axes["x"]
-    here = {"x1": size.place(0.4), "x2": size.place(0.8)}
-    F1, F2 = (values_of({name: scene.shown.signals[name]}, here, 0.0)[name] for name in ("F1", "F2"))
-    np.testing.assert_allclose([F1, F2], [-4 * 0.4 - 2 * (0.4 - 0.8), 2 * (0.4 - 0.8)])
+    now = values_of(scene.shown.signals, scene.shown.scalars, 0.0)
+    np.testing.assert_allclose([now["F1"], now["F2"]], [-4 * 0.4 - 2 * (0.4 - 0.8), 2 * (0.4 - 0.8)])
     assert scene.shown.values["force_unit"] == "N" and "F1" not in Coupled().shown.signals

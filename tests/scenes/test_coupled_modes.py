@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from components.chain import of_scene as chain_of
 from components.scenes import SCENES
 from components.scenes.coupled import Coupled
-from components.scenes.coupled.starting import motion
 from components.session.opening import opened
 from components.state.link import read_query
 from physics.coupled import TwoMassChain, free_modes
@@ -63,7 +62,7 @@ def test_the_choice_changes_nothing_and_leads_back_exactly() -> None:
     page = Page(SCENES["coupled"](**start))
     before = page.opening()
     told = choose(page, "modes")
-    assert told["errors"] == {} and told["view"]["forms"]["start_modes"] == "shown"
+    assert told["errors"] == {} and told["view"]["forms"]["given_by_modes"] == "shown"
     for name in ("x1", "x2_fast"):
         one, other = (view["view"]["columns"]["time"][name] for view in (before, told))
         assert np.abs(one - other).max() < 1e-4
@@ -112,13 +111,13 @@ def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -
 def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_motion() -> None:
     page = Page(SCENES["coupled"](x1_0=0.7, v2_0=1 / 3))
     scene = page.scene
-    before = motion(scene).amplitude[1]
+    before = scene.of().free.amplitude[1]
     shape, _ = (shape for shape, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
     hand = Hand(page.now, shape, wide=True, t=0.7)
     for values in (hand.take(), hand.move((300.0, 0.0))):
         assert values
         hand.set(values)
-        assert motion(hand.scene).amplitude[1] == pytest.approx(before, rel=1e-14)
+        assert hand.scene.of().free.amplitude[1] == pytest.approx(before, rel=1e-14)
 
 
 def test_a_hand_on_a_mass_sets_the_modes_that_give_the_motion() -> None:

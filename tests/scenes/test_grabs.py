@@ -13,7 +13,7 @@ from components.language.shapes import Along, AnyShape, Grab
 from components.scene import Scene
 from components.scene.picture import frame_of
 from components.scenes import SCENES
-from components.scenes.coupled.starting import BY_MODES
+from components.scenes.coupled import BY_MODES
 from components.state.standing import fitted
 from tests.page.hand import Hand, grabs, sets
 from tests.page.scripts import played
@@ -121,7 +121,7 @@ def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff:
     seen = played(now.shown, [at - gap, at + gap])
     going = 0
     for shape, grab in grabs(now.kind):
-        if velocities := [one for one in grab.start if one.per]:
+        if velocities := [one for one in grab.start if one.of.startswith("v")]:
             begun = Hand(now, shape, wide=True, t=at).take()
             for one in velocities:
                 before, after = seen[f"x{one.of.removeprefix('v')}"]

@@ -5,136 +5,147 @@ from __future__ import annotations
 import math
 from typing import Self
 
-import numpy as np
-
 from components import chain
-from components.chain.forces import Forces, forces
-from components.language.state import Frame
 from components.layout.controls import Group
-from components.quantities.axes import nice_axis, time_axis, whole_axis, widest
-from components.quantities.declared import by_name
-from components.quantities.motion import pace
-from components.quantities.parameters import Values, one_of
-from components.quantities.readouts import Readout
-from components.scene import Picture, Scene
-from components.scene.about import About
-from components.scene.frames import FITTED, framed
-from components.scene.traces import Columns, Floats, bands_over_time, over_time, samples
-from components.scenes.coupled import curves, starting
-from components.scenes.coupled.about import coupled_about
-from components.scenes.coupled.curves import Axes, CoupledCase, Places, Signals
-from components.scenes.coupled.numbers import Numbers as N
-from components.scenes.coupled.sheet import ENERGY, coupled_sheet
-from components.scenes.coupled.watch import WATCH
-from components.scenes.coupled.words import VIEWS, Forms
-from physics.energy import mean_energy
-from physics.sampling import drawable, time_window
+from components.quantities.parameters import Quantity, Values, finite, not_negative, one_of
+from components.scene.case import CaseScene, ComparedNumber, example
+from components.scenes.coupled.case import CoupledShown
+from components.scenes.coupled.paper import ENERGY, GIVEN_BY_MODES, paper
+from physics.coupled import free_modes
+from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 
 BOTH = {
-    "m1": 2.0,
-    "m2": 1.0,
-    "k1": 4.0,
-    "k2": 2.0,
-    "x1_0": 1.0,
-    "x2_0": 0.0,
-    "v1_0": 0.0,
-    "v2_0": 0.0,
+    "m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "x1_0": 1.0, "x2_0": 0.0, "v1_0": 0.0, "v2_0": 0.0,
     "given_by": "values",
-}
+}  # fmt: skip
+BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
+"""The parameters by which modes give the motion."""
+MOST = 100.0
+"""rad; a phase is no further from 0."""
+SAME = 16 * 2.0**-53
+"""Initial values as close as this to those of the modes, over the amplitudes, differ from them by roundings alone."""
 
 
-class Coupled(Scene):
+def amplitude(mode: str, sign: str, default: float) -> Quantity:
+    says = f"is the amplitude of mass 1 in the {mode} mode; without spring 2, of the mass that moves. Any value from 0."
+    return not_negative(
+        default, symbol=f"X_{sign}", unit="m", label=f"amplitude of the {mode} mode", tint=mode,
+        allowed="an amplitude is a finite number, 0 or more", softbounds=(0.0, 1.0), says=says,
+    )  # fmt: skip
+
+
+def phase(mode: str, sign: str) -> Quantity:
+    return finite(
+        math.pi / 2, symbol=f"φ_{sign}", unit="rad", label=f"phase of the {mode} mode", tint=mode,
+        bounds=(-MOST, MOST), softbounds=(-math.pi, math.pi),
+        allowed=f"a phase is from −{MOST:g} to {MOST:g} rad",
+        says=f"is the phase of the {mode} mode at the start. At π/2 it starts from its turning point.",
+    )  # fmt: skip
+
+
+class Coupled(CaseScene):
     slug = "coupled"
     title = "Coupled"
     lecture = "D34"
     points = "points 1, 2, 5"
     headline = "Every free motion is a slow mode plus a fast mode"
-    spoken = {"slow mode": N.omega_minus, "fast mode": N.omega_plus, "energy": N.E_total}
+    spoken = {
+        "slow mode": "{omega_minus} rad/s",
+        "fast mode": "{omega_plus} rad/s",
+        "energy": "{E_total} {E_unit}",
+    }
     equations = chain.FREE
     onward = (chain.measured_by(),)
     shares = chain.SHARES
-    watch = WATCH
-    presets = {
-        "Both": BOTH,
-        "Slow": {**BOTH, "x1_0": 0.4, "x2_0": 0.8},
-        "Fast": {**BOTH, "x1_0": 0.7, "x2_0": -0.7},
-        "Beats": {**BOTH, "m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04, "x1_0": 0.2},
-        "All equal": {**BOTH, "m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
-        "Drift": {**BOTH, "k1": 0.0, "x1_0": 0.3, "v1_0": 0.2, "v2_0": 0.2},
-        "Heavy, light": {**BOTH, "m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0, "x1_0": 0.5},
-    }
+    examples = (
+        example("Both", "Two modes at once: x₁ and x₂ are sums of the same two sines.", BOTH),
+        example(
+            "Slow", "Released in the shape of the slow mode, both masses swing the same way, in one sine.", BOTH,
+            x1_0=0.4, x2_0=0.8,
+        ),
+        example(
+            "Fast", "Released in the shape of the fast mode, the masses swing opposite ways, in one sine.", BOTH,
+            x1_0=0.7, x2_0=-0.7,
+        ),
+        example(
+            "Beats", "The energy wanders from mass 1 to mass 2 and back.", BOTH,
+            m1=1.0, k1=0.96, m2=0.04, k2=0.04, x1_0=0.2,
+        ),
+        example(
+            "All equal", "The ratio of 0.618 and 1.618 rad/s is irrational, so the motion never repeats.", BOTH,
+            m1=1.0, m2=1.0, k1=1.0, k2=1.0,
+        ),
+        example(
+            "Drift", "Without spring 1 the pair moves off at constant speed, and swings about its centre of mass.",
+            BOTH, k1=0.0, x1_0=0.3, v1_0=0.2, v2_0=0.2,
+        ),
+        example(
+            "Heavy, light", "The light mass shows both modes; the heavy one swings nearly as if it were alone.", BOTH,
+            m1=10.0, m2=0.1, k1=10.0, k2=1.0, x1_0=0.5,
+        ),
+    )  # fmt: skip
 
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     x1_0, x2_0 = chain.start_positions(1.0)
     v1_0, v2_0 = chain.start_velocities()
-    given_by = one_of("values", starting.GIVEN, "The motion is given by")
-    X_slow = starting.amplitude("slow", "−", 1 / 3)
-    phi_slow = starting.phase("slow", "−", math.pi / 2)
-    X_fast = starting.amplitude("fast", "+", 2 / 3)
-    phi_fast = starting.phase("fast", "+", math.pi / 2)
+    given_by = one_of("values", {"values": "Starting values", "modes": "Modes"}, "The motion is given by")
+    X_slow = amplitude("slow", "−", 1 / 3)
+    phi_slow = phase("slow", "−")
+    X_fast = amplitude("fast", "+", 2 / 3)
+    phi_fast = phase("fast", "+")
     energy = ENERGY
-    view = one_of("modes", VIEWS, "What is shown beside the motion")
+    view = one_of(
+        "modes", {"modes": "Modes", "constants": "Constants", "forces": "Forces"}, "What is shown beside the motion"
+    )
     groups = (
         chain.chain_group(m1, m2, k1, k2),
         Group("Start", (x1_0, x2_0)),
-        Group("", (X_slow, phi_slow, X_fast, phi_fast), form=Forms.start["modes"], apart=True),
+        Group("", (X_slow, phi_slow, X_fast, phi_fast), form=GIVEN_BY_MODES, apart=True),
         Group("", (v1_0, v2_0, given_by), "Start velocities, or modes", folded=True),
         Group("Shown", (view,)),
     )
 
-    sheet = staticmethod(coupled_sheet)
-
-    def picture(self, frame: Frame = FITTED) -> Picture:
-        case = CoupledCase(starting.motion(self), self.given_by, self.energy, self.view)
-        free = case.free
-        slow, fast = free.chain.modes().omega.tolist()
-        own_window = self.window or time_window(slow, fast)
-        t = np.linspace(0.0, end := frame.window or own_window, samples(end, fast))
-        resolved = drawable(fast, t)
-        lines, bands = (chain.positions(free, t), Columns()) if resolved else curves.traced_motion(free, t)
-        extremes = chain.extremes(lines, bands)
-        own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
-        energy = whole_axis(case.levels["total"], "J")
-        axes = framed(frame, by_name({Axes.t: time_axis(own_window), Axes.x: own, Axes.E: energy}))
-        size, time = Axes.x(axes), Axes.t(axes)
-        drawn = chain.to_scale(free.chain, extremes, size, frame.scale)
-        pulled = forces(free.chain, free.motion(t), size) if self.view == "forces" else Forces()
-        parts = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
-        parts |= starting.turns(self, free.omega.tolist(), time)
-        return Picture(
-            columns={
-                "time": by_name(curves.edges(mean_energy(free, t))) if case.averaged(t) else {},
-                **bands_over_time(t, bands),
-                "modes": chain.direction_lines(Places.line, free.chain, 4 * max(abs(size.start), abs(size.end))),
-            },
-            axes=axes,
-            signals=parts | Signals.signals(case, axes) | pulled.signals,
-            traces=curves.traces_of(case, t, bands),
-            scalars={**drawn.scalars, **curves.places(case, axes), **pulled.scalars},
-            pace=pace(slow or fast, fast),
-            scale=drawn.scale,
-            fits=drawn.fits,
-            values={**N.texts(free, axes), **drawn.values, **pulled.values},
-            live=pulled.live | Signals.live(axes),
-            forms=Forms.forms(case),
-            notes=(*drawn.notes, *_notes(fast, t)),
-        )
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return N.readouts(starting.motion(self))
+    case = CoupledShown
+    paper = staticmethod(paper)
+    compared = (
+        ComparedNumber("omega_minus", "ω_{−}", "rad/s", "slow"),
+        ComparedNumber("ratio_minus", "X₂/X₁_{−}", tint="slow", of="slow_ratio"),
+        ComparedNumber("omega_plus", "ω_{+}", "rad/s", "fast"),
+        ComparedNumber("ratio_plus", "X₂/X₁_{+}", tint="fast", of="fast_ratio"),
+        ComparedNumber("E_minus", "E_{−}", "J", "slow"),
+        ComparedNumber("E_plus", "E_{+}", "J", "fast"),
+    )
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        """Return the parameters that follow from a change.
+
+        Initial values that are typed give the motion themselves; those that a hand sets have their modes, where these
+        give it.
+        """
         if before is None:
-            return starting.opened(self)
-        return starting.followed(self, changed, before.given_by, in_hand=in_hand)
+            return {} if self.given_by == "values" else self._initial({})
+        if changed.intersection(chain.START) and not changed.intersection((*BY_MODES, "given_by")):
+            return self._modes() if in_hand and self.given_by == "modes" else {"given_by": "values"}
+        if self.given_by == "values" and not changed.intersection(BY_MODES):
+            return {}
+        taken: dict[str, float] = {}
+        if before.given_by == "values":
+            taken = {name: value for name, value in self._modes().items() if name not in changed}
+        return {"given_by": "modes", **taken, **self._initial(taken)}
 
-    def about(self, shown: Picture) -> About:
-        by_modes = starting.by_modes(self) if self.given_by == "modes" else None
-        return coupled_about(shown, starting.motion(self), *chain.start_of(self), by_modes)
+    def _modes(self) -> dict[str, float]:
+        """The amplitude and phase of each mode of the initial values. ValueError where one drifts."""
+        sizes, phases = amplitudes_and_phases(free_modes(chain.of_scene(self), *chain.start_of(self)))
+        return dict(zip(("X_slow", "X_fast", "phi_slow", "phi_fast"), (*sizes, *phases), strict=True))
 
-
-def _notes(fast: float, t: Floats) -> list[str]:
-    if drawable(2 * fast, t):
-        return []
-    band = "" if drawable(fast, t) else "The fast motion is too fast for a line and fills the band that is drawn. "
-    return [f"{band}Energies are averages over a fast swing."]
+    def _initial(self, taken: Values) -> dict[str, float]:
+        """The initial values of the modes, which are `taken` or set, if they differ from those set by more than
+        roundings."""
+        given = {**{name: getattr(self, name) for name in BY_MODES}, **taken}
+        sizes, phases = ((given[f"{of}_slow"], given[f"{of}_fast"]) for of in ("X", "phi"))
+        free = modes_given(chain.of_scene(self), sizes, phases)
+        x_0, v_0 = start_given(free)
+        reach = [float(sum(abs(free.amplitude[:, i]))) + abs(x_0[i]) for i in (0, 1)]
+        rates = [float(sum(abs(free.amplitude[:, i] * free.omega))) for i in (0, 1)]
+        rows = zip(chain.START, (*x_0, *v_0), (*reach, *rates), strict=True)
+        return {name: value for name, value, size in rows if abs(getattr(self, name) - value) > SAME * size}

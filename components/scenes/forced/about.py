@@ -11,7 +11,7 @@ from components.chain.parameters import Pair
 from components.quantities.declared import by_name
 from components.quantities.numbers import short
 from components.scene import Picture
-from components.scene.about import About, bounded, drawn_as_bands, few_of, rows
+from components.scene.about import About, bands_among, bounded, few_of, points, rows
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.case import Work
 from components.scenes.forced.dying import Dying
@@ -24,7 +24,7 @@ from physics.sampling import drawable
 from physics.transient import DampedModes
 
 BANDS = MASSES | {
-    part[i]: f"the {name} part" for i in BOTH for part, name in ((S.x_p, "particular"), (S.x_c, "complementary"))
+    part[i].name: f"the {name} part" for i in BOTH for part, name in ((S.x_p, "particular"), (S.x_c, "complementary"))
 }
 
 
@@ -32,14 +32,14 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
     """Displacements, and both amplitudes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
-    points = steady_points(driven.chain, 0.0, driven.F_0, few_of(sweep["omega"]))
+    steady = steady_points(driven.chain, 0.0, driven.F_0, few_of(sweep["omega"]))
     swings = {Swings.Xp[i]: rf"$X_{{\mathrm{{p}}{i}}}$" for i in BOTH}
-    true = by_name(dict(zip(swings, points, strict=True)))
+    true = by_name(dict(zip(swings, steady, strict=True)))
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement possible by then", motion),
         bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, DRIVE)),
     )
-    return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.sources, BANDS))
+    return About(tables, _work_gap(driven, columns["t"]), bands_among(picture.sources, BANDS))
 
 
 def dying_about(picture: Picture, modes: DampedModes) -> About:
@@ -49,10 +49,10 @@ def dying_about(picture: Picture, modes: DampedModes) -> About:
     swings = {Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH}
     steady = braked_swings(modes, few_of(sweep["omega"]))
     tables = (
-        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true)),
+        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", points(MASSES, columns, true)),
         bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, DRIVE)),
     )
-    return About(tables, _heat_gap(modes, columns["t"]), drawn_as_bands(picture.sources, BANDS))
+    return About(tables, _heat_gap(modes, columns["t"]), bands_among(picture.sources, BANDS))
 
 
 def _heat_gap(modes: DampedModes, t: NDArray[np.float64]) -> str:

@@ -1,0 +1,107 @@
+"""The free motions of two masses as values (physics.motion): in each mode alone, and in both.
+
+The elongation of spring 2 is a motion of its own: x2 - x1 of rounded displacements has no digits where it is stiff.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from physics.coupled import FreeModes, Motion
+from physics.exact import Array, exact, precise, rounded
+from physics.motion import Elementary, ExactMotion, Harmonic, harmonic_motion, superposed
+from physics.sampling import Sinusoid
+
+QUARTER = math.pi / 2
+
+
+class ChainMotions(NamedTuple):
+    """Displacements of the masses and elongations of the springs in m, velocities in m/s."""
+
+    x1: ExactMotion
+    x2: ExactMotion
+    e1: ExactMotion
+    e2: ExactMotion
+    v1: ExactMotion
+    v2: ExactMotion
+
+    @property
+    def x(self) -> tuple[ExactMotion, ExactMotion]:
+        return self.x1, self.x2
+
+
+@dataclass(frozen=True, eq=False)
+class FreeMotions:
+    """The motions of a free motion of the chain.
+
+    `slow` is the slow mode, with the drifts of both; `fast` is the fast mode, None if that drifts too. `both` are sums:
+    displacements are added, elongations and velocities rounded once.
+    """
+
+    free: FreeModes
+
+    @cached_property
+    def slow(self) -> ChainMotions:
+        return ChainMotions(*self._mode(0, "slow"))
+
+    @cached_property
+    def fast(self) -> ChainMotions | None:
+        return ChainMotions(*self._mode(1, "fast")) if self.free.omega[1] else None
+
+    @cached_property
+    def both(self) -> ChainMotions:
+        modes = (self.slow, self.fast) if self.fast else (self.slow,)
+        rows = list(zip(ChainMotions._fields, *modes, strict=True))
+        exact = (lambda t, i=i: _values(self._at(t.tobytes()))[i] for i in range(2, len(rows)))
+        sums = [superposed(*row) for row in rows[:2]]
+        return ChainMotions(*sums, *(superposed(*row, exact=one) for row, one in zip(rows[2:], exact, strict=True)))
+
+    def _mode(self, j: int, mode: str) -> list[Elementary]:
+        """The motions in the mode j; the elongation of spring 1 is x1 itself."""
+        x1, x2, e2, v1, v2 = (
+            harmonic_motion(f"{name}_{mode}", harmonic, lambda t, i=i: self._part(t, j)[i])  # type: ignore[misc]
+            for i, name, harmonic in zip(
+                (0, 1, 3, 4, 5), ("x1", "x2", "e2", "v1", "v2"), self._harmonics(j), strict=True
+            )
+        )
+        return [x1, x2, x1, e2, v1, v2]
+
+    def _harmonics(self, j: int) -> Iterator[Harmonic]:
+        """The motions x1, x2, e2, v1, v2 in the mode j, in doubles."""
+        omega, phase = float(self.free.omega[j]), float(self.free.phase[j])
+        if not omega:
+            starts, rates = self.free.drifts.tolist()
+            yield from (Harmonic((), line) for line in zip(starts, rates, strict=True))
+            yield from (Harmonic((), (rate, 0.0)) for rate in rates[:2])
+            return
+        sizes = self.free.amplitudes[j].tolist()
+        yield from (Harmonic((Sinusoid(size, omega, phase),)) for size in sizes)
+        yield from (Harmonic((Sinusoid(_product(size, omega), omega, phase + QUARTER),)) for size in sizes[:2])
+
+    def _part(self, t: Array, j: int) -> list[Array]:
+        slow, fast = self._parts_at(t.tobytes())
+        return _values((slow, fast)[j] if self.free.omega[1] else slow + fast)
+
+    @cached_property
+    def _parts_at(self) -> Callable[[bytes], tuple[Motion, Motion]]:
+        """The motions of both modes at the times in a buffer: all that is made of them share one computation."""
+        return lru_cache(1)(lambda times: self.free.parts(np.frombuffer(times)))
+
+    @cached_property
+    def _at(self) -> Callable[[bytes], Motion]:
+        return lru_cache(1)(lambda times: self.free.motion(np.frombuffer(times)))
+
+
+def _values(motion: Motion) -> list[Array]:
+    return [*motion.x, *motion.e, *motion.v]
+
+
+def _product(size: float, omega: float) -> float:
+    with precise():
+        return rounded("the amplitude of a velocity", exact(size) * exact(omega))
