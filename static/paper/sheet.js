@@ -45,7 +45,6 @@ export class Sheet {
     if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
     if (block.height) host.style.setProperty("--phone-height", long(block.height))
     this.hosts.set(block, host)
-    if (!block.hall) host.classList.add("at-desk")
     this.#fill(host, block)
     return host
   }
@@ -168,6 +167,7 @@ export class Sheet {
       stands = block.blocks.map(child => this.#stand(child, shown)).includes(true)
     else if (parts.length) stands &&= parts.includes(block.part)
     const host = /** @type {HTMLElement} */ (this.hosts.get(block))
+    host.classList.toggle("at-desk", !block.hall && !parts.length) // what a step lists stands in a hall too
     host.hidden = !stands
     return stands
   }

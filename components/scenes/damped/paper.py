@@ -9,7 +9,7 @@ from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
 from components.language.numbers import Number
 from components.language.plots import Room
-from components.layout.sheet import column, row, stage
+from components.layout.sheet import column, desk, row, stage
 from components.layout.stage import AT_DESK, ON_WIDE, H, Shape, T, W, arrow, circle, line, path, text, wall, wide
 from components.layout.views import in_views
 from components.paper.deferred import deferred, number
@@ -69,7 +69,7 @@ def paper() -> Block:
         stage(*block(), label=label, grow=160, height=172),
         column(
             displacement(),
-            in_views(power(), "energy"),
+            in_views(desk(power()), "energy"),
             in_views(energy(), "energy"),
             in_views(words(fate(), phone=15, name="fate"), "motion", "roots", "forces", "formulas"),
             grow=450,
@@ -133,7 +133,7 @@ def power() -> Block:
         note(POWER.unit, "T"),
         note(where, "mute"),
         title="Power that the dashpot takes, against time",
-        over=at_fastest(POWER, POWER.y(c.P_max)), x_labels=False, room=SIDES, grow=82, phone=11,
+        over=at_fastest(POWER, POWER.y(c.P_max)), x_labels=False, room=SIDES, grow=130, phone=11,
         height=110,
     )  # fmt: skip
     return when(c.power, block)
