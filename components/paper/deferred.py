@@ -119,7 +119,12 @@ class Attributes(Generic[C]):
         return Attribute(compute, True, called, unit, meaning)
 
     def pair(
-        self, compute: Callable[[C], Sequence[V] | None], called: tuple[str, str] = ("", "")
+        self,
+        compute: Callable[[C], Sequence[V] | None],
+        unit: str = "",
+        meanings: tuple[str, str] = ("", ""),
+        *,
+        called: tuple[str, str] = ("", ""),
     ) -> tuple[Attribute[V], Attribute[V]]:
         """Return two attributes from one sequence, both None if it is None."""
 
@@ -131,7 +136,7 @@ class Attributes(Generic[C]):
                 found = both.__get__(case, self.kind)
                 return None if found is None else found[i]
 
-            return Attribute(one, optional=True, called=called[i])
+            return Attribute(one, True, called[i], unit, meanings[i])
 
         return part(0), part(1)
 

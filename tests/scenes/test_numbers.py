@@ -9,6 +9,7 @@ from hypothesis import given, settings
 
 from components.scene.case import CaseScene
 from components.scenes import SCENES
+from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from tests.states import values
 
@@ -43,3 +44,11 @@ def test_the_numbers_of_a_damped_mass_are_those_of_physics() -> None:
     assert "home" not in numbers
     over = SCENES["damped"](m=2.0, c=60.0, k=50.0)
     assert over.numbers["home"].unit == "s" and "tau_d" not in over.numbers
+
+
+def test_the_numbers_of_two_masses_are_those_of_physics() -> None:
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=3.0)
+    numbers = SCENES["coupled"](m1=2.0, m2=1.0, k1=4.0, k2=3.0).numbers
+    found = [numbers[name].value for name in ("omega_minus", "omega_plus", "slow_ratio", "fast_ratio")]
+    assert found == [*chain.modes().omega.tolist(), *chain.modes().ratio.tolist()]
+    assert numbers["omega_minus"].unit == "rad/s"

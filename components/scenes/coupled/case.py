@@ -210,17 +210,35 @@ class CoupledShown(CoupledCase):
     turn_slow = value.optional(lambda c: _turn(c, c.phi_slow, c.slow))
     turn_fast = value.optional(lambda c: _turn(c, c.phi_fast, c.highest))
     # Numbers in formulas.
-    omega_minus, omega_plus = value.pair(lambda c: c.free.omega.tolist())
-    slow_ratio, fast_ratio = value.pair(lambda c: c.chain.modes().ratio.tolist())
+    omega_minus, omega_plus = value.pair(
+        lambda c: c.free.omega.tolist(), "rad/s", ("slow natural frequency", "fast natural frequency")
+    )
+    slow_ratio, fast_ratio = value.pair(
+        lambda c: c.chain.modes().ratio.tolist(), "", ("X2/X1 of the slow mode", "X2/X1 of the fast mode")
+    )
     ratio_minus, ratio_plus = value.pair(lambda c: [shape(ratio) for ratio in c.chain.modes().ratio.tolist()])
-    E_minus, E_plus = value.pair(lambda c: c.free.energy.tolist())
-    E_total = value(lambda c: float(c.free.energy.sum()))
-    X1_minus, X2_minus = value.pair(lambda c: c.free.amplitude[0].tolist())
-    X1_plus, X2_plus = value.pair(lambda c: c.free.amplitude[1].tolist())
-    phi_minus, phi_plus = value.pair(lambda c: c.free.phase.tolist())
+    E_minus, E_plus = value.pair(
+        lambda c: c.free.energy.tolist(), "J", ("energy of the slow mode", "energy of the fast mode")
+    )
+    E_total = value(lambda c: float(c.free.energy.sum()), "J", "total energy")
+    X1_minus, X2_minus = value.pair(
+        lambda c: c.free.amplitude[0].tolist(),
+        "m",
+        ("amplitude of mass 1, slow mode", "amplitude of mass 2, slow mode"),
+    )
+    X1_plus, X2_plus = value.pair(
+        lambda c: c.free.amplitude[1].tolist(),
+        "m",
+        ("amplitude of mass 1, fast mode", "amplitude of mass 2, fast mode"),
+    )
+    phi_minus, phi_plus = value.pair(
+        lambda c: c.free.phase.tolist(), "rad", ("phase of the slow mode", "phase of the fast mode")
+    )
     a1, a2 = value.pair(lambda c: c.free.drift_a.tolist())
     b1, b2 = value.pair(lambda c: c.free.drift_b.tolist())
-    M_minus, M_plus = value.pair(lambda c: [mode.mass for mode, _, _ in c.free.each()])
+    M_minus, M_plus = value.pair(
+        lambda c: [mode.mass for mode, _, _ in c.free.each()], "kg", ("modal mass, slow mode", "modal mass, fast mode")
+    )
     q_minus, q_plus = value.pair(lambda c: [signed(coordinate) for _, coordinate, _ in c.free.each()])
     rate_minus, rate_plus = value.pair(lambda c: [signed(rate) for _, _, rate in c.free.each()])
     beat_period = value(lambda c: f"{three(math.tau / c.chain.modes().beat)} s" if c.beat == "both" else "none")
