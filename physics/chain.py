@@ -1,0 +1,262 @@
+r"""N equal masses on N + 1 equal springs, from two masses to the wave (lecture D31, slide 7; D34, slide 5).
+
+    wall --k-- [m] --k-- [m] --k-- .. --k-- [m] --k-- wall        x_p of mass p = 1 .. N, from equilibrium
+
+    m x_p'' = k (x_(p-1) - 2 x_p + x_(p+1)),   x_0 = x_(N+1) = 0 at walls; a free end has no spring
+
+With Omega = sqrt(k/m) mode j swings at omega_j = 2 Omega sin(theta_j/2), and its shape is
+
+    fixed, fixed   theta_j = j pi/(N + 1), j = 1 .. N          sqrt(2/(N + 1)) sin(theta_j p)
+    fixed, free    theta_j = (2j - 1) pi/(2N + 1), j = 1 .. N    2/sqrt(2N + 1) sin(theta_j p)
+    free, free     theta_j = j pi/N, j = 0 .. N - 1             sqrt((2 - [j = 0])/N) cos(theta_j (p - 1/2))
+
+Shapes are orthonormal: each coordinate q_j = sum_p phi_j(p) x_p swings by itself, and its energy is constant. Mode 0
+of a free chain is a drift. On the ideal string through the same masses mode j has the frequency Omega theta_j.
+
+Sines of all angles come from one table of 80 digits, with angles counted in whole numbers.
+
+Source: lecture D31 names waves on a string; D34 superposes independent harmonic motions.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from physics.exact import NOISE, PI, Array, exact, precise, rounded
+from physics.oscillator import phase_of
+from physics.polynomials import context
+from physics.sinusoids import ExactSinusoid, added
+from physics.valid import check_positive, finite_array
+
+ChainEnds = Literal["fixed-fixed", "fixed-free", "free-free"]
+_TABLE_DIGITS = 90
+
+
+class ChainMotion(NamedTuple):
+    """Times in s (n,), displacements in m and velocities in m/s (N, n)."""
+
+    t: Array
+    x: Array
+    v: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class UniformChain:
+    """N masses m in kg on springs k in N/m. ValueError names a value that is not possible."""
+
+    N: int
+    m: float
+    k: float
+    ends: ChainEnds = "fixed-fixed"
+
+    def __post_init__(self) -> None:
+        if int(self.N) != self.N or self.N < 1:
+            raise ValueError(f"N = {self.N!r}: the number of masses is a whole number, 1 or more")
+        if self.ends not in get_args(ChainEnds):
+            raise ValueError(f"ends = {self.ends!r}: the ends of a chain are {' or '.join(get_args(ChainEnds))}")
+        check_positive("a mass in kg", m=self.m)
+        check_positive("a stiffness in N/m", k=self.k)
+
+    @cached_property
+    def omega(self) -> Array:
+        """The natural frequencies in rad/s (N,), slowest first, each rounded once."""
+        return np.array([rounded("a natural frequency", omega) for omega in self.exact_omega])
+
+    @cached_property
+    def theta(self) -> Array:
+        """The phase in rad (N,) from one mass to the next, each rounded once."""
+        with precise():
+            return np.array([float(2 * PI * n / self._parts) for n in self._numbers])
+
+    @cached_property
+    def string_omega(self) -> Array:
+        """The natural frequencies in rad/s (N,) of the ideal string, Omega theta_j."""
+        with precise():
+            exactly = [self.exact_Omega * 2 * PI * n / self._parts for n in self._numbers]
+        return np.array([rounded("a natural frequency of the string", omega) for omega in exactly])
+
+    @cached_property
+    def shapes(self) -> Array:
+        """The orthonormal shapes (N modes, N masses), each number rounded once."""
+        table = np.array([float(one) for one in self._scaled_sines])
+        shapes = table[self._places]
+        if self.ends == "free-free":
+            shapes[0] = float(self._rigid)
+        return np.asarray(shapes)
+
+    @cached_property
+    def exact_Omega(self) -> Decimal:
+        """Omega = sqrt(k/m) in rad/s, to 80 digits."""
+        with precise():
+            return (exact(self.k) / exact(self.m)).sqrt()
+
+    @cached_property
+    def exact_omega(self) -> list[Decimal]:
+        """The natural frequencies in rad/s, to 80 digits."""
+        with precise():
+            return [2 * self.exact_Omega * self._sines[n] for n in self._numbers]
+
+    def modes(self, x_0: ArrayLike, v_0: ArrayLike) -> "ChainModes":
+        """The modes of the motion from displacements in m and velocities in m/s, each (N,)."""
+        return ChainModes(self, self._coordinates("x_0", x_0), self._coordinates("v_0", v_0))
+
+    def motion(self, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> ChainMotion:
+        """x and v (N, n) from displacements and velocities (N,) at the times t (n,): within 2 u of the amplitude.
+
+        The amplitude is the sum of those of all modes.
+        """
+        return self.modes(x_0, v_0).motion(t)
+
+    def pluck(self, p: int, height: float) -> Array:
+        """The displacements in m (N,) with mass p held at a height: straight lines, level beyond it to a free end."""
+        self._check_mass(p)
+        if self.ends == "free-free":
+            raise ValueError("a chain whose ends are both free cannot be plucked: at least one fixed end is needed")
+        places = np.arange(1.0, self.N + 1)
+        level = np.ones_like(places)
+        beyond = (self.N + 1 - places) / (self.N + 1 - p) if self.ends == "fixed-fixed" else level
+        return height * np.where(places <= p, places / p, beyond)
+
+    def one_mode(self, j: int, size: float) -> Array:
+        """The displacements in m (N,) of mode j alone, counted as `omega` counts them from 0; `size` is the largest."""
+        shape = self.shapes[j]
+        return np.asarray(size * shape / np.abs(shape).max())
+
+    def pulse(self, centre: float, width: float, height: float) -> tuple[Array, Array]:
+        """Displacements in m and velocities in m/s, each (N,), of a bell that runs to the right without a part that
+        runs back; its centre and its standard deviation are counted in masses."""
+        Omega = float(self.exact_Omega)
+
+        def bell(place: Array) -> Array:
+            return np.asarray(height * np.exp(-(((place - centre) / width) ** 2) / 2))
+
+        p = np.arange(1.0, self.N + 1)
+        return bell(p), Omega * (bell(p - 0.5) - bell(p + 0.5))
+
+    def _check_mass(self, p: int) -> None:
+        if not 1 <= p <= self.N:
+            raise ValueError(f"p = {p!r}: masses are counted from 1 to {self.N}")
+
+    def _coordinates(self, name: str, values: ArrayLike) -> list[Decimal]:
+        """q_j of displacements or of velocities."""
+        entries = finite_array(name, values)
+        if entries.shape != (self.N,):
+            raise ValueError(f"{name} has {entries.size} numbers: {self.N} are needed, one for each mass")
+        moving = [(p, exact(value)) for p, value in enumerate(entries.tolist()) if value]
+        with precise():
+            return [_sum([row[p] * value for p, value in moving]) for row in self.exact_shapes]
+
+    @cached_property
+    def exact_shapes(self) -> list[list[Decimal]]:
+        """The shapes, to 80 digits."""
+        rows = [[self._scaled_sines[place] for place in row] for row in self._places.tolist()]
+        return [[self._rigid] * self.N, *rows[1:]] if self.ends == "free-free" else rows
+
+    @property
+    def _parts(self) -> int:
+        """The number of parts of half a turn in which angles are counted: theta_j/2 is a whole number of them."""
+        return {"fixed-fixed": 2 * (self.N + 1), "fixed-free": 2 * (2 * self.N + 1), "free-free": 2 * self.N}[self.ends]
+
+    @property
+    def _numbers(self) -> Sequence[int]:
+        """theta_j/2 of each mode in these parts."""
+        if self.ends == "fixed-free":
+            return range(1, 2 * self.N, 2)
+        return range(1, self.N + 1) if self.ends == "fixed-fixed" else range(self.N)
+
+    @cached_property
+    def _places(self) -> NDArray[np.int_]:
+        """Where each number of the shapes is in the table of sines (N modes, N masses)."""
+        theta, p = np.array(self._numbers)[:, None], np.arange(1, self.N + 1)
+        angle = theta * (2 * p - 1) + self.N if self.ends == "free-free" else 2 * theta * p
+        return np.asarray(angle % (2 * self._parts))
+
+    @cached_property
+    def _sines(self) -> list[Decimal]:
+        """sin(pi n/parts) of a whole turn."""
+        ctx, parts = context(_TABLE_DIGITS), self._parts
+        quarter = [Decimal(ctx.nstr(ctx.sinpi(ctx.mpf(n) / parts), _TABLE_DIGITS)) for n in range(parts // 2 + 1)]
+        half = [*quarter, *quarter[(parts - 1) // 2 : 0 : -1]]
+        return [*half, *(-one for one in half)]
+
+    @cached_property
+    def _scaled_sines(self) -> list[Decimal]:
+        """The table of sines times the factor of the shapes."""
+        squares = {"fixed-fixed": (2, self.N + 1), "fixed-free": (4, 2 * self.N + 1), "free-free": (2, self.N)}
+        above, below = squares[self.ends]
+        with precise():
+            factor = (Decimal(above) / below).sqrt()
+            return [factor * one for one in self._sines]
+
+    @property
+    def _rigid(self) -> Decimal:
+        """The shape of the drift of a free chain, one for all masses."""
+        with precise():
+            return (Decimal(1) / self.N).sqrt()
+
+
+@dataclass(frozen=True, eq=False)
+class ChainModes:
+    """A motion as the sum of its modes: coordinates and their velocities at t = 0, to 80 digits."""
+
+    chain: UniformChain
+    coordinates: list[Decimal]
+    velocities: list[Decimal]
+
+    @cached_property
+    def amplitude(self) -> Array:
+        """The amplitude in m of each coordinate (N,): q_j = amplitude sin(omega_j t + phase); 0 of a drift."""
+        with precise():
+            sizes = [(q**2 + (v / w) ** 2).sqrt() if w else Decimal(0) for q, v, w in self._each()]
+        return np.array([rounded("an amplitude", size) for size in sizes])
+
+    @cached_property
+    def phase(self) -> Array:
+        """The phase in rad of each coordinate (N,); 0 of a drift."""
+        with precise():
+            return np.array([phase_of(q * w, v) if w else 0.0 for q, v, w in self._each()])
+
+    @cached_property
+    def energy(self) -> Array:
+        """The energy in J of each mode (N,), which is constant; that of a drift is kinetic. Each is rounded once."""
+        m = exact(self.chain.m)
+        with precise():
+            both = [m * (v**2 + (w * q) ** 2) / 2 for q, v, w in self._each()]
+        return np.array([rounded("the energy of a mode", one) for one in both])
+
+    @property
+    def drift(self) -> tuple[float, float]:
+        """The displacement in m at t = 0 and the velocity in m/s of a drift; 0 of a chain with a fixed end."""
+        if self.chain.ends != "free-free":
+            return 0.0, 0.0
+        (shape, *_), *_ = self.chain.exact_shapes
+        with precise():
+            return float(shape * self.coordinates[0]), float(shape * self.velocities[0])
+
+    def motion(self, t: ArrayLike) -> ChainMotion:
+        """x and v (N, n) at the times t (n,) in s."""
+        t, N = finite_array("t", t), self.chain.N
+        sinusoids = []
+        with precise():
+            for (q, v, w), shape in zip(self._each(), self.chain.exact_shapes, strict=True):
+                rate = -w * w * q
+                cosine = [*(part * q for part in shape), *(part * v for part in shape)]
+                sine = [*(part * v for part in shape), *(part * rate for part in shape)]
+                sinusoids.append(ExactSinusoid(w, cosine, sine))
+        names = [f"the {what} of mass {p}" for what in ("displacement", "velocity") for p in range(1, N + 1)]
+        values = added(sinusoids, t, names)
+        return ChainMotion(t, values[:N], values[N:])
+
+    def _each(self) -> list[tuple[Decimal, Decimal, Decimal]]:
+        return list(zip(self.coordinates, self.velocities, self.chain.exact_omega, strict=True))
+
+
+def _sum(terms: Sequence[Decimal]) -> Decimal:
+    """The sum, and 0 where it is only the rounding of its terms."""
+    total = sum(terms, Decimal(0))
+    return total if abs(total) > NOISE * max(map(abs, terms), default=total) else Decimal(0)

@@ -1,0 +1,178 @@
+"""N equal masses: frequencies, shapes and motions against 25 digits, images and conserved quantities."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.special import jv
+
+from physics.chain import UniformChain
+from physics.coupled import TwoMassChain, free_motion
+from physics.oscillator import Oscillator
+from tests.grids import tries
+from tests.physics.chain_cases import log_uniform
+
+U = 2.0**-53
+ENDS = ("fixed-fixed", "fixed-free", "free-free")
+EVERY = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["chain"]
+CASES = [case for case in EVERY if case["ends"] in ENDS]
+each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+starts = st.lists(st.floats(-1, 1), min_size=24, max_size=24)
+
+
+def chain_of(case: dict[str, Any]) -> UniformChain:
+    return UniformChain(N=case["N"], m=case["m"], k=case["k"], ends=case["ends"])
+
+
+def error(value: float, true: str) -> float:
+    with mp.workdps(30):
+        return float(abs(mp.mpf(float(value)) - mp.mpf(true)))
+
+
+@each_case
+def test_frequencies_shapes_and_energies_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    chain = chain_of(case)
+    energies = chain.modes(case["x_0"], case["v_0"]).energy
+    for j, omega, shape, energy in zip(case["modes"], case["omega"], case["shapes"], case["E_modes"], strict=True):
+        i = j if case["ends"] == "free-free" else j - 1
+        assert error(chain.omega[i], omega) <= U * float(omega)
+        for p, value in zip(case["beads"], shape, strict=True):
+            assert error(chain.shapes[i, p - 1], value) <= U * abs(float(value))
+        assert error(energies[i], energy) <= 4 * U * float(case["E"])
+
+
+@each_case
+def test_motions_are_within_4_u_of_the_reference(case: dict[str, Any]) -> None:
+    motion = chain_of(case).motion(case["x_0"], case["v_0"], case["t"])
+    for values, name, sizes in ((motion.x, "x", case["size"][0]), (motion.v, "v", case["size"][1])):
+        for n in range(len(case["t"])):
+            for i, p in enumerate(case["beads"]):
+                assert error(values[p - 1, n], case[name][n][i]) <= 4 * U * sizes[n][i] + 5e-324
+
+
+@settings(max_examples=tries(120))
+@given(st.integers(1, 24), log_uniform(-400, 400), log_uniform(-400, 400), st.sampled_from(ENDS), starts, starts)
+def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start(
+    N: int, m: float, k: float, ends: Any, x_0: list[float], v_0: list[float]
+) -> None:
+    chain = UniformChain(N=N, m=m, k=k, ends=ends)
+    Omega = math.sqrt(k) / math.sqrt(m)
+    x, v = np.array(x_0[:N]), Omega * np.array(v_0[:N])
+    motion = chain.motion(x, v, [0.0, 3.0 / Omega])
+    assert np.abs(motion.x[:, 0] - x).max() <= 2 * U * np.abs(x).max() + 1e-300
+    modes = chain.modes(x, v)
+    walls = {"fixed-fixed": [0.0, *x, 0.0], "fixed-free": [0.0, *x], "free-free": list(x)}[ends]
+    energy = (np.sum(v * v) / Omega**2 + np.sum(np.diff(walls) ** 2)) / 2
+    assert np.sum(modes.energy / k) == pytest.approx(energy, rel=1e-13, abs=1e-300)
+    back = chain.motion(motion.x[:, 1], -motion.v[:, 1], [3.0 / Omega])
+    assert np.abs(back.x[:, 0] - x).max() <= 1e-13 * (np.abs(x).max() + np.abs(v).max() / Omega) * N + 1e-300
+    if ends == "free-free":
+        assert np.sum(motion.v[:, 1]) == pytest.approx(np.sum(v), abs=1e-14 * N * np.abs(v).max() + 1e-300)
+        assert modes.drift == pytest.approx((np.mean(x), np.mean(v)), rel=1e-9, abs=1e-15 * (1 + Omega))
+
+
+@given(st.integers(1, 24), st.sampled_from(ENDS))
+def test_shapes_are_orthonormal_and_swing_by_themselves(N: int, ends: Any) -> None:
+    chain = UniformChain(N=N, m=1.0, k=1.0, ends=ends)
+    shapes, omega = chain.shapes, chain.omega
+    assert shapes @ shapes.T == pytest.approx(np.eye(N), abs=1e-14)
+    K = 2 * np.eye(N) - np.eye(N, k=1) - np.eye(N, k=-1)
+    K[-1, -1] -= ends != "fixed-fixed"
+    K[0, 0] -= ends == "free-free"
+    assert pytest.approx(shapes.T * omega**2, abs=1e-13) == K @ shapes.T
+    assert np.all(np.diff(omega) > 0) and chain.omega == pytest.approx(2 * np.sin(chain.theta / 2), abs=1e-15)
+    assert np.all(chain.string_omega >= omega) and chain.string_omega == pytest.approx(chain.theta)
+
+
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("s", [1, 3, 5])
+def test_one_mass_that_is_let_go_sends_waves_that_are_reflected_as_images(ends: Any, s: int) -> None:
+    """x_p = J_2p(2 Omega t) of an endless chain (E. Schroedinger, 1914), mirrored at its ends."""
+    N, Omega, t = 5, 2.0, np.linspace(0, 9, 19)
+    chain, p = UniformChain(N=N, m=0.5, k=2.0, ends=ends), np.arange(1, N + 1)[:, None]
+    start = np.zeros(N)
+    start[s - 1] = 1.0
+
+    def wave(places: Any) -> Any:
+        return jv(2 * places, 2 * Omega * t)
+
+    images = range(-20, 21)
+    if ends == "fixed-fixed":
+        wanted = sum(wave(p - s + 2 * (N + 1) * i) - wave(p + s + 2 * (N + 1) * i) for i in images)
+    elif ends == "free-free":
+        wanted = sum(wave(p - s + 2 * N * i) + wave(p + s - 1 + 2 * N * i) for i in images)
+    else:
+        wanted = sum((-1) ** i * (wave(p - s + (2 * N + 1) * i) - wave(p + s + (2 * N + 1) * i)) for i in images)
+    assert chain.motion(start, np.zeros(N), t).x == pytest.approx(wanted, abs=1e-13)
+
+
+def test_one_mass_is_the_oscillator_and_two_are_the_chain_of_the_lecture() -> None:
+    t = np.linspace(0, 7, 9)
+    one = UniformChain(N=1, m=2.0, k=3.0, ends="fixed-free").motion([0.3], [0.4], t)
+    assert one.x[0] == pytest.approx(Oscillator(m=2.0, k=3.0).motion(0.3, 0.4, t).x, abs=1e-15)
+    two = UniformChain(N=2, m=2.0, k=3.0, ends="fixed-free").motion([0.3, -1.0], [0.4, 0.0], t)
+    wanted = free_motion(TwoMassChain(m1=2.0, m2=2.0, k1=3.0, k2=3.0), (0.3, -1.0), (0.4, 0.0), t)
+    assert two.x == pytest.approx(wanted.x, abs=1e-15)
+    assert UniformChain(N=2, m=1.0, k=1.0, ends="fixed-free").omega == pytest.approx([0.6180339887, 1.6180339887])
+
+
+@each_case
+def test_a_pluck_has_the_modes_of_the_reference(case: dict[str, Any]) -> None:
+    if not case.get("pluck"):
+        return
+    chain, pluck = chain_of(case), case["pluck"]
+    x = chain.pluck(pluck["s"], pluck["h"])
+    assert x[pluck["s"] - 1] == pluck["h"]
+    modes = chain.modes(x, np.zeros(chain.N))
+    found = [modes.amplitude[j - 1] * chain.shapes[j - 1, 0] / math.sin(chain.theta[j - 1]) for j in case["modes"]]
+    wanted = [abs(float(B)) for B in pluck["B"]]
+    assert np.abs(found) == pytest.approx(wanted, rel=1e-9, abs=1e-12)
+
+
+def test_a_pulse_runs_to_the_right_alone() -> None:
+    chain = UniformChain(N=200, m=1.0, k=1.0)
+    x, v = chain.pulse(60.0, 6.0, 0.2)
+    moved = chain.motion(x, v, [40.0]).x[:, 0]
+    assert moved.argmax() == pytest.approx(99, abs=1) and np.abs(moved[:60]).max() < 1e-3
+
+
+def test_a_mode_alone_keeps_its_shape() -> None:
+    chain = UniformChain(N=7, m=1.0, k=1.0, ends="free-free")
+    x = chain.one_mode(3, 0.5)
+    motion = chain.motion(x, np.zeros(7), [1.3])
+    assert motion.x[:, 0] == pytest.approx(x * math.cos(1.3 * chain.omega[3]), abs=1e-15)
+    energy = chain.modes(x, np.zeros(7)).energy
+    assert np.abs(x).max() == 0.5 and energy.argmax() == 3 and energy[3] == pytest.approx(energy.sum())
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"N": 0}, "1 or more"),
+        ({"N": 2.5}, "whole"),
+        ({"ends": "loose"}, "fixed-free"),
+        ({"k": 0.0}, "above 0"),
+        ({"m": -1.0}, "m ="),
+    ],
+)
+def test_refusals_name_the_value(change: dict[str, Any], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        UniformChain(**({"N": 3, "m": 1.0, "k": 1.0} | change))
+
+
+def test_a_free_chain_cannot_be_plucked_and_a_start_has_a_number_for_each_mass() -> None:
+    chain = UniformChain(N=3, m=1.0, k=1.0, ends="free-free")
+    with pytest.raises(ValueError, match="fixed end is needed"):
+        chain.pluck(2, 1.0)
+    with pytest.raises(ValueError, match="3 are needed"):
+        chain.motion([1.0], [0.0] * 3, [0.0])
+    with pytest.raises(ValueError, match="from 1 to 3"):
+        UniformChain(N=3, m=1.0, k=1.0).pluck(4, 1.0)
