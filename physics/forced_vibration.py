@@ -18,10 +18,12 @@ from physics.driven import Drive, DrivenOscillator, Push, drawn
 from physics.exact import Array
 from physics.free_decay import FreeDecay
 from physics.motion import ONE, Elementary, ExactMotion, Harmonic, MotionPolynomial, harmonic_motion
-from physics.sampling import Sinusoid
+from physics.sampling import Sinusoid, drawable
 from physics.transient import FILE
 from physics.valid import in_range
 
+_APART, _LONG = 4.0, 12  # parts that are at most so many times as large as their sum, or as a window from rest, show
+_UNSEEN = 0.002  # of the largest |x|: less than half a pixel of the tallest plot
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
@@ -133,6 +135,124 @@ class ForcedVibration:
         steady = abs(self.X)
         force = math.hypot(self.push.re, self.push.im)
         return steady if math.isfinite(steady) else force / self.push.omega_n / self.push.omega_n
+
+
+class VibrationBand(NamedTuple):
+    """The lower and the upper edge of a band (n,); `late` (m,) are the values at the last m instants, if a line shows
+    the motion there because what is too fast has died."""
+
+    low: Array
+    high: Array
+    late: Array | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SampledVibration:
+    """A forced vibration over the instants t (n,) in s: which parts of it are too fast for a line there.
+
+    With `is_split` it is shown in its parts, unless these are huge and opposite, as near an undamped resonance.
+    """
+
+    vibration: ForcedVibration
+    t: Array
+    is_split: bool
+
+    @cached_property
+    def largest(self) -> float:
+        """The largest |x| at these instants, in m."""
+        return float(np.abs(self.vibration.at(self.t)[0]).max())
+
+    @cached_property
+    def split(self) -> bool:
+        """Whether the motion is shown in its parts."""
+        size = abs(self.vibration.X) if self.is_split and self.vibration.is_driven else math.inf
+        return math.isfinite(size) and size <= _APART * max(self.largest, size / _LONG)
+
+    @cached_property
+    def reach(self) -> float:
+        """The largest |x| in the window, in m; of parts that are too fast for a line, the bound."""
+        if not (self.split and (self._steady_is_fast or self._transient_is_fast)):
+            return self.largest
+        return float((np.abs(self._slow_part) + self._fast_size).max())
+
+    @property
+    def tallest(self) -> float:
+        """The largest displacement, of the mass or of its base, in m; 1 if nothing moves."""
+        return max(self.reach, self.vibration.size if self.vibration.kind == "base" else 0.0) or 1.0
+
+    @property
+    def rings(self) -> bool:
+        """Whether x and the transient are too fast for a line at first alone."""
+        return self.split and not self._trembles and 0 < self._settled < self.t.size
+
+    @cached_property
+    def bands(self) -> dict[str, VibrationBand]:
+        """The bands of x, its parts x_p and x_c, and the base y, as far as something too fast for a line is seen.
+
+        If a part has died so far that nothing is seen of it, the band is as narrow as the line that continues it.
+        """
+        nothing, vibration = np.zeros_like(self.t), self.vibration
+        if not self.split:
+            fast = not drawable(vibration.fastest, self.t)
+            return dict.fromkeys(("x", "y"), _around(nothing, self.reach)) if fast else {}
+        found = {}
+        if self._trembles:
+            found["x_p"] = _around(nothing, abs(vibration.X))
+        if self._trembles or self._settled:
+            found["x"] = _around(self._slow_part, self._fast_size)
+        if self._settled:
+            found["x_c"] = _around(nothing, self._ringing)
+        if vibration.kind == "base" and self._steady_is_fast:
+            found["y"] = _around(nothing, vibration.size)
+        if self.rings:  # lines are drawn in doubles: more digits would take longer than a picture may
+            t = self.t[self._settled :]
+            found["x"] = found["x"]._replace(late=vibration.at(t)[0])
+            found["x_c"] = found["x_c"]._replace(late=vibration.transient.fadings[0].at(t))
+        return found
+
+    @cached_property
+    def _steady_is_fast(self) -> bool:
+        return self.vibration.is_driven and not drawable(self.vibration.omega, self.t)
+
+    @cached_property
+    def _transient_is_fast(self) -> bool:
+        return not drawable(self.vibration.oscillator.free.omega_d, self.t)
+
+    @property
+    def _trembles(self) -> bool:
+        """Whether the steady part is too fast for a line, and large enough to be seen."""
+        return self._steady_is_fast and abs(self.vibration.X) > _UNSEEN * self.tallest
+
+    @cached_property
+    def _ringing(self) -> Array:
+        """The amplitude in m that is left of the transient."""
+        one = self.vibration.transient.fadings[0]
+        size = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
+        return np.asarray(size * np.exp(-one.slow * self.t))
+
+    @cached_property
+    def _fast_size(self) -> Array:
+        """The amplitude in m of what of x is too fast for a line; two parts that beat slowly move as one."""
+        X, omega, one = self.vibration.X, self.vibration.omega, self.vibration.transient.fadings[0]
+        if not (self._steady_is_fast and self._transient_is_fast and drawable(one.swing - omega, self.t)):
+            return self._steady_is_fast * abs(X) + self._transient_is_fast * self._ringing
+        beat = complex(-one.slow, one.swing - omega) * self.t
+        return np.asarray(np.abs(X + complex(one.rate / one.swing, one.start) * np.exp(beat)))
+
+    @cached_property
+    def _slow_part(self) -> Array:
+        """The sum in m of the parts of x that are slow enough for a line."""
+        steady = np.zeros_like(self.t) if self._steady_is_fast else self.vibration.x_p.at(self.t)
+        return steady if self._transient_is_fast else steady + self.vibration.transient.fadings[0].at(self.t)
+
+    @cached_property
+    def _settled(self) -> int:
+        """The index of the first instant from which nothing is seen of a transient that is too fast for a line."""
+        return int(np.count_nonzero(self._ringing > _UNSEEN * self.tallest)) if self._transient_is_fast else 0
+
+
+def _around(middle: Array, size: Array | float) -> VibrationBand:
+    return VibrationBand(middle - size, middle + size)
 
 
 def rotating(symbol: str, X: complex, omega: float) -> ExactMotion:

@@ -40,6 +40,8 @@ Looks: TypeAlias = dict[str, Any]
 
 W, H, T = named("W"), named("H"), named("t")
 WIDE, NARROW, LOW, HALL = named("wide"), named("narrow"), named("low"), named("hall")
+STACKED = named("stacked")
+"""1 where blocks are one under the other, also while a stage does without the plots that it continues."""
 
 
 @dataclass(frozen=True)

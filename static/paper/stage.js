@@ -241,7 +241,7 @@ export class Stage {
     // Whether blocks stand one under the other, are seen in a hall, or a stage is low, is the style sheets' to say.
     const style = getComputedStyle(this.svg)
     const [narrow, hall, low] = ["--stacked", "--hall", "--low"].map(name => Number(style.getPropertyValue(name)))
-    this.size = {W, H, narrow, wide: 1 - narrow, hall, desk: 1 - hall, low}
+    this.size = {W, H, narrow, wide: 1 - narrow, stacked: narrow, hall, desk: 1 - hall, low}
   }
 
   leave() {

@@ -25,7 +25,7 @@ def test_the_heading_of_x_ends_within_its_plot(
     width, height = size
     page.set_viewport_size({"width": width, "height": height})
     for values in WIDEST:
-        open_scene(page, scene="driven", **values)
+        open_scene(page, scene="driven", view="motion", **values)
         first, *_ = page.locator(".plot .head").evaluate_all(BEYOND)
         assert first <= 0, values
 
@@ -33,12 +33,12 @@ def test_the_heading_of_x_ends_within_its_plot(
 def test_a_slow_push_is_heard_as_a_line_and_a_quick_one_stays_in_its_frame(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:
-    open_scene(page, scene="driven", omega=0.2)
+    open_scene(page, scene="driven", view="motion", omega=0.2)
     slow = described(page, "x")
     assert "x: from " in slow and "highest 0.0507 m" in slow
     seconds, low, high = map(
         float, re.findall(r"x: up to (\S+) s too fast .* between (\S+) m and (\S+) m", slow.replace("−", "-"))[0]
     )
     assert 1 < seconds < 5 and -0.01 < low < 0 < high < 0.05
-    open_scene(page, scene="driven", omega="1e6")
+    open_scene(page, scene="driven", view="motion", omega="1e6")
     assert "too fast" not in described(page, "x") and "outside the frame" not in described(page, "x")

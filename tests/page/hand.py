@@ -34,7 +34,7 @@ def sets(grab: Grab) -> list[str]:
 
 def draw(scene: type[Scene], picture: Picture, shapes: Sequence[AnyShape]) -> None:
     """Draws shapes in all layouts at once, as a picture starts; a name that it has not is a fault."""
-    layout = dict.fromkeys(("wide", "narrow", "hall", "desk", "low"), 1)
+    layout = dict.fromkeys(("wide", "narrow", "stacked", "hall", "desk", "low"), 1)
     call("tests/page/hand.draw", _axes(scene), shapes, layout, _view(picture))
 
 
@@ -51,7 +51,7 @@ class Hand:
 
     def __init__(self, now: Standing, shape: AnyShape, *, wide: bool, t: float) -> None:
         self.now = now
-        layout = {"wide": wide, "narrow": not wide, "hall": 0, "desk": 1, "low": 0}
+        layout = {"wide": wide, "narrow": not wide, "stacked": not wide, "hall": 0, "desk": 1, "low": 0}
         call("tests/page/hand.open", _axes(now.kind), [shape], layout, _view(now.shown), t)
 
     @property

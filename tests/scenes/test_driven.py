@@ -107,7 +107,7 @@ def test_its_sentence_is_true(kind: str, m: float, k: float, r: float, zeta: flo
         assert (stronger < more) == (r < math.sqrt(2.0))
         return
     along = abs(spring + inertia)
-    if "spring holds" in told or "inertia holds" in told:
+    if "spring balances" in told or "inertia balances" in told:
         assert along >= abs(dashpot) and ("spring" in told) == (abs(spring) > abs(inertia))
     else:
         assert "dashpot" in told and abs(dashpot) >= along
@@ -210,7 +210,7 @@ def test_the_presets_are_as_they_say() -> None:
 
 def test_without_a_dashpot_it_grows_at_resonance_and_is_told_as_such() -> None:
     scene = taken("driven", "No dashpot")
-    assert sentence(scene) == "Nothing holds the push: each swing grows by the same 0.159 m."
+    assert sentence(scene) == "Nothing balances the push: each swing grows by the same 0.159 m."
     assert "M_at" not in scene.shown.scalars and corners(scene)["growing"]
     columns = scene.shown.sources["time"]
     assert np.all(np.abs(columns["x"]) <= columns["upper"] + 0.03)
@@ -226,7 +226,7 @@ def test_without_a_dashpot_it_grows_at_resonance_and_is_told_as_such() -> None:
         ({"omega": 0.0}, "At ω = 0 nothing pushes"),
         ({"F_0": 0.0, "x_0": 0.1}, "No push"),
         ({"omega": 6.28331}, "At resonance the dashpot alone"),
-        ({"omega": math.sqrt(39.48), "c": 0.0, "v_0": 1.0}, "Nothing holds the push: in the end each swing grows"),
+        ({"omega": math.sqrt(39.48), "c": 0.0, "v_0": 1.0}, "Nothing balances the push: in the end each swing grows"),
         ({"kind": "base", "omega": math.sqrt(2 * 39.48)}, "At √2 every dashpot is alike"),
         ({"kind": "base", "omega": 10.0, "c": 0.0}, "Beyond √2 the mass swings less than its base"),
     ],

@@ -6,11 +6,11 @@ import math
 
 from components.dashpot import DashpotScene, keeping, parts
 from components.layout.controls import Group
-from components.paper.plots import form_of
+from components.layout.views import View
 from components.quantities.parameters import angular_frequency, displacement, force, not_negative, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import KIND, RESPONSE, is_kind, paper
+from components.scenes.driven.paper import KIND, KIND_FORMS, RESPONSE, paper
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
@@ -25,7 +25,7 @@ class DrivenScene(DashpotScene, CaseScene):
     title = "Driven"
     lecture = "D32, D33"
     points = "forced vibration with a dashpot"
-    headline = "At resonance spring and inertia cancel; only the dashpot holds the push"
+    headline = "At resonance only the dashpot balances the push"
     pictured = (RESPONSE, {})
     spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
     equations = (
@@ -79,9 +79,31 @@ class DrivenScene(DashpotScene, CaseScene):
     keep = keeping()
     x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
     v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
+    views = (
+        View(
+            "Response", "Drag the dot through the peak: when does the mass go with the push, and when against it?",
+            keys=(omega,), names=("stage", "plot:response"),
+        ),
+        View(
+            "Motion", "Change *ω*: what dies out after the start, and what remains?",
+            keys=(omega,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Forces", "Drag *ω* through the peak: which arrow balances the push below it, at it, and above it?",
+            keys=(omega,), names=("stage:forces", "plot:response"),
+        ),
+        View(
+            "Power", "Change *ω*: when does the drive put in most, and where does it all go?",
+            keys=(omega,), names=("plot:power",),
+        ),
+        View(
+            "Formulas", "Change one value, and watch the numbers in each formula.",
+            keys=(omega,), names=("words:formulas",),
+        ),
+    )  # fmt: skip
     groups = (
         Group("Drive", (omega,)),
-        *(Group("", (one,), form=form_of(is_kind(kind))) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
+        *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
         Group("Mass, spring, dashpot", (m, k, c, zeta)),
         Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
 from components.dashpot import DashpotCase
 from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
-from components.quantities.axes import Axis
+from components.quantities.axes import Axis, nice_axis
 from components.quantities.motion import pace, scaled
 from components.quantities.numbers import three
 from components.scene import Picture
@@ -20,10 +22,10 @@ from components.scene.about import About, Place, bands_among, bounded, few_of, p
 from components.scene.case_curves import BandColumns
 from components.scene.traces import BAND, RINGING, Columns, Floats
 from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half
-from physics.forced_vibration import ForcedVibration, rotating
+from physics.forced_vibration import ForcedVibration, SampledVibration, rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 from physics.reference_damped import driven_points, response_points
-from physics.sampling import drawable, periods
+from physics.sampling import periods
 
 KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")
 SWINGS, LONG = 6, 12
@@ -32,10 +34,6 @@ HARDLY = 0.02
 """Damping ratio up to which it hardly dies."""
 ALIKE = 0.02
 """rad; an undamped drive that gets no further from the own motion in the window counts as resonant."""
-APART = 4.0
-"""The parts are drawn while they are less than this many times as large as their sum."""
-UNSEEN = 0.002
-"""Share of the largest |x| that is less than half a pixel of the tallest plot."""
 ALONE = 0.02
 """If spring and inertia leave less than this share of the dashpot's force, it holds the push alone."""
 AT_ROOT = 1e-3
@@ -102,6 +100,7 @@ class Polygon(NamedTuple):
 class DrivenCase(DashpotCase):
     """A driven motion of a mass on a spring and a dashpot."""
 
+    view: str
     kind: Drive
     F_0: float
     Y: float
@@ -170,6 +169,31 @@ class DrivenCase(DashpotCase):
     def spans(self) -> dict[str, tuple[float, float]]:
         return {"omega": (0.0, END * self.one.omega_n)}
 
+    # Axes.
+
+    @property
+    def ratio_axis(self) -> Axis:
+        """The axis of r, which counts in natural frequencies."""
+        end, omega_n = max(END, float(f"{1.1 * self.r:.2g}")), self.one.omega_n
+        ratios = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
+        return replace(ratios, drawn=(0.0, max(1.2, self.r) * omega_n), si="rad/s")
+
+    @property
+    def drive_axis(self) -> Axis:
+        unit = {"force": "N", "base": "m", "unbalance": "kg m"}[self.kind]
+        return nice_axis(0.0, 1.25 * (self.amount or 1.0), unit, exact=True)
+
+    @property
+    def power_range(self) -> tuple[float, float]:
+        """The lowest and the highest power that is drawn, in W."""
+        values = np.concatenate([[0.0], *(self.power[name] for name in ("P_in", "P_lost") if self.power)])
+        return float(values.min()), float(values.max()) or 1.0
+
+    @property
+    def power_ends(self) -> tuple[float, float]:
+        low, high = self.power_range
+        return 1.1 * low, 1.15 * high
+
     # Resonance.
 
     @cached_property
@@ -196,6 +220,15 @@ class DrivenCase(DashpotCase):
     def steady(self) -> bool:
         """Whether there is a steady part."""
         return self.is_driven and self.settles
+
+    @property
+    def has_dial(self) -> bool:
+        """Whether the stage has the dial of the lag."""
+        return self.steady and self.view in ("response", "forces")
+
+    def worded(self, word: str) -> str:
+        """Return the word for a heading in words, or in the view of formulas for one with its formula."""
+        return f"{word}_formula" if word and self.view == "formulas" else word
 
     @cached_property
     def half_power(self) -> tuple[float, float] | None:
@@ -238,105 +271,32 @@ class DrivenCase(DashpotCase):
     # What is drawn over time.
 
     @cached_property
-    def _sampled(self) -> float:
-        """The largest |x| at the instants that are drawn, in m."""
-        return float(np.abs(self.vibration.at(self.times)[0]).max())
+    def sampled(self) -> SampledVibration:
+        return SampledVibration(vibration=self.vibration, t=self.times, is_split=not self.grows)
 
-    @cached_property
+    @property
     def split(self) -> bool:
-        """Whether the motion is shown in its parts: near an undamped resonance these are huge and opposite."""
-        if not self.is_driven or self.grows:
-            return False
-        size = abs(self.vibration.X)
-        return size <= APART * max(self._sampled, size / LONG) and math.isfinite(size)
-
-    @cached_property
-    def reach(self) -> float:
-        """The largest |x| in the window, in m; of parts that are too fast for a line, the bound."""
-        if not (self.split and (self._steady_is_fast or self._transient_is_fast)):
-            return self._sampled
-        return float((np.abs(self._slow_part) + self._fast_size).max())
+        """Whether the motion is shown in its parts."""
+        return self.sampled.split
 
     @property
     def tallest(self) -> float:
         """The largest displacement that is drawn, of the mass or of its base, in m; 1 if nothing moves."""
-        return max(self.reach, self.amount if self.kind == "base" else 0.0) or 1.0
-
-    @cached_property
-    def _steady_is_fast(self) -> bool:
-        return self.is_driven and not drawable(self.omega, self.times)
-
-    @cached_property
-    def _transient_is_fast(self) -> bool:
-        return not drawable(self.one.omega_d, self.times)
-
-    @cached_property
-    def _ringing(self) -> Floats:
-        """The amplitude in m that is left of the transient, at the instants that are drawn."""
-        one = self.vibration.transient.fadings[0]
-        size = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
-        return np.asarray(size * np.exp(-one.slow * self.times))
-
-    @cached_property
-    def _fast_size(self) -> Floats:
-        """The amplitude in m of what of x is too fast for a line; two parts that beat slowly move as one."""
-        X, one = self.vibration.X, self.vibration.transient.fadings[0]
-        if not (self._steady_is_fast and self._transient_is_fast and drawable(one.swing - self.omega, self.times)):
-            return self._steady_is_fast * abs(X) + self._transient_is_fast * self._ringing
-        beat = complex(-one.slow, one.swing - self.omega) * self.times
-        return np.asarray(np.abs(X + complex(one.rate / one.swing, one.start) * np.exp(beat)))
-
-    @cached_property
-    def _slow_part(self) -> Floats:
-        """The sum of the parts of x that are slow enough for a line, in m, at the instants that are drawn."""
-        t = self.times
-        steady = np.zeros_like(t) if self._steady_is_fast else self.vibration.x_p.at(t)
-        return steady if self._transient_is_fast else steady + self.vibration.transient.fadings[0].at(t)
-
-    @cached_property
-    def _settled(self) -> int:
-        """The index of the first instant from which nothing is seen of a transient that is too fast for a line."""
-        return int(np.count_nonzero(self._ringing > UNSEEN * self.tallest)) if self._transient_is_fast else 0
-
-    @property
-    def _trembles(self) -> bool:
-        """Whether the steady part is too fast for a line, and large enough to be seen."""
-        return self._steady_is_fast and abs(self.vibration.X) > UNSEEN * self.tallest
-
-    @property
-    def rings(self) -> bool:
-        """Whether x and the transient are too fast for a line at first alone."""
-        return self.split and not self._trembles and 0 < self._settled < self.times.size
+        return self.sampled.tallest
 
     @cached_property
     def bands(self) -> dict[str, BandColumns]:
-        """Bands of the motions of which something too fast for a line is seen.
-
-        Where a part has died so far that nothing is seen of it, the band is as narrow as the line that goes on.
-        """
-        nothing = np.zeros_like(self.times)
-        if not self.split:
-            fast = not drawable(self.highest, self.times)
-            return dict.fromkeys(("x", "y", "upper", "lower"), _around(nothing, self.reach)) if fast else {}
-        found = {}
-        if self._trembles:
-            found["x_p"] = _around(nothing, abs(self.vibration.X))
-        if self._trembles or self._settled:
-            found["x"] = _around(self._slow_part, self._fast_size)
-        if self._settled:
-            found["x_c"] = _around(nothing, self._ringing)
-        if self.shaken and self._steady_is_fast:
-            found["y"] = _around(nothing, self.amount)
-        if self.rings:  # lines are drawn in doubles: more digits would take longer than a picture may
-            t, transient = self.times[self._settled :], self.vibration.transient.fadings[0]
-            found["x"] = found["x"]._replace(late=self.vibration.at(t)[0])
-            found["x_c"] = found["x_c"]._replace(late=transient.at(t))
-        return found
+        return {name: BandColumns(*band) for name, band in self.sampled.bands.items()}
 
     def notes(self) -> tuple[str, ...]:
-        parts = self.is_driven and not self.split and not self.grows
-        found = {APART_NOTE: parts, RINGS_NOTE: self.rings, BAND_NOTE: "x" in self.bands and not self.rings}
-        return tuple(note for note, holds in (found | {BASE_NOTE: self.shaken and "y" in self.bands}).items() if holds)
+        rings, is_band = self.sampled.rings, "x" in self.bands
+        found = {
+            APART_NOTE: self.is_driven and not self.split and not self.grows,
+            RINGS_NOTE: rings,
+            BAND_NOTE: is_band and not rings,
+            BASE_NOTE: self.shaken and "y" in self.bands,
+        }
+        return tuple(note for note, holds in found.items() if holds)
 
     @cached_property
     def power(self) -> Columns:
@@ -393,8 +353,12 @@ class DrivenCase(DashpotCase):
         return About(tables, work if self.c and self.is_driven else "", bands_among(bands, x))
 
 
-def _around(middle: Floats, size: Floats | float) -> BandColumns:
-    return BandColumns(middle - size, middle + size)
+def outline(kind: Drive, zeta: float, of_phase: bool) -> str:
+    """Return the path of a curve behind, in r to the right and |X| or the lag upwards (negative)."""
+    r = np.concatenate([np.linspace(0, 0.9, 30), np.linspace(0.905, 1.1, 40), np.linspace(1.11, 2.5, 40)])
+    X = magnification(r[r != 1], zeta, kind)
+    up = np.array([lag(complex(one)) for one in X]) if of_phase else np.minimum(np.abs(X), 12.0)
+    return "M" + "L".join(f"{a:.3f} {-b:.3f}" for a, b in zip(r[r != 1], up, strict=True))
 
 
 def _growth(case: DrivenCase) -> float:
@@ -417,6 +381,11 @@ def _work(case: DrivenCase) -> float:
     """The work of a cycle of the steady part in J, all of which the dashpot takes."""
     stroke = abs(case.vibration.X - (case.amount if case.kind == "base" else 0.0))
     return scaled(0, math.pi, case.c, case.omega, stroke, stroke)
+
+
+def _hand(symbol: str, case: DrivenCase, ahead: float) -> ExactMotion | None:
+    """The sine of the phase of the steady part, or of a phase that is `ahead` of it in rad."""
+    return rotating(symbol, cmath.rect(1.0, ahead - case.lag), case.omega) if case.has_dial else None
 
 
 def _line(rate: float) -> ExactMotion:
@@ -460,12 +429,17 @@ class DrivenShown(DrivenCase):
     F = value(lambda c: c.vibration.drive)
     sine = value(lambda c: rotating("sine", 1.0, c.omega))
     cosine = value(lambda c: rotating("cosine", 1j, c.omega))
+    turn = value(lambda c: _line(c.omega))
+    mass_sine = value.optional(lambda c: _hand("mass_sine", c, 0.0))
+    mass_cosine = value.optional(lambda c: _hand("mass_cosine", c, math.pi / 2))
     # Numbers in formulas and sentences.
     X = value.optional(lambda c: (math.inf if c.resonant else abs(c.vibration.X)) if c.is_driven else None, "m", "size")
     phi = value.optional(lambda c: c.lag if c.is_driven else None, "rad", "lag behind the drive")
     phi_minus = value(lambda c: -c.lag)
     Q = value(lambda c: 0.5 / c.zeta if c.zeta else math.inf, "", "quality factor")
     width = value(lambda c: 2 * c.zeta * c.one.omega_n, "rad/s", "width of the response at half the power")
+    lag_degrees = value.optional(lambda c: f"{math.degrees(c.lag):.0f}°" if c.has_dial else None)
+    drive_name = value(lambda c: "push" if c.kind == "force" else c.kind)
     W = value.optional(lambda c: _work(c) if c.steady else None, "J", "work of the drive per period")
     growth = value.optional(lambda c: _growth(c) if c.is_driven else None, "m", "growth per period")
     rate = value.optional(lambda c: _rate(c) if c.is_driven else None, "m/s", "growth per second")
@@ -477,9 +451,10 @@ class DrivenShown(DrivenCase):
     quality = value(lambda c: c.kind if c.kind != "base" and c.zeta else "")
     work = value(lambda c: ("base" if c.shaken else "push") if c.steady and c.c else "")
     holds = value(_holds)
-    part = value(_part)
-    steady_part = value(lambda c: "" if c.shaken else _part(c))
-    growing = value(lambda c: ("always" if c.resonant else "first") if c.swells else "")
+    part = value(lambda c: c.worded(_part(c)))
+    steady_part = value(lambda c: c.worded("" if c.shaken else _part(c)))
+    base_form = value(lambda c: c.worded("name" if c.shaken else ""))
+    growing = value(lambda c: c.worded(("always" if c.resonant else "first") if c.swells else ""))
     is_peaked = value(lambda c: bool(c.half_power))
     is_flat = value(lambda c: not c.half_power)
     has_power = value(lambda c: bool(c.power))

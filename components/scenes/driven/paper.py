@@ -5,20 +5,18 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-from msgspec.structs import replace
-
 from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
 from components.language.numbers import Number
 from components.language.plots import Room
 from components.language.shapes import Quotient
 from components.layout.grabs import grab
-from components.layout.sheet import choice, column, desk, row, stage
+from components.layout.sheet import choice, column, row, stage
 from components.layout.stage import (
     HALL,
     ON_NARROW,
     ON_WIDE,
+    STACKED,
     H,
     Looks,
     Shape,
@@ -32,6 +30,7 @@ from components.layout.stage import (
     text,
     wide,
 )  # fmt: skip
+from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
 from components.paper.plots import (
@@ -44,6 +43,7 @@ from components.paper.plots import (
     curve,
     drag,
     either,
+    form_of,
     handle,
     note,
     number_name,
@@ -52,14 +52,13 @@ from components.paper.plots import (
     when,
     words,
 )  # fmt: skip
-from components.quantities.axes import Axis, nice_axis
+from components.quantities.axes import Axis
 from components.quantities.parameters import one_of
-from components.scenes.driven.case import END, KINDS, DrivenShown
-from physics.driven import Drive, lag, magnification
+from components.scenes.driven.case import KINDS, DrivenShown, outline
 
 c = deferred(DrivenShown)
 KIND = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
-TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
+BESIDE = 1 - STACKED
 ROOM = 1.2
 """The reach of the axis of x, in its largest value."""
 SIDES, LEFT = Room(48, 26), Room(40, 14, top=10)
@@ -68,46 +67,17 @@ FAINT = (0.0, 0.5, 1.0)
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
 
 
-def is_kind(kind: Drive) -> bool:
-    """Return the condition that a mass is driven in this way."""
-    return c.kind == kind
-
-
-def _ratios(case: DrivenShown) -> Axis:
-    """The axis of r, in natural frequencies."""
-    end, omega_n = max(END, float(f"{1.1 * case.r:.2g}")), case.one.omega_n
-    ratios = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
-    return replace(ratios, drawn=(0.0, max(1.2, case.r) * omega_n), si="rad/s")
-
-
-def _powers(case: DrivenShown) -> tuple[float, float]:
-    """The lowest and the highest power that is drawn, in W."""
-    powers = [case.power[name] for name in ("P_in", "P_lost") if case.power]
-    least, most = (pick(*(pick(one) for one in powers), 0.0) for pick in (min, max)) if powers else (0.0, 0.0)
-    return float(least), float(most) or 1.0
-
-
-def _drive(case: DrivenShown) -> Axis:
-    unit = {"force": "N", "base": "m", "unbalance": "kg m"}[case.kind]
-    return nice_axis(0.0, 1.25 * (case.amount or 1.0), unit, exact=True)
-
-
-def _lags(case: DrivenShown) -> Axis:
-    ticks = (0.0, math.pi / 2, math.pi)
-    return Axis(0.0, 1.08 * math.pi, "rad", ticks=ticks, labels=("0", "π/2", "π"), drawn=(0.0, math.pi))
-
-
-R, DRIVE = axis("", _ratios, "r"), axis("", _drive, "drive")
-X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, count=2))
-POWER = Plot(
-    "power",
-    TIME,
-    axis("W", lambda c: (1.1 * _powers(c)[0], 1.15 * _powers(c)[1]), "P", count=1, seen=_powers),
+KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
+LAGS = Axis(
+    0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
 )
+R, DRIVE = axis("", lambda c: c.ratio_axis, "r"), axis("", lambda c: c.drive_axis, "drive")
+X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, count=2))
+POWER = Plot("power", TIME, axis("W", lambda c: c.power_ends, "P", count=1, seen=lambda c: c.power_range))
 RESPONSE = Plot("response", R, axis("", lambda c: (0.0, c.top), "M", count=3, seen=lambda c: (0.0, c.top / 1.1)))
-PHASE = Plot("phase", R, axis("", _lags, "lag"))
+PHASE = Plot("phase", R, axis("", lambda c: LAGS, "lag"))
 
-MIDDLE, LEVEL = wide(0.34 * W, 0.28 * W), wide(X.y(0), 0.3 * H)
+MIDDLE, LEVEL = wide(0.34 * W, W * (0.22 * STACKED + 0.3 * BESIDE)), wide(X.y(0), H * (0.44 * STACKED + 0.28 * BESIDE))
 IS_BASE = number(c.kind == "base")
 STROKE = (0.7 - 0.15 * HALL + (0.4 - 0.25 * HALL) * IS_BASE) * wide(X.bottom - X.top, 0.34 * H)
 SIDE: Number = 42 * c.side
@@ -129,58 +99,69 @@ BASE, CENTER = wide(RESPONSE.y(0), H * (0.98 - POLYGON.below * POLYGON.push)), 0
 
 
 def paper() -> Block:
-    curves, lags = response(), phase()  # files begin with the table of the response
     label = "Mass on a spring and a dashpot, and what drives it"
-    return column(
-        desk(words(TASK, style="task", phone=0)),
-        row(
-            stage(*block(), label=label, grow=150, height=210),
-            column(displacement(), desk(when(c.has_power, powers())), grow=460),
-            column(
-                choice(KIND, basis=36, phone=2),
-                words(*facts(), style="facts", phone=13),
-                desk(words(work(), style="facts", phone=14)),
-                words(sentence(), style="facts", phone=2),
-                grow=290,
-            ),
-            grow=250,
-            gap=6,
+    return row(
+        column(
+            stage(*block(), *dial(), label=label, grow=430, height=176),
+            choice(KIND, basis=36, phone=60),
+            basis=240,
+            grow=40,
         ),
-        row(column(curves, lags, grow=620), polygon(), grow=290, gap=6),
+        column(
+            in_views(response(), "response", "forces"),
+            in_views(phase(), "response"),
+            in_views(displacement(), "motion", "power", "formulas"),
+            in_views(when(c.has_power, powers()), "power"),
+            in_views(words(sentence(), phone=16, name="balance"), "response", "forces", "formulas"),
+            grow=560,
+        ),
+        in_views(polygon(), "forces"),
+        in_views(column(words(*facts(), work(), phone=12, name="formulas"), grow=330), "formulas"),
+        gap=6,
     )
 
 
 def displacement() -> Block:
-    sine = rf"$X \sin(\omega\,t\, {c.phi_minus:+})$"
-    rate = rf"$\pm {c.rate}\, t$"
+    sine, rate = rf"$X \sin(\omega\,t\, {c.phi_minus:+})$", rf"$\pm {c.rate}\, t$"
+    steady = either(
+        c.steady_part,
+        dies="steady part",
+        stays="particular part",
+        dies_formula=f"steady {sine}",
+        stays_formula=f"particular {sine}",
+    )
+    transient = either(
+        c.part,
+        dies="dying part",
+        stays="other part, which stays",
+        dies_formula=rf"dying $e^{{-{c.decay}\,t}}$",
+        stays_formula="other part, which stays",
+    )
+    growth = either(
+        c.growing,
+        always="growth",
+        first="growth at first",
+        always_formula=f"growth {rate}",
+        first_formula=f"growth at first {rate}",
+    )
+    base = either(c.base_form, name="base *y*", name_formula=rf"$y = {c.Y} \sin({c.omega}\,t)$")
     return X.block(
-        curve(c.x, "sum", "m1", label="*x*", legend="x(t)", fast="ringing", dot=True),
-        curve(
-            c.x_p, "line", "xp", words=either(c.steady_part, dies=f"steady {sine}", stays=f"particular {sine}"),
-            read="steady", fast="band", dot=True,
-        ),
-        curve(c.y, "line", "xp", legend=rf"y = {c.Y} \sin({c.omega}\,t)", read="base", fast="band", dot=True),
-        curve(
-            c.x_c, "dash", "xc",
-            words=either(c.part, dies=rf"dying $e^{{-{c.decay}\,t}}$", stays="other part, which stays"),
-            read="complementary", fast="ringing", dot=True,
-        ),
-        curve(
-            c.upper, "thin", "m1", words=either(c.growing, always=f"growth {rate}", first=f"growth at first {rate}"),
-            read="envelope",
-        ),
+        curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
+        curve(c.x_p, "line", "xp", words=steady, read="steady part", fast="band", dot=True),
+        curve(c.y, "line", "xp", words=base, read="base", fast="band", dot=True),
+        curve(c.x_c, "dash", "xc", words=transient, read="complementary part", fast="ringing", dot=True),
+        curve(c.upper, "thin", "m1", words=growth, read="envelope"),
         curve(c.lower, "thin", "m1", group="upper"),
-        title="Displacement against time", room=SIDES, grow=150, phone=15, height=170,
+        title="Displacement against time", room=SIDES, grow=300, phone=10, height=190,
     )  # fmt: skip
 
 
 def powers() -> Block:
     return POWER.block(
-        curve(c.power, "line", "F", columns=("t", "P_in"), words=f"power in {c.P_in} W", read="put in"),
+        curve(c.power, "line", "F", columns=("t", "P_in"), words=f"mean power in {c.P_in} W", read="put in"),
         curve(c.power, "sum", "T", columns=("t", "P_lost"), words=f"lost {c.P_lost} W", read="lost"),
-        note("mean of a swing, at the end", "mute"),
-        title="Power put in by the drive and power lost in the dashpot, each the mean of the last swing of the drive",
-        x_labels=False, room=SIDES, grow=56, phone=16, height=110,
+        title="Power put in by the drive and power lost in the dashpot, each the mean of the last period of the drive",
+        room=SIDES, grow=220, phone=11, height=190,
     )  # fmt: skip
 
 
@@ -220,16 +201,16 @@ def work() -> EitherText:
 
 
 def sentence() -> EitherText:
-    """The sentence on what holds the push."""
+    """The sentence on what balances the push."""
     return either(
         c.holds,
-        spring="**Below resonance the spring holds most of the push.**",
-        inertia="**Above resonance inertia holds most of the push.**",
-        dashpot="**Here the dashpot holds most of the push.**",
-        alone="**At resonance the dashpot alone holds the push.**",
-        grows=f"**Nothing holds the push: each swing grows by the same {c.growth} m.**",
-        grows_on=f"**Nothing holds the push: in the end each swing grows by {c.growth} m.**",
-        nearly=f"**Nothing holds the push at first: each swing grows by {c.growth} m, until a long beat turns it.**",
+        spring="**Below resonance the spring balances most of the push.**",
+        inertia="**Above resonance inertia balances most of the push.**",
+        dashpot="**Here the dashpot balances most of the push.**",
+        alone="**At resonance the dashpot alone balances the push.**",
+        grows=f"**Nothing balances the push: each swing grows by the same {c.growth} m.**",
+        grows_on=f"**Nothing balances the push: in the end each swing grows by {c.growth} m.**",
+        nearly=f"**Nothing balances the push at first: each swing grows by {c.growth} m, until a long beat turns it.**",
         nearly_on=f"**At first the push adds {c.growth} m to its response in each swing; a long beat takes it away.**",
         near="**Next to resonance and without a dashpot the swing grows for very long.**",
         more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
@@ -277,8 +258,29 @@ def block() -> list[Shape]:
         *apparatus(MIDDLE, y, SIDE, FLOOR, STROKE, number(c.wire), hand, raised(c.base), beside=True),
         arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
         *drives(y),
-        text(wide(2, 0.58 * W), 16, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+        text(2, 16, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
     ]
+
+
+def dial() -> list[Shape]:
+    """The drive and the steady part as hands: one turn a period, each as high as what it stands for."""
+    x, y = W * (0.8 * STACKED + 0.5 * BESIDE), H * (0.48 * STACKED + 0.76 * BESIDE)
+    radius, quarter, turn = H * (0.28 * STACKED + 0.13 * BESIDE), math.pi / 2, number(c.turn)
+    hands = (
+        (c.cosine, c.sine, "F", f"{c.drive_name}"),
+        (c.mass_cosine, c.mass_sine, "m1", "mass"),
+    )
+    found = [
+        circle(x, y, radius, style="hair", tint="mute"),
+        arc(x, y, 0.45 * radius, turn + quarter - number(c.phi), turn + quarter, style="sum told", tint="ink"),
+    ]
+    for side, up, tint, name in hands:
+        across, high = radius * number(side), radius * number(up)
+        found += [
+            arrow(x, y, x + across, y - high, tint=tint, style="thick", head=14),
+            text(x + 1.25 * across, y - 1.2 * high + 5, name, tint=tint, style="b halo told"),
+        ]
+    return shown_by(c.has_dial, *found, text(x, H - 6, f"the mass lags by {c.lag_degrees}", style="b halo"))
 
 
 def drives(y: Number) -> list[Shape]:
@@ -320,14 +322,6 @@ def drives(y: Number) -> list[Shape]:
 # The response and the lag over one axis of r.
 
 
-def outline(kind: Drive, zeta: float, of_phase: bool) -> str:
-    """Return the path of a curve behind, in r to the right and |X| or the lag upwards (negative)."""
-    r = np.concatenate([np.linspace(0, 0.9, 30), np.linspace(0.905, 1.1, 40), np.linspace(1.11, 2.5, 40)])
-    X = magnification(r[r != 1], zeta, kind)
-    up = np.array([lag(complex(one)) for one in X]) if of_phase else np.minimum(np.abs(X), 12.0)
-    return "M" + "L".join(f"{a:.3f} {-b:.3f}" for a, b in zip(r[r != 1], up, strict=True))
-
-
 def behind(plot: Plot) -> list[Shape]:
     """Return outlines of other dampings, which are drawn once for all visitors and scaled to the axes."""
     place: Looks = {"x": plot.x(0), "y": plot.y(0), "sx": plot.per_x, "sy": -1 * plot.per_y}
@@ -353,10 +347,12 @@ def response() -> Block:
     return RESPONSE.block(
         *sweeps("M", "response", c.M_at, legend),
         curve(
-            BELOW, "line", "T", columns=("omega", "power"), words=either(c.is_peaked, shown="power lost, peak at *Q*")
+            BELOW, "line", "T", columns=("omega", "power"), words=either(c.is_peaked, shown="power lost")
         ),
+        note("against *r* = *ω*/*ω*_n", "mute"),
         note(either(c.is_flat, shown=BEHIND), "mute"),
-        title="Size of the steady swing against r, the drive frequency over the natural one",
+        title="Amplitude of the steady part against r, the drive frequency over the natural one",
+        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
         over=[
             *behind(RESPONSE),
             *half_width(),
@@ -370,7 +366,7 @@ def response() -> Block:
             circle(x, y, 0, grab=hand),
             text(x - 9, y - 8, f"{c.M}", "end", tint="m1", style="t2 b halo"),
         ],
-        x_labels=False, room=LEFT, grow=190, phone=10, height=230,
+        room=LEFT, grow=330, phone=10, height=212,
     )  # fmt: skip
 
 
@@ -393,7 +389,7 @@ def half_width() -> list[Shape]:
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
         circle(one + 60, height, 5, style="ghost", tint="T", grab=grab("Height at r = 1, Q", hand)),
         text(one + 70, height + 5, f"*Q* = {c.Q}", "start", style="b halo"),
-        text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo"),
+        text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo", show=ON_WIDE),
     )
 
 
@@ -401,14 +397,13 @@ def phase() -> Block:
     x = PHASE.x(c.omega)
     return PHASE.block(
         *sweeps("lag", "phase", c.lag_at),
-        title="Lag of the swing behind the drive against r: from 0 to half a turn",
-        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
+        title="Lag of the mass behind the drive against r: from 0 to half a turn",
         over=[
             *behind(PHASE),
             line(x, PHASE.top, x, PHASE.bottom, style="thin", tint="F"),
             text(PHASE.left + 8, PHASE.top + 18, "*φ*: how far *x* lags", "start", tint="mute", style="halo"),
         ],
-        room=LEFT, grow=46, phone=11, height=100,
+        room=LEFT, grow=110, phone=15, height=120,
     )  # fmt: skip
 
 
@@ -423,7 +418,6 @@ def polygon() -> Block:
     shapes = [
         *shown_by(
             p.closed,
-            circle(CENTER, BASE, unit, style="hair dotted", tint="mute"),
             *shown_by(p.level, line(RESPONSE.x(c.omega), up, CENTER, up, style="level", tint="m1", show=ON_WIDE)),
             *shown_by(c.kind != "unbalance", *arrows(up, across, aside, end, kX, inertia, -1)),
             *shown_by(c.kind == "unbalance", *arrows(up, across, aside, end, inertia, kX, 1)),
@@ -433,7 +427,7 @@ def polygon() -> Block:
         *shown_by(p.idle, text(CENTER, BASE - 40, "no push", tint="mute", style="t2")),
     ]
     label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
-    return stage(*shapes, label=label, grow=236, phone=12, height=260, style="still")
+    return stage(*shapes, label=label, grow=230, phone=11, height=200, style="still", name="forces")
 
 
 def arrows(
