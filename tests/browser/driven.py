@@ -63,7 +63,10 @@ class Driven(ABC):
           const value = ({script})
           return typeof value === "function" ? value(given) : value
         }}).then(value => done([value ?? null]), error => done([null, String(error)]))"""
-        value, *error = self.do("ExecuteAsyncScript", script=body, args=[arg])
+        # A page that is left meanwhile answers nothing: the next one is asked.
+        while (answer := self.do("ExecuteAsyncScript", script=body, args=[arg])) is None:
+            time.sleep(LOOK)
+        value, *error = answer
         if error:
             raise RuntimeError(error[0])
         return value

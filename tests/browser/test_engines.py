@@ -70,7 +70,7 @@ def test_a_curve_is_drawn_where_an_event_names_no_other(engine: Window, server: 
 HOLD_BACK = """() => {
   const {wire} = oscillations.messages
   const send = wire.send
-  wire.send = message => (message.type === "open" ? (globalThis.go = () => send(message)) : send(message))
+  wire.send = message => (message.type === "open" ? (window.go = () => send(message)) : send(message))
   oscillations.walks.walk.show(true)
 }"""
 EXPLAINED = "document.querySelector('.card .why')"
@@ -82,9 +82,9 @@ def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server)
     opened(engine, f"{server.url}?walk=d34&step=d34-10")
     engine.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
     engine.evaluate(HOLD_BACK)
-    engine.wait_for_function(f"{EXPLAINED} && Boolean(globalThis.go)")
+    engine.wait_for_function(f"{EXPLAINED} && Boolean(window.go)")
     assert not engine.evaluate(READ)
-    engine.evaluate("() => globalThis.go()")
+    engine.evaluate("() => window.go()")
     engine.wait_for_function(READ)
     assert "back every 31.3 s. Half-way" in engine.evaluate(READ)
 
