@@ -32,7 +32,7 @@ def begun(scene: Standing) -> Iterator[tuple[str, float]]:
     for block in blocks(scene.kind.sheet()):
         for shape in block.shapes if isinstance(block, StageBlock) else ():
             for begin in shape.grab.start if shape.grab else ():
-                if isinstance(begin, Begin) and begin.of in scene.shown.signals and not begin.per:
+                if isinstance(begin, Begin) and begin.of in scene.shown.signals:
                     axis = scene.shown.axes.get(begin.axis)
                     if axis:
                         yield begin.of, axis.place(float(scene.scene.values[begin.parameter])) * begin.size
