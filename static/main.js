@@ -4,6 +4,7 @@ import {Address, plainLink, written} from "./net/address.js"
 import {unpacked} from "./net/columns.js"
 import {Classes} from "./live_class/classes.js"
 import {Busy} from "./core/busy.js"
+import {anchor} from "./input/anchor.js"
 import {Connection} from "./net/connection.js"
 import {Hall} from "./shell/hall.js"
 import {frame} from "./core/dom.js"
@@ -297,6 +298,7 @@ export class Lecture {
 /** The page brings its first picture with it, packed as all that is told. */
 export function begin() {
   watch()
+  anchor()
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
   const [came] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"))
   const {waiting, ...state} = (came?.type === "reload" && tabStorage.value(UNANSWERED)) || history.state || {}

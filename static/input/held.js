@@ -40,7 +40,7 @@ export function whileHeld(host, move, end) {
 export function steady(part) {
   const top = () => part.getBoundingClientRect().top
   const stood = top()
-  const observer = new ResizeObserver(() => scrollBy(0, top() - stood))
+  const observer = new ResizeObserver(() => part.getClientRects().length && scrollBy(0, top() - stood))
   // The page is as tall as before where one line comes above and another goes below: each part beside it is asked.
   for (let inner = part; inner.parentElement && inner !== document.body; inner = inner.parentElement)
     for (const beside of inner.parentElement.children) observer.observe(beside)

@@ -8,7 +8,7 @@ from components.scenes import SCENES
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
 from tests.browser.hands import CONNECTED, middle, opened, stroke
-from tests.browser.waiting import FRAMES, QUIET
+from tests.browser.waiting import FRAMES, PASSED, QUIET
 from tests.serving.server import Server
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -104,3 +104,20 @@ def test_a_connection_that_died_while_the_page_was_hidden_is_replaced(engine: Wi
     engine.evaluate(HIDE, True)
     engine.evaluate(HIDE, False)
     engine.wait_for_function(f"oscillations.messages.wires === 1 && {CONNECTED}")
+
+
+TOP = "document.querySelector('input[name=k2-slider]').getBoundingClientRect().top"
+GROWS = "() => { document.querySelector('h1').style.paddingBottom = '90px' }"
+
+
+def test_what_appears_above_does_not_move_what_is_in_sight(engine: Window, server: Server) -> None:
+    engine.set_viewport_size({"width": 390, "height": 844})
+    opened(engine, f"{server.url}?scene=coupled")
+    engine.evaluate("scrollTo(0, 300)")
+    engine.wait_for_function("scrollY === 300")
+    engine.evaluate(PASSED, 3)
+    stood = engine.evaluate(TOP)
+    engine.evaluate(GROWS)
+    engine.wait_for_function("scrollY > 380")
+    assert abs(engine.evaluate(TOP) - stood) <= 1
+    engine.set_viewport_size({"width": 1280, "height": 720})

@@ -1,0 +1,49 @@
+// Scroll anchoring where the browser has none, as Safari: what comes and goes above does not move what is in sight.
+
+import {steady} from "./held.js"
+
+const STEP = 12 // pixels between the points at which a part is looked for
+
+let free = () => {}
+let isHeld = false
+let isDue = false
+
+/** Keeps the topmost part in sight where it stands, from scroll to scroll. */
+export function anchor() {
+  if (CSS.supports("overflow-anchor", "auto")) return
+  addEventListener("scroll", renew, {passive: true})
+  addEventListener("pointerdown", () => hold(true), true) // now the part under the hand stands still
+  for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => hold(false), true)
+}
+
+/** @param {boolean} is */
+function hold(is) {
+  isHeld = is
+  renew()
+}
+
+/** Once a frame. */
+function renew() {
+  free()
+  free = () => {}
+  if (isDue) return
+  isDue = true
+  requestAnimationFrame(() => {
+    isDue = false
+    const part = !isHeld && scrollY > 0 && topmost()
+    if (part) free = steady(part)
+  })
+}
+
+/** The topmost part in sight that scrolls with the page. */
+function topmost() {
+  for (let y = 0; y < innerHeight; y += STEP) {
+    const found = document.elementFromPoint(innerWidth / 4, y)
+    if (found && found.getBoundingClientRect().top >= 0 && scrolls(found)) return found
+  }
+  return null
+}
+
+/** @param {Element | null} part @returns {boolean} */
+const scrolls = part =>
+  !part || (!["sticky", "fixed"].includes(getComputedStyle(part).position) && scrolls(part.parentElement))
