@@ -1,0 +1,256 @@
+"""Damped sinusoids fitted to noisy columns: against 60 digits, and by how often their errors hold the truth."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from physics.coupled import TwoMassChain
+from physics.damped import DampedOscillator
+from physics.damped_chain import DampedChain
+from physics.fit import Caution, DampedFit, fit_damped
+from physics.transient import DampedModes
+from tests.grids import tries
+
+CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["fit"]
+SEEDS = 200
+SEEDED = range(1000, 1000 + SEEDS)
+Rows = tuple[np.ndarray, np.ndarray]
+
+
+def numbers(texts: list[str]) -> np.ndarray:
+    return np.array([float(text) for text in texts])
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+def test_fits_are_the_minimum_of_the_reference(case: dict[str, Any]) -> None:
+    fit = fit_damped(case["t"], case["y"], case["modes"], sigma=case["sigma"])
+    for found, se, name in ((fit.omega, fit.se_omega, "omega"), (fit.decay, fit.se_decay, "decay")):
+        wanted, error = numbers(case[name]), numbers(case[f"se_{name}"])
+        assert np.abs(found - wanted).max() <= 1e-6 * error.min()
+        assert se == pytest.approx(error, rel=1e-6)
+    p = -fit.decay + 1j * fit.omega
+    for i, column in enumerate(case["columns"]):
+        assert abs(fit.offset[i] - float(column["offset"])) <= 1e-6 * float(column["se_offset"])
+        assert fit.se_offset[i] == pytest.approx(float(column["se_offset"]), rel=1e-6)
+        at_0 = (fit.C[i] - 1j * fit.S[i]) * np.exp(-p * fit.t_first)
+        for Z, part in zip(at_0, column["parts"], strict=True):
+            assert abs(Z - complex(float(part["C"]), -float(part["S"]))) <= 1e-6 * float(part["se_amplitude"])
+        if not fit.t_first:
+            errors = [float(part["se_amplitude"]) for part in column["parts"]]
+            assert fit.se_amplitude[i] == pytest.approx(errors, rel=1e-6)
+    if len(case["columns"]) == 1:
+        assert fit.scatter == pytest.approx([float(case["scatter"])], rel=1e-9)
+        assert not case["sigma"] or fit.chi_square == pytest.approx(float(case["rss"]), rel=1e-9)
+    assert fit.residual == pytest.approx(np.array(case["y"]) - fit.at(case["t"]), abs=1e-15)
+
+
+def made(
+    n: int, periods: float, zeta: float, sigma: float, change: Callable[..., Rows] | None = None, uneven: bool = False,
+    kept: float = 0.0,
+) -> Callable[[np.random.Generator], Rows]:  # fmt: skip
+    """Rows with 2 pi rad/s, amplitude 1, phase 0.5 and offset 0.3; `kept` is the share of noise from the row before."""
+    w = 2 * math.pi
+    a = zeta * w / math.sqrt(1 - zeta**2)
+
+    def make(rng: np.random.Generator) -> Rows:
+        t = np.arange(n) * (periods / (n - 1))
+        if uneven:
+            t = np.concatenate([[0.0], np.sort(rng.uniform(0, periods, n - 1))])
+        noise = sigma * math.sqrt(1 - kept**2) * rng.standard_normal(n)
+        for i in range(1, n if kept else 0):
+            noise[i] += kept * noise[i - 1]
+        y = 0.3 + np.exp(-a * t) * np.sin(w * t + 0.5) + noise
+        return change(t, y) if change else (t, y)
+
+    return make
+
+
+def clipped(t: np.ndarray, y: np.ndarray) -> Rows:
+    return t, np.minimum(y, 0.9)
+
+
+def drifting(t: np.ndarray, y: np.ndarray) -> Rows:
+    return t, y + 0.2 * t / 3
+
+
+def rounded(t: np.ndarray, y: np.ndarray) -> Rows:
+    return t, np.round(4 * y) / 4
+
+
+@pytest.mark.parametrize(
+    ("make", "zeta", "cautions"),
+    [
+        (made(200, 10, 0.02, 0.05), 0.02, set()),
+        (made(60, 3, 0.1, 0.05), 0.1, set()),
+        (made(40, 0.6, 0.1, 0.02), 0.1, set()),
+        (made(60, 40, 0.005, 0.05, uneven=True), 0.005, set()),
+        (made(200, 10, 0.02, 0.1, rounded), 0.02, set()),
+        (made(200, 10, 0.02, 0.05, clipped), 0.02, {Caution.CLIPPED}),
+        (made(60, 3, 0.1, 0.05, drifting), 0.1, {Caution.DRIFT}),
+    ],
+    ids=["plain", "short", "less than a period", "uneven", "rounded", "clipped", "drifting"],
+)
+def test_one_standard_error_holds_the_truth_as_often_as_it_says(
+    make: Callable[..., Rows], zeta: float, cautions: set[Caution]
+) -> None:
+    true = np.array([2 * math.pi, zeta * 2 * math.pi / math.sqrt(1 - zeta**2), 1.0, 0.5, 0.3])
+    inside, said = np.zeros(5), 0
+    for seed in SEEDED:
+        fit = fit_damped(*make(np.random.default_rng(seed)))
+        found = [*fit.omega, *fit.decay, *fit.amplitude[0], *fit.phase[0], *fit.offset]
+        errors = [*fit.se_omega, *fit.se_decay, *fit.se_amplitude[0], *fit.se_phase[0], *fit.se_offset]
+        inside += np.abs(np.array(found) - true) < errors
+        said += set(fit.cautions) == cautions
+    assert np.all((inside >= 0.6 * SEEDS) & (inside <= 0.76 * SEEDS)), inside / SEEDS
+    assert said >= 0.97 * SEEDS
+
+
+def two_masses(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray, DampedChain]:
+    chain = DampedChain(m1=1.0, m2=1.0, k1=9.0, k2=9.0, c1=0.15, c2=0.15)
+    t = np.arange(200) * 0.05
+    x = DampedModes(chain=chain.chain, c=0.15, c1=0.15, F_0=0.0, omega=0.0, x_0=(1.0, 0.2)).motion(t).x
+    return t, x + 0.1 + np.array([[0.02], [0.06]]) * rng.standard_normal((2, 200)), chain
+
+
+def test_two_columns_share_the_roots_of_their_chain() -> None:
+    inside, ratios = np.zeros(4), []
+    for seed in SEEDED:
+        t, x, chain = two_masses(np.random.default_rng(seed))
+        fit = fit_damped(t, x, modes=2)
+        upper = chain.roots[chain.roots.imag > 0]
+        true = np.array([*upper.imag, *-upper.real])
+        inside += np.abs(np.array([*fit.omega, *fit.decay]) - true) < [*fit.se_omega, *fit.se_decay]
+        ratios.append(fit.scatter[1] / fit.scatter[0])
+    assert np.all((inside >= 0.6 * SEEDS) & (inside <= 0.76 * SEEDS)), inside / SEEDS
+    assert np.median(ratios) == pytest.approx(3.0, rel=0.02)
+
+
+def test_correlated_noise_widens_the_errors_and_is_named() -> None:
+    make, inside = made(200, 10, 0.02, 0.05, kept=0.8), 0
+    for seed in SEEDED:
+        fit = fit_damped(*make(np.random.default_rng(seed)))
+        assert Caution.CORRELATED in fit.cautions
+        inside += abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0]
+    assert 0.6 * SEEDS <= inside <= 0.8 * SEEDS
+
+
+def test_a_second_mode_that_is_not_fitted_is_seen_in_the_residuals() -> None:
+    t, x, _ = two_masses(np.random.default_rng(0))
+    assert Caution.CORRELATED in fit_damped(t, x[0]).cautions
+    assert fit_damped(t, x, modes=2).cautions == ()
+
+
+def test_noise_that_hides_the_motion_is_named() -> None:
+    named = 0
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        try:
+            named += Caution.WEAK in fit_damped(np.arange(100) * 0.1, rng.standard_normal(100)).cautions
+        except ValueError:
+            named += 1
+    assert named == 40
+
+
+def wave(t: np.ndarray) -> np.ndarray:
+    return np.asarray(0.3 + np.exp(-0.1 * t) * np.sin(3 * t + 0.4))
+
+
+@settings(max_examples=tries(100))
+@given(st.floats(-6, 6), st.floats(-6, 6), st.floats(-100, 100), st.integers(0, 50))
+def test_units_of_time_and_length_do_not_matter(time: float, length: float, begin: float, seed: int) -> None:
+    t = np.arange(80) * 0.15
+    y = wave(t) + 0.02 * np.random.default_rng(seed).standard_normal(80)
+    one, second, metre = fit_damped(t, y), 10.0**time, 10.0**length
+    other = fit_damped(second * (t + begin), metre * y)
+    assert other.omega * second == pytest.approx(one.omega, abs=1e-4 * one.se_omega[0])
+    assert other.se_decay * second == pytest.approx(one.se_decay, rel=1e-5)
+    assert other.amplitude / metre == pytest.approx(one.amplitude, abs=1e-4 * one.se_amplitude[0, 0])
+    assert other.scatter / metre == pytest.approx(one.scatter, rel=1e-8)
+
+
+@given(st.floats(0.5, 4.0), st.floats(0.0, 0.3), st.floats(0.2, 2.0), st.floats(-3.0, 3.0))
+def test_without_noise_the_motion_of_the_physics_is_found(omega: float, zeta: float, x_0: float, v_0: float) -> None:
+    one = DampedOscillator(m=1.0, c=2 * zeta * omega, k=omega**2)
+    t = np.linspace(0, 20 / omega, 90)
+    fit = fit_damped(t, one.motion(x_0, v_0, t).x)
+    assert fit.omega[0] == pytest.approx(one.omega_d, rel=1e-9)
+    assert fit.decay[0] == pytest.approx(one.rates[0], abs=1e-9 * omega) and fit.zeta[0] == pytest.approx(
+        zeta, abs=1e-9
+    )
+
+
+def test_rows_with_holes_are_left_out_and_their_order_does_not_matter() -> None:
+    t = np.arange(60) * 0.2
+    y = wave(t) + 0.01 * np.random.default_rng(1).standard_normal(60)
+    holes = y.copy()
+    holes[[0, 7, 30]] = math.nan
+    fit, kept = fit_damped(t, holes), np.isfinite(holes)
+    plain = fit_damped(t[kept][::-1], y[kept][::-1])
+    assert fit.omega == pytest.approx(plain.omega, rel=1e-12) and np.array_equal(fit.used, kept)
+    assert np.array_equal(np.isfinite(fit.residual[0]), kept) and fit.t_first == t[1]
+
+
+def test_evenly_spaced_rows_fit_two_frequencies() -> None:
+    t = np.arange(60) * 0.2
+    fit = fit_damped(t, wave(t) + 0.01 * np.random.default_rng(1).standard_normal(60))
+    (alias,) = fit.aliases
+    assert alias == pytest.approx(2 * math.pi / 0.2 - fit.omega[0])
+    fast = fit.offset[0] + np.exp(-fit.decay[0] * t) * (
+        fit.C[0, 0] * np.cos(alias * t) - fit.S[0, 0] * np.sin(alias * t)
+    )
+    assert fast == pytest.approx(fit.at(t)[0], abs=1e-12)
+    uneven = np.sort(np.random.default_rng(2).uniform(0, 12, 60))
+    assert fit_damped(uneven, wave(uneven)).aliases == ()
+
+
+def test_twelve_rows_are_few() -> None:
+    assert fit_damped(*made(12, 2.5, 0.1, 0.02)(np.random.default_rng(0))).cautions == (Caution.FEW_ROWS,)
+
+
+@pytest.mark.parametrize(
+    ("t", "y", "modes", "words"),
+    [
+        (np.arange(40.0), np.full(40, math.nan), 1, "0 rows"),
+        (np.arange(7.0), np.sin(np.arange(7.0)), 1, "8 or more are needed"),
+        (np.arange(11.0), np.sin(np.arange(11.0)), 2, "12 or more are needed"),
+        (np.arange(40.0), np.ones(40), 1, "never changes"),
+        (np.ones(40), np.arange(40.0), 1, "never changes"),
+        (np.arange(40.0), np.ones(39), 1, "number for each time"),
+        (np.arange(40.0), np.ones(40), 3, "one or two"),
+        (
+            np.arange(40) * 0.005,
+            wave(np.arange(40) * 0.005) + 0.05 * np.cos(np.arange(40.0) ** 2),
+            1,
+            "is needed|are needed",
+        ),
+    ],
+)
+def test_refusals_say_what_is_needed(t: np.ndarray, y: np.ndarray, modes: int, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        fit_damped(t, y, modes)
+
+
+def test_known_errors_give_a_chi_square() -> None:
+    t, values = np.arange(200) * 0.1, []
+    for seed in range(60):
+        y = wave(t) + 0.05 * np.random.default_rng(seed).standard_normal(200)
+        fit: DampedFit = fit_damped(t, y, sigma=np.full(200, 0.05))
+        values.append(fit.chi_square)
+        assert fit.freedom == 195
+    assert np.mean(values) == pytest.approx(195, abs=4 * math.sqrt(2 * 195 / 60))
+
+
+def test_the_chain_of_the_rows_is_that_of_the_lecture() -> None:
+    """Slide 8's chain without dashpots: the golden ratio and its inverse."""
+    chain, t = TwoMassChain(m1=1, m2=1, k1=1, k2=1), np.linspace(0, 40, 300)
+    x = DampedModes(chain=chain, c=0.0, F_0=0.0, omega=0.0, x_0=(1.0, 0.0)).motion(t).x
+    assert fit_damped(t, x, modes=2).omega == pytest.approx([0.6180339887, 1.6180339887], rel=1e-9)
