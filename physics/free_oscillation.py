@@ -100,6 +100,7 @@ class FreeOscillation:
         return Elementary(
             symbol=symbol, exact=lambda t: np.asarray(value(self._motion(t))), size=lambda: size, omega=omega,
             played=Harmonic((sine,)) if omega else Harmonic((), line), amplitude=lambda: constant(size),
+            square=lambda: 0.5 * constant(size) ** 2,
         )  # fmt: skip
 
     def _motion(self, t: Array) -> OscillatorMotion:

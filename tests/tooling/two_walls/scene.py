@@ -1,145 +1,136 @@
-"""A mass between two walls: its springs stand side by side, so their stiffnesses add."""
+"""Two walls: a mass between two springs, each of which is fixed to a wall. Their stiffnesses add."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 
 from components.language.blocks import Block
-from components.language.numbers import var
-from components.language.state import Frame
+from components.language.numbers import Number
 from components.layout.controls import Group
-from components.layout.plots import curve, plot
-from components.layout.sheet import column, stage, term, words
-from components.layout.stage import H, PlotFrame, Shape, W, box, line, spring, text, wall, wire
-from components.quantities.axes import nice_axis, time_axis
-from components.quantities.declared import AxisUnit, Declared, DrawnAxis, LiveNumber, Scalar, Signal, by_name
-from components.quantities.motion import pace, sines
+from components.layout.sheet import column, stage
+from components.layout.stage import H, Shape, W, box, line, spring, text, wall, wire
+from components.layout.views import View, in_views
+from components.paper.deferred import Attributes, deferred
+from components.paper.plot_axes import TIME, axis
+from components.paper.plots import Plot, PlotValue, along, curve, drag, layer, stack, words
 from components.quantities.parameters import displacement, mass, positive
-from components.scene import Picture, Scene
-from components.scene.frames import FITTED, framed
-from components.scene.traces import over_time
-from physics.oscillator import Oscillator, OscillatorConstants
+from components.scene.case import Case, CaseScene, ComparedNumber, example
+from physics.free_oscillation import FreeOscillation
+from physics.oscillator import Oscillator
+from physics.sampling import drawable, periods
 
-TASK = "Exchange the two springs: what does the mass feel of it?"
-LEFT, REST, FOOT = 0.03 * W, 0.5 * W, 0.8 * H
-X = PlotFrame("x")
+AVERAGED = "The energies change too fast to be drawn in this window: they are averages over a cycle."
 
 
-@dataclass(frozen=True)
-class WallsCase:
-    """A mass between its walls, and where it is let go."""
+class WallsCase(Case):
+    """A mass between two springs, released at rest, in SI units."""
 
-    system: Oscillator
-    springs: tuple[float, float]
+    m: float
+    k1: float
+    k2: float
     x_0: float
 
     @cached_property
-    def swing(self) -> OscillatorConstants:
-        return self.system.constants(self.x_0, 0.0)
+    def free(self) -> FreeOscillation:
+        return FreeOscillation(oscillator=Oscillator(m=self.m, k=self.k1 + self.k2), x_0=self.x_0, v_0=0.0)
+
+    @property
+    def lasting(self) -> float:
+        return periods(self.free.oscillator.omega_n, 4)
+
+    @property
+    def highest(self) -> float:
+        return 2 * self.free.oscillator.omega_n
+
+    def notes(self) -> tuple[str, ...]:
+        return () if drawable(self.highest, self.times) else (AVERAGED,)
 
 
-class Axes(Declared[WallsCase]):
-    t, x = DrawnAxis.some(2)
+value = Attributes(WallsCase)
 
 
-class Numbers(Declared[WallsCase]):
-    x = Signal[WallsCase](
-        lambda c, a: sines(Axes.x(a), Axes.t(a), (c.swing.C, c.system.omega_n, c.swing.phi)), Axes.x, signed=True
+class WallsShown(WallsCase):
+    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+
+    x = value(lambda c: c.free.x)
+    V1 = value(lambda c: 0.5 * c.k1 * c.free.x**2)
+    V2 = value(lambda c: 0.5 * c.k2 * c.free.x**2)
+    k = value(lambda c: c.k1 + c.k2, "N/m", "stiffness of both springs together")
+    omega_n = value(lambda c: c.free.oscillator.omega_n, "rad/s", "natural frequency")
+    E = value(lambda c: c.free.E, "J", "energy")
+    wire1 = value(lambda c: wire(c.k1))
+    wire2 = value(lambda c: wire(c.k2))
+
+
+c = deferred(WallsShown)
+X = Plot("x", TIME, axis("m", lambda c: (-abs(c.x_0), abs(c.x_0)), room=1.25, count=2))
+ENERGY = Plot("energy", TIME, axis("J", lambda c: (0.0, c.free.E), "E", room=1.08, whole=True))
+
+
+def paper() -> Block:
+    x = curve(c.x, "sum", "m1", label="*x*", legend="x(t)", fast="band", dot=True)
+    layers = stack(layer(c.V1, "V", legend=f"V_1 = {c.V1}"), layer(c.V2, "T", legend=f"+ V_2 = {c.V2}"))
+    formulas = rf"$k = k_1 + k_2 = {c.k}$ N/m, $\omega_n = \sqrt{{k / m}} = {c.omega_n}$ rad/s"
+    return column(
+        stage(*mass_and_springs(), label="A mass between two springs, each fixed to a wall", height=150),
+        in_views(X.block(x, title="Displacement against time", phone=10), "motion"),
+        in_views(ENERGY.block(*layers, title="Energy of both springs against time", phone=10), "energy"),
+        words(formulas, name="formulas", phone=15),
     )
-    reach = Scalar[WallsCase](lambda c, a: 0.2 / max(abs(Axes.x(a).ruler.start), abs(Axes.x(a).ruler.end)))
-    wire1 = Scalar[WallsCase](lambda c, a: wire(c.springs[0]))
-    wire2 = Scalar[WallsCase](lambda c, a: wire(c.springs[1]))
-    k = LiveNumber[WallsCase](lambda c: c.system.k)
-    omega_n = LiveNumber[WallsCase](lambda c: c.system.omega_n)
-    x_unit = AxisUnit(Axes.x)
 
 
-class Walls(Scene):
-    slug = "walls"
-    title = "Two walls"
-    lecture = "Beyond the slides"
-    points = "springs side by side"
+def place(x: PlotValue) -> Number:
+    """The pixel of a displacement across the stage: it needs no plot beside it, so it is the same on a phone."""
+    return 0.5 * W + 0.2 * W * X.share(x)
+
+
+def mass_and_springs() -> list[Shape]:
+    left, right, foot, side = 0.03 * W, 0.97 * W, 0.8 * H, 44
+    x, middle = place(c.x), foot - 0.5 * side
+    hand = drag("Mass, start", along("x", place, X.up, x_0=c.x))
+    return [
+        wall(left, 0.2 * H, 0.6 * H, side="left"),
+        wall(right, 0.2 * H, 0.6 * H, side="right"),
+        line(left, foot, right, foot, style="floor"),
+        line(place(0), 0.15 * H, place(0), foot, tint="mute", style="eq"),
+        spring(left, middle, x - 0.5 * side, middle, c.wire1),
+        spring(x + 0.5 * side, middle, right, middle, c.wire2),
+        box(x, foot, side, "*m*", tint="m1", grab=hand),
+        text(place(0), 0.1 * H, f"*x* = {c.x:+} {X.unit}", tint="m1", style="t2 b halo"),
+    ]
+
+
+EQUAL = {"m": 1.0, "k1": 2.0, "k2": 2.0, "x_0": 1.0}
+SAYS = "is the stiffness of the {} spring. Any value above 0."
+
+
+class Walls(CaseScene):
+    slug, title, lecture, points = "walls", "Two walls", "Beyond the slides", "springs side by side"
     headline = "Between two walls the stiffnesses of both springs add"
     equations = ("m x'' + (k1 + k2) x = 0",)
-    presets = {"Equal": {}, "One does nearly all": {"k1": 40.0, "k2": 0.4}, "Soft": {"k1": 0.5, "k2": 0.5}}
-    watch = {
-        "Equal": "Each spring gives half of the force.",
-        "One does nearly all": "The soft spring hardly changes the period.",
-        "Soft": "With a quarter of the stiffness the period is twice as long.",
-    }
-
-    m = mass(1.0, symbol="m", tint="m1")
-    k1 = positive(
-        2.0, symbol="k_1", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(0.1, 100.0),
-        says="is the stiffness of the left spring. Any value above 0.",
-    )  # fmt: skip
-    k2 = positive(
-        2.0, symbol="k_2", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(0.1, 100.0),
-        says="is the stiffness of the right spring. Any value above 0.",
-    )  # fmt: skip
-    x_0 = displacement(1.0, symbol="x_0", tint="m1", says="is where the mass is let go. Any number.")
-    groups = (Group("Mass between two springs", (m, k1, k2)), Group("Start, from rest", (x_0,)))
-
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return walls_sheet()
-
-    def picture(self, frame: Frame = FITTED) -> Picture:
-        system = Oscillator(m=self.m, k=self.k1 + self.k2)
-        case = WallsCase(system, (self.k1, self.k2), self.x_0)
-        end, reach = frame.window or self.window or float(f"{4 * system.period:.2g}"), case.swing.C
-        axes = framed(frame, by_name({Axes.t: time_axis(end), Axes.x: nice_axis(-reach, reach, "m", 3)}))
-        return Picture(
-            columns={},
-            axes=axes,
-            signals=Numbers.signals(case, axes),
-            traces=over_time(
-                end, system.omega_n, (Numbers.x,), lambda t: {Numbers.x: system.motion(self.x_0, 0.0, t).x}
-            ),
-            scalars=Numbers.scalars(case, axes),
-            pace=pace(system.omega_n, system.omega_n),
-            values=Numbers.texts(case, axes),
-            live=Numbers.live(axes),
-        )
-
-
-def walls_sheet() -> Block:
-    return column(
-        words(TASK, style="task", phone=0),
-        stage(*_shapes(), label="A mass between two springs, each on a wall of its own", grow=200, height=190),
-        words(
-            rf"Moved by $x$, it feels $-k_1 x$ and $-k_2 x$: $k = k_1 + k_2 = {Numbers.k}$ N/m, "
-            rf"$\omega_n = \sqrt{{k / m}} = {Numbers.omega_n}$ rad/s.",
-            phone=5,
-        ),
-        plot(
-            X,
-            x=Axes.t,
-            y=Axes.x,
-            title="Displacement against time",
-            curves=(curve(Numbers.x, tint="m1", width="sum", label="*x*", signal=Numbers.x),),
-            heading=(term(Numbers.x, "sum", "m1", formula="x(t)"),),
-            cursor="time",
-            grow=300,
-            phone=10,
-            height=260,
-        ),
+    examples = (
+        example("Equal", "Each spring gives half of the force.", EQUAL),
+        example("One does nearly all", "The soft spring hardly changes the period.", EQUAL, k1=40.0, k2=0.4),
+        example("Soft", "With a quarter of the stiffness the period is twice as long.", EQUAL, k1=0.5, k2=0.5),
     )
-
-
-def _shapes() -> list[Shape]:
-    """The mass between its springs; the largest displacement takes 0.2 of the width."""
-    x, side = REST + var(Numbers.reach) * W * var(Numbers.x), 0.1 * W
-    middle = FOOT - 0.5 * side
-    return [
-        wall(LEFT, 0.2 * H, 0.6 * H, side="left"),
-        wall(W - LEFT, 0.2 * H, 0.6 * H, side="right"),
-        line(LEFT, FOOT, W - LEFT, FOOT, style="floor"),
-        line(REST, 0.15 * H, REST, FOOT, tint="mute", style="eq"),
-        spring(LEFT, middle, x - 0.5 * side, middle, var(Numbers.wire1)),
-        spring(x + 0.5 * side, middle, W - LEFT, middle, var(Numbers.wire2)),
-        box(x, FOOT, side, "*m*", tint="m1"),
-        text(REST, 0.1 * H, f"*x* = {Numbers.x} {Numbers.x_unit}", tint="m1", style="t2 b"),
-    ]
+    m = mass(1.0, symbol="m", tint="m1")
+    k1, k2 = (
+        positive(
+            2.0, symbol=symbol, unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(0.1, 100.0),
+            says=SAYS.format(side),
+        )
+        for symbol, side in (("k_1", "left"), ("k_2", "right"))
+    )  # fmt: skip
+    x_0 = displacement(1.0, symbol="x_0", tint="m1", says="is where the mass starts. Any number.")
+    groups = (Group("Mass between two springs", (m, k1, k2)), Group("Start, at rest", (x_0,)))
+    views = (
+        View(
+            "Motion", "Change one spring, then exchange both: what does the mass feel of it?", keys=(k1, k2),
+            names=("stage", "plot:x"),
+        ),
+        View("Energy", "Make one spring stiffer: which of them stores more of the energy?", keys=(k1, k2),
+            names=("stage", "plot:energy"),
+        ),
+    )  # fmt: skip
+    case, paper = WallsShown, staticmethod(paper)
+    compared = (ComparedNumber("omega_n", "ω_n", "rad/s"),)
