@@ -54,6 +54,7 @@ lint: $(VENV)/test.stamp
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python -m tools.house_rules
 	$(BIN)/oxfmt --check '**/*.{js,css}'
 	$(BIN)/oxlint static
 	$(BIN)/python -m tools.script_types

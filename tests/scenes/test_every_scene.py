@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 import numpy as np
@@ -22,8 +21,6 @@ from tests.scenes.checks import as_arguments, check_picture, choices, corners, q
 
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
-BEGINS = re.compile("Pull|Drag|Turn|Watch|Choose|Change|Let|Take|Follow|Compare|Meet|Make|Start")
-"""The first words of tasks."""
 scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys())
 
 
@@ -33,15 +30,10 @@ def test_scenes_stand_in_the_lectures_order() -> None:
     assert [slug for slug in SCENES if slug in order] == order
 
 
-@pytest.mark.parametrize("slug", [slug for slug in SCENES if slug != "accuracy"])
-def test_one_task_in_plain_words_opens_each_scene(slug: str) -> None:
-    """Each view of a scene has its own task, which may depend on the state; none needs a formula."""
-    sheet, views = SCENES[slug].sheet(), SCENES[slug].views
-    for view in views:
-        assert len(view.task) <= 105, view.task
-        assert BEGINS.match(view.task), view.task
-    if views:
-        return
+@pytest.mark.parametrize("slug", [slug for slug, scene in SCENES.items() if slug != "accuracy" and not scene.views])
+def test_one_task_in_plain_words_opens_each_scene_without_views(slug: str) -> None:
+    """The task may depend on the state; it needs no formula."""
+    sheet = SCENES[slug].sheet()
     for block in _tasks(blocks(sheet)):
         (item,) = block.items
         for text in item.variants.values():

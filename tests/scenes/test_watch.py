@@ -19,7 +19,6 @@ from tests.scenes.presets import readout, taken
 def test_each_preset_says_what_to_watch(slug: str) -> None:
     scene = SCENES[slug]
     assert list(scene.watch) == list(scene.presets)
-    assert all(20 < len(said) <= 100 and said.endswith(".") for said in scene.watch.values()), scene.watch
 
 
 def test_heavier_and_stiffer_oscillators() -> None:

@@ -5,117 +5,73 @@ from __future__ import annotations
 
 import ast
 import re
-from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import pytest
+
+from components.layout.views import View
 from tests.serving.server import ROOT
+from tools.house_rules import (
+    Source,
+    bad_sentences,
+    bad_tasks,
+    broken,
+    code,
+    long_functions,
+    long_lines,
+    long_modules,
+    shared_names,
+    vague_docstrings,
+)
 
-LONGEST_FUNCTION, LONGEST_MODULE, WIDEST_LINE = 40, 500, 120
-
-
-def sources(*endings: str) -> list[Path]:
-    found = [ROOT / "app.py", ROOT / "reading.py"]
-    for folder in ("components", "physics", "static", "tests", "tools"):
-        found += [path for path in sorted((ROOT / folder).rglob("*")) if path.suffix in endings]
-    return [path for path in found if path.suffix in endings]
-
-
-def named(paths: list[Path]) -> dict[str, Path]:
-    return {path.relative_to(ROOT).as_posix(): path for path in paths}
-
-
-CODE = named(sources(".py", ".js", ".css"))
-PYTHON = {name: path for name, path in CODE.items() if path.suffix == ".py"}
-PRODUCT = {name: path for name, path in CODE.items() if not name.startswith("tests/")}
-
-
-def lines(name: str) -> list[str]:
-    return CODE[name].read_text(encoding="utf-8").splitlines()
-
-
-def parsed(name: str) -> ast.Module:
-    return ast.parse(PYTHON[name].read_text(encoding="utf-8"))
+CODE = {source.name: source for source in code()}
+PYTHON = {name: source for name, source in CODE.items() if source.is_python}
+LONG_FUNCTION = "def many():\n" + 40 * "    one()\n"
+BROKEN = [
+    (long_modules, "one.py", 501 * "one()\n", "has 501 lines. A module has at most 500"),
+    (long_lines, "one.css", "\n" + 121 * "a", "one.css:2: has 121 characters"),
+    (long_functions, "one.py", LONG_FUNCTION, "one.py:1: many has 41 lines. A function has at most 40"),
+    (vague_docstrings, "one.py", 'def one():\n    """What it does."""\n', "one.py:2: begins with “What”"),
+    (vague_docstrings, "one.js", "// Lines.\n\n/** The same lines. */\n", "one.js:3: begins with “The same”"),
+]
 
 
-def functions(name: str) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
-    for node in ast.walk(parsed(name)):
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            yield node
+def test_code_keeps_the_house_rules() -> None:
+    """Modules, lines and functions are short, no two types share a name, docstrings name the thing, tasks are short."""
+    assert list(broken()) == []
+    assert len(CODE) > 500
 
 
-def length(node: ast.stmt) -> int:
-    return (node.end_lineno or node.lineno) - node.lineno + 1
+@pytest.mark.parametrize(("rule", "name", "text", "message"), BROKEN)
+def test_a_broken_rule_is_named_with_its_place(
+    rule: Callable[[Source], Iterator[str]], name: str, text: str, message: str
+) -> None:
+    (said,) = rule(Source(name, text))
+    assert message in said
 
 
-def test_modules_are_short() -> None:
-    lengths = {name: len(lines(name)) for name in CODE}
-    assert {name: length for name, length in lengths.items() if length > LONGEST_MODULE} == {}
+def test_two_types_with_one_name_are_found_with_both_places() -> None:
+    one, other = Source("components/one.py", "class Case: ..."), Source("components/other.py", "\nclass Case: ...")
+    assert list(shared_names([one])) == []
+    (said,) = shared_names([one, other])
+    assert "components/one.py:1 and components/other.py:2: two types are called Case" in said
 
 
-def test_lines_are_short() -> None:
-    assert [(name, i) for name in CODE for i, line in enumerate(lines(name), start=1) if len(line) > WIDEST_LINE] == []
-
-
-def test_functions_are_short() -> None:
-    lengths = {(name, node.name): length(node) for name in PYTHON for node in functions(name)}
-    assert len(lengths) > 1000
-    assert {place: length for place, length in lengths.items() if length > LONGEST_FUNCTION} == {}
-
-
-DECLARES = re.compile(r"(\w+\.)?(Declared|Named|dict|Has|\w*(Axes|Places|Signals))\b")
-
-
-def types_of(name: str) -> Iterator[tuple[str, str]]:
-    """Classes and aliases of types at the top of a module, names in CapWords, with what makes two of them different.
-
-    But for declarations: each scene has its own signals and numbers, called like what they declare.
-    """
-    for node in parsed(name).body:
-        match node:
-            case ast.ClassDef(bases=[base, *_]) if DECLARES.match(ast.unparse(base)):
-                pass
-            case ast.ClassDef(name=found):
-                yield found, name
-            case ast.Assign(value=ast.Call(func=ast.Name(id="TypeVar"))):
-                pass
-            case (
-                ast.Assign(targets=[ast.Name(id=found)], value=value)
-                | ast.AnnAssign(target=ast.Name(id=found), value=ast.expr() as value)
-            ):
-                if found[:1].isupper() and not found.isupper():
-                    yield found, ast.unparse(value)
-
-
-def test_no_two_types_share_a_name() -> None:
-    found: defaultdict[str, set[str]] = defaultdict(set)
-    for module in PRODUCT.keys() & PYTHON:
-        for name, kind in types_of(module):
-            found[name].add(kind)
-    assert len(found) > 100
-    assert {name: kinds for name, kinds in found.items() if len(kinds) > 1} == {}
+def test_sentences_and_tasks_of_a_scene_are_short_and_begin_with_something_to_do() -> None:
+    (said,) = bad_sentences("friction", {"Light": "Each swing is smaller than the one before.", "Heavy": "It creeps."})
+    assert "components/scenes/friction: the example “Heavy” has a sentence of 10 characters" in said
+    good, long, odd = View("A", "Drag it."), View("B", "Drag it" + 105 * "."), View("C", "Behold it.")
+    assert list(bad_tasks("friction", [good])) == []
+    (said,) = bad_tasks("friction", [long])
+    assert "“B” has 112 characters" in said
+    (said,) = bad_tasks("friction", [odd])
+    assert "“C” begins with “Behold”. A task begins with Pull, Drag" in said
 
 
 def test_no_import_is_for_types_alone() -> None:
     """One that cannot be made while the program runs says that two modules need each other."""
-    assert [name for name in PYTHON if any(line.startswith("if TYPE_CHECKING") for line in lines(name))] == []
-
-
-def docstrings(name: str) -> Iterator[tuple[str, str]]:
-    """The docstrings of a module, of its classes and of its functions, each with its place."""
-    for node in ast.walk(parsed(name)):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
-            yield f"{name}:{node.body[0].lineno}", ast.get_docstring(node) or ""
-
-
-def test_docstrings_and_headers_name_the_thing() -> None:
-    """A stranger reads the first words without another file: a noun of the field, not what, how or the same."""
-    said = [one for name in PYTHON for one in docstrings(name)]
-    for name, path in CODE.items():
-        if name not in PYTHON:
-            said += [(name, text) for text in re.findall(r"(?:^//|^/\*|/\*\*)[\s*]+(.*)", path.read_text("utf-8"))]
-    assert len(said) > 3000
-    assert [place for place, text in said if re.match(r"(The same|What|That|How|Those|This)\b", text)] == []
+    assert [name for name in PYTHON if re.search("^if TYPE_CHECKING", PYTHON[name].text, re.M)] == []
 
 
 def glossary() -> set[str]:
@@ -128,9 +84,11 @@ def names(name: str) -> Iterator[str]:
     module = Path(name).with_suffix("").parts
     yield module[-2] if module[-1].startswith("__") else module[-1]
     if name in PYTHON:
-        yield from (one.name for one in parsed(name).body if isinstance(one, ast.ClassDef) and one.name[0] != "_")
+        yield from (
+            one.name for one in PYTHON[name].parsed.body if isinstance(one, ast.ClassDef) and one.name[0] != "_"
+        )
     elif name.endswith(".js"):
-        yield from re.findall(r"^export class (\w+)", "\n".join(lines(name)), re.M)
+        yield from re.findall(r"^export class (\w+)", CODE[name].text, re.M)
 
 
 def test_the_glossary_has_the_word_of_every_name() -> None:
@@ -157,7 +115,7 @@ def test_files_that_code_and_pages_name_are_there() -> None:
         ROOT / "CONTRIBUTING.md",
         ROOT / "README.md",
     ]
-    texts += [path for name, path in CODE.items() if not name.startswith("tests/")]
+    texts += [ROOT / name for name, source in CODE.items() if source.is_product]
     named = re.compile(
         r"\b(?:components|docs|physics|static|tests|tools|types)/[\w/-]+\.(?:css|d\.ts|html|js|md|py|toml)\b"
     )
