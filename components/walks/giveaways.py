@@ -59,13 +59,13 @@ def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
 def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iterator[tuple[str, dict[str, str]]]:
     """The live numbers of the question of a step, and of earlier pictures of its chain, each with where it is."""
     *before, step = walk.steps[:number]
-    yield "", texts_in_sight(subject.standing, step.cover)
+    yield "", texts_in_sight(subject.standing, step.cover, step.show)
     chain = chain_of(subject.answered.scene)
     for early in before:
         for when, link, covers in (("before", early.state, early.cover), ("after", early.shown, early.still)):
             standing = standing_at(link, scenes)
             if chain_of(standing.scene) == chain:
-                yield f" {when} the answer of {early.id}", texts_in_sight(standing, covers)
+                yield f" {when} the answer of {early.id}", texts_in_sight(standing, covers, early.show)
 
 
 def _telling(step: Step, texts: dict[str, str], subject: Subject) -> Iterator[tuple[str, str, str]]:

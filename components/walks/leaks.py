@@ -13,9 +13,11 @@ from components.language.shapes import AnyShape, Label
 from components.language.text import Forms
 from components.layout.controls import Group
 from components.layout.sheet import in_force
+from components.layout.views import shown_blocks
 from components.quantities.parameters import names_of
 from components.quantities.refusals import in_words
 from components.scene import Picture, Scene
+from components.scene.scene import VIEW
 from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
 from components.state.scene_sheet import LIVE
 from components.state.standing import Standing
@@ -50,19 +52,19 @@ def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 def before(step: Step, scenes: Scenes) -> Exhibit:
     """The picture of the question."""
-    return _exhibit(standing_at(step.state, scenes), step.cover)
+    return _exhibit(standing_at(step.state, scenes), step.cover, step.show)
 
 
 def after(step: Step, scenes: Scenes) -> Exhibit:
     """The picture of the answer; what only it covers is asked by no one here."""
-    return _exhibit(standing_at(step.shown, scenes), step.still)._replace(covered={})
+    return _exhibit(standing_at(step.shown, scenes), step.still, step.show)._replace(covered={})
 
 
-def _exhibit(standing: Standing, covers: tuple[str, ...]) -> Exhibit:
+def _exhibit(standing: Standing, covers: tuple[str, ...], show: tuple[str, ...]) -> Exhibit:
     kind, picture = standing.kind, standing.shown
-    whole = dict(_quantities(standing.scene, picture))
+    whole = dict(_quantities(standing.scene, picture, show))
     left, gone = without(kind, picture, covers)
-    shown = dict(_quantities(standing.scene, left, frozenset(covers), frozenset(gone)))
+    shown = dict(_quantities(standing.scene, left, show, frozenset(covers), frozenset(gone)))
     asked = {name: cover for name, cover in whole.items() if name not in shown}
     by_name = {name: cover for name, cover in asked.items() if cover in covers or not cover.startswith(VALUE)}
     return Exhibit(chain_of(standing.scene), shown, by_name)
@@ -77,13 +79,20 @@ def chain_of(scene: Scene) -> object:
     return scene.slug, tuple(sorted((name, values[name]) for name in names))
 
 
-def texts_in_sight(standing: Standing, covers: tuple[str, ...]) -> dict[str, str]:
-    """The live numbers that a picture shows with its covers, each with its text."""
+def texts_in_sight(standing: Standing, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
+    """The live numbers in the parts `show` of a picture, or in its view, with its covers, each with its text."""
     picture, gone = without(standing.kind, standing.shown, covers)
-    hidden, sheet = frozenset(covers), standing.kind.sheet()
-    names = {name for block in in_force(sheet, picture.forms) for name in _numbers(block, picture, hidden)}
+    hidden, seen = frozenset(covers), _seen(standing.scene, picture, show)
+    names = {name for block in seen for name in _numbers(block, picture, hidden)}
     names.update(name for group in standing.kind.groups if group.stands(picture.forms) for name in _facts(group))
     return {name: picture.values[name] for name in sorted(names.difference(gone)) if picture.values.get(name)}
+
+
+def _seen(scene: Scene, picture: Picture, show: tuple[str, ...]) -> Iterator[Block]:
+    """The parts of a sheet that a step shows."""
+    sheet = scene.sheet()
+    shown = set(map(id, shown_blocks(sheet, scene.values.get(VIEW, ""), show)))
+    return (block for block in in_force(sheet, picture.forms) if id(block) in shown)
 
 
 def _facts(group: Group) -> Iterator[str]:
@@ -92,11 +101,12 @@ def _facts(group: Group) -> Iterator[str]:
 
 
 def _quantities(
-    scene: Scene, picture: Picture, covers: frozenset[str] = frozenset(), gone: frozenset[str] = frozenset()
-) -> Iterator[tuple[str, str]]:
+    scene: Scene, picture: Picture, show: tuple[str, ...], covers: frozenset[str] = frozenset(),
+    gone: frozenset[str] = frozenset(),
+) -> Iterator[tuple[str, str]]:  # fmt: skip
     """The curves, numbers and sentences that are seen of a picture, without what is covered or gone with that."""
     alias = {other: one.name for one in scene.readouts() for other in one.also}
-    for block in in_force(type(scene).sheet(), picture.forms):
+    for block in _seen(scene, picture, show):
         for name in _numbers(block, picture, covers):
             if name not in gone and (picture.values.get(name) or name in picture.live):
                 yield f"number {alias.get(name, name)}", VALUE + name

@@ -46,7 +46,7 @@ def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
     assert "slow" not in (page.locator(".page > [role=status]").text_content() or "").lower()
     assert described(page, "x2").endswith("Covered until you press Reveal.")
     open_scene(page, walk="d31", step="d31-04")
-    assert described(page, "v").endswith("Covered until you press Show the answer.")
+    assert described(page, "x").endswith("Covered until you press Show the answer.")
 
 
 def test_a_turning_point_is_told_where_the_motion_turns(page: Page, open_scene: Open) -> None:

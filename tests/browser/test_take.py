@@ -65,7 +65,8 @@ def drawn(page: Page) -> str:
 def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_page(
     new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str
 ) -> None:
-    page = open_scene(new_page(color_scheme="dark", reduced_motion="reduce"), scene=slug)
+    view = {"view": SCENES[slug].views[0].slug} if SCENES[slug].views else {}
+    page = open_scene(new_page(color_scheme="dark", reduced_motion="reduce"), scene=slug, **view)
     page.get_by_role("button", name="Pictures").click()
     choices = page.get_by_role("dialog").get_by_role("group", name="Of").get_by_role("button")
     expect(choices.first).to_be_visible()
@@ -106,8 +107,8 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(
 @pytest.mark.parametrize(
     ("link", "plot", "ends"),
     [
-        ({"scene": "oscillator", "view": "motion"}, "Phase plane", (" m", " m/s")),
-        ({"scene": "oscillator", "view": "force"}, "The law", (" m", " m/s²")),
+        ({"scene": "oscillator", "view": "formulas"}, "Phase plane", (" m", " m/s")),
+        ({"scene": "oscillator", "view": "formulas"}, "The law", (" m", " m/s²")),
         ({"scene": "coupled"}, "Displacement of mass 2 against that of mass 1", (" m", " m")),
     ],
 )

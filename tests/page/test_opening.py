@@ -34,7 +34,7 @@ def test_the_defaults_have_an_address_of_their_own(slug: str) -> None:
 
 def test_the_first_page_of_all_is_the_pulled_oscillator() -> None:
     scene = visited({}, {}).now.scene
-    assert (scene.slug, scene.preset(), scene.view) == ("oscillator", "Pulled", "swing")  # type: ignore[attr-defined]
+    assert (scene.slug, scene.preset(), scene.view) == ("oscillator", "Pulled", "motion")  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("slug", SCENES)

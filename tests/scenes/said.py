@@ -9,6 +9,7 @@ from html import unescape
 from typing import Any
 
 from components.layout.sheet import in_force
+from components.layout.views import shown_blocks
 from components.scene import Scene
 
 TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^>]*></\1>')
@@ -16,7 +17,9 @@ TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^
 
 def sentences(scene: Scene) -> list[str]:
     """The sentences of the sheet that stand, formulas without their markup, live numbers in place."""
-    return [text for block in in_force(scene.sheet(), scene.shown.forms) for text in _texts(scene, block)]
+    shown = set(map(id, shown_blocks(scene.sheet(), scene.values.get("view", ""))))
+    seen = (block for block in in_force(scene.sheet(), scene.shown.forms) if id(block) in shown)
+    return [text for block in seen for text in _texts(scene, block)]
 
 
 def said(scene: Scene) -> str:

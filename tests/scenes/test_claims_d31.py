@@ -31,7 +31,7 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
         moves = draw.pick.random() < 0.8
         scene = OscillatorScene(
             m=draw.size(), k=draw.some(draw.size(-1, 3)), x_0=draw.some(draw.number()) * moves,
-            v_0=draw.some(draw.number(), 0.3) * moves, view=draw.pick.choice(("swing", "motion")),
+            v_0=draw.some(draw.number(), 0.3) * moves, view=draw.pick.choice(("motion", "speed", "formulas")),
         )  # fmt: skip
         text, why = said(scene), scene.shown.forms["why"]
         seen.add(why)
@@ -49,7 +49,7 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
 
 def test_the_arrows_are_as_high_as_what_they_are_said_to_show() -> None:
     scene = OscillatorScene(**OscillatorScene.opens)
-    assert "as high as" in said(scene) and "atan" not in said(scene) and not scene.shown.forms["view_not_swing"]
+    assert "as high as" in said(scene) and "atan" not in said(scene)
     w, unit = math.sqrt(scene.k / scene.m), scene.shown.axes["t"]
     data, C = scene.sources["time"].data, scene.x_0
     for i in range(0, len(data["t"]), 17):

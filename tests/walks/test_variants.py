@@ -30,8 +30,8 @@ title = "Mine"
 id = "swing"
 kind = "number"
 title = "More mass, more time"
-state = "?scene=oscillator&x_0=0.1"
-reveal = "?scene=oscillator&x_0=0.1&m=4"
+state = "?scene=oscillator&view=motion&x_0=0.1"
+reveal = "?scene=oscillator&view=motion&x_0=0.1&m=4"
 vary = { k = [20, 80] }
 cover = ["value:tau"]
 question = "One swing takes {tau} s at {k} N/m. How long with 4 kg?"
@@ -50,12 +50,14 @@ def test_every_seed_has_its_numbers_question_and_answer() -> None:
     (card,) = walk_sheet(mine(), SCENES).steps
     (step,) = mine().steps
     assert "variants" in to_builtins(card) and len(card.variants) == VARIANTS
-    assert card.opens.parameters == {"x_0": 0.1} and card.opens.step == "mine/swing"
+    assert card.opens.parameters == {"view": "motion", "x_0": 0.1} and card.opens.step == "mine/swing"
     for seed, one in enumerate(card.variants, 1):
         k = one.opens.parameters["k"]
         assert isinstance(k, float) and 20 <= k <= 80
         assert one.opens.step == one.reveals.step == f"mine/swing/{seed}" and not one.variants
-        assert one.reveals.parameters == {"x_0": 0.1, "m": 4.0, "k": k}, "what the answer changes stands as it is"
+        assert one.reveals.parameters == {"view": "motion", "x_0": 0.1, "m": 4.0, "k": k}, (
+            "what the answer changes stands as it is"
+        )
         assert f"takes {three(Oscillator(m=1, k=k).period)}\xa0s at {k:g}\xa0N/m." in one.given + one.question
         true = Oscillator(m=4, k=k).period
         for text, right in ((f"{true:.3f} s", True), (f"{2 * true:.3f}", False)):

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from components.layout.controls import Group
-from components.quantities.parameters import displacement, mass, one_of, stiffness, velocity
+from components.layout.views import View
+from components.quantities.parameters import displacement, mass, stiffness, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.oscillator.case import OscillatorShown
 from components.scenes.oscillator.paper import paper
@@ -45,7 +46,8 @@ class OscillatorScene(CaseScene):
             "No spring", "Nothing pulls it back: it moves on at constant speed.", PULLED, k=0.0, x_0=0.1, v_0=0.02
         ),
     )  # fmt: skip
-    opens = {"x_0": PULLED["x_0"], "v_0": PULLED["v_0"], "view": "swing"}
+    opens = {"x_0": PULLED["x_0"], "v_0": PULLED["v_0"]}
+    old_view, old_views = "formulas", {"view": {"swing": "motion"}}
 
     m = mass(
         1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0."
@@ -59,10 +61,25 @@ class OscillatorScene(CaseScene):
         -0.8, symbol="v_0", tint="T", softbounds=(-2.0, 2.0),
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
-    view = one_of(
-        "motion", {"swing": "Motion", "motion": "Formulas", "force": "Force"}, "What is shown beside the motion"
-    )
-    groups = (Group("Mass and spring", (m, k)), Group("Start", (x_0, v_0)), Group("Shown", (view,)))
+    views = (
+        View(
+            "Motion", "Pull the mass out and let go: the tip of the turning arrow is always as high as *x*. Why?",
+            keys=(x_0,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Speed, acceleration", "Let go, and watch the peaks: where is the mass fastest, and where does it turn?",
+            keys=(x_0,), names=("plot:x", "plot:v"),
+        ),
+        View(
+            "Force", "Pull the mass out and let go: where does the spring pull hardest, and where not at all?",
+            keys=(x_0,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Formulas", "Drag the arrow at the start: it shows *A*, *B*, *C* and *φ* at once.",
+            names=("stage:start", "words:constants"),
+        ),
+    )  # fmt: skip
+    groups = (Group("Mass and spring", (m, k)), Group("Start", (x_0, v_0)))
 
     case = OscillatorShown
     paper = staticmethod(paper)

@@ -116,6 +116,11 @@ class OscillatorCase(Case):
         return (self.last_peak - derivative / 4) * self.one.period if self.last_peak else 0.0
 
     @property
+    def heading(self) -> Literal["words", "turn", "drift"]:
+        """The names of curves over a plot: words, or formulas with numbers."""
+        return self.kind if self.view == "formulas" else "words"
+
+    @property
     def greatest(self) -> float:
         """The largest force in N; 0 in a view without it."""
         return scaled(0, self.k, max(self.free.amplitude(0), abs(self.x_0))) if self.view == "force" else 0.0
@@ -181,4 +186,4 @@ class OscillatorShown(OscillatorCase):
     names_phi = value(lambda c: abs(c.phase) > 0.4)
     is_wrong = value(lambda c: c.why == "wrong")
     forced = value(lambda c: c.view == "force" and c.k > 0)
-    parts = value(lambda c: c.omega > 0 and c.characters <= LONGEST)
+    parts = value(lambda c: c.heading == "turn" and c.characters <= LONGEST)

@@ -14,7 +14,7 @@ from components.language.numbers import Expression, Number
 from components.language.shapes import Grab
 from components.layout.grabs import grab
 from components.layout.plots import HEADING, NUMBERS, Room
-from components.layout.sheet import column, desk, row, stage
+from components.layout.sheet import column, row, stage
 from components.layout.stage import (
     AT_DESK,
     ON_NARROW,
@@ -36,6 +36,7 @@ from components.layout.stage import (
     wide,
 )
 from components.layout.stage import shown_by as on_screens
+from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
 from components.paper.plots import (
@@ -50,7 +51,6 @@ from components.paper.plots import (
     on_axis,
     path,
     shown_by,
-    when,
     words,
 )
 from components.quantities.axes import Axis, nice_axis
@@ -123,6 +123,8 @@ PER_V = number(
 STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
 """On a phone the stage has a small x(t) of its own."""
 NOW = wide(X.x(T), STRIP + STRIP_LENGTH * TIME.share * T)
+MARKED = ("speed", "formulas")
+"""The views that show x, v and a, and mark how they lead."""
 FIRST, GAP = 132, 16
 """Pixels of the words left of the start arrow, which stands under the turning one, and between them."""
 SHARE = 0.75
@@ -145,24 +147,35 @@ BOLD: Looks = {"style": "t2 b halo"}
 
 def paper() -> Block:
     label = "Mass on a spring, and the turning arrow whose height is its displacement"
-    task = "Push the mass and let go: where is it fastest, and where is it pulled hardest?"
-    start = stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190, style="still")
-    formulas = c.view != "swing"
-    return column(
-        desk(words(task, style="task", phone=0)),
-        row(
-            column(
-                stage(*hero(), label=label, grow=300, height=206),
-                when(c.view == "swing", idea()),
-                when(formulas, row(reason(), start, grow=176, gap=GAP)),
-                when(formulas, constants()),
-                grow=344,
-            ),
-            column(*map(over_time, range(3)), grow=400),
-            when(formulas, column(law_words(), plane(), law(), grow=168)),
-            gap=0,
+    start = stage(
+        *first(), label="The arrow at the start with its legs A and B", name="start", style="still second", phone=8,
+        height=190,
+    )  # fmt: skip
+    return row(
+        column(
+            stage(*hero(), label=label, grow=300, height=190),
+            in_views(idea(), "motion", "speed", "force"),
+            in_views(column(row(reason(), start, grow=176, gap=GAP), constants(), grow=230), "formulas"),
+            grow=344,
         ),
-    )
+        column(
+            over_time(0),
+            in_views(over_time(1), "speed", "formulas"),
+            in_views(over_time(2), "speed", "force", "formulas"),
+            in_views(words(style="room", grow=176), "motion"),
+            grow=400,
+        ),
+        in_views(
+            column(
+                law_words(),
+                in_views(plane(), "formulas"),
+                in_views(law(), "formulas"),
+                grow=168,
+            ),
+            "force", "formulas",
+        ),
+        gap=0,
+    )  # fmt: skip
 
 
 def idea() -> Block:
@@ -178,7 +191,7 @@ def idea() -> Block:
             drift="No spring, no swing: the mass keeps its velocity.",
             still="No spring, and a start at rest: nothing moves.",
         ),
-        style="facts", grow=176, phone=30,
+        style="facts", grow=120, phone=15, name="idea",
     )  # fmt: skip
 
 
@@ -196,7 +209,7 @@ def reason() -> Block:
             drift="No spring, no swing: the mass keeps its velocity.",
             still="No spring, and a start at rest: nothing moves.",
         ),
-        style="small", basis=FIRST - GAP, phone=31,
+        style="small", basis=FIRST - GAP, phone=16, name="reason",
     )  # fmt: skip
 
 
@@ -206,30 +219,37 @@ def constants() -> Block:
     C = either(c.kind == "turn", shown=rf"[m1|$C = \sqrt{{A^2 + B^2}} = {c.C}$ m]")
     phi = either(c.turns, shown=rf"$\phi = \mathrm{{atan2}}(A, B) = {c.phi}$ rad")
     return row(
-        words(A, C, style="constants", phone=32), words(B, phi, style="constants", phone=32), grow=0, basis=54, gap=10
+        words(A, C, style="constants", phone=9, name="constants"),
+        words(B, phi, style="constants", phone=9, name="constants"),
+        grow=0,
+        basis=54,
+        gap=10,
     )
 
 
 def over_time(i: int) -> Block:
-    """x, v or a against time, under its formula."""
+    """x, v or a against time, under its name or its formula."""
     name, motion, (_, tint, *_) = "xva"[i], MOTIONS[i], LOOKS[i]
-    drift = (rf"{c.A}\, {c.drift:+}\,t", rf"{c.v_start} \text{{: constant}}", r"0 \text{: no force}")[i]
     top, ahead = (c.top_x, c.top_v, c.top_a)[i], ("", r"+ \tfrac{\pi}{2}", r"+ \pi")[i]
-    sine = rf"{top}\, \sin({c.omega}\,t\, {c.phi_plus:+} {ahead})"
+    legend = either(
+        c.heading,
+        words=rf"\text{{{TITLES[i].lower()} }} {name}",
+        turn=rf"{name} = {top}\, \sin({c.omega}\,t\, {c.phi_plus:+} {ahead})",
+        drift=(rf"x = {c.A}\, {c.drift:+}\,t", rf"v = {c.v_start} \text{{: constant}}", r"a = 0 \text{: no force}")[i],
+    )
     parts = rf"$= {c.A_plain}\, \cos({c.omega}\,t)\, {c.B_plus:+}\, \sin({c.omega}\,t)$"
     return PLOTS[i].block(
-        curve(motion, "sum", tint, legend=f"{name} =", read=f"*{name}*", fast="band", dot=True),
-        note(either(c.kind, turn=f"${sine}$", drift=f"${drift}$"), tint),
+        curve(motion, "sum", tint, legend=legend, read=f"*{name}*", fast="band", dot=True),
         *([] if i else [note(either(c.parts, shown=parts))]),
-        title=f"{TITLES[i]} against time", over=lead(i - 1) if i else (), x_labels=i == 2, room=Room(62, 30),
-        grow=(212, 153, 102)[i], phone=10 + i, height=(150, 156, 166)[i],
+        title=f"{TITLES[i]} against time", over=lead(i - 1) if i else (), room=Room(62, 30),
+        grow=(212, 153, 102)[i], phone=10 + i, height=(212, 120, 120)[i],
     )  # fmt: skip
 
 
 def law_words() -> Block:
-    force = counted(c.F, FORCE)
+    F = counted(c.F, FORCE)
     return words(
-        either(c.view == "force", shown=rf"[F|$F = -k x =$ {force:+} {FORCE.unit_text}]"),
+        either(c.view == "force", shown=rf"[F|$F = -k x =$ {F:+} {FORCE.unit_text}]"),
         either(c.kind, turn=r"$m \ddot{x} + k x = 0$ with $k > 0$", drift=r"$m \ddot{x} = 0$ as $k = 0$"),
         r"$\ddot{x} + \omega_n^2 x = 0$",
         either(
@@ -239,7 +259,7 @@ def law_words() -> Block:
         ),
         rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {c.omega}$ rad/s",
         either(c.kind, turn=rf"$\tau = 2 \pi / \omega_n = {c.tau}$ s", drift="no period"),
-        style="facts proof", grow=212, basis=HEADING, phone=42,
+        style="facts proof", grow=212, basis=HEADING + NUMBERS, phone=13, name="law",
     )  # fmt: skip
 
 
@@ -260,7 +280,7 @@ def plane() -> Block:
             *axis_names(PLANE, "v", "T"),
             circle(x, v, 4.5, grab=hand),
         ),
-        plain=True, room=Room(8, 8), grow=153, phone=40, height=190,
+        plain=True, room=Room(8, 8, bottom=NUMBERS), grow=153, phone=21, height=190,
     )  # fmt: skip
 
 
@@ -270,7 +290,7 @@ def law() -> Block:
         path(c.a, c.x, source="loop", group="law"),
         note(rf"**The law:** $a = -{c.ratio}\,x$"),
         title="The law: acceleration against displacement is a straight line",
-        over=axis_names(LAW, "a", "F"), x_labels=False, room=Room(8, 8, bottom=NUMBERS), grow=102, phone=41, height=160,
+        over=axis_names(LAW, "a", "F"), x_labels=False, room=Room(8, 8, bottom=NUMBERS), grow=102, phone=22, height=160,
     )  # fmt: skip
 
 
@@ -303,7 +323,7 @@ def lead(late: int) -> list[Shape]:
 
 def _is_peak_seen(i: int, case: OscillatorShown, t: Axis, up: Axis) -> bool:
     """Whether peaks are marked and that of x, v or a is in the frame."""
-    return case.last_peak > 0 and case.free.amplitude(i) <= up.end
+    return case.view in MARKED and case.last_peak > 0 and case.free.amplitude(i) <= up.end
 
 
 def hero() -> list[Shape]:
@@ -333,9 +353,9 @@ def strip(y: Number) -> list[Shape]:
     place = STRIP, LEVEL, STRIP_LENGTH, RADIUS, number(c.swings), number(c.phi)
     return on_screens(
         ON_NARROW,
-        wave(*place, style="sum", tint="m1"),
-        line(NOW, top, NOW, bottom, style="now"),
-        circle(NOW, y, 5, tint="m1"),
+        wave(*place, style="sum strip", tint="m1"),
+        line(NOW, top, NOW, bottom, style="now strip"),
+        circle(NOW, y, 5, tint="m1", style="strip"),
     )
 
 
