@@ -18,18 +18,20 @@ Sines of all angles come from one table of 80 digits, with angles counted in who
 Source: lecture D31 names waves on a string; D34 superposes independent harmonic motions.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from physics.exact import NOISE, PI, Array, exact, precise, rounded
+from physics.motion import ExactMotion, Harmonic, harmonic_motion
 from physics.oscillator import phase_of
 from physics.polynomials import context
+from physics.sampling import Sinusoid
 from physics.sinusoids import ExactSinusoid, added
 from physics.valid import check_positive, finite_array
 
@@ -114,7 +116,7 @@ class UniformChain:
 
     def pluck(self, p: int, height: float) -> Array:
         """The displacements in m (N,) with mass p held at a height: straight lines, level beyond it to a free end."""
-        self._check_mass(p)
+        self.check_mass(p)
         if self.ends == "free-free":
             raise ValueError("a chain whose ends are both free cannot be plucked: at least one fixed end is needed")
         places = np.arange(1.0, self.N + 1)
@@ -138,7 +140,8 @@ class UniformChain:
         p = np.arange(1.0, self.N + 1)
         return bell(p), Omega * (bell(p - 0.5) - bell(p + 0.5))
 
-    def _check_mass(self, p: int) -> None:
+    def check_mass(self, p: int) -> None:
+        """Check that there is such a mass."""
         if not 1 <= p <= self.N:
             raise ValueError(f"p = {p!r}: masses are counted from 1 to {self.N}")
 
@@ -237,6 +240,19 @@ class ChainModes:
         (shape, *_), *_ = self.chain.exact_shapes
         with precise():
             return float(shape * self.coordinates[0]), float(shape * self.velocities[0])
+
+    def displacement(self, p: int) -> ExactMotion:
+        """The displacement in m of mass p, from 1 on, as a motion that is played by its sinusoids."""
+        self.chain.check_mass(p)
+        sizes, omega = self.amplitude * self.chain.shapes[:, p - 1], self.chain.omega
+        waves = zip(sizes.tolist(), omega.tolist(), self.phase.tolist(), strict=True)
+        harmonic = Harmonic(tuple(Sinusoid(*wave) for wave in waves if wave[0]), self.drift)
+        return harmonic_motion(f"x{p}", harmonic, lambda t: self._at(t.tobytes()).x[p - 1])
+
+    @cached_property
+    def _at(self) -> Callable[[bytes], ChainMotion]:
+        """The motion at the times in a buffer: all masses share one computation."""
+        return lru_cache(1)(lambda times: self.motion(np.frombuffer(times)))
 
     def motion(self, t: ArrayLike) -> ChainMotion:
         """x and v (N, n) at the times t (n,) in s."""

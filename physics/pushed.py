@@ -126,6 +126,13 @@ class PushedMass:
             return 0.0
         return abs(self.push.line(n)) / (2 * self.m * n * self.push.omega)
 
+    @property
+    def starts(self) -> list[tuple[float, float]]:
+        """x and v at the start of each piece of the steady motion, each rounded once."""
+        if not self.steady_exists:
+            raise ValueError(self._refusal)
+        return [(float(x), float(v)) for x, v in _steady_starts(self)]
+
     def lines(self, count: int) -> list[PushLine]:
         """The lines 0 to `count` of the push and of the steady motion, within 5 u."""
         return [PushLine(n, f, self._moved_by(n, f)) for n, f in ((n, self.push.line(n)) for n in range(count + 1))]

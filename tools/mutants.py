@@ -1,4 +1,4 @@
-"""`python -m tools.mutants [NAME ...]` breaks a copy of the project in twenty ways, one after the other, and says which
+"""`python -m tools.mutants [NAME ...]` breaks a copy of the project in some twenty ways, one by one, and says which
 test finds each fault: of what `make test` runs in the files named for it at least one must fail; without it all pass.
 
 A pattern that does not stand exactly once in its file is an error, so that no fault is passed over.
@@ -49,6 +49,10 @@ MUTANTS = (
     Mutant(
         "seam", "physics/damped.py", '_SAME = Decimal("1e-6")', '_SAME = Decimal("0.5")',
         "tests/physics/test_damped.py",
+    ),
+    Mutant(
+        "pairing", "physics/damped_chain.py", "(real[1], real[2]), (real[0], real[3])",
+        "(real[1], real[0]), (real[2], real[3])", "tests/physics/test_damped_chain.py",
     ),
     # what a page says and hides
     Mutant(

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from physics.damped import DampedOscillator
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
+from physics.steady_motions import SteadyMotion
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
 
@@ -184,6 +185,25 @@ def test_the_dashpot_takes_the_work_of_all_lines(
     assume(c * omega < 100 * k and math.sqrt(k / m) < 100 * omega)
     terms = [line.n**2 * abs(line.X) ** 2 for line in mass.lines(2000)]
     assert math.pi * c * omega * sum(terms) == pytest.approx(mass.work, rel=0.02)
+
+
+@each_steady
+def test_steady_motions_are_played_piece_by_piece(case: dict[str, Any]) -> None:
+    """Within some 4 max(1, omega/omega_n)^2 u of the largest, and a share of u for each radian of the period."""
+    mass = mass_of(case)
+    oscillator = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    if not case["k"]:
+        with pytest.raises(ValueError, match="needs a spring"):
+            SteadyMotion(oscillator=oscillator, push=mass.push)
+        return
+    motion = SteadyMotion(oscillator=oscillator, push=mass.push)
+    period = 2 * math.pi / case["omega"]
+    t = (np.arange(40) + 0.37) * period / 40
+    quick, turns = max(1.0, case["omega"] / oscillator.omega_n), max(1.0, oscillator.omega_n * period)
+    both: list[Any] = [motion.x, motion.v]
+    for one in both:
+        room = (16 * quick**2 + 4 * turns) * U * one.size()
+        assert one.played.at(t) == pytest.approx(one.at(t), abs=room)
 
 
 def test_a_line_that_is_missing_is_harmless() -> None:
