@@ -16,7 +16,7 @@ from tests.browser.waiting import redrawn, seek
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
-HEIGHTS = "[...oscillations.shown.view.columns.time.h]"
+HEIGHTS = "[...oscillations.shown.view.columns.path.y]"
 OUTLINES = """[...document.querySelectorAll('svg.stage > g')].filter(g => !g.querySelector('text'))
   .map(g => g.innerHTML.replaceAll(' style=""', '').replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""
 PAUSE = "oscillations.clock.playing = false"
@@ -40,12 +40,12 @@ def test_presets_are_pictures_and_change_the_flight(
     expect(loop).to_have_attribute("aria-pressed", "true")
     expect(page.locator("[data-value=verdict]").first).to_contain_text("loops")
     assert page.evaluate(HEIGHTS) != before
-    for view in ("Period", "Exchange", "Limits"):
-        page.get_by_role("button", name=view, exact=True).click()
-        page.wait_for_function(f"oscillations.shown.view.forms.{view.lower()}")
+    for view in ("Period", "Energy", "Limits"):
+        page.get_by_role("tab", name=view, exact=True).click()
+        page.wait_for_function(f"oscillations.shown.settings.view.value === {view.lower()!r}")
         assert page.evaluate(BROKEN) == 0
     screenshot(page, "phugoid-loop")
-    page.wait_for_url(re.compile("excess=1.*show=limits"))
+    page.wait_for_url(re.compile("excess=1.*view=limits"))
     for size in ("scrollHeight - p.clientHeight", "scrollWidth - p.clientWidth"):
         assert page.evaluate(f"(p => p.{size})(document.querySelector('.panel'))") <= 0
 

@@ -178,6 +178,6 @@ def test_on_a_phone_names_lie_on_no_other_part(
     seek(page, 0.0)
     assert page.evaluate(NAMES_ON, ["text"]) == []
     assert [fault for fault in faults(page) if "cut" in fault] == []
-    turned(page, "phugoid", {"excess": 0.1, "show": "lift"})
+    turned(page, "phugoid", {"excess": 0.1, "view": "lift"})
     seek(page, 0.0)
     assert page.evaluate(LIFT) > 0  # it is not cut off at the frame of the path

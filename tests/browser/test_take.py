@@ -133,7 +133,7 @@ def test_a_picture_has_the_numbers_and_units_that_on_the_page_stand_beside_anoth
 def test_a_picture_has_what_is_held(page: Page, open_scene: Callable[..., Page]) -> None:
     for slug, values, plot, held in (
         ("oscillator", {"m": 4, "view": "force"}, "Displacement against time", "m = 1.00 kg"),
-        ("phugoid", {"excess": 0.4}, "Height against time", "v′ = 90.0 ft/s"),
+        ("phugoid", {"view": "height", "excess": 0.4}, "Height against time", "v′ = 90.0 ft/s"),
     ):
         open_scene(page, scene=slug, held="default", **values)
         page.wait_for_function("oscillations.page.compare.ghosts?.held")

@@ -39,7 +39,7 @@ MORE: dict[str, list[dict[str, Any]]] = {
         {"k": 200.0, "g": 3.7},
     ],
     "analogues": [{"window": 1e4}, {"system": "spring", "window": 1e4}],
-    "phugoid": [{"window": 1e6}, {"show": "lift", "window": 1e6}],
+    "phugoid": [{"window": 1e6}, {"view": "lift", "window": 1e6}],
     "damped": [{"window": 1e4}, {"k": 0.0}, {"c": 40.0}],
     "driven": [{"window": 1e4}, {"F_0": 0.0}, {"c": 1e-3}, {"omega": 0.2}],
     "coupled": [{"window": 1e4}],

@@ -10,7 +10,7 @@ from components.state.standing import fitted
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments
 
-PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Ripple, 0.1"}
+PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}
 
 
 @pytest.mark.parametrize("slug", SCENES)

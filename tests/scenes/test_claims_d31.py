@@ -207,7 +207,7 @@ def test_the_verdict_on_linear_theory_over_all_excesses() -> None:
 def test_the_equation_of_lift_holds_on_a_loop_too() -> None:
     """m h'' = L cos(theta) - m g: h'' of the heights that are drawn, L and the angle of the aircraft that is drawn."""
     for excess in (0.1, 0.4, 0.6, 1.0, 1.5, 2.5):
-        scene = Phugoid(excess=excess, show="lift")
+        scene = Phugoid(excess=excess, view="lift")
         assert "Lcosθ−mg" in "".join(said(scene).split())
         data, unit = scene.sources["time"].data, scene.shown.axes["t"]
         t = data["t"]

@@ -7,7 +7,8 @@ from functools import cache
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.sheet import choice, column, desk, row, stage, when, words
+from components.layout.sheet import column, stage, words
+from components.layout.views import View, in_views
 from components.quantities.motion import pace
 from components.quantities.parameters import Quantity, Values, mass, one_of, positive
 from components.quantities.readouts import Readout
@@ -17,7 +18,7 @@ from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scenes.phugoid.about import flight_about
 from components.scenes.phugoid.axes import Axes, axes_of
-from components.scenes.phugoid.curves import SIGNALS, Signals, columns_of, curves
+from components.scenes.phugoid.curves import Signals, columns_of, curves
 from components.scenes.phugoid.flight import (
     PATH,
     Places,
@@ -27,8 +28,6 @@ from components.scenes.phugoid.flight import (
     period_shapes,
     velocity_shapes,
 )
-from components.scenes.phugoid.numbers import VIEWS
-from components.scenes.phugoid.numbers import Forms as F
 from components.scenes.phugoid.numbers import Numbers as N
 from components.scenes.phugoid.plots import exchange_plots, lift_plot, path_plot, period_plot, swing_plot, velocity_plot
 from components.scenes.phugoid.swing import AIRCRAFT, FOOT, LENGTHS, SPEEDS, Swing
@@ -36,8 +35,6 @@ from components.scenes.phugoid.watch import WATCH
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS
 
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
-SHOW = one_of("period", VIEWS, "View")
-TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
 class Phugoid(Scene):
@@ -61,7 +58,6 @@ class Phugoid(Scene):
         "Cusp, 0.732": {"excess": CUSP_EXCESS},
         "Loop, 1": {"excess": 1.0},
     }
-    opens = {**presets["Ripple, 0.1"], "show": "lift"}
 
     excess = Quantity(
         0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T",
@@ -87,7 +83,29 @@ class Phugoid(Scene):
         says="is the gravity. A weaker one swings more slowly.",
     )  # fmt: skip
     unit = one_of("ft/s", list(SPEEDS), "Unit of speed")
-    show = SHOW
+    views = (
+        View(
+            "Period", "Change the speed *v*_0, the mass *m*, the disturbance *v*′: which of them changes the period?",
+            keys=(v_0, m, excess), names=("plot:path", "plot:period"),
+        ),
+        View(
+            "Height, speed", "Follow the aircraft: where is it fastest, at the top, at the bottom, or between?",
+            keys=(excess,), names=("plot:path", "plot:h_t", "plot:v_t"),
+        ),
+        View(
+            "Lift", "Watch the lift: where is it more than the weight, and what does that do to the path?",
+            keys=(excess,), names=("plot:path", "plot:lift"),
+        ),
+        View(
+            "Energy", "Compare with a spring: how often in one period is energy exchanged?",
+            keys=(excess,), names=("plot:flight_energy", "plot:spring_energy"),
+        ),
+        View(
+            "Limits", "Drag the tip: from which disturbance on does the aircraft fly a loop?",
+            keys=(excess,), names=("plot:path", "plot:velocity"),
+        ),
+    )  # fmt: skip
+    old_views = {"show": {"period": "period", "lift": "lift", "exchange": "energy", "limits": "limits"}}
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -104,7 +122,7 @@ class Phugoid(Scene):
         return {"v_0": speed, "m": weight}
 
     groups = (
-        Group("Excess of speed", (excess,), "period longer by"),
+        Group("Extra speed at the start", (excess,), "period longer by"),
         Group("Aircraft", (v_0, m)),
         Group(
             "",
@@ -121,41 +139,30 @@ class Phugoid(Scene):
         shapes = [*flight_shapes(), *lift_shapes(), *period_shapes(), *velocity_shapes()]
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
-            desk(words(TASK, style="task", phone=0)),
             column(
                 stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28, style="still"), path_plot(), grow=262
             ),
-            words(f"{N.verdict}", style="narrow", phone=6),
-            row(
-                column(
-                    desk(choice(SHOW, phone=5)),
-                    when(F.view["period"], period_plot()),
-                    *(when(F.view["lift"], block) for block in lift_plot()),
-                    *(when(F.view["exchange"], block) for block in exchange_plots()),
-                    when(F.view["limits"], velocity_plot()),
-                    grow=430,
-                ),
-                column(swing_plot(low=False), swing_plot(low=True), grow=456),
-                grow=370,
-                gap=26,
-            ),
+            in_views(column(period_plot(), grow=370), "period"),
+            in_views(column(swing_plot(low=False), swing_plot(low=True), grow=370), "height"),
+            in_views(column(*lift_plot(), grow=370), "lift"),
+            in_views(column(*exchange_plots(), grow=370), "energy"),
+            in_views(column(velocity_plot(), grow=370), "limits"),
+            words(f"{N.verdict}", style="narrow", phone=16),
         )
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         swing = self._swing(frame)
         axes = framed(frame, axes_of(swing))
-        signals = SIGNALS.get(self.show, Signals)
         traces, columns = curves(swing, Axes.along(axes).end)
         return Picture(
             columns=columns | columns_of(swing, axes),
             axes=axes,
-            signals=signals.signals(swing, axes),
+            signals=Signals.signals(swing, axes),
             traces=traces,
             scalars=Places.scalars(swing, axes),
             pace=pace(swing.linear.omega, swing.fastest),
             values=N.texts(swing, axes),
-            live=signals.live(axes),
-            forms=F.forms(swing),
+            live=Signals.live(axes),
         )
 
     def readouts(self) -> tuple[Readout, ...]:
@@ -165,5 +172,5 @@ class Phugoid(Scene):
         return flight_about(shown, self._swing())
 
     def _swing(self, frame: Frame = FITTED) -> Swing:
-        seen = {"unit": self.unit, "show": self.show, "window": self.window, "standing": frame.window}
+        seen = {"unit": self.unit, "view": self.values["view"], "window": self.window, "standing": frame.window}
         return Swing(v_0=self.v_0, g=self.g, excess=self.excess, **seen)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from components.language.numbers import Expression, var
+from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.quantities.axes import ONE, Axis
 from components.quantities.declared import AxesInForce, Column, Declared, Family, Signal, by_name
@@ -56,8 +56,28 @@ def _up(of: Signal[Swing], axes: AxesInForce) -> AnySignal:
     return derived(scaled(Axes.along(axes).exponent - Axes.h(axes).exponent, 1.0) * var(of))
 
 
+def _share(swing: Swing, axes: AxesInForce) -> AnySignal:
+    axis = Axes.share(axes)
+    if means := _mean_shares(swing):
+        return derived(axis.place(means[Signals.share.name][0]))
+    V = (1 / float(swing.lap.u[0])) * var(Signals.V)
+    return derived(axis.place(1.0) * V * V)
+
+
+def _twin(swing: Swing, axes: AxesInForce) -> AnySignal:
+    half = Axes.share(axes).place(0.5)
+    if not drawable(2 * swing.fastest, instants(swing)):
+        return derived(half)
+    return sines(ONE, Axes.t(axes), (half, 2 * swing.linear.omega, -QUARTER), line=(half, 0.0))
+
+
 class Signals(Declared[Swing]):
-    """Places on the path, h' and v', and the velocity in v_0: exact, and by the linear theory (_lin)."""
+    """Places on the path, h' and v', and the velocity in v_0: exact, and by the linear theory (_lin).
+
+    Lift over weight from the speed V, to first order, and as a vector: upright to the velocity, |L| = V^2. Kinetic
+    shares of the energies, their means if the window does not resolve them: of the aircraft's, counted from its lowest
+    point, and of the spring's; the floor and the ceiling.
+    """
 
     x = signal(lambda s, a: _told(s, a, Axes.along(a), s.told.x, s.told.u, s.length * s.lap.advance))
     h = signal(lambda s, a: _told(s, a, Axes.h(a), s.told.h, s.told.w), Axes.h, signed=True)
@@ -71,50 +91,17 @@ class Signals(Declared[Swing]):
     y_lin = signal(lambda s, a: _up(Signals.h_lin, a))
     u_lin = signal(lambda s, a: _sine(s, a, ONE, s.excess, QUARTER, (1.0, 0.0)))
     w_lin = signal(lambda s, a: _sine(s, a, ONE, math.sqrt(2) * s.excess, 0.0))
-
-
-def _speed(swing: Swing, axes: AxesInForce) -> Expression:
-    """The speed in v_0."""
-    return 1 + var(Signals.v) * (1 / Axes.v(axes).place(swing.v_0))
-
-
-class Lift(Signals):
-    """Lift over weight from the speed V, to first order, and as a vector: upright to the velocity, |L| = V^2."""
-
-    V = signal(lambda s, a: derived(_speed(s, a)))
-    lift = signal(lambda s, a: derived(var(Lift.V) * var(Lift.V)), Axes.lift)
-    lift_linear = signal(lambda s, a: derived(2 * var(Lift.V) - 1), Axes.lift)
-    lift_forward = signal(lambda s, a: derived(-var(Lift.V) * var(Signals.w)))
-    lift_up = signal(lambda s, a: derived(var(Lift.V) * var(Signals.u)))
-
-
-def _share(swing: Swing, axes: AxesInForce) -> AnySignal:
-    axis = Axes.share(axes)
-    if means := _mean_shares(swing):
-        return derived(axis.place(means[Shares.share.name][0]))
-    V = _speed(swing, axes) * (1 / float(swing.lap.u[0]))
-    return derived(axis.place(1.0) * V * V)
-
-
-def _twin(swing: Swing, axes: AxesInForce) -> AnySignal:
-    half = Axes.share(axes).place(0.5)
-    if not drawable(2 * swing.fastest, instants(swing)):
-        return derived(half)
-    return sines(ONE, Axes.t(axes), (half, 2 * swing.linear.omega, -QUARTER), line=(half, 0.0))
-
-
-class Shares(Signals):
-    """Kinetic shares of the energies, their means where the window does not resolve them: of the aircraft's, counted
-    from its lowest point, and of the spring's; the floor and the ceiling."""
-
+    V = signal(lambda s, a: _told(s, a, ONE, s.told.V / s.v_0, s.rates[2] / s.v_0))
+    lift = signal(lambda s, a: derived(var(Signals.V) * var(Signals.V)), Axes.lift)
+    lift_linear = signal(lambda s, a: derived(2 * var(Signals.V) - 1), Axes.lift)
+    lift_forward = signal(lambda s, a: derived(-var(Signals.V) * var(Signals.w)))
+    lift_up = signal(lambda s, a: derived(var(Signals.V) * var(Signals.u)))
     zero = signal(lambda s, a: derived(Axes.share(a).place(0.0)))
     all = signal(lambda s, a: derived(Axes.share(a).place(1.0)))
     share = signal(_share)
     twin = signal(_twin)
 
 
-SIGNALS: dict[str, type[Signals]] = {"lift": Lift, "exchange": Shares}
-"""The signals of the views that have some of their own."""
 PATH = (Signals.x, Signals.y, Signals.x_lin, Signals.y_lin)
 
 
@@ -129,9 +116,9 @@ def exact(swing: Swing, t: Floats) -> dict[Signal[Swing], Floats]:
     share, twin = (flown.V / (swing.lap.u[0] * swing.v_0)) ** 2, np.sin(swing.linear.omega * t) ** 2
     return {
         S.x: flown.x, S.y: flown.h, S.x_lin: linear.x, S.y_lin: linear.h,
-        S.h: flown.h, S.h_lin: linear.h, Lift.lift: V * V, Lift.lift_linear: 2 * V - 1,
+        S.h: flown.h, S.h_lin: linear.h, Signals.lift: V * V, Signals.lift_linear: 2 * V - 1,
         S.v: flown.gain(swing.v_0, swing.g), S.v_lin: swing.gain * np.cos(swing.linear.omega * t),
-        Shares.zero: nothing, Shares.share: share, Shares.all: nothing + 1, Shares.twin: twin,
+        Signals.zero: nothing, Signals.share: share, Signals.all: nothing + 1, Signals.twin: twin,
     }  # fmt: skip
 
 
@@ -140,11 +127,11 @@ def curves(swing: Swing, end: float) -> tuple[dict[str, Traces], dict[str, Colum
     they are too fast for a line, or have a corner."""
     t = instants(swing)
     drawn, bands = _over_time(swing, t)
-    means = [Shares.zero, Shares.share, Shares.all, Shares.twin]
+    means = [Signals.zero, Signals.share, Signals.all, Signals.twin]
     traces = over_time(
         swing.end, swing.fastest, drawn, lambda t: exact(swing, t), moving=_moving(swing), averaged=means
     )
-    columns = bands_over_time(t, bands) | ({TIME: _mean_shares(swing)} if swing.show == "exchange" else {})
+    columns = bands_over_time(t, bands) | {TIME: _mean_shares(swing)}
     last = max(swing.end, min(end / swing.length / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
     ahead = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
     path = over_time(
@@ -169,26 +156,23 @@ def _over_time(swing: Swing, t: Floats) -> tuple[list[Signal[Swing]], Columns]:
     else:
         for one, size, phase in ((Signals.h_lin, swing.climb, -QUARTER), (Signals.v_lin, swing.gain, QUARTER)):
             bands |= trace(one, [Sinusoid(size, swing.linear.omega, phase)], t)[1]
-    others = [Signals.h, Signals.v, *_lifts(swing)]
+    others = [Signals.h, Signals.v, Signals.lift, Signals.lift_linear]
     if drawable(swing.omega, t):
         drawn += others
     else:
         numbers = exact(swing, t)
         for one in others:
             bands |= _band(one, t, numbers[one].min(), numbers[one].max())
-    if swing.show == "exchange" and not _mean_shares(swing):
-        drawn += [Shares.zero, Shares.share, Shares.all, *([Shares.twin] if swing.excess else [])]
+    if not _mean_shares(swing):
+        drawn += [Signals.zero, Signals.share, Signals.all, *([Signals.twin] if swing.excess else [])]
     return drawn, bands
 
 
 def _moving(swing: Swing) -> list[Signal[Swing]]:
     """The motions over time in a file."""
-    shares = [Shares.share, *([Shares.twin] if swing.excess else [])] if swing.show == "exchange" else []
-    return [Signals.h_lin, Signals.v_lin, Signals.h, Signals.v, *_lifts(swing), *shares]
-
-
-def _lifts(swing: Swing) -> list[Signal[Swing]]:
-    return [Lift.lift, Lift.lift_linear] if swing.show == "lift" else []
+    S = Signals
+    shares = [S.share, *([S.twin] if swing.excess else [])]
+    return [S.h_lin, S.v_lin, S.h, S.v, S.lift, S.lift_linear, *shares]
 
 
 def _mean_shares(swing: Swing) -> Columns:
@@ -196,8 +180,8 @@ def _mean_shares(swing: Swing) -> Columns:
     t = instants(swing)
     if drawable(2 * swing.fastest, t):
         return {}
-    levels = {Shares.zero: 0.0, Shares.share: exact(swing, t)[Shares.share].mean(), Shares.all: 1.0}
-    twin = {Shares.twin: 0.5} if swing.excess else {}
+    levels = {Signals.zero: 0.0, Signals.share: exact(swing, t)[Signals.share].mean(), Signals.all: 1.0}
+    twin = {Signals.twin: 0.5} if swing.excess else {}
     return by_name({one: np.full_like(t, level) for one, level in (levels | twin).items()})
 
 
@@ -221,7 +205,7 @@ class Periods(Declared[Swing]):
 
 
 def columns_of(swing: Swing, axes: AxesInForce) -> dict[str, Columns]:
-    """The line of the periods, and the velocities where they are shown."""
+    """The line of the periods, and the velocities."""
     reach = np.array([0.0, Axes.v_0(axes).end])
     periods = by_name({Periods.v_0: reach, Periods.tau: linear_phugoid(1.0, swing.g).tau * reach})
-    return {"periods": periods, **(Limits.columns(swing) if swing.show == "limits" else {})}
+    return {"periods": periods, **Limits.columns(swing)}

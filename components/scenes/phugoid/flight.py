@@ -30,7 +30,6 @@ from components.layout.stage import (
 )
 from components.quantities.declared import Declared, Family, Scalar
 from components.scenes.phugoid.axes import Axes as A
-from components.scenes.phugoid.curves import Lift
 from components.scenes.phugoid.curves import Signals as S
 from components.scenes.phugoid.numbers import Numbers as N
 from components.scenes.phugoid.swing import AIRCRAFT, Swing
@@ -58,9 +57,7 @@ scalar = Scalar[Swing]
 
 
 class Places(Declared[Swing]):
-    is_period = scalar(lambda s, a: s.show == "period")
-    is_limits = scalar(lambda s, a: s.show == "limits")
-    is_lift = scalar(lambda s, a: s.show == "lift")
+    is_lift = scalar(lambda s, a: s.view == "lift")
     excess = scalar(lambda s, a: s.excess)
     head = scalar(lambda s, a: A.up(a).place(s.length))
     # The first tops of both paths. Where many swings share the frame their names have no room.
@@ -121,7 +118,7 @@ def _aircraft(part: str, style: str, x: Number, y: Number, u: Number, w: Number,
 def lift_shapes() -> list[Shape]:
     """Lift, upright to the velocity, and weight, which is as long as the velocity of level flight."""
     unit: Number = 50 * SIZE
-    tip = X + unit * var(Lift.lift_forward), Y - unit * var(Lift.lift_up)
+    tip = X + unit * var(S.lift_forward), Y - unit * var(S.lift_up)
     aside = NARROW * 18 - WIDE * 8  # on a phone it starts at the left edge
     named: Looks = {"style": "t2 b halo told", **FLOWN}
     return shown_by(
@@ -170,7 +167,12 @@ def period_shapes() -> list[Shape]:
     for name in AIRCRAFT:
         at, tau = PERIOD.x(var(Places.at[name])), PERIOD.y(var(Places.tau_at[name]))
         shapes += [line(at, tau, at, PERIOD.top, tint="rule", style="hair"), circle(at, tau, 5)]
-    return shown_by(Places.is_period, *shapes, circle(x, y, 6, tint="T"))
+    return [
+        *shapes,
+        circle(x, y, 6, tint="T"),
+        text(PERIOD.left + 8, PERIOD.top + 14, "period *τ*", anchor="start", tint="mute", style="halo"),
+        text(PERIOD.right - 4, PERIOD.bottom - 10, "speed *v*_0", anchor="end", tint="mute", style="halo"),
+    ]
 
 
 def velocity_shapes() -> list[Shape]:
@@ -180,8 +182,7 @@ def velocity_shapes() -> list[Shape]:
     tip = plot.x(var(S.u) - 1), plot.y(var(S.w))
     held = grab("Speed at the start", on_plot(plot, "x", "excess", Places.excess, A.forward))
     own: Looks = {"inside": plot}
-    return shown_by(
-        Places.is_limits,
+    return [
         line(still, plot.top, still, plot.bottom, tint="rule", style="hair", **own),
         line(start, level, start, plot.bottom, tint="T", **own),
         arrow(still, level, *tip, head=13, tint="T", **own),
@@ -197,7 +198,7 @@ def velocity_shapes() -> list[Shape]:
         ),
         text(still - 6, plot.top + 12, "up", anchor="end", tint="mute", style="halo", **own),
         text(plot.right, level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
-    )
+    ]
 
 
 @cache

@@ -1,16 +1,15 @@
-"""The live numbers of the flight, and which view of it stands."""
+"""The live numbers of the flight."""
 
 from __future__ import annotations
 
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, Family, Form, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import MINUS, signed, three
 from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.swing import AIRCRAFT, Swing, verdict
 from physics.phugoid import linear_phugoid
 
-VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
-number, form = LiveNumber[Swing], Form[Swing]
+number = LiveNumber[Swing]
 
 
 def size(axis: Axis, value: float) -> str:
@@ -35,7 +34,3 @@ class Numbers(Declared[Swing]):
     C = number(lambda s: f"{s.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS))
     verdict = number(verdict)
     examples = tau_model, tau_glider, tau_light, tau_airliner = [example(name) for name in AIRCRAFT]
-
-
-class Forms(Declared[Swing]):
-    view = Family(VIEWS, lambda one: form(lambda s: s.show == one), "{}")

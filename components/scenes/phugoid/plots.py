@@ -5,13 +5,13 @@ from __future__ import annotations
 from components.language.blocks import Block
 from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, mark, plot, region
-from components.layout.sheet import term, words
+from components.layout.sheet import phrase, term, words
 from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.quantities.declared import LiveNumber, Signal
 from components.scene.traces import band, traced
 from components.scenes.phugoid.axes import Axes
-from components.scenes.phugoid.curves import FAMILY, Lift, Limits, Periods, Shares
+from components.scenes.phugoid.curves import FAMILY, Limits, Periods
 from components.scenes.phugoid.curves import Signals as S
 from components.scenes.phugoid.flight import PATH, PERIOD, VELOCITY, Places
 from components.scenes.phugoid.numbers import Numbers as N
@@ -40,11 +40,9 @@ def path_plot() -> Block:
 
 
 def swing_plot(*, low: bool) -> Block:
-    """h'(t) or v'(t), exact and linear, under the formula; the lower plot carries the time."""
-    word, on, exact, linear, size, equation, tint = (
-        ("Speed", Axes.v, S.v, S.v_lin, N.v_size, r"g\, h' + v_0\, v' = 0", "T")
-        if low
-        else ("Height", Axes.h, S.h, S.h_lin, N.h_size, r"\ddot{h} + 2 (g/v_0)^2\, h' = 0", "V")
+    """h'(t) or v'(t), exact and linear."""
+    word, on, exact, linear, size, tint = (
+        ("Speed", Axes.v, S.v, S.v_lin, N.v_size, "T") if low else ("Height", Axes.h, S.h, S.h_lin, N.h_size, "V")
     )
     dashed, dashed_band = traced(linear, tint=tint, width="dash", read="linear", signal=linear)
     solid, solid_band = traced(exact, tint=tint, width="sum", read="exact", signal=exact)
@@ -56,15 +54,13 @@ def swing_plot(*, low: bool) -> Block:
         curves=(dashed, solid),
         bands=(dashed_band, solid_band),
         heading=(
-            term(exact, "sum", tint, formula=f"{on.name}'"),
-            term(linear, "dash", tint, formula=rf"\text{{linear }}{size}\, \cos({N.omega}\,t)"),
-            term("", "none", "ink", formula=equation),
+            phrase(exact, "sum", tint, formula=f"{word.lower()} *{on.name}*′"),
+            phrase(linear, "dash", tint, formula=rf"linear ${size}\, \cos({N.omega}\,t)$"),
         ),
-        x_labels=low,
         room=Room(62, 52),
         cursor="time",
         phone=10 + low,
-        height=150,
+        height=176,
     )
 
 
@@ -84,8 +80,8 @@ def period_plot() -> Block:
         room=Room(44, 26, top=60),
         handles=(Handle(parameter="v_0", symbol="v₀", label="Speed of steady flight", tint="T", least=1.0),),
         marks=tuple(map(_example, AIRCRAFT, N.examples, (0, 1, 0, 1))),
-        phone=14,
-        height=270,
+        phone=10,
+        height=222,
     )
 
 
@@ -106,8 +102,8 @@ def _example(name: str, tau: LiveNumber[Swing], row: int) -> Mark:
 
 def lift_plot() -> tuple[Block, ...]:
     """Lift over weight, exact and to first order, and what follows from it."""
-    linear, linear_band = traced(Lift.lift_linear, tint="F", width="dash", read="linear", signal=Lift.lift_linear)
-    exact, exact_band = traced(Lift.lift, tint="F", width="sum", read="exact", signal=Lift.lift, group="lift_exact")
+    linear, linear_band = traced(S.lift_linear, tint="F", width="dash", read="linear", signal=S.lift_linear)
+    exact, exact_band = traced(S.lift, tint="F", width="sum", read="exact", signal=S.lift, group="lift_exact")
     return (
         plot(
             PlotFrame("lift"),
@@ -117,13 +113,13 @@ def lift_plot() -> tuple[Block, ...]:
             curves=(linear, exact),
             bands=(linear_band, exact_band),
             heading=(
-                term("lift_exact", "sum", "F", formula=f"L/(m g) = (v/v_0)^2 = {Lift.lift}"),
-                term(Lift.lift_linear, "dash", "F", formula=rf"\text{{linear }}1 + 2 v'/v_0 = {Lift.lift_linear}"),
+                term("lift_exact", "sum", "F", formula=f"L/(m g) = (v/v_0)^2 = {S.lift}"),
+                term(S.lift_linear, "dash", "F", formula=rf"\text{{linear }}1 + 2 v'/v_0 = {S.lift_linear}"),
             ),
             room=Room(44, 52),
             cursor="time",
-            phone=14,
-            height=200,
+            phone=10,
+            height=222,
         ),
         words(
             r"$m \ddot{h} = L \cos \theta - m g$. To first order $\ddot{h} = 2 g\, v'/v_0$,",
@@ -138,14 +134,12 @@ def lift_plot() -> tuple[Block, ...]:
 def exchange_plots() -> tuple[Block, ...]:
     """Height against speed beside stretch against motion, as shares of their sum, and why they differ."""
     return (
-        words("**Aircraft:** height and speed exchange energy once a swing (first order)", phone=12),
-        _shares(
-            "flight_energy", Shares.share, "*m g h*", "½ *m v*²", "Energy of the aircraft: height and speed", low=False
-        ),
-        words("**Spring:** stretch and motion exchange it twice a swing (second order)", phone=14),
+        words("**Aircraft:** height and speed exchange energy once a period (first order)", phone=10),
+        _shares("flight_energy", S.share, "*m g h*", "½ *m v*²", "Energy of the aircraft: height and speed", low=False),
+        words("**Spring:** stretch and motion exchange it twice a period (second order)", phone=12),
         _shares(
             "spring_energy",
-            Shares.twin,
+            S.twin,
             "½ *k x*²",
             "½ *m x*′²",
             "Energy of the spring it mimics: stretch and motion",
@@ -156,7 +150,7 @@ def exchange_plots() -> tuple[Block, ...]:
             r"last term is too small to count: the middle one is traded for $m\,g\,h'$, at $\omega$. A spring "
             r"exchanges squares, $\tfrac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
             style="small",
-            phone=16,
+            phone=15,
         ),
     )
 
@@ -168,14 +162,13 @@ def _shares(name: str, edge: Signal[Swing], upper: str, lower: str, title: str, 
         y=Axes.share,
         title=title,
         bands=(
-            region(Shares.zero, edge, tint="T", label=lower),
-            region(edge, Shares.all, tint="V", label=upper),
+            region(S.zero, edge, tint="T", label=lower),
+            region(edge, S.all, tint="V", label=upper),
         ),
-        x_labels=low,
         room=Room(52, 8),
         cursor="time",
-        phone=13 + 2 * low,
-        height=110,
+        phone=11 + 2 * low,
+        height=126,
     )
 
 
@@ -210,6 +203,6 @@ def velocity_plot() -> Block:
         handles=(
             Handle(parameter="excess", symbol="v′", label="Excess of speed", tint="T", least=-1, text=N.gain.name),
         ),
-        phone=14,
+        phone=10,
         height=280,
     )

@@ -50,7 +50,7 @@ class Swing(Windowed):
     g: float
     excess: float
     unit: str
-    show: str
+    view: str
 
     def __post_init__(self) -> None:
         sizes = (self.v_0, self.v_0 * self.v_0, self.length, self.v_0 / self.g, self.g / self.v_0)
