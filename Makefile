@@ -23,7 +23,7 @@ BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
 .PHONY: run test rest test-all browsers scene lint format types hooks fast coverage attack audit digests reconnect load course soak \
-	deploy-test class up upgrade accuracy mutants pictures animation bench walk protocol readme lock docker clean
+	deploy-test class up upgrade accuracy mutants pictures engines animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -125,6 +125,10 @@ audit: $(VENV)/test.stamp
 # ARGS="shoot build/after", then ARGS="compare build/before build/after".
 pictures: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tools.pictures $(ARGS)
+
+# All scenes in Chromium, Safari's engine and Firefox, side by side.
+engines: $(VENV)/test.stamp
+	$(BROWSER) $(BIN)/python -m tools.engines $(or $(ARGS),build/engines)
 
 # The moving picture of README.md, of the page as it is.
 animation: $(VENV)/test.stamp

@@ -15,6 +15,8 @@ from tests.browser.driven import LOOK, PATIENCE, Driven
 from tests.serving.server import free_port
 
 NAMES = ("firefox-esr", "firefox")
+AS_NARROW_AS_A_PHONE = ":root, body { min-width: 0 !important; }"
+"""For Firefox's own window, which is at least 500 px wide otherwise."""
 
 
 def find() -> str | None:
@@ -28,9 +30,15 @@ class Firefox(Driven):
     def __init__(self, path: str, profile: Path) -> None:
         super().__init__()
         port = free_port()
-        preferences = {"marionette.port": port, "remote.prefs.recommended": True}
+        preferences = {
+            "marionette.port": port,
+            "remote.prefs.recommended": True,
+            "toolkit.legacyUserProfileCustomizations.stylesheets": True,
+        }
         lines = (f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
         (profile / "user.js").write_text("".join(lines), encoding="utf-8")
+        (profile / "chrome").mkdir()
+        (profile / "chrome" / "userChrome.css").write_text(AS_NARROW_AS_A_PHONE, encoding="utf-8")
         command = [path, "--headless", "--marionette", "--remote-allow-system-access", "--profile", str(profile)]
         with (profile / "log").open("w") as log:
             self._process = subprocess.Popen(command, stdout=log, stderr=log, env={**os.environ, "HOME": str(profile)})

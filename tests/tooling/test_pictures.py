@@ -15,7 +15,7 @@ from components.scenes import SCENES
 from components.state.standing import fitted
 from components.walks.registry import all_walks
 from tests.serving.server import ROOT
-from tools.pictures import differing, views
+from tools.pictures import SIZES, differing, views
 
 WIDE, HIGH = 200, 100
 
@@ -63,8 +63,8 @@ def test_pictures_of_another_size_and_those_that_one_side_lacks_are_listed(tmp_p
     assert list(differing(before, after)) == ["one.png: only before", "two.png: only after"]
 
 
-def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "tools.pictures", *arguments]
+def run(*arguments: str, tool: str = "tools.pictures") -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", tool, *arguments]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
@@ -85,3 +85,16 @@ def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> 
     other = run("compare", *folders)
     assert other.returncode == 1
     assert re.fullmatch(rf"{re.escape(path.name)}: \d+\.\d+% of the pixels, .*\n", other.stdout)
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+@pytest.mark.timeout(400)  # three browsers start
+def test_a_scene_is_shown_in_all_engines_that_are_there_side_by_side(browser: object, tmp_path: Path) -> None:
+    shot = run(str(tmp_path), "--only", "oscillator", tool="tools.engines")
+    assert shot.returncode == 0, shot.stderr
+    count = len(shot.stdout.splitlines()[-1].split(" from ")[0].strip(", ").split(", "))
+    for screen in ("desk", "phone"):
+        width, height = SIZES[screen]
+        with Image.open(tmp_path / f"oscillator-{screen}.png") as picture:
+            assert picture.size == (count * width, height)
