@@ -86,6 +86,7 @@ def main() -> None:
     except ValueError as refusal:
         sys.exit(str(refusal))
     set_up(settings.log_format, settings.log_visitors)
+    log.info("Starting: reading scenes and walks")
     for line in misspelt(os.environ):
         log.warning(line)
     try:
