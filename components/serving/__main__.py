@@ -15,7 +15,6 @@ from pathlib import Path
 
 import segno
 
-from app import FIGURES, SHEETS, walked
 from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
 from components.serving.apart import ReadingProcess
@@ -55,6 +54,8 @@ def tell(settings: Settings, port: int) -> str:
 
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
+    from app import FIGURES, SHEETS, walked  # reading all scenes takes seconds: the log has its first line by now
+
     folders = [settings.walks] if settings.walks else []
     lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
     lecture.bank.apart = apart
@@ -86,7 +87,7 @@ def main() -> None:
     except ValueError as refusal:
         sys.exit(str(refusal))
     set_up(settings.log_format, settings.log_visitors)
-    log.info("Starting: reading scenes and walks")
+    log.info("The server starts")
     for line in misspelt(os.environ):
         log.warning(line)
     try:

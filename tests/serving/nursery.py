@@ -20,7 +20,7 @@ class Forked:
 
     def __init__(self, arguments: list[str], environment: dict[str, str], log: Path) -> None:
         forks: Any = get_context("forkserver")
-        forks.set_forkserver_preload([START])
+        forks.set_forkserver_preload([START, "app"])
         self._process = forks.Process(target=_serve, args=(arguments, environment, log), daemon=True)
         self._process.start()
         self.pid: int = self._process.pid

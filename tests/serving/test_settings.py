@@ -228,9 +228,10 @@ def test_names_of_other_programs_raise_no_alarm() -> None:
     assert misspelt(dict.fromkeys(OTHERS, "5")) == []
 
 
-def test_the_log_names_a_misspelt_variable_at_the_start(tmp_path: Path) -> None:
+def test_the_log_says_first_that_the_server_starts_and_names_a_misspelt_variable(tmp_path: Path) -> None:
     with serving(tmp_path / "log", environment={"SESIONS": "5"}) as server:
         lines = server.log.read_text().splitlines()
+    assert lines[0].endswith("The server starts")
     assert [line for line in lines if "WARNING" in line and "Did you mean SESSIONS?" in line]
 
 
