@@ -73,12 +73,14 @@ types: $(VENV)/test.stamp
 hooks: $(VENV)/test.stamp
 	$(BIN)/pre-commit install
 
-# One scene while it is written: make scene SCENE=damped
+# One scene while it is written: make scene SCENE=damped. It reads only the tests that go through all scenes or name it.
+OF_SCENES = $(shell grep -rlE --include='test_*.py' 'SCENES|"$(SCENE)"' tests/scenes tests/page tests/components)
 scene: lint
-	$(BIN)/pytest $(BOTH_CORES) -m "not browser" -k "$(SCENE) or test_measures or table_of_scenes" \
-		tests/scenes tests/page tests/components tests/tooling/test_measures.py tests/tooling/test_commands.py
-	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
-		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow" -k "$(SCENE) or table_of_scenes" $(OF_SCENES) \
+		tests/tooling/test_commands.py
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and not slow" -k "$(SCENE)" \
+		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py \
+		tests/browser/test_views.py
 
 # What needs no browser.
 fast: $(VENV)/test.stamp
