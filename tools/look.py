@@ -24,28 +24,34 @@ from tests.serving.server import serving
 SIZES = ((1280, 720), (853, 480))
 LEAST = {"a plot beside another": 0.25, "the only plot": 0.35, "the stage": 0.17}
 """The least heights of what is drawn, its axes included, as shares of the height of the window."""
-USED = 0.25
-"""The share of its height that the curves of a plot have to use."""
+USED = 0.1
+"""The share of its height that the curves of a plot use, where none is hidden and the scale of the axes is free."""
 MEASURED = """() => {
   const stands = part => part.checkVisibility() && part.getBoundingClientRect().height > 1
   const high = part => part.getBoundingClientRect().height / innerHeight
-  const used = ({block, view, x, y, hidden}) => {
+  const drawn = ({host, svg}) => {
+    const boxes = [...svg.children].filter(stands).map(part => part.getBoundingClientRect())
+    const [top, bottom] = [Math.min(...boxes.map(box => box.top)), Math.max(...boxes.map(box => box.bottom))]
+    return Math.max(high(host), (bottom - top) / innerHeight)
+  }
+  const {covered, held} = oscillations.shown.state
+  const used = ({block, view, y, hidden, host}) => {
+    const isPart = host.matches(".sketched") || covered.some(name => name.startsWith(`curve:${block.name}.`))
     const columns = block.curves.filter(({group}) => !hidden.has(group))
-      .map(({source, x, y}) => view.columns[source]?.[y] ?? []).filter(({length}) => length > 1)
-    const sizes = columns.map(column => {
-      const places = [...column].filter(Number.isFinite).map(value => (value - y.start) / (y.end - y.start))
-      return Math.min(1, Math.max(...places)) - Math.max(0, Math.min(...places))
-    })
-    return sizes.length ? Math.max(...sizes) : 1
+      .map(({source, y}) => view.columns[source]?.[y] ?? []).filter(({length}) => length > 1)
+    if (isPart || held || block.square || !columns.length) return 1
+    const places = columns.flatMap(column => [...column]).filter(Number.isFinite)
+      .map(value => (value - y.start) / (y.end - y.start))
+    return Math.min(1, Math.max(...places)) - Math.max(0, Math.min(...places))
   }
   const plots = oscillations.page.plots.filter(({host, absent}) => !absent && stands(host))
   return {
-    stages: [...document.querySelectorAll(".block.stage")].filter(stands).map(high),
+    stages: oscillations.page.stages.filter(({host}) => host.matches(".block") && stands(host)).map(drawn),
     plots: plots.map(plot => ({
       name: plot.block.name,
-      high: high(plot.host),
+      high: high(plot.host.parentElement),
       used: used(plot),
-      across: plot.block.x_labels ? [...plot.abscissae.values()].filter(Boolean).length : 0,
+      across: plot.figure.numbered ? [...plot.abscissae.values()].filter(Boolean).length : 0,
       up: plot.labels.scale.childElementCount,
       plain: plot.block.plain,
     })),

@@ -6,6 +6,8 @@ import {colour, element, unitSize, units} from "../core/dom.js"
 const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
 const LENGTHS = ["line_dash", "size"]
 
+const NUMBERS = 30 // units under a frame with numbers: components/layout/plots.py
+
 const LACK = "The program that draws the curves could not be loaded. Trying again."
 
 export class Figure {
@@ -15,6 +17,7 @@ export class Figure {
   /** @param {page.PlotBlock} block */
   constructor(block) {
     this.block = block
+    this.numbered = block.x_labels
     this.says = element("p", {class: "heard", id: `says-${block.name}`})
     this.element = element("div", {
       class: "figure",
@@ -59,7 +62,8 @@ export class Figure {
 
   /** The room around the frame, in whole pixels. */
   get room() {
-    const {left, right, top, bottom} = this.block.room
+    const {left, right, top} = this.block.room
+    const bottom = this.numbered ? Math.max(NUMBERS, this.block.room.bottom) : this.block.room.bottom
     const [l, r, t, b] = [left, right, top, bottom].map(size => Math.round(size * unitSize()))
     return {left: l, right: r, top: t, bottom: b}
   }
@@ -67,6 +71,7 @@ export class Figure {
   /** As large as its text. */
   fit() {
     if (!this.model) return
+    this.model.below[0].visible = this.numbered
     const {left, right, top, bottom} = this.room
     this.model.setv({min_border_left: left, min_border_right: right, min_border_top: top, min_border_bottom: bottom})
     for (const {model, lengths} of this.drawn ?? []) {

@@ -50,7 +50,7 @@ export class Labels {
     const [size, more] = [units("t0"), LINE * units("t0")]
     const feet = ticks.map(tick => {
       const y = this.plot.py(tick)
-      return Math.min(y + 4.5, Math.max(y - 1, top + height)) // those below the floor stay apart
+      return Math.min(y + 4.5, Math.max(y - 3, top + height - 2)) // those below the floor stay apart
     })
     const spans = feet.map((foot, i) => {
       const under = (lines[i].length - 1) * more

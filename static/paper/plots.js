@@ -150,6 +150,7 @@ export class Plot {
     this.hidden = new Set(this.page.hidden)
     this.cover.update()
     if (this.absent) return
+    this.#number(shown.state.show ?? [])
     this.#widen()
     this.#draw()
     this.still()
@@ -181,6 +182,14 @@ export class Plot {
 
   #widen() {
     if (this.block.square && this.box && this.asked) [this.x, this.y] = toOneScale(this.asked.x, this.asked.y, this.box)
+  }
+
+  /** A plot that a step lists has numbers under it, whatever stands below. @param {readonly string[]} listed */
+  #number({length}) {
+    const isNumbered = this.block.x_labels || (length > 0 && !this.block.plain)
+    if (isNumbered === this.figure.numbered) return
+    this.figure.numbered = isNumbered
+    this.place()
   }
 
   theme() {

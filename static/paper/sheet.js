@@ -169,6 +169,7 @@ export class Sheet {
     const host = /** @type {HTMLElement} */ (this.hosts.get(block))
     host.classList.toggle("at-desk", !block.hall && !parts.length) // what a step lists stands in a hall too
     host.hidden = !stands
+    host.classList.toggle("listed", stands && parts.includes(block.part))
     return stands
   }
 

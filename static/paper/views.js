@@ -62,11 +62,11 @@ export class Views {
     for (const tab of this.tabs) tab.classList.toggle("waits", tab.dataset.view === waiting.get("view"))
   }
 
-  /** A question has the page for itself: there are no tabs until it is answered. @param {Drawn} shown */
+  /** A question has the page for itself, and so have the parts that a step lists. @param {Drawn} shown */
   update({settings, state}) {
     const now = viewOf(settings)
     const asks = Boolean(state.step) && state.covered.length > 0
-    this.row.hidden = asks || !this.views.length
+    this.row.hidden = asks || !this.views.length || Boolean(state.show?.length)
     for (const [i, tab] of this.tabs.entries()) {
       const isChosen = tab.dataset.view === now
       if (isChosen && tab.getAttribute("aria-selected") !== "true") this.#enter(tab)

@@ -216,9 +216,9 @@ export class Pad {
 
   /** Numbers of an axis whose own stand under another plot: the pad may be seen without it. */
   #numbers() {
-    const {block, abscissae, frame} = this.plot
+    const {figure, abscissae, frame} = this.plot
     const y = frame.top + frame.height - 4
-    const numbers = block.x_labels ? [] : [...abscissae]
+    const numbers = figure.numbered ? [] : [...abscissae]
     return numbers.map(([at, words]) => svg("text", {class: "tick", x: this.plot.px(at), y}, words))
   }
 

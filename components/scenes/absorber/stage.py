@@ -193,7 +193,9 @@ def goals() -> Block:
         shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
         shapes.append(text(26, y + 5, f"{N.goal[i]}", "start", style="t2 b"))
         shapes.append(text(26, y + 23, f"{N.found[i]}", "start", tint="mute", style="t0"))
-    return stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still")
+    return stage(
+        *shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still", name="goals"
+    )
 
 
 def _limits() -> tuple[Number, Number, Number]:

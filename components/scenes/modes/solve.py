@@ -12,7 +12,7 @@ from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.language.state import Frame
-from components.layout.sheet import Paragraph, either, row, stage, when, words
+from components.layout.sheet import Paragraph, column, either, row, stage, when, words
 from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, shown_by, text
 from components.quantities.axes import Axis, time_axis
 from components.quantities.declared import AxesInForce, Declared, Family, Form, Scalar, Signal, by_name
@@ -151,7 +151,12 @@ def sheet() -> Block:
     return row(
         when(Solve.undamped, _stage("Both modes, each moving at its own frequency", _mode_title)),
         when(Solve.braked, _stage("Free motions of the chain with dashpots, one above the other", _motion_title)),
-        words(*_formulas(), style="facts", grow=408, phone=20),
+        column(
+            words(*_equation(), style="facts", grow=0, phone=20, name="equation"),
+            words(*_roots(), style="facts", grow=0, phone=20, name="roots"),
+            words(*_modes(), style="facts", grow=1, phone=20, name="modes"),
+            grow=408,
+        ),
     )
 
 
@@ -166,10 +171,15 @@ def _always(text_: str) -> Paragraph:
     return either(Solve.ratios, both=text_, loose=text_)
 
 
-def _formulas() -> list[Paragraph]:
+def _equation() -> list[Paragraph]:
     return [
         _always(r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**"),
         _always(rf"${E.m1m2}\,\omega^4 - {E.b}\,\omega^2 + {E.k1k2_}$$= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$"),
+    ]
+
+
+def _roots() -> list[Paragraph]:
+    return [
         _always(
             r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$"
             f"$= {E.Delta}$"
@@ -191,15 +201,14 @@ def _formulas() -> list[Paragraph]:
             r"So both $\omega^2$ are positive and $\omega$ is real.",
             zero=rf"**$\sqrt{{\Delta}} = b$** $= {E.b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
         ),
-        _always(rf"[slow|$\omega_-^2 = {N.slow_square}$, $\omega_- = {N.slow_omega}$ rad/s]"),
-        _always(rf"[fast|$\omega_+^2 = {N.fast_square}$, $\omega_+ = {N.fast_omega}$ rad/s]"),
-        *BRAKED,
-        *_ratios(),
     ]
 
 
-def _ratios() -> list[Paragraph]:
+def _modes() -> list[Paragraph]:
     return [
+        _always(rf"[slow|$\omega_-^2 = {N.slow_square}$, $\omega_- = {N.slow_omega}$ rad/s]"),
+        _always(rf"[fast|$\omega_+^2 = {N.fast_square}$, $\omega_+ = {N.fast_omega}$ rad/s]"),
+        *BRAKED,
         either(
             Solve.ratios,
             both=r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
