@@ -77,7 +77,7 @@ def test_where_nothing_may_be_copied_the_link_is_shown(course: Callable[[int], P
     frame.evaluate(UNFOLD)
     frame.get_by_role("button", name="Copy link").click()
     field = frame.get_by_role("textbox", name="Link", exact=True)
-    expect(field).to_have_value(re.compile(r"\?scene=coupled$"))
+    expect(field).to_have_value(re.compile(r"\?scene=coupled&view=motion$"))
     expect(field).to_be_focused()
     assert field.evaluate("one => one.selectionEnd - one.selectionStart === one.value.length")
 

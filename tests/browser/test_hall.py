@@ -55,7 +55,7 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(third: int, server:
     page.goto(f"{server.url}?scene=oscillator&projector")
     found = []
     views = [("modes", {"task": task}) for task in ("guess", "solve", "sweep")]
-    every = [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "constants"})]
+    every = [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "formulas"})]
     for slug, given in every[third::3]:
         page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])
         page.wait_for_function(f"slug => oscillations.page.spec.slug === slug && {READY}", arg=slug)

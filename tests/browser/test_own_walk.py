@@ -179,7 +179,7 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert not list(problems(walk, SCENES))
     covers = [COVERED, set(), {"plot:x1"}, set()]
     assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
-    assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&frame.window=40&held.k2=20"
+    assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&view=motion&frame.window=40&held.k2=20"
     assert isinstance(walk.steps[2], SketchStep)
     are_read_off(walk.steps[2])
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.browser
 
 
 def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="coupled", k2=3)
+    open_scene(page, scene="coupled", view="plane", k2=3)
     csv = page.get_by_role("button", name="CSV")
     expect(csv).to_have_text("CSV (ZIP)")
     expect(csv).to_have_accessible_description(re.compile("several tables come in one ZIP file"))
@@ -35,7 +35,7 @@ def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Calla
         content = packed.read("coupled-time.csv")
     table = pd.read_csv(io.BytesIO(content), comment="#")
     assert list(table)[:2] == ["t [s]", "x1 [m]"] and table["x1 [m]"][0] == 1
-    assert f"# {page.url.split('?')[0]}?scene=coupled&k2=3\r\n" in content.decode()
+    assert f"# {page.url.split('?')[0]}?scene=coupled&k2=3&view=plane\r\n" in content.decode()
     turned(page, "absorber", {"tuning": "detached"})
     expect(page.get_by_role("button", name="CSV", include_hidden=True)).to_have_text("CSV")
 
@@ -109,7 +109,7 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(
     [
         ({"scene": "oscillator", "view": "formulas"}, "Phase plane", (" m", " m/s")),
         ({"scene": "oscillator", "view": "formulas"}, "The law", (" m", " m/s²")),
-        ({"scene": "coupled"}, "Displacement of mass 2 against that of mass 1", (" m", " m")),
+        ({"scene": "coupled", "view": "plane"}, "Displacement of mass 2 against that of mass 1", (" m", " m")),
     ],
 )
 def test_a_picture_has_the_numbers_and_units_that_on_the_page_stand_beside_another(

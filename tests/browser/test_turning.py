@@ -134,7 +134,7 @@ def test_a_sheet_that_could_not_be_fetched_is_asked_for_again(browser: Browser, 
 
 
 def test_a_plot_gets_its_figure_when_it_is_first_seen(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
+    open_scene(page, scene="coupled", view="energy")
     find = "oscillations.plots.find(plot => plot.block.name === 'mode_energy')"
     assert not page.evaluate(f"{find}.host.querySelector('.figure').firstChild")
     page.evaluate("oscillations.send({type: 'choose', name: 'energy', value: 'modes'})")

@@ -82,7 +82,7 @@ def test_what_is_held_outlasts_every_view_preset_and_undo() -> None:
     page = Page(SCENES["coupled"]())
     hold(page)
     put(page, k2=3.0)
-    for name, word in (("energy", "modes"), ("view", "forces"), ("view", "constants"), ("energy", "parts")):
+    for name, word in (("energy", "modes"), ("view", "forces"), ("view", "formulas"), ("energy", "parts")):
         told = page.say({"type": "choose", "name": name, "value": word, "number": len(page.packets) + 1})
         assert told["errors"] == {} and told["state"]["held"] == {} and told["held"]["columns"]
     told = change(page, frame=None, parameters={"m1": 1.0})

@@ -108,7 +108,7 @@ def numbers(told: Any) -> set[float | str]:
 def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
     page = Page(SCENES["coupled"]())
     change(page, covered=["next"])
-    told = page.say({"type": "choose", "name": "view", "value": "constants", "number": 60})
+    told = page.say({"type": "choose", "name": "view", "value": "formulas", "number": 60})
     assert told["state"]["covered"] == ["next"]
     told = put(page, k2=5.0)
     assert {"plot:x1", "plot:x2", "value:omega_minus", "stage"} <= set(told["state"]["covered"])
@@ -155,6 +155,6 @@ def test_another_view_of_what_is_covered_is_that_from_before() -> None:
     page = Page(SCENES["coupled"]())
     change(page, covered=["next"])
     put(page, k2=5.0)
-    told = page.say({"type": "choose", "name": "view", "value": "constants", "number": 60})
-    assert told["state"]["parameters"]["view"] == "constants" and told["state"]["before"] == {}
-    assert told["view"]["scalars"] == Page(SCENES["coupled"](view="constants")).opening()["view"]["scalars"]
+    told = page.say({"type": "choose", "name": "view", "value": "formulas", "number": 60})
+    assert told["state"]["parameters"]["view"] == "formulas" and told["state"]["before"] == {}
+    assert told["view"]["scalars"] == Page(SCENES["coupled"](view="formulas")).opening()["view"]["scalars"]

@@ -73,7 +73,7 @@ def test_beats_exchange_all_energy() -> None:
 
 
 def test_no_wall_is_a_drift() -> None:
-    scene = Coupled(k1=0.0, v1_0=0.3, v2_0=0.3)
+    scene = Coupled(k1=0.0, v1_0=0.3, v2_0=0.3, view="formulas")
     shown = scene.shown
     assert shown.forms["x1_slow"] == "drift"
     data = scene.sources["time"].data
@@ -153,7 +153,7 @@ def test_a_drift_has_no_beat() -> None:
 
 def test_four_constants_follow_from_four_starting_values() -> None:
     """M = m1 + m2 r^2 is 6 and 3 kg; X sin(phi) and omega X cos(phi) are the start, weighed by the shape."""
-    scene = Coupled(x1_0=0.5, x2_0=-0.4, v1_0=1.0, v2_0=0.3, view="constants")
+    scene = Coupled(x1_0=0.5, x2_0=-0.4, v1_0=1.0, v2_0=0.3, view="formulas")
     values = scene.shown.values
     assert (values["M_minus"], values["M_plus"]) == ("6.00", "3.00")
     for name, r, M in (("minus", 2.0, 6.0), ("plus", -1.0, 3.0)):

@@ -66,7 +66,7 @@ def test_pandas_reads_the_numbers_of_an_address(server: Server) -> None:
 
 def test_the_file_says_where_it_is_from(server: Server) -> None:
     reply = ask(server.url, COUPLED)
-    assert f"# {server.url}?scene=coupled&k2=3.0".removesuffix(".0") in reply.text
+    assert f"# {server.url}?scene=coupled&k2=3&view=motion" in reply.text
     assert reply.headers["Content-Type"].startswith("text/csv")
     assert reply.headers["Content-Disposition"] == 'attachment; filename="coupled.csv"'
     assert ask(server.url, COUPLED, "HEAD").text == ""

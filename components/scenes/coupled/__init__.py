@@ -7,6 +7,7 @@ from typing import Self
 
 from components import chain
 from components.layout.controls import Group
+from components.layout.views import View
 from components.quantities.parameters import Quantity, Values, finite, not_negative, one_of
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.coupled.case import CoupledShown
@@ -94,15 +95,35 @@ class Coupled(CaseScene):
     X_fast = amplitude("fast", "+", 2 / 3)
     phi_fast = phase("fast", "+")
     energy = ENERGY
-    view = one_of(
-        "modes", {"modes": "Modes", "constants": "Constants", "forces": "Forces"}, "What is shown beside the motion"
-    )
+    views = (
+        View(
+            "Motion",
+            "Pull mass 1, hold mass 2, let both go: find the slow part and the fast part in the motion of mass 1.",
+            keys=(x1_0, x2_0), names=("stage", "plot:x1", "plot:x2"),
+        ),
+        View(
+            "Energy", "Pull mass 1 and let go: which energies come and go, and which never change?",
+            keys=(x1_0, x2_0), names=("stage", "plot:energy"),
+        ),
+        View(
+            "x₂ against x₁", "Drag the dot: from which starts is the path a straight line?",
+            keys=(x1_0, x2_0), names=("plot:plane",), word="plane",
+        ),
+        View(
+            "Forces", "Watch the arrows: when does spring 2 pull mass 1 on, and when back?",
+            keys=(x1_0, x2_0), names=("stage", "plot:x1"),
+        ),
+        View(
+            "Formulas", "Change one value, and watch the numbers in each formula.",
+            keys=(x1_0, x2_0), names=("stage", "plot:x1", "plot:x2"),
+        ),
+    )  # fmt: skip
+    old_views = {"view": {"modes": "motion", "constants": "formulas"}}
     groups = (
         chain.chain_group(m1, m2, k1, k2),
         Group("Start", (x1_0, x2_0)),
         Group("", (X_slow, phi_slow, X_fast, phi_fast), form=GIVEN_BY_MODES, apart=True),
         Group("", (v1_0, v2_0, given_by), "Start velocities, or modes", folded=True),
-        Group("Shown", (view,)),
     )
 
     case = CoupledShown

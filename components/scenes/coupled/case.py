@@ -243,6 +243,7 @@ class CoupledShown(CoupledCase):
     rate_minus, rate_plus = value.pair(lambda c: [signed(rate) for _, _, rate in c.free.each()])
     beat_period = value(lambda c: f"{three(math.tau / c.chain.modes().beat)} s" if c.beat == "both" else "none")
     # Which formulas are shown.
-    slow_term = value(lambda c: "sine" if c.slow else "drift")
+    slow_term = value(lambda c: "words" if c.view != "formulas" else "sine" if c.slow else "drift")
+    fast_term = value(lambda c: "" if not c.highest else "words" if c.view != "formulas" else "sine")
     fast_fact = value(lambda c: "sine" if c.highest else "")
     constants = value(lambda c: "shapes" if c.k2 else "loose")

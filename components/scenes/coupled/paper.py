@@ -17,8 +17,9 @@ from components.language.numbers import Number
 from components.language.plots import Room
 from components.language.shapes import Along, AnyShape, Begin, Grab, Share, Swung
 from components.layout.grabs import begin
-from components.layout.sheet import choice, column, desk, row, stage, table
+from components.layout.sheet import choice, column, row, stage, table
 from components.layout.stage import H, W, arrow, circle, line, text
+from components.layout.views import in_views
 from components.paper.deferred import Axes, computed, deferred, number, recorded
 from components.paper.plot_axes import TIME, PlotAxis, axis
 from components.paper.plots import (
@@ -69,7 +70,6 @@ HANDS = {"slow": c.slow_hands, "fast": c.fast_hands}
 
 
 def paper() -> Block:
-    task = "Pull mass 1, hold mass 2, let go of both: does any part of the motion die out?"
     beat = either(
         c.beat,
         both=f"Beat period {c.beat_period}",
@@ -78,38 +78,34 @@ def paper() -> Block:
         rest="Nothing moves",
         drift="No beat: the slow mode is a drift",
     )
+    label = "Two masses and two springs in motion; below, its two modes"
     return column(
-        desk(words(task, style="task", phone=0)),
         row(
-            stage(*shapes(), label="Two masses and two springs in motion; below, its two modes", height=215),
-            facts(), grow=230, gap=18,
+            stage(*shapes(), label=label, height=192),
+            in_views(modes(), "motion", "energy", "plane"),
+            in_views(forces(), "forces"),
+            in_views(constants(), "formulas"),
+            grow=226, gap=18,
         ),
-        row(
-            column(*displacements(), when(c.energy == "parts", energies()), when(c.energy == "modes", mode_energies())),
-            column(
-                words("**Mass 2 against mass 1**", style="plain", phone=15),
-                plane(),
-                words(beat, style="numbers", phone=17),
-                desk(choice(ENERGY, phone=14)),
-                basis=254, grow=0,
-            ),
-            grow=346, gap=18,
+        column(
+            *(in_views(plot, "motion", "forces", "formulas") for plot in displacements()),
+            in_views(when(c.energy == "parts", energies()), "energy"),
+            in_views(when(c.energy == "modes", mode_energies()), "energy"),
+            in_views(plane(), "plane"),
+            in_views(words(beat, style="numbers", phone=15, name="beat"), "motion", "plane"),
+            in_views(choice(ENERGY, phone=14), "energy"),
+            grow=346,
         ),
     )  # fmt: skip
 
 
-def facts() -> Block:
-    """Right of the stage: a caption at the height of each of its rows, or the constants, or the forces."""
+def modes() -> Block:
+    """Right of the stage: a caption at the height of each of its rows."""
     top, slow, fast = FEET[0], FEET[1] - FEET[0], FEET[2] - FEET[1]
-    rows = (
-        words("**The motion**", style="caption", grow=top, phone=4),
-        words(*slow_mode(), style="caption", grow=slow, phone=4),
-        words(*fast_mode(), style="caption", grow=fast, phone=4),
-    )
     return column(
-        when(c.view == "modes", column(*rows)),
-        when(c.view == "constants", constants()),
-        when(c.view == "forces", forces()),
+        words("**The motion**", style="caption", grow=top, phone=16),
+        words(*slow_mode(), style="caption", grow=slow, phone=16),
+        words(*fast_mode(), style="caption", grow=fast, phone=16),
         grow=0, basis=254,
     )  # fmt: skip
 
@@ -156,9 +152,10 @@ def constants() -> Block:
         [r"$\omega X_1 \cos \phi$", f"{c.rate_minus}", f"{c.rate_plus}", "m/s"],
     )
     return column(
-        words(*paragraphs, style="constants", phone=4),
-        table(*rows, head=["", "[slow|slow]", "[fast|fast]", ""], style="tight", phone=4),
-    )
+        words(*paragraphs, style="constants", phone=16, name="formulas"),
+        table(*rows, head=["", "[slow|slow]", "[fast|fast]", ""], style="tight", phone=17),
+        grow=0, basis=254,
+    )  # fmt: skip
 
 
 def forces() -> Block:
@@ -169,7 +166,7 @@ def forces() -> Block:
         r"$\tint{m2}{m_2 \ddot{x}_2} = \tint{k}{k_2 (x_1 - x_2)}$",
         f"$F_2 =$ {counted(c.F2, FORCE):+} {FORCE.unit_text}",
         "[small|That $T + V$ stays constant is one equation: two masses need two.]",
-        style="facts", grow=1, phone=4,
+        style="facts", grow=0, basis=254, phone=15, name="forces",
     )  # fmt: skip
 
 
@@ -289,15 +286,16 @@ def displacements() -> Iterator[Block]:
     sizes = (c.X1_minus, c.X1_plus, c.a1, c.b1), (c.X2_minus, c.X2_plus, c.a2, c.b2)
     every = zip(chain.BOTH, (X1, X2), SLOW, FAST, sizes, strict=True)
     for i, plot, slow_part, fast_part, (X_minus, X_plus, a, b) in every:
-        sine = rf"{X_minus}\,\sin({c.omega_minus}\,t\; {c.phi_minus:+})"
-        slow = either(c.slow_term, sine=sine, drift=rf"{a}\; {b:+}\,t")
+        slow = rf"{X_minus}\,\sin({c.omega_minus}\,t\; {c.phi_minus:+})"
         fast = rf"{X_plus:+}\,\sin({c.omega_plus}\,t\; {c.phi_plus:+})"
+        slow_legend = either(c.slow_term, words=r"\text{slow part}", sine=slow, drift=rf"{a}\; {b:+}\,t")
+        fast_legend = either(c.fast_term, words=r"+\; \text{fast part}", sine=fast)
         yield plot.block(
             curve(WHOLE[i - 1], "sum", f"m{i}", legend=f"x_{i} =", label=f"*x*_{i}", fast="band", dot=True),
-            curve(slow_part, tint="slow", legend=slow, read="slow", fast="band", dot=True),
-            curve(fast_part, "dash", "fast", legend=fast, read="fast", fast="band", dot=True),
+            curve(slow_part, tint="slow", legend=slow_legend, read="slow", fast="band", dot=True),
+            curve(fast_part, "dash", "fast", legend=fast_legend, read="fast", fast="band", dot=True),
             title=f"Displacement of mass {i} against time, with its slow and its fast part",
-            x_labels=False, phone=10 + i, height=118,
+            x_labels=i == 2, phone=10 + i, height=112 if i == 1 else 142,
         )  # fmt: skip
 
 
@@ -313,7 +311,7 @@ def energies() -> Block:
         ),
         note(f"${PARTS.unit}$"),
         title="Kinetic and potential energy of each mass and spring, stacked to their constant sum",
-        phone=13, height=130,
+        phone=10, height=240,
     )  # fmt: skip
 
 
@@ -326,7 +324,7 @@ def mode_energies() -> Block:
         curve(c.E_fast, "dash", "fast", label="fast", legend=rf"+\; {PARTS.text(c.E_plus)}"),
         note(rf"${PARTS.unit}\text{{: each mode keeps its own}}$"),
         title="Energy of the slow mode and of the fast mode: both constant",
-        phone=13, height=130,
+        phone=10, height=240,
     )  # fmt: skip
 
 
@@ -347,7 +345,7 @@ def plane() -> Block:
             text(PLANE.right - 4, zero[1] - 8, "*x*_1", anchor="end", tint="m1", style="t2 b"),
             text(zero[0] - 8, PLANE.top + 12, "*x*_2", anchor="end", tint="m2", style="t2 b"),
         ),
-        room=Room(8, 8), square=True, plain=True, phone=16, height=300,
+        room=Room(8, 8), square=True, plain=True, phone=10, height=300,
     )  # fmt: skip
 
 
