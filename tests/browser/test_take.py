@@ -172,3 +172,15 @@ def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(
         assert any(row[0] == instant and height in row[1:] for row in rows), (height, instant)
     page.get_by_role("button", name="Close").click()
     expect(page.get_by_role("dialog")).to_have_count(0)
+
+
+def test_the_button_of_a_stage_keeps_off_a_heading_at_its_top(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled")
+    stage = page.locator(".block.stage").first
+    stage.hover()
+    button = stage.locator(":scope > .take")
+    expect(button).to_have_css("opacity", "1")
+    outer, inner = stage.bounding_box(), button.bounding_box()
+    assert outer and inner
+    assert inner["y"] > outer["y"] + outer["height"] / 2
+    assert inner["y"] + inner["height"] <= outer["y"] + outer["height"] + 1
