@@ -55,14 +55,14 @@ def test_it_plays_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -
     page.wait_for_url(re.compile(r"v_0=(?!-0\.8(&|$))"))
 
 
-def test_the_hook_of_the_hanging_mass_and_the_ball_share_lines(page: Page, open_scene: Open, screenshot: Keep) -> None:
-    open_scene(page, scene="energy")
+def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="energy", view="energy")
     for t in (0.3, 1.09):
         seek(page, t)
-        assert level(page, "svg.stage rect.mass", "b.top") == pytest.approx(dot(page, "x", "m1"), abs=1)
-        shared = "oscillations.plots.filter(p => ['well', 'energy'].includes(p.block.name)).map(p => p.py(0.5))"
-        one, other = page.evaluate(shared)
-        assert one == pytest.approx(other, abs=1)
+        V, T = (level(page, f"svg.stage .{tint} > .body", "b.top") for tint in ("V", "T"))
+        bottom = level(page, "svg.stage .T > .body", "b.bottom")
+        assert [V, bottom] == pytest.approx([dot(page, "energy", "V")] * 2, abs=1)
+        assert pytest.approx(dot(page, "energy", "total"), abs=1) == T
     assert page.evaluate(BROKEN) == 0
     assert page.evaluate(FITS)
     screenshot(page, "energy")
@@ -127,7 +127,7 @@ def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
     ("scene", "view", "plot", "says"),
     [
         ("oscillator", "speed", "v", r"^v −?\d[\d.]* m/s$"),
-        ("energy", "", "well", r"^V \d[\d.]* J$"),
+        ("energy", "well", "well", r"^V \d[\d.]* J$"),
         ("analogues", "", "late", r"^longer by \d[\d.]* %$"),
         ("phugoid", "", "period", r"^τ \d[\d.]* s$"),
     ],

@@ -47,9 +47,9 @@ def test_a_period_is_given_away_by_the_frequency_in_a_formula(m: float, k: float
 
 def test_a_number_that_is_shown_under_another_name_is_found() -> None:
     """Numbers that the question states, or that the scene is set to, give nothing away."""
-    shown = step("?scene=energy", '["value:delta"]', "delta_st", "m", "How far does it hang down?")
+    shown = step("?scene=energy&view=motion", '["value:delta"]', "delta_st", "m", "How far does it hang down?")
     assert any("0.249" in one and "it is the answer" in one for one in walk(shown))
-    assert walk(step("?scene=energy&x_0=0.1", '["value:delta"]', "x_0", "m", "Where does it start?")) == []
+    assert walk(step("?scene=energy&view=motion&x_0=0.1", '["value:delta"]', "x_0", "m", "Where does it start?")) == []
     stated = step("?scene=oscillator", '["value:tau"]', question="ωₙ is 6.28 rad/s. How long is one swing?")
     assert not any("omega”" in one for one in walk(stated))
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from components.layout.controls import Group
+from components.layout.views import View
 from components.quantities.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.energy.case import PLANETS, EnergyShown
@@ -80,6 +81,25 @@ class Energy(CaseScene):
         {"equilibrium": "Equilibrium", "separate": "Spring + gravity", "slide": "Three terms"},
         "Datum of V",
     )
+    views = (
+        View(
+            "Energy",
+            "Pull the mass down and let go: where is the bar all *T*, where all *V*, and what never changes?",
+            keys=(x_0,), names=("stage", "plot:energy"),
+        ),
+        View(
+            "Well", "Let the ball roll: where does it turn, and where is it fastest?", keys=(x_0,),
+            names=("plot:well",),
+        ),
+        View(
+            "Motion, gravity", "Change gravity *g*: what changes, where the mass hangs, or how fast it swings?",
+            keys=(g,), names=("stage", "plot:x"),
+        ),
+        View(
+            "Formulas", "Follow the lines to the equation of motion: the sum *T* + *V* is constant.",
+            names=("words:law",),
+        ),
+    )  # fmt: skip
     groups = (
         Group("Mass and spring", (m, k)),
         Group("Start", (x_0,)),

@@ -17,7 +17,7 @@ from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.motion import constant
 from physics.reference_single import hanging_points
-from physics.sampling import drawable, periods
+from physics.sampling import periods
 
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
@@ -32,6 +32,7 @@ class EnergyCase(Case):
     x_0: float
     v_0: float
     datum: str
+    view: str
 
     @cached_property
     def system(self) -> HangingMass:
@@ -138,6 +139,5 @@ class EnergyShown(EnergyCase):
     V_share = value(lambda c: (c.free.V + c.shift) / (c.E_total or 1.0))
     side = value(lambda c: min(max(math.sqrt(c.m), 0.5), 1.3))
     wire = value(lambda c: wire(c.k))
-    swings = value.optional(lambda c: c.end / c.system.oscillator.period if drawable(c.omega, c.times) else None)
     has_energy = value(lambda c: c.E_total > 0)
     swinging = value(lambda c: c.C > 0)

@@ -10,10 +10,8 @@ from msgspec.structs import replace
 from components.language.blocks import Block
 from components.language.numbers import Number
 from components.layout.plots import Room
-from components.layout.sheet import column, desk, row, stage
+from components.layout.sheet import column, row, stage
 from components.layout.stage import (
-    HALL,
-    ON_NARROW,
     ON_WIDE,
     H,
     Looks,
@@ -28,10 +26,9 @@ from components.layout.stage import (
     spring,
     text,
     wall,
-    wave,
     wide,
 )
-from components.layout.stage import shown_by as on_screens
+from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
 from components.paper.plots import (
@@ -103,45 +100,40 @@ X = Plot("x", TIME, axis("m", _x_axis))
 WELL = Plot("well", axis("m", _well_axis, "x_well", like=X.up), axis("J", _energy_axis, "E"))
 ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
 
-CENTRE = wide(0.5 * W + 16 * HALL, 0.12 * W + 100)
-"""Where it hangs: on a phone names have room left of it, and planets right of it."""
-HALF, ASIDE = wide(62 - 8 * HALL, 40), wide(45, 33)
+CENTRE = wide(0.4 * W, 0.12 * W + 100)
+"""Where it hangs: names have room left of it, and planets right of it."""
+HALF, ASIDE = wide(62, 40), wide(45, 33)
 """The reach of the levels to either side of it, and where arrows stand."""
-CEILING, BAR = wide(16, 12), wide(22, 8)
-STRIP, STRIP_LENGTH = 0.83 * W, 0.16 * W
-"""On a phone the stage has a small x(t) of its own."""
-NOW = wide(X.x(T), STRIP + STRIP_LENGTH * TIME.share * T)
-LENGTH = 0.58 * H
-"""The length of the axis of x on a phone."""
+CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.58 * H)
+"""The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
+BAR, BROAD = wide(0.66 * W, 0.58 * W), 46
+"""The left edge of the bar, and its width."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
-X_BOTTOM = X.in_frame(c, "x_bottom", lambda c, t, x: x.start)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
 SQUARE = "M0 0H1V1H0Z"
-UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
-"""Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
 
 
 def height(x: PlotValue) -> Number:
-    """The height of a displacement: on the axis of the plot beside it; on a phone, on one like it."""
-    return wide(X.y(x), 0.2 * H + LENGTH * (on_axis(X.up, x) - on_axis(X.up, X_TOP)) * PER_SPAN)
-
-
-TOP, BOTTOM = height(X_TOP), height(X_BOTTOM)
+    """The height of a displacement on the stage."""
+    return FIRST + LENGTH * (on_axis(X.up, x) - on_axis(X.up, X_TOP)) * PER_SPAN
 
 
 def paper() -> Block:
     label = "Mass on a spring, its natural length and its equilibrium, and its energy as a bar"
-    task = "Pull the mass down and let go: where is all the energy kinetic, and where none of it?"
-    shapes = (*bar(), *levels(), *body(), *planets(), *strip())
-    return column(
-        desk(words(task, style="task", phone=0)),
-        row(
-            column(stage(*shapes, label=label, grow=UPPER, basis=BETWEEN, height=230), well(), grow=330),
-            column(words(style="room", grow=ABOVE), displacement(), datum(), energies(), grow=390),
-            column(gravity(), law(), grow=190),
-            gap=0,
+    shapes = (*levels(), *body(), *shown_by(c.view == "motion", *planets()), *shown_by(c.view == "energy", *bar()))
+    return row(
+        stage(*shapes, label=label, grow=385, height=184),
+        column(
+            in_views(energies(), "energy"),
+            in_views(well(), "well"),
+            in_views(displacement(), "motion"),
+            in_views(claim(), "energy"),
+            in_views(gravity(), "motion", "formulas"),
+            in_views(law(), "formulas"),
+            grow=527,
         ),
-    )
+        gap=0,
+    )  # fmt: skip
 
 
 def displacement() -> Block:
@@ -150,12 +142,12 @@ def displacement() -> Block:
         curve(c.x, "sum", "m1", label="*x*", fast="band", dot=True),
         title="Displacement from equilibrium, downwards, against time",
         over=shown_by(NATURAL_SEEN, line(X.x(0), natural, X.right, natural, style="eq", tint="mute")),
-        x_labels=False, room=Room(58, 56), grow=UPPER - ABOVE, phone=10, height=150,
+        room=Room(58, 56), grow=300, phone=10, height=220,
     )  # fmt: skip
 
 
-def datum() -> Block:
-    """The words between the plots, on the datum of V."""
+def claim() -> Block:
+    """The words on the largest T and V, by the datum of V."""
     T_max, shift = f"{WELL.text(c.T_max)}", f"{WELL.text(c.shift)} {WELL.unit}"
     return words(
         either(
@@ -171,7 +163,7 @@ def datum() -> Block:
             slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
             "gravity drops out of the motion.",
         ),
-        style="small", basis=BETWEEN, phone=12,
+        phone=15, name="claim",
     )  # fmt: skip
 
 
@@ -186,7 +178,7 @@ def energies() -> Block:
         curve(c.constant, "dots", "k", label="const.", dot=True),
         note(either(c.datum, equilibrium=twice), "mute"),
         title="Kinetic energy, potential energy and their constant sum against time",
-        room=Room(58, 56), grow=LOWER, phone=13, height=230,
+        room=Room(58, 56), grow=300, phone=10, height=224,
     )  # fmt: skip
 
 
@@ -218,7 +210,7 @@ def well() -> Block:
         curve(table, "dash", "k", columns=("x", "gravity"), read="gravity"),
         curve(table, "line", "k", columns=("x", "spring"), read="spring"),
         title="The potential well: V against displacement, with the level of the energy and the turning points",
-        over=ball(), room=Room(58, 40), grow=LOWER, phone=20, height=250,
+        over=ball(), room=Room(58, 40), grow=300, phone=10, height=240,
     )  # fmt: skip
 
 
@@ -228,7 +220,7 @@ def gravity() -> Block:
         rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {c.omega}$ rad/s",
         either(c.place, said="[small|Gravity sets where it hangs, not how fast it swings.]"),
         rf"$\tau = 2 \pi / \omega_n = {c.tau}$ s",
-        style="proof", grow=UPPER, basis=BETWEEN, phone=40,
+        style="proof", phone=16, name="gravity",
     )  # fmt: skip
 
 
@@ -248,7 +240,7 @@ def law() -> Block:
         either(c.datum, equilibrium=r"$\dot{x} (m \ddot{x} + k x) = 0$", separate=by_terms, slide=by_terms),
         r"[boxed|$m \ddot{x} + k x = 0$]",
         "[small|Energy gives the equation for one degree of freedom.]",
-        style="derivation", grow=LOWER, basis=52, phone=41,
+        style="derivation", phone=8, name="law",
     )  # fmt: skip
 
 
@@ -266,31 +258,34 @@ def _naming(case: EnergyShown, t: Axis, x: Axis) -> str:
 def levels() -> list[Shape]:
     """Natural length and equilibrium, and delta_st between them."""
     natural, level, left = height(NATURAL), height(0), CENTRE - HALF - 6
-    naming = X.in_frame(c, "naming", _naming)
+    naming, deflection = X.in_frame(c, "naming", _naming), f"*δ*_{{st}} {c.delta_st}"
     look: Looks = {"anchor": "end", "tint": "mute", "style": "halo given"}
 
     def beside(*lines: str) -> list[Shape]:
         return [text(left, level - 10 + 15 * n, one, **look) for n, one in enumerate(lines)]
 
     return [
-        *shown_by(NATURAL_SEEN, line(left + 6, natural, CENTRE + HALF, natural, style="eq", tint="mute")),
         line(left + 6, level, CENTRE + HALF, level, style="eq", tint="mute"),
         *shown_by(
-            naming == "apart",
+            c.view == "motion",
+            *shown_by(NATURAL_SEEN, line(left + 6, natural, CENTRE + HALF, natural, style="eq", tint="mute")),
             *shown_by(
-                NATURAL_SEEN,
-                text(left, natural - 4, "natural", **look),
-                text(left, natural + 11, "length", **look),
+                naming == "apart",
+                *shown_by(
+                    NATURAL_SEEN,
+                    text(left, natural - 4, "natural", **look),
+                    text(left, natural + 11, "length", **look),
+                ),
+                text(left, level + 5, "equilibrium", **look),
+                arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9),
+                text(CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, deflection, "end", style="b halo"),
             ),
-            text(left, level + 5, "equilibrium", **look),
-            arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9),
-            text(
-                CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, f"*δ*_{{st}} {c.delta_st}", "end", style="b halo"
+            *shown_by(
+                NATURAL_FAR, text(left, FIRST + 2, "natural", **look), text(left, FIRST + 17, "length ↑", **look)
             ),
+            *shown_by(naming == "together", *beside("equilibrium", "= natural", "length")),
+            *shown_by(naming == "close", *beside("equilibrium,", f"{c.delta_st} below", "natural length")),
         ),
-        *shown_by(NATURAL_FAR, text(left, TOP + 2, "natural", **look), text(left, TOP + 17, "length ↑", **look)),
-        *shown_by(naming == "together", *beside("equilibrium", "= natural", "length")),
-        *shown_by(naming == "close", *beside("equilibrium,", f"{c.delta_st} below", "natural length")),
     ]  # fmt: skip
 
 
@@ -300,14 +295,11 @@ def body() -> list[Shape]:
     hand = drag("Mass, start", along("y", lambda x: height(x) + 0.5 * side, X.up, x_0=c.x, rate="v_0"))
     return [
         wall(CENTRE - 62, CEILING, 124, side="top"),
-        line(CENTRE, hook, NOW, hook, style="level", tint="m1"),
         spring(CENTRE, CEILING, CENTRE, hook, c.wire, height=15),
         box(CENTRE, hook + side, side, "*m*", tint="m1", grab=hand),
         arrow(CENTRE + ASIDE, height(0), CENTRE + ASIDE, hook, tint="m1"),
-        text(
-            CENTRE + ASIDE - 6 * HALL, BOTTOM + 22, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo",
-        ),
-    ]  # fmt: skip
+        text(2, H - 6, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+    ]
 
 
 def _planets(case: EnergyShown, t: Axis, x: Axis) -> list[Any]:
@@ -339,34 +331,26 @@ def planets() -> list[Shape]:
 
 
 def bar() -> list[Shape]:
-    """T on V, stacked to their constant sum, beside the mass."""
-    whole = BOTTOM - TOP
-    V = whole * number(c.V_share)
-    letters = [
-        text(BAR + 9, TOP + 13, "*T*", "start", tint="T", style="t2 b halo"),
-        text(BAR + 9, BOTTOM - 3, "*V*", "start", tint="V", style="t2 b halo"),
-    ]
+    """T on V under their constant sum; on a desk on the scale of the energies over time."""
+    top, bottom = wide(ENERGY.y(c.total), 0.3 * H), wide(ENERGY.y(0), H - 4)
+    whole = bottom - top
+    edge, right = bottom - whole * number(c.V_share), BAR + BROAD
+    total = f"*T* + *V* = {WELL.text(c.E_total)} {WELL.unit}"
     return [
         *shown_by(
             c.has_energy,
-            path(SQUARE, 2, BOTTOM - V, sx=BAR, sy=V, style="body", tint="V"),
-            path(SQUARE, 2, TOP, sx=BAR, sy=whole - V, style="body", tint="T"),
+            path(SQUARE, BAR, edge, sx=BROAD, sy=bottom - edge, style="body", tint="V"),
+            path(SQUARE, BAR, top, sx=BROAD, sy=edge - top, style="body", tint="T"),
+            text(right + 9, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
+            text(right + 9, top + 36, "motion", "start", tint="T", style="halo"),
+            text(right + 9, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
+            text(right + 9, bottom - 4, "position", "start", tint="V", style="halo"),
+            line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level", tint="V", show=ON_WIDE),
         ),
-        path(SQUARE, 2, TOP, sx=BAR, sy=whole, style="scaled outline", tint="ink"),
-        *shown_by(c.has_energy, *on_screens(ON_WIDE, *letters)),
+        path(SQUARE, BAR, top, sx=BROAD, sy=whole, style="scaled outline", tint="ink"),
+        line(BAR - 8, top, right + 8, top, style="sum", tint="ink"),
+        text(BAR - 8, top - 9, total, "start", style="b halo"),
     ]
-
-
-def strip() -> list[Shape]:
-    """The small x(t) on a phone, with its cursor."""
-    size = -1 * LENGTH * PER_SPAN * on_axis(X.up, c.C)
-    phase = number(c.free.constants.phi)
-    return on_screens(
-        ON_NARROW,
-        wave(STRIP, height(0), STRIP_LENGTH, size, number(c.swings), phase, style="sum strip", tint="m1"),
-        line(NOW, TOP, NOW, BOTTOM, style="now strip"),
-        circle(NOW, height(c.x), 5, tint="m1", style="strip"),
-    )
 
 
 def ball() -> list[Shape]:
@@ -376,11 +360,10 @@ def ball() -> list[Shape]:
     hand = drag("Ball, start", along("x", WELL.x, WELL.across, x_0=c.x, rate="v_0"))
     shifted = WELL.in_frame(c, "shifted", lambda c, x, E: c.shift > 0.1 * (E.end - E.start))
     return [
-        *shown_by(c.has_energy, line(middle - C, level, wide(ENERGY.left, middle + C), level, style="sum")),
+        *shown_by(c.has_energy, line(middle - C, level, middle + C, level, style="sum")),
         *shown_by(c.swinging, text(middle - C + 12, level - 8, "turns here", "start", tint="mute", style="halo")),
         path(SQUARE, x - 4, V, sx=8, sy=floor - V, style="body", tint="V"),
         path(SQUARE, x - 4, level, sx=8, sy=V - level, style="body", tint="T"),
-        line(x, V, wide(ENERGY.x(T), x), V, style="level", tint="V", show=ON_WIDE),
         *shown_by(c.swinging, *(circle(middle + side * C, level, 4, tint="ink") for side in (-1, 1))),
         *shown_by(
             shifted,
