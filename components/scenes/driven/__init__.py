@@ -7,10 +7,10 @@ import math
 from components.dashpot import DashpotScene, keeping, parts
 from components.layout.controls import Group
 from components.layout.views import View
-from components.quantities.parameters import angular_frequency, displacement, force, not_negative, velocity
+from components.quantities.parameters import angular_frequency, displacement, force, not_negative, one_of, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import KIND, KIND_FORMS, RESPONSE, paper
+from components.scenes.driven.paper import KIND_FORMS, RESPONSE, paper
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
@@ -61,7 +61,7 @@ class DrivenScene(DashpotScene, CaseScene):
         ),
     )  # fmt: skip
 
-    kind = KIND
+    kind = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
     physical = (kind,)
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     Y = not_negative(
@@ -106,6 +106,7 @@ class DrivenScene(DashpotScene, CaseScene):
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
         Group("Mass, spring, dashpot", (m, k, c, zeta)),
         Group("", (x_0, v_0), "Start", folded=True),
+        Group("Kind of drive", (kind,)),
         Group("When m or k changes", (keep,)),
     )
 

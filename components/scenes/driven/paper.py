@@ -11,7 +11,7 @@ from components.language.numbers import Number
 from components.language.plots import Room
 from components.language.shapes import Quotient
 from components.layout.grabs import grab
-from components.layout.sheet import choice, column, row, stage
+from components.layout.sheet import column, row, stage
 from components.layout.stage import (
     HALL,
     ON_NARROW,
@@ -53,11 +53,9 @@ from components.paper.plots import (
     words,
 )  # fmt: skip
 from components.quantities.axes import Axis
-from components.quantities.parameters import one_of
 from components.scenes.driven.case import KINDS, DrivenShown, outline
 
 c = deferred(DrivenShown)
-KIND = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
 BESIDE = 1 - STACKED
 ROOM = 1.2
 """The reach of the axis of x, in its largest value."""
@@ -101,12 +99,7 @@ BASE, CENTER = wide(RESPONSE.y(0), H * (0.98 - POLYGON.below * POLYGON.push)), 0
 def paper() -> Block:
     label = "Mass on a spring and a dashpot, and what drives it"
     return row(
-        column(
-            stage(*block(), *dial(), label=label, grow=430, height=176),
-            choice(KIND, basis=36, phone=60),
-            basis=240,
-            grow=40,
-        ),
+        column(stage(*block(), *dial(), label=label, height=176), basis=240, grow=40),
         column(
             in_views(response(), "response", "forces"),
             in_views(phase(), "response"),
@@ -406,7 +399,7 @@ def phase() -> Block:
             line(x, PHASE.top, x, PHASE.bottom, style="thin", tint="F"),
             text(PHASE.left + 8, PHASE.top + 18, "*φ*: how far *x* lags", "start", tint="mute", style="halo"),
         ],
-        room=LEFT, grow=110, phone=15, height=120,
+        room=LEFT, grow=110, phone=15, height=130,
     )  # fmt: skip
 
 

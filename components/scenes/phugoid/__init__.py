@@ -125,9 +125,9 @@ class Phugoid(Scene):
         Group("Extra speed at the start", (excess,), "period longer by"),
         Group("Aircraft", (v_0, m)),
         Group(
-            "",
+            "Examples",
             (g, unit),
-            "Examples, gravity, unit of speed",
+            "Gravity, unit of speed",
             actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
             folded=True,
         ),
