@@ -100,13 +100,13 @@ X = Plot("x", TIME, axis("m", _x_axis))
 WELL = Plot("well", axis("m", _well_axis, "x_well", like=X.up), axis("J", _energy_axis, "E"))
 ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
 
-CENTRE = wide(0.4 * W, 0.12 * W + 100)
-"""Where it hangs: names have room left of it, and planets right of it."""
+CENTRE = wide(0.4 * W, 0.24 * W + number(c.view == "motion") * (100 - 0.12 * W))
+"""The middle of the mass: where levels have names, it leaves room for them at its left."""
 HALF, ASIDE = wide(62, 40), wide(45, 33)
 """The reach of the levels to either side of it, and where arrows stand."""
 CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.58 * H)
 """The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
-BAR, BROAD = wide(0.66 * W, 0.58 * W), 46
+BAR, BROAD = wide(0.66 * W, 0.5 * W), 46
 """The left edge of the bar, and its width."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
