@@ -103,7 +103,12 @@ def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path)
     own = ("tests/scenes/test_friction.py", "tests/scenes/test_walls.py")
     every = ("tests/page/test_names.py", "tests/page/test_session.py", "tests/components/test_frames.py")
     every += ("tests/scenes/test_every_scene.py", "tests/scenes/test_watch.py", "tests/scenes/test_grabs.py")
-    every += ("tests/page/test_opening.py", "tests/scenes/test_traces.py", "tests/tooling/test_measures.py")
+    every += (
+        "tests/page/test_opening.py",
+        "tests/page/test_predict.py",
+        "tests/scenes/test_traces.py",
+        "tests/tooling/test_measures.py",
+    )
     chosen = "friction or walls or house_rules"
     told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", chosen, *own, *every)
     passed = re.search(r"(\d+) passed", told)
