@@ -34,6 +34,35 @@ def test_a_link_names_its_view(slug: str, view: str) -> None:
     assert opened(now.query).scene.key == now.scene.key
 
 
+OLD = [
+    ("scene=oscillator", "motion"),
+    ("scene=oscillator&m=2", "formulas"),
+    ("scene=oscillator&view=swing&m=2", "motion"),
+    ("scene=oscillator&view=force", "force"),
+    ("scene=energy&m=2", "energy"),
+    ("scene=damped&c=2", "motion"),
+    ("scene=damped&view=forces", "forces"),
+    ("scene=driven&omega=3", "response"),
+    ("scene=coupled&k2=3", "motion"),
+    ("scene=coupled&view=modes", "motion"),
+    ("scene=coupled&view=constants", "formulas"),
+    ("scene=coupled&view=forces", "forces"),
+    ("scene=phugoid&excess=0.1", "period"),
+    ("scene=phugoid&show=period", "period"),
+    ("scene=phugoid&show=lift", "lift"),
+    ("scene=phugoid&show=exchange", "energy"),
+    ("scene=phugoid&show=limits", "limits"),
+]
+"""Links from before there were views, and the view that each opens: also those that name none."""
+
+
+@pytest.mark.parametrize(("query", "view"), OLD)
+def test_an_old_link_opens_the_matching_view(query: str, view: str) -> None:
+    now = opened(query)
+    assert now.scene.values["view"] == view
+    assert now.show == ()
+
+
 @views
 def test_every_view_has_something_of_its_own(slug: str, view: str) -> None:
     sheet = SCENES[slug].sheet()
