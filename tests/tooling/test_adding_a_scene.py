@@ -102,7 +102,12 @@ def test_the_code_is_clean_and_typed(project: Path) -> None:
 def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path) -> None:
     own = ("tests/scenes/test_friction.py", "tests/scenes/test_walls.py")
     every = ("tests/page/test_names.py", "tests/page/test_session.py", "tests/components/test_frames.py")
-    every += ("tests/scenes/test_every_scene.py", "tests/scenes/test_watch.py", "tests/scenes/test_grabs.py")
+    every += (
+        "tests/scenes/test_every_scene.py",
+        "tests/scenes/test_presets.py",
+        "tests/scenes/test_watch.py",
+        "tests/scenes/test_grabs.py",
+    )
     every += (
         "tests/page/test_opening.py",
         "tests/page/test_predict.py",
