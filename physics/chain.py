@@ -58,9 +58,9 @@ class UniformChain:
 
     def __post_init__(self) -> None:
         if int(self.N) != self.N or self.N < 1:
-            raise ValueError(f"N = {self.N!r}: the number of masses is a whole number, 1 or more")
+            raise ValueError(f"N = {self.N!r}: a whole number of masses, at least 1, is needed")
         if self.ends not in get_args(ChainEnds):
-            raise ValueError(f"ends = {self.ends!r}: the ends of a chain are {' or '.join(get_args(ChainEnds))}")
+            raise ValueError(f"ends = {self.ends!r}: choose the ends of a chain: {' or '.join(get_args(ChainEnds))}")
         check_positive("a mass in kg", m=self.m)
         check_positive("a stiffness in N/m", k=self.k)
 
@@ -143,7 +143,7 @@ class UniformChain:
     def check_mass(self, p: int) -> None:
         """Check that there is such a mass."""
         if not 1 <= p <= self.N:
-            raise ValueError(f"p = {p!r}: masses are counted from 1 to {self.N}")
+            raise ValueError(f"p = {p!r}: a mass from 1 to {self.N} is needed")
 
     def _coordinates(self, name: str, values: ArrayLike) -> list[Decimal]:
         """q_j of displacements or of velocities."""

@@ -35,7 +35,6 @@ _ROUNDS = 8
 _ROUGH, _CLOSE = 1e-6, 1e-10  # relative errors of a search
 _MOST_STEPS, _LAST_STEPS = 200, 3
 
-_UNTOLD = "the rows do not tell the frequencies: a longer record, a quieter one or fewer modes are needed"
 
 Bools = NDArray[np.bool_]
 
@@ -120,11 +119,13 @@ def fit_damped(t: ArrayLike, columns: ArrayLike, modes: int = 1, sigma: ArrayLik
     to less than a tenth.
     """
     if modes not in (1, 2):
-        raise ValueError(f"modes = {modes!r}: one or two frequencies can be fitted")
+        raise ValueError(f"modes = {modes!r}: one or two frequencies are allowed")
     try:
         return _careful(_Data.of(t, columns, sigma, modes), modes)
     except np.linalg.LinAlgError:
-        raise ValueError(_UNTOLD) from None
+        raise ValueError(
+            "the rows do not tell the frequencies: a longer record, a quieter one or fewer modes are needed"
+        ) from None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -149,7 +150,9 @@ class _Data:
         every, Y = np.asarray(t, dtype=float), np.atleast_2d(np.asarray(columns, dtype=float))
         W = np.ones_like(Y) if sigma is None else 1 / np.broadcast_to(np.asarray(sigma, dtype=float), Y.shape)
         if every.ndim != 1 or Y.shape[1:] != every.shape:
-            raise ValueError(f"columns have the shape {Y.shape}, times {every.shape}: a number for each time is needed")
+            raise ValueError(
+                f"The columns have {Y.shape[-1]} rows, the times {every.size}: a number for each time is needed"
+            )
         rows = np.flatnonzero(np.isfinite(every) & np.isfinite(Y).all(axis=0) & np.isfinite(W).all(axis=0))
         rows = rows[np.argsort(every[rows], kind="stable")]
         least = 4 * modes + 4
@@ -157,7 +160,7 @@ class _Data:
             raise ValueError(f"{rows.size} rows have a number in each column: {least} or more are needed")
         times = every[rows]
         if times[0] == times[-1] or np.ptp(Y[:, rows], axis=1).min() == 0:
-            raise ValueError("a column, or the time, never changes: only what changes can be fitted")
+            raise ValueError("a column, or the time, never changes: columns that change are needed")
         return cls(
             t=times - times[0], Y=Y[:, rows], W=W[:, rows], known=sigma is not None, t_first=float(times[0]),
             every=every, columns=Y, rows=rows,
@@ -273,7 +276,7 @@ def _fitted(data: _Data, modes: int, start: Array | None = None) -> _Found:
     starts = [start] if start is not None else _starts(data, modes)
     rough = [found for one in starts for found in _attempted(data, one)]
     if not rough:
-        raise np.linalg.LinAlgError(_UNTOLD)
+        raise np.linalg.LinAlgError
     found = _searched(data, min(rough, key=lambda one: float(np.sum(one.residual**2))).theta)
     for _ in range(0 if data.known else 2):
         scatters = found.scatters
@@ -314,7 +317,7 @@ def _searched(data: _Data, start: Array, error: float = _CLOSE) -> _Found:
             r, J = parts(theta.tobytes())
             theta = theta - np.linalg.lstsq(J, r, rcond=None)[0]
         if not np.isfinite(np.concatenate([r for r, _, _ in _projected(scaled, theta)])).all():
-            raise np.linalg.LinAlgError(_UNTOLD)
+            raise np.linalg.LinAlgError
     theta = theta / T
     theta[::2] = np.abs(theta[::2])
     theta = theta.reshape(-1, 2)[np.argsort(theta[::2])].ravel()
@@ -346,10 +349,10 @@ def _covariance(data: _Data, theta: Array, coefficients: Array) -> Array:
         F[rows, few + many * i : few + many * (i + 1)] = basis * w[:, None]
     size = np.linalg.norm(F, axis=0)
     if not size.all():
-        raise ValueError("a part of the motion is 0 in all rows: fewer modes may fit")
+        raise ValueError("a part of the motion is 0 in all rows: fewer modes are needed")
     _, s, V = np.linalg.svd(np.linalg.qr(F / size, mode="r"))
     if s[-1] < 1e-13 * s[0]:
-        raise ValueError(_UNTOLD)
+        raise np.linalg.LinAlgError
     return np.asarray((V.T / s**2) @ V / np.outer(size, size))
 
 
@@ -435,7 +438,9 @@ def _without_clipped(data: _Data, found: _Found, limits: list[tuple[float, float
     for _ in range(_ROUNDS):
         kept = _below_limits(before, found, limits)
         if kept.sum() < 4 * len(found.theta):
-            raise ValueError("most rows are at a limit of the sensor: a smaller motion or a wider range is needed")
+            raise ValueError(
+                "The rows are mostly at a limit of the sensor: a smaller motion or a wider range is needed"
+            )
         data = before.only(kept)
         found = _fitted(data, len(found.theta) // 2, found.theta)
         if np.array_equal(rows, data.rows):

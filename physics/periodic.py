@@ -99,7 +99,7 @@ class PeriodicPush:
     def line(self, n: int) -> complex:
         """f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u; of one that does not repeat there is none."""
         if self.once:
-            raise ValueError(f"kind = {self.kind!r}: only pushes that repeat have lines")
+            raise ValueError(f"kind = {self.kind!r}: a push that repeats is needed")
         if not n:
             return complex(self.mean)
         if not self.has_line(n):

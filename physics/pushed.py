@@ -129,8 +129,7 @@ class PushedMass:
     @property
     def starts(self) -> list[tuple[float, float]]:
         """x and v at the start of each piece of the steady motion, each rounded once."""
-        if not self.steady_exists:
-            raise ValueError(self._refusal)
+        self._check_steady()
         return [(float(x), float(v)) for x, v in _steady_starts(self)]
 
     def lines(self, count: int) -> list[PushLine]:
@@ -151,8 +150,7 @@ class PushedMass:
         ValueError where no steady motion exists.
         """
         t, push = finite_array("t", t), self.push
-        if not self.steady_exists:
-            raise ValueError(self._refusal)
+        self._check_steady()
         x, v = np.zeros((2, t.size))
         if not push.size or push.once:
             return PushedMotion(t, x + (push.size / self.k if push.kind == "step" and push.size else 0.0), v)
@@ -245,16 +243,19 @@ class PushedMass:
         """The energy in J that a cycle of the steady motion brings, all of which the dashpot takes; rounded once."""
         if not self.c or not self.push.size or self.push.once:
             return 0.0
-        if not self.steady_exists:
-            raise ValueError(self._refusal)
+        self._check_steady()
         ((work, _),) = _agreed(self, lambda exactly: [(exactly.work, exactly.ctx.zero)])
         return float(work)
 
-    @property
-    def _refusal(self) -> str:
+    def _check_steady(self) -> None:
+        """Raise ValueError if no steady motion exists."""
+        if self.steady_exists:
+            return
         if not self.k:
-            return "k = 0: without a spring a push with a mean drives the mass away; a stiffness above 0 N/m is needed"
-        return (
+            raise ValueError(
+                "k = 0: without a spring a push with a mean drives the mass away; a stiffness above 0 N/m is needed"
+            )
+        raise ValueError(
             f"line {self.resonant_line} of the push is at the natural frequency of the undamped mass, where no steady "
             "motion exists: another frequency or a dashpot is needed"
         )

@@ -50,7 +50,9 @@ class SteadyMotion:
 
     def __post_init__(self) -> None:
         if not self.oscillator.k or self.push.once:
-            raise ValueError("a steady motion in pieces needs a spring, k above 0 N/m, and a push that repeats")
+            raise ValueError(
+                "A steady motion in pieces needs a spring and a push that repeats: k above 0 N/m is needed"
+            )
 
     @cached_property
     def x(self) -> ExactMotion:

@@ -11,8 +11,8 @@ const TYPING = "A digit begins a number in its field; Enter sets it, Escape take
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
  * @typedef {typeof import("../paper/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
- * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here">} Told
- * @typedef {Told & {view: Pick<page.PagePicture, "forms">}} PanelState
+ * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here">} PanelAnswer
+ * @typedef {PanelAnswer & {view: Pick<page.PagePicture, "forms">}} PanelState
  */
 
 /** A small drawing, if there is one. @param {string} d */

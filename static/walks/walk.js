@@ -191,7 +191,7 @@ export class Walk {
 
   /**
    * The presses after the answer.
-   * @param {Card | null} card @param {import("../live_class/votes.js").Votes | undefined} votes @returns {Press}
+   * @param {Card | null} card @param {{isOpen: boolean, close(): void} | undefined} votes @returns {Press}
    */
   #onward(card, votes) {
     if (votes?.isOpen) return {words: "Show the explanation", act: () => votes.close()}

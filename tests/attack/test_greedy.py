@@ -135,7 +135,7 @@ def test_a_far_window_reduces_a_frequency_once_for_each_binary_exponent(monkeypa
 
     for module in (exact, sinusoids):
         monkeypatch.setattr(module, "remainders", counted, raising=False)
-    session, told = page("coupled", {})
+    session, told = page("forced", {})
     session.hear({**GREEDY["an enormous window"], "number": 1})
     assert told[-1]["answer"] == 1
     assert len(reduced) == sum(exponents) and 10 * sum(exponents) < sum(points)

@@ -166,7 +166,7 @@ def test_a_mode_alone_keeps_its_shape() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"N": 0}, "1 or more"),
+        ({"N": 0}, "at least 1"),
         ({"N": 2.5}, "whole"),
         ({"ends": "loose"}, "fixed-free"),
         ({"k": 0.0}, "above 0"),

@@ -234,5 +234,5 @@ def test_a_step_and_an_impulse_end_at_rest() -> None:
     step, impulse = (PushedMass(2.0, 1.0, 8.0, PeriodicPush(kind=kind, size=4.0)) for kind in ("step", "impulse"))
     assert step.steady([1.0]).x[0] == 0.5 and impulse.steady([1.0]).x[0] == 0.0
     assert step.from_rest([0.0, 200.0]).x.tolist() == [0.0, 0.5] and impulse.from_rest([0.0]).v[0] == 2.0
-    with pytest.raises(ValueError, match="lines"):
+    with pytest.raises(ValueError, match="a push that repeats is needed"):
         step.push.line(1)

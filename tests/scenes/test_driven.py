@@ -63,7 +63,7 @@ def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> Non
     """Of an unbalance the power in the dashpot rises without end, or first to a peak of another width."""
     r = np.linspace(0.01, 40.0, 400_000)
     for kind in KINDS:
-        scene = DRIVEN(kind=kind, zeta=0.2)
+        scene = DRIVEN(kind=kind, zeta=0.2, view="formulas")
         power = (r * np.abs(magnification(r, 0.2, "force" if kind == "force" else "unbalance"))) ** 2
         half = r[power >= power.max() / 2]
         peaks = math.isclose(half[-1] - half[0], 0.4, rel_tol=1e-3)
@@ -300,7 +300,9 @@ def test_the_quasi_static_limit_is_seen(omega: float) -> None:
 def test_next_to_resonance_it_says_how_it_grows_at_first_and_how_far(
     kind: str, side: int, power: float, started: bool
 ) -> None:
-    scene = DRIVEN(kind=kind, omega=math.sqrt(39.48) * (1 + side * 10**power), c=0.0, x_0=0.1 * started)
+    scene = DRIVEN(
+        kind=kind, omega=math.sqrt(39.48) * (1 + side * 10**power), c=0.0, x_0=0.1 * started, view="formulas"
+    )
     told, forms = sentence(scene), scene.shown.forms
     one = DrivenOscillator(m=scene.m, c=0.0, k=scene.k)
     exactly = one.at_resonance(scene.omega)
