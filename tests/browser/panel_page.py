@@ -66,7 +66,12 @@ class Panel:
         self.messages: list[dict[str, Any]] = []
         page.expose_function(
             "describe",
-            lambda: to_builtins(described(Chain.param.objects("existing"), Chain.groups, presets=Chain.presets)),
+            lambda: {
+                "panel": to_builtins(
+                    described(Chain.param.objects("existing"), Chain.groups, presets=Chain.presets),
+                ),
+                "views": [],
+            },
         )
         page.expose_function("tell", self.tell)
         page.route("**/*", self.serve)
