@@ -155,7 +155,7 @@ export class Drawing {
       [...needs].some(name => name.startsWith(own)) &&
       ![...needs].some(name => name in this.view.signals) &&
       [...needs].every(name => name.startsWith(own) || (!name.includes(".") && name !== "W" && name !== "H"))
-    const stages = this.page.sheet.stages.filter(stage => stage.svg.role === "img")
+    const stages = this.page.sheet.stages.filter(stage => stage.svg.role === "img" && !stage.host.closest("[hidden]"))
     const shapes = stages.flatMap(stage => stage.shapes.filter(({needs}) => isOwn(needs)).map(({spec}) => spec))
     return shapes.filter(({kind}) => kind === "circle" || kind === "line")
   }
