@@ -21,9 +21,9 @@ export class Handles {
   /** @param {PlotHost} plot */
   constructor(plot) {
     this.plot = plot
-    const {handles, time, brief, x_labels: numbered} = plot.block
+    const {handles, time, brief: name, x_labels: numbered} = plot.block
     this.setters = handles.map(handle => /** @type {Setter} */ (this.#pill(handle.tint, handle.label, handle)))
-    this.time = time && numbered ? this.#pill("ink", `Time, ${brief}`, null) : null
+    this.time = time && numbered ? this.#pill("ink", `Time, ${name}`, null) : null
     /** @type {Record<string, page.Ruler> | null} */
     this.held = null
   }
