@@ -87,9 +87,13 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     page.wait_for_function("oscillations.shown.state.covered.length === 1")
     places = page.evaluate(PLACES)
     type_in(page, "k2", "5")
-    expect(page.locator(".cover:visible")).to_have_count(4)
+    expect(page.locator(".cover:visible")).to_have_count(2)
     expect(page.locator("[data-value=omega_minus]:visible").first).to_contain_text("?")
     assert page.evaluate(PLACES) == places
+    for view, covers in (("Energy", 1), ("x₂ against x₁", 1), ("Motion", 2)):
+        page.get_by_role("tab", name=view).click()
+        expect(page.get_by_role("tab", name=view, selected=True)).to_be_visible()
+        expect(page.locator(".cover:visible")).to_have_count(covers)
     for part, heard in ((".play", False), (".seg", False), (".note", True)):
         found = page.locator(f".transport {part}")
         assert found.evaluate("part => !part.closest('[inert]')") is heard, f"{part}: the reason alone is heard"

@@ -123,7 +123,8 @@ def test_a_finger_hits_what_it_aims_at(
 def test_in_a_low_window_the_bar_goes_under_the_stage(
     size: tuple[int, int], text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
-    page = open_scene(new_page(*size), scene="energy")
+    """Where the stage stays in sight: views have it beside their plots."""
+    page = open_scene(new_page(*size), scene="forced")
     page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
     passed(page)
     page.evaluate("scrollBy(0, document.querySelector('.transport').getBoundingClientRect().top - 60)")
@@ -163,15 +164,19 @@ def test_on_a_low_phone_names_lie_on_no_bar(new_page: Callable[..., Page], open_
 def test_on_a_phone_names_lie_on_no_other_part(
     width: int, text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
-    page = open_scene(new_page(width, 568), scene="energy", g=24.8)  # Jupiter has the longest name
+    jupiter = {"g": 24.8}  # it has the longest name
+    page = open_scene(new_page(width, 568), scene="energy", view="motion", **jupiter)
     page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
     passed(page)
     seek(page, 0.0)
     assert page.evaluate(NAMES_ON, ["path.strip", "circle.strip", "line.strip"]) == []
     if text == "100%":
+        turned(page, "energy", {**jupiter, "view": "energy"})
+        seek(page, 0.0)
+        assert page.locator("svg.stage path.outline").is_visible()
         assert page.evaluate(NAMES_ON, ["path.outline"]) == []  # the bar of the energy
     if (width, text) == (390, "100%"):
-        turned(page, "energy", {"datum": "separate"})
+        turned(page, "energy", {"datum": "separate", "view": "well"})
         seek(page, 0.0)
         assert page.evaluate(CROSSED) == [True, []]  # the shift in its well
     turned(page, "driven", {})
