@@ -229,7 +229,7 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
     page.wait_for_function(SETTLED)
     page.evaluate("oscillations.open({scene: 'energy'})")
     page.wait_for_function(f"oscillations.page.spec.slug === 'energy' && {READY} && !oscillations.walks.walk")
-    page.wait_for_function("location.search === '?scene=energy'")
+    page.wait_for_function("location.search === '?scene=energy&view=energy'")
     page.reload()
     page.wait_for_function(READY)
     page.go_back()
