@@ -102,11 +102,10 @@ class DrivenScene(DashpotScene, CaseScene):
         ),
     )  # fmt: skip
     groups = (
-        Group("Drive", (omega,)),
+        Group("Drive", (kind, omega)),
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
-        Group("Mass, spring, dashpot", (m, k, c, zeta)),
+        Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),
-        Group("Kind of drive", (kind,)),
         Group("When m or k changes", (keep,)),
     )
 
