@@ -100,7 +100,8 @@ X = Plot("x", TIME, axis("m", _x_axis))
 WELL = Plot("well", axis("m", _well_axis, "x_well", like=X.up), axis("J", _energy_axis, "E"))
 ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
 
-CENTRE = wide(0.4 * W, 0.24 * W + number(c.view == "motion") * (100 - 0.12 * W))
+MOTION = number(c.view == "motion")
+CENTRE = wide(0.4 * W, 0.24 * W + MOTION * (100 - 0.12 * W))
 """The middle of the mass: where levels have names, it leaves room for them at its left."""
 HALF, ASIDE = wide(62, 40), wide(45, 33)
 """The reach of the levels to either side of it, and where arrows stand."""
@@ -108,6 +109,8 @@ CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.
 """The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
 BAR, BROAD = wide(0.66 * W, 0.5 * W), 46
 """The left edge of the bar, and its width."""
+NAME = wide(2, 2 + (1 - MOTION) * (0.5 * W - 10)), wide(H - 6, 0.36 * H - 29 + MOTION * (0.64 * H + 23))
+"""Where x is written: in the lower corner; on a phone, where the mass hangs over that, above the bar."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
 SQUARE = "M0 0H1V1H0Z"
@@ -294,11 +297,11 @@ def body() -> list[Shape]:
     hook, side = height(c.x), wide(58, 40) * c.side
     hand = drag("Mass, start", along("y", lambda x: height(x) + 0.5 * side, X.up, x_0=c.x, rate="v_0"))
     return [
-        wall(CENTRE - 62, CEILING, 124, side="top"),
+        wall(CENTRE - HALF, CEILING, 2 * HALF, side="top"),
         spring(CENTRE, CEILING, CENTRE, hook, c.wire, height=15),
         box(CENTRE, hook + side, side, "*m*", tint="m1", grab=hand),
         arrow(CENTRE + ASIDE, height(0), CENTRE + ASIDE, hook, tint="m1"),
-        text(2, H - 6, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+        text(*NAME, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
@@ -332,7 +335,7 @@ def planets() -> list[Shape]:
 
 def bar() -> list[Shape]:
     """T on V under their constant sum; on a desk on the scale of the energies over time."""
-    top, bottom = wide(ENERGY.y(c.total), 0.3 * H), wide(ENERGY.y(0), H - 4)
+    top, bottom = wide(ENERGY.y(c.total), 0.36 * H), wide(ENERGY.y(0), H - 4)
     whole = bottom - top
     edge, right = bottom - whole * number(c.V_share), BAR + BROAD
     total = f"*T* + *V* = {WELL.text(c.E_total)} {WELL.unit}"
