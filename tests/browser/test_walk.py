@@ -396,6 +396,8 @@ def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -
     page.evaluate("oscillations.change(() => ({show: ['stage', 'plot:energy', 'plot:well']}))")
     expect(page.locator(".cover:visible")).to_have_count(1)
     expect(page.locator(".cover > :visible")).to_have_count(0)  # the wash alone
+    bar = page.locator(".block.stage .body:visible")
+    expect(bar).to_have_count(0)  # it would tell which of both begins full
     plot = "oscillations.page.plots.find(plot => plot.block.name === 'energy')"
     energies = f"{plot}.dots.filter(one => 'TV'.includes(one.curve.y))"
     shown = f"{energies}.map(({{dot}}) => dot.style.display !== 'none')"
@@ -403,6 +405,7 @@ def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -
     page.evaluate("oscillations.change(() => ({covered: []}))")
     page.wait_for_function("!oscillations.shown.state.covered.length")
     page.wait_for_function(f"{shown}.every(Boolean)")
+    expect(bar).not_to_have_count(0)
 
 
 def test_a_walk_that_is_left_leaves_no_dialog_and_no_listener(walk: Callable[..., Page]) -> None:

@@ -342,13 +342,13 @@ def bar() -> list[Shape]:
     return [
         *shown_by(
             c.has_energy,
-            path(SQUARE, BAR, edge, sx=BROAD, sy=bottom - edge, style="body", tint="V"),
-            path(SQUARE, BAR, top, sx=BROAD, sy=edge - top, style="body", tint="T"),
+            path(SQUARE, BAR, edge, sx=BROAD, sy=bottom - edge, style="body told", tint="V"),
+            path(SQUARE, BAR, top, sx=BROAD, sy=edge - top, style="body told", tint="T"),
             text(right + 9, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
             text(right + 9, top + 36, "motion", "start", tint="T", style="halo"),
             text(right + 9, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
             text(right + 9, bottom - 4, "position", "start", tint="V", style="halo"),
-            line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level", tint="V", show=ON_WIDE),
+            line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level told", tint="V", show=ON_WIDE),
         ),
         path(SQUARE, BAR, top, sx=BROAD, sy=whole, style="scaled outline", tint="ink"),
         line(BAR - 8, top, right + 8, top, style="sum", tint="ink"),
