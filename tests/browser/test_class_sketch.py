@@ -37,7 +37,7 @@ def drawn(phone: Page, points: list[tuple[float, float]]) -> None:
     places = phone.evaluate(PLACES, points)
     phone.mouse.move(*places[0])
     phone.mouse.down()
-    for place in places[::3]:
+    for place in places:
         phone.mouse.move(*place)
     phone.mouse.up()
 
