@@ -84,9 +84,9 @@ export class Page {
 
   /** In the order in which they take a picture; what is fetched joins them. @returns {Part[]} */
   #parts() {
-    const {compare, views, sheet, live, hand, stages, plots, controls, tools, clock, transport, notice} = this
+    const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice} = this
     const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before anything takes its new place
-    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, tools, clock, transport, notice]
+    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice]
   }
 
   #aboutNumbers() {

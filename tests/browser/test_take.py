@@ -17,7 +17,7 @@ from playwright.sync_api import Download, Page, expect
 
 from components.scenes import SCENES
 from components.state.standing import fitted
-from tests.browser.waiting import seek, turned
+from tests.browser.waiting import seek
 from tests.grids import spread
 
 pytestmark = pytest.mark.browser
@@ -26,7 +26,6 @@ pytestmark = pytest.mark.browser
 def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="coupled", view="plane", k2=3)
     csv = page.get_by_role("button", name="CSV")
-    expect(csv).to_have_text("CSV (ZIP)")
     expect(csv).to_have_accessible_description(re.compile("several tables come in one ZIP file"))
     with page.expect_download() as waiting:
         csv.click()
@@ -36,8 +35,6 @@ def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Calla
     table = pd.read_csv(io.BytesIO(content), comment="#")
     assert list(table)[:2] == ["t [s]", "x1 [m]"] and table["x1 [m]"][0] == 1
     assert f"# {page.url.split('?')[0]}?scene=coupled&k2=3&view=plane\r\n" in content.decode()
-    turned(page, "absorber", {"tuning": "detached"})
-    expect(page.get_by_role("button", name="CSV", include_hidden=True)).to_have_text("CSV")
 
 
 SVG = "{http://www.w3.org/2000/svg}"
