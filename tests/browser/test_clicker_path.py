@@ -116,11 +116,12 @@ def test_with_votes(name: str, server: Server, window: Open, screenshot: Take) -
 def voted(server: Server, code: str, name: str, step: Step, tokens: list[str], phones: list[Page]) -> None:
     """All answer but the last phone."""
     given: list[dict[str, Any]] = answers(step, len(tokens))
+    for phone in phones:
+        phone.wait_for_function(PUT, arg=step.id)  # then the class takes answers
     for token, answer in zip(tokens, given, strict=True):
         call(server.url, f"/class/{code}/now", word=token)  # a phone that asks what is new is there
         put = call(server.url, f"/class/{code}/answer", "PUT", {"walk": name, "step": step.id, **answer}, token)
         assert put.status == 204, f"{step.id}: {put.text}"
     for phone, answer in zip(phones[:-1], given, strict=False):
-        phone.wait_for_function(PUT, arg=step.id)
         phone.evaluate(GIVEN, answer)
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
