@@ -60,7 +60,7 @@ def settle(page: Page) -> None:
 
 def unfold(page: Page) -> None:
     page.locator(".about summary").click()
-    expect(page.locator(".about tbody, .about table").first).to_be_visible()
+    expect(page.locator(".about tbody, .about table").first).to_be_visible(timeout=30_000)  # a worker may be starting
 
 
 def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(
