@@ -72,7 +72,7 @@ class ComplexMode(NamedTuple):
 
     @property
     def swings(self) -> bool:
-        """Whether its root is not real, as far as NEAR tells."""
+        """True if its root is not real, as far as NEAR tells."""
         return _turns(self.exponents[0])
 
     @property
@@ -95,7 +95,7 @@ class ComplexModes(NamedTuple):
 
     @property
     def crossed(self) -> bool:
-        """Whether of two pairs the one of the smaller modulus swings faster."""
+        """True if the one of two pairs with the smaller modulus swings faster."""
         return self.kind is Kind.TWO_PAIRS and self.modes[0].exponents[0].imag > self.modes[1].exponents[0].imag
 
 
@@ -168,7 +168,7 @@ class DampedChain:
 
     @property
     def proportional(self) -> bool:
-        """Whether c1 k2 = c2 k1 in the numbers as written."""
+        """True if c1 k2 = c2 k1 in the numbers as written."""
         return written(self.c1) * written(self.k2) == written(self.c2) * written(self.k1)
 
     @cached_property
@@ -288,7 +288,7 @@ class DampedChain:
 
     @property
     def _beyond(self) -> bool:
-        """Whether both pairs have the same modulus: the ray (tau c1, tau c2) met the exceptional point at tau < 1."""
+        """True if both pairs have the same modulus: the ray (tau c1, tau c2) met the exceptional point at tau < 1."""
         m1, m2, k1, k2, c1, c2 = (written(getattr(self, field.name)) for field in fields(self))
         p4, p3, p2 = m1 * m2, m1 * c2 + m2 * (c1 + c2), m1 * k2 + m2 * (k1 + k2) + c1 * c2
         p1, p0 = c1 * k2 + c2 * k1, k1 * k2
@@ -352,7 +352,7 @@ def _rounded(direction: Direction, *, real: bool) -> tuple[complex, complex]:
 
 
 def _turns(s: Any) -> bool:
-    """Whether a root is not near its conjugate."""
+    """True if a root is not near its conjugate."""
     return bool(2 * s.imag > NEAR * abs(s))
 
 

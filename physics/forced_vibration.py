@@ -164,7 +164,7 @@ class SampledVibration:
 
     @cached_property
     def split(self) -> bool:
-        """Whether the motion is shown in its parts."""
+        """True if the motion is shown in its parts."""
         size = abs(self.vibration.X) if self.is_split and self.vibration.is_driven else math.inf
         return math.isfinite(size) and size <= _APART * max(self.largest, size / _LONG)
 
@@ -182,7 +182,7 @@ class SampledVibration:
 
     @property
     def rings(self) -> bool:
-        """Whether x and the transient are too fast for a line at first alone."""
+        """True if x and the transient are too fast for a line at first alone."""
         return self.split and not self._trembles and 0 < self._settled < self.t.size
 
     @cached_property
@@ -220,7 +220,7 @@ class SampledVibration:
 
     @property
     def _trembles(self) -> bool:
-        """Whether the steady part is too fast for a line, and large enough to be seen."""
+        """True if the steady part is too fast for a line, and large enough to be seen."""
         return self._steady_is_fast and abs(self.vibration.X) > _UNSEEN * self.tallest
 
     @cached_property

@@ -54,12 +54,12 @@ class PeriodicPush:
 
     @property
     def once(self) -> bool:
-        """Whether it does not repeat."""
+        """True if it does not repeat."""
         return self.kind in ("step", "impulse")
 
     @property
     def impulsive(self) -> bool:
-        """Whether it changes the velocity at once."""
+        """True if it changes the velocity at once."""
         return self.kind in ("impulses", "impulse")
 
     @property
@@ -80,7 +80,7 @@ class PeriodicPush:
 
     @property
     def alternates(self) -> bool:
-        """Whether the second half of a period is the first, turned over."""
+        """True if the second half of a period is the first, turned over."""
         return self.kind in ("square", "triangle")
 
     @property
@@ -91,7 +91,7 @@ class PeriodicPush:
         return self.size * self.omega / (2 * math.pi) if self.kind == "impulses" else 0.0
 
     def has_line(self, n: int) -> bool:
-        """Whether the line n > 0 is part of the push."""
+        """True if the line n > 0 is part of the push."""
         if self.kind == "pulses":
             return bool((Fraction(self.width) * n) % 1)
         return self.kind == "impulses" or n % 2 == 1

@@ -110,7 +110,7 @@ class PushedMass:
 
     @property
     def steady_exists(self) -> bool:
-        """Whether a steady motion exists, decided without error."""
+        """True if a steady motion exists, decided without error."""
         if not self.push.size:
             return True
         if (self.push.kind == "step" or self.push.mean) and not self.k:
@@ -378,7 +378,7 @@ class _Exact:
         return AffineMap(one, none, none, one, none, J / self.m)
 
     def same(self, before: PhasePoint, now: PhasePoint) -> bool:
-        """Whether two states are one, beside the least velocity that the push causes."""
+        """True if two states are one, beside the least velocity that the push causes."""
         (x, v), (y, w) = before, now
         size = self.least + abs(y) * self.rate + abs(w)
         return bool(max(abs(x - y) * self.rate, abs(v - w)) <= self.ctx.mpf(10) ** -_DIGITS * size)

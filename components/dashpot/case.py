@@ -39,10 +39,10 @@ class DashpotCase(Case):
 
     @property
     def spring(self) -> bool:
-        """Whether the apparatus has a spring."""
+        """True if the apparatus has a spring."""
         return self.k > 0
 
     @property
     def dashpot(self) -> bool:
-        """Whether the apparatus has a dashpot."""
+        """True if the apparatus has a dashpot."""
         return self.c > 0

@@ -67,6 +67,11 @@ def shown_blocks(block: Block, view: str, show: Sequence[str] = ()) -> Iterator[
         yield block
 
 
+def known_parts(sheet: Block, names: Sequence[str]) -> tuple[str, ...]:
+    """Return those of the names that are parts of a sheet."""
+    return tuple(name for name in names if name in known) if names and (known := parts(sheet)) else ()
+
+
 def parts(sheet: Block) -> list[str]:
     """Return the names of the parts of a sheet, each once: what the list `show` of a step can name."""
     return list(dict.fromkeys(block.part for block in blocks(sheet) if block.part))

@@ -12,7 +12,7 @@ import msgspec
 
 from components.language.messages import Choose, Open, SetValues
 from components.language.state import Frame, State
-from components.layout.views import parts
+from components.layout.views import known_parts
 from components.quantities.numbers import excerpt
 from components.quantities.parameters import Values
 from components.scene import Scene
@@ -243,7 +243,7 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
         held=held,
         covered=checked_covers(kind, drawn.picture, state.covered),
         step=state.step,
-        show=tuple(name for name in state.show if name in parts(kind.sheet())),
+        show=known_parts(kind.sheet(), state.show),
         in_hand=False,
     )
     begins = state.before is None

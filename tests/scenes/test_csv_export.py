@@ -25,8 +25,7 @@ from components.state.link import read_query
 from components.state.scene_sheet import column_axes, plots
 from components.state.standing import fitted
 from tests.grids import sample
-from tests.page.scripts import call
-from tests.page.told import Page, picture_wire, put
+from tests.page.told import Page, put
 from tests.scenes.checks import as_arguments, choices, quantities
 
 HERE = "http://lectures.example/oscillations/"
@@ -56,20 +55,12 @@ def comments(content: bytes) -> list[str]:
     return [line.removeprefix("# ") for line in content.decode("ascii").splitlines() if line.startswith("#")]
 
 
-def page_counts(scene: Scene) -> int:
-    """The tables that the page counts, to say whether a file or several come."""
-    view = picture_wire(scene)
-    columns = {of: {name: own.tolist() for name, own in each.items()} for of, each in view["columns"].items()}
-    return int(call("static/shell/tools.tables", list(plots(type(scene))), {**view, "columns": columns}))
-
-
 @scenes
 def test_pandas_reads_every_column_of_every_plot_to_the_last_digit(slug: str) -> None:
     for values in ({}, *choices(SCENES[slug])):
         scene = SCENES[slug](**values)
         drawn = [plot for plot in plots(SCENES[slug]) if plot.x in scene.shown.axes and plot.y in scene.shown.axes]
         files = taken(scene)
-        assert (page_counts(scene) > 1) == (len(files) > 1), "so the button says on the page"
         for file, content in files.items() if drawn else ():
             assert b"$" not in content, "no formula's source"
             table, name = pd.read_csv(io.BytesIO(content), comment="#"), table_of(file, slug)

@@ -154,7 +154,7 @@ class DampedCase(DashpotCase):
 
     @cached_property
     def parted(self) -> bool:
-        """Whether both exponentials are drawn: near critical damping they are huge and opposite."""
+        """True if both exponentials are drawn: near critical damping they are huge and opposite."""
         return self.kind == "over" and max(map(abs, self.free.fadings[0].late)) < FEW * self.reach
 
     def about(self, shown: Picture) -> About:

@@ -269,7 +269,7 @@ def _peaks(case: DampedShown, t: Axis, x: Axis) -> list[Moment]:
 
 
 def _drops(case: DampedShown, t: Axis, x: Axis) -> list[bool]:
-    """Whether the drop from each peak in the frame to the next is large enough to draw."""
+    """True if the drop from each peak in the frame to the next is large enough to draw."""
     least = LEAST_DROP * (x.end - x.start)
     return [abs(one.x - two.x) >= least for one, two in pairwise(_peaks(case, t, x))]
 
@@ -342,7 +342,7 @@ def held(x0: Number, y0: Number, radius: Number) -> list[Shape]:
 
 
 def _held(case: DampedShown, re: Axis, im: Axis) -> bool:
-    """Whether the frame has room for the root that a hand holds: the faster one, or the upper one of a pair."""
+    """True if the frame has room for the root that a hand holds: the faster one, or the upper one of a pair."""
     return case.root_kind == "pair" or (case.root_kind == "real" and -case.one.rates[1] >= re.start)
 
 

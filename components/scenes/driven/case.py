@@ -198,7 +198,7 @@ class DrivenCase(DashpotCase):
 
     @cached_property
     def resonant(self) -> bool:
-        """Whether there is no steady part: at resonance without a dashpot."""
+        """True if there is no steady part: at resonance without a dashpot."""
         return self.vibration.oscillator.at_resonance(self.omega)
 
     @cached_property
@@ -208,22 +208,22 @@ class DrivenCase(DashpotCase):
 
     @property
     def swells(self) -> bool:
-        """Whether the motion grows, under a push."""
+        """True if the motion grows, under a push."""
         return self.grows and self.is_driven
 
     @property
     def settles(self) -> bool:
-        """Whether the steady part has a size."""
+        """True if the steady part has a size."""
         return not self.grows and math.isfinite(self.M)
 
     @property
     def steady(self) -> bool:
-        """Whether there is a steady part."""
+        """True if there is a steady part."""
         return self.is_driven and self.settles
 
     @property
     def has_dial(self) -> bool:
-        """Whether the stage has the dial of the lag."""
+        """True if the stage has the dial of the lag."""
         return self.steady and self.view in ("response", "forces")
 
     def worded(self, word: str) -> str:
@@ -276,7 +276,7 @@ class DrivenCase(DashpotCase):
 
     @property
     def split(self) -> bool:
-        """Whether the motion is shown in its parts."""
+        """True if the motion is shown in its parts."""
         return self.sampled.split
 
     @property

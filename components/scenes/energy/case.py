@@ -69,12 +69,12 @@ class EnergyCase(Case):
 
     @property
     def separate(self) -> bool:
-        """Whether V is the sum of spring and gravity, without the constant of the slide."""
+        """True if V is the sum of spring and gravity, without the constant of the slide."""
         return self.datum == "separate"
 
     @property
     def apart(self) -> bool:
-        """Whether V is drawn term by term."""
+        """True if V is drawn term by term."""
         return self.datum in ("separate", "slide")
 
     @cached_property

@@ -100,7 +100,7 @@ class OscillatorCase(Case):
 
     @property
     def is_drawn(self) -> bool:
-        """Whether x, v and a are slow enough for lines."""
+        """True if x, v and a are slow enough for lines."""
         return drawable(self.omega, self.times)
 
     @cached_property

@@ -322,7 +322,7 @@ def lead(late: int) -> list[Shape]:
 
 
 def _is_peak_seen(i: int, case: OscillatorShown, t: Axis, up: Axis) -> bool:
-    """Whether peaks are marked and that of x, v or a is in the frame."""
+    """True if peaks are marked and that of x, v or a is in the frame."""
     return case.view in MARKED and case.last_peak > 0 and case.free.amplitude(i) <= up.end
 
 
