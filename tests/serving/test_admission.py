@@ -166,6 +166,6 @@ def test_the_waiting_page_opens_when_there_is_a_place(
     screenshot(second, "waiting")
     first.close()
     expect(second.locator("html[data-ready=true]")).to_be_attached(timeout=40_000)
-    expect(second).to_have_url(re.compile(r"\?scene=coupled&k2=3$"))
+    expect(second).to_have_url(re.compile(r"\?scene=coupled&k2=3&view=motion$"))
     assert [text for text in told if "status of 503" not in text] == []
     second.close()
