@@ -14,6 +14,7 @@ from bokeh.document import Document
 from components.live_class.question_bank import QuestionBank
 from components.panel_face.face import PanelFace
 from components.scenes import SCENES
+from components.scenes.things import THINGS
 from components.serving.shell import navigation, page_template, when_open
 from components.serving.start import StartPage
 from components.session.links import linked
@@ -75,7 +76,7 @@ def walked(folders: Iterable[Path]) -> Lectured:
         for walk, (address, _) in zip(walks.values(), files, strict=True)
     ]
     opening = partial(open_page, walks=walks, listed=listed)
-    return Lectured(opening, dict(files), QuestionBank(walks, SCENES), StartPage(SCENES, listed))
+    return Lectured(opening, dict(files), QuestionBank(walks, SCENES), StartPage(SCENES, listed, THINGS))
 
 
 def open_page(

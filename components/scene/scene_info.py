@@ -10,7 +10,6 @@ import param
 
 from components.language.messages import Onward
 from components.layout.controls import Group
-from components.layout.stage import PlotFrame
 from components.layout.views import View
 from components.quantities.declared import LiveNumber
 from components.quantities.parameters import AnyParameter, Quantity, Values
@@ -51,8 +50,6 @@ class SceneInfo(param.Parameterized):
     """The choices that make another system; the others only show it in another way."""
     reached: ClassVar[tuple[AnyParameter, ...]] = ()
     """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
-    pictured: ClassVar[tuple[PlotFrame | None, Values]] = (None, {})
-    """The plot that stands for it on the start page, else its first, and the values that it is drawn with."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than commands: their buttons show whether the scene is there."""
     steady: ClassVar[tuple[str, ...]] = ()

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
 import logging
 from collections.abc import Callable
+from functools import lru_cache
 from secrets import token_urlsafe
 from typing import Any
 
@@ -17,6 +19,7 @@ from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
 
 from components.serving.admission import ASK_AGAIN, ordinal
+from components.serving.assets import takes
 from components.serving.bokeh_patches import patch_curdoc
 from components.serving.context import Context
 from components.serving.handlers import RefusedError, VisitorHandler, templates
@@ -65,6 +68,12 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
             doc.clear()
 
 
+@lru_cache(maxsize=4)
+def zipped(page: str) -> bytes:
+    """A page, compressed by gzip: 55 kB take 3 ms."""
+    return gzip.compress(page.encode(), 6, mtime=0)
+
+
 class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are not looked into
     """The page of one visitor."""
 
@@ -109,10 +118,15 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         self.write(page_of(session))
 
     def _write_plain(self, page: str, template: Template) -> None:
-        """A page without a session: of who follows a class, to which all that it shows is told, or the start page."""
+        """A page without a session: that of a phone that follows a class, or the start page."""
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(template)))
-        self.write(page)
+        self.set_header("Vary", "Accept-Encoding")
+        if takes(self.request.headers.get("Accept-Encoding", ""), "gzip"):
+            self.set_header("Content-Encoding", "gzip")
+            self.write(zipped(page))
+        else:
+            self.write(page)
 
     def _begin(self) -> str | None:
         """The start page, where the link opens no scene; a frame of another page shows a scene at once."""

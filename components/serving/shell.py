@@ -49,6 +49,13 @@ LECTURES = {
     "D34": "Coupled Oscillators",
 }
 """The lectures of the MIT course 16.07, Dynamics, that the scenes follow, by number."""
+SUBJECTS = {
+    "D31": "One mass on a spring",
+    "D32, D33": "Friction, and a push",
+    "D34": "Two masses",
+    "Numerics": "How computers solve it",
+}
+"""The headings of the start page, by lecture."""
 
 
 @dataclass(frozen=True)
@@ -64,9 +71,10 @@ class SceneLink:
 
 @dataclass(frozen=True)
 class SceneGroup:
-    """The scenes of one lecture: the name over them, and what it is."""
+    """The scenes of one lecture: its name, its subject and its title."""
 
     name: str
+    subject: str
     about: str
     scenes: tuple[SceneLink, ...]
 
@@ -79,7 +87,7 @@ class SceneGroup:
 def navigation(scenes: Mapping[str, type[Scene]], here: str = "") -> list[SceneGroup]:
     """The scenes in lecture order, grouped under the lecture they belong to."""
     return [
-        SceneGroup(name, _about(name), tuple(_link(scene, here) for scene in group))
+        SceneGroup(name, SUBJECTS.get(name, name), _about(name), tuple(_link(scene, here) for scene in group))
         for name, group in groupby(scenes.values(), key=lambda scene: scene.lecture)
     ]
 

@@ -1,4 +1,4 @@
-"""The start page: all scenes as small pictures, the walks, the way into a live class. It needs no session."""
+"""The start page, which needs no session: all scenes as small pictures, the walks, and the code of a live class."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from functools import cache, cached_property
 from jinja2 import Template
 
 from components.scene import Scene
+from components.scene.thing import HIGH, WIDE, Thing
 from components.serving.handlers import templates
 from components.serving.shell import navigation, version
-from components.serving.thumbnails import HIGH, WIDE, thumbnail
 from components.state.link import PAGE_KEYS, read_query
 
 LOOKS = frozenset({"theme", "projector"})
@@ -30,6 +30,7 @@ class StartPage:
 
     scenes: Mapping[str, type[Scene]]
     walks: Sequence[Mapping[str, str]]
+    things: Mapping[str, Thing]
 
     def asked(self, query: Mapping[str, Sequence[bytes]]) -> str | None:
         """The page where a link asks for it, with a sentence where it names what is not a scene; else None."""
@@ -45,8 +46,8 @@ class StartPage:
         return self._page()
 
     @cached_property
-    def _pictures(self) -> dict[str, object]:
-        return {slug: thumbnail(scene) for slug, scene in self.scenes.items()}
+    def _pictures(self) -> dict[str, str]:
+        return {slug: thing() for slug, thing in self.things.items()}
 
     def _page(self, problem: str = "") -> str:
         return start_template().render(

@@ -13,9 +13,11 @@ from tests.browser.views import GRID
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-DOTS = (
-    "() => [...document.querySelectorAll('.thumb circle')].map(dot => dot.getAttribute('cx') + dot.getAttribute('cy'))"
-)
+PLACES = """() => [...document.querySelectorAll(".thumb")].map(thumb => [...thumb.querySelectorAll("g")].map(part => {
+  const {x, y, width, height} = part.getBoundingClientRect()
+  const {top} = thumb.getBoundingClientRect()
+  return [x, y - top, width, height].map(Math.round).join()
+}).join(" "))"""
 LEAVES = """() => [...document.querySelectorAll("body *")].filter(one => one.checkVisibility() && !one.closest("svg")
   && one.getBoundingClientRect().right > innerWidth + 0.5).map(one => one.outerHTML.slice(0, 80))"""
 SMALL = """() => [...document.querySelectorAll("a, button, input")].filter(one => one.checkVisibility())
@@ -37,7 +39,7 @@ def test_every_scene_is_there_and_opens(how: str, page: Page, server: Server) ->
     page.wait_for_function(READY)
     expect(page.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
     page.locator(".brand").click()
-    expect(page.get_by_role("heading", level=1)).to_have_text("Take an oscillation in your hand")
+    expect(page.get_by_role("heading", level=1)).to_have_text("Pull a mass and see how it oscillates")
 
 
 def test_nothing_leaves_any_screen_and_all_can_be_hit(page: Page, server: Server) -> None:
@@ -49,15 +51,22 @@ def test_nothing_leaves_any_screen_and_all_can_be_hit(page: Page, server: Server
         assert page.evaluate(SMALL) == [], (width, height)
 
 
-def test_pictures_play_in_order_and_under_the_hand(page: Page, server: Server) -> None:
+def test_each_picture_in_view_moves_and_no_other(page: Page, server: Server) -> None:
+    page.set_viewport_size({"width": 390, "height": 844})
     page.goto(server.url)
-    before = page.evaluate(DOTS)
-    page.wait_for_function(f"before => ({DOTS})()[0] !== before", arg=before[0])
+    before = page.evaluate(PLACES)
+    page.wait_for_function(f"before => ({PLACES})()[0] !== before", arg=before[0])
+    assert page.evaluate(PLACES)[-1] == before[-1]
+    for i in range(len(SCENES)):
+        page.locator(".thumb").nth(i).scroll_into_view_if_needed()
+        page.wait_for_function(f"([i, before]) => ({PLACES})()[i] !== before", arg=[i, before[i]])
+    page.wait_for_function("document.querySelector('.thumb').animationsPaused()")
+
+
+def test_a_scene_is_fetched_before_it_is_pressed(page: Page, server: Server) -> None:
+    page.goto(server.url)
     last = page.locator("a.scene-card").filter(has_text="Absorber")
     last.hover()
-    dot = last.locator("circle").first
-    place = dot.get_attribute("cx")
-    page.wait_for_function("([dot, cx]) => dot.getAttribute('cx') !== cx", arg=[dot.element_handle(), place])
     sheet = last.get_attribute("data-sheet")
     expect(page.locator(f'head link[rel=prefetch][href="assets/{sheet}"]')).to_be_attached()
 
@@ -66,17 +75,31 @@ def test_with_reduced_motion_nothing_moves(new_page: Callable[..., Page], server
     page = new_page(reduced_motion="reduce")
     page.goto(server.url)
     page.locator("a.scene-card").first.hover()
-    before = page.evaluate(DOTS)
+    before = page.evaluate(PLACES)
     page.evaluate(
         "() => new Promise(done => { let n = 0; const f = () => ++n > 10 ? done() : requestAnimationFrame(f); f() })"
     )
-    assert page.evaluate(DOTS) == before
+    assert page.evaluate(PLACES) == before
+    page.emulate_media(reduced_motion="no-preference")
+    page.wait_for_function(f"before => ({PLACES})()[0] !== before", arg=before[0])
+
+
+def test_one_filled_button_begins_the_tour(page: Page, server: Server) -> None:
+    page.goto(server.url)
+    ink = "getComputedStyle(document.body).color"
+    filled = page.locator("body :is(a, button)").evaluate_all(
+        f"all => all.filter(one => getComputedStyle(one).backgroundColor === {ink}).map(one => one.textContent)"
+    )
+    assert filled == ["Start here five questions, ten minutes"]
+    page.get_by_role("link", name="Start here").click()
+    page.wait_for_function(READY)
+    expect(page.locator(".card-head span")).to_contain_text("1 of 5")
 
 
 def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
     page = browser.new_page()  # the refusal stands in its console
     page.goto(server.url)
-    field = page.get_by_label("In a live class")
+    field = page.get_by_label("In a live class?")
     field.fill("ZZZZ")
     page.keyboard.press("Enter")
     expect(page.locator("#no-class")).to_have_text("No class has this code now. A code has four letters and digits.")

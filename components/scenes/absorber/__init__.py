@@ -65,7 +65,6 @@ class Absorber(Scene):
     lecture = "D34"
     points = "beyond the slides"
     headline = "A tuned mass can hold the machine still; the price is two resonances"
-    pictured = (SWING, {})
     spoken = {"machine": N.swing, "resonances": f"{{{N.slow.name}}} and {N.fast.aloud}"}
     equations = (
         "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",

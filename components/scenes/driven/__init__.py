@@ -26,7 +26,6 @@ class DrivenScene(DashpotScene, CaseScene):
     lecture = "D32, D33"
     points = "forced vibration with a dashpot"
     headline = "At resonance only the dashpot balances the push"
-    pictured = (RESPONSE, {})
     spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
     equations = (
         "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",

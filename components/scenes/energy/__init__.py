@@ -19,7 +19,6 @@ class Energy(CaseScene):
     lecture = "D31"
     points = "points 4 to 6"
     headline = "Energy swings between motion and position; the sum stays constant"
-    pictured = (ENERGY, {"window": 1.5})
     spoken = {
         "natural frequency": "{omega} rad/s",
         "period": "{tau} s",

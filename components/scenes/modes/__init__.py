@@ -53,7 +53,6 @@ class ModesScene(Scene):
     lecture = "D34"
     points = "points 3, 4"
     headline = "Undamped masses agree on a shape at two frequencies"
-    pictured = (guess.SHAPE, {"task": "guess"})
     spoken = {"slow mode": ComparedNumbers.omega_slow, "fast mode": ComparedNumbers.omega_fast}
     equations = (
         *chain.FREE,

@@ -43,7 +43,6 @@ class Phugoid(Scene):
     lecture = "D31"
     points = "points 8 to 10"
     headline = "Without losses, an aircraft oscillates; speed sets the period, not mass"
-    pictured = (PATH, {"excess": 0.5})
     spoken = {"period by the linear theory": N.tau, "this swing": N.late}
     equations = (
         "V' = -g sin(theta); V theta' = g (V/v_0)^2 - g cos(theta); lift over weight = (V/v_0)^2",
