@@ -13,6 +13,7 @@ from bokeh.document import Document
 
 from components.live_class.question_bank import QuestionBank
 from components.panel_face.face import PanelFace
+from components.scene.face import face_of
 from components.scenes import SCENES
 from components.scenes.things import THINGS
 from components.serving.shell import navigation, page_template, when_open
@@ -117,7 +118,8 @@ Start it in this folder by `make run`, or by `python -m components.serving --sho
 def scene_page(query: Query) -> pn.template.BootstrapTemplate:
     """The page of `panel serve`: a menu of the scenes, and the one that a link asks for with its values."""
     link = read_query(query, SCENES).as_opened(SCENES)
-    scene, problems = SCENES[link.slug](), list(link.problems)
+    kind, problems = SCENES[link.slug], list(link.problems)
+    scene = face_of(kind)()
     try:
         scene.set(link.values)
     except ValueError as reason:
@@ -125,7 +127,7 @@ def scene_page(query: Query) -> pn.template.BootstrapTemplate:
     face = PanelFace(scene)
     menu = "\n".join(f"- [{one.title}](?scene={slug})" for slug, one in SCENES.items())
     said = [pn.pane.Alert(problem, alert_type="warning") for problem in problems]
-    title, main = f"Oscillations: {scene.title}", [ELSEWHERE, *said, face.paper]
+    title, main = f"Oscillations: {kind.title}", [ELSEWHERE, *said, face.paper]
     return pn.template.BootstrapTemplate(title=title, sidebar=[menu, face.panel], main=main)
 
 

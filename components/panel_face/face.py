@@ -17,7 +17,8 @@ from components.panel_face.live_figure import LiveFigure, colours
 from components.panel_face.widgets import ChoiceControl, QuantityControl
 from components.quantities.parameters import Values
 from components.quantities.refusals import SORRY, report
-from components.scene import Picture, Scene
+from components.scene import Picture
+from components.scene.face import SceneFace
 from components.scene.html import filled, heading, notes, table, words
 from components.scene.scene import VIEW
 from components.state.commands import Command, RefusalError, asked_values, refusal
@@ -34,16 +35,18 @@ class PanelFace(Viewer):
     name, `figures` the figures by plot; `refused` says why a value was not taken: then all stands as it was.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: SceneFace) -> None:
         super().__init__()  # type: ignore[no-untyped-call]  # Panel's own has no types
-        self.scene, sheet = scene, scene_sheet(type(scene))
+        self.scene, sheet = scene, scene_sheet(scene.scene_kind)
         self.controls: list[QuantityControl | ChoiceControl] = []
         self.figures: dict[str, LiveFigure] = {}
         self.actions: dict[str, Any] = {}
         self._texts: list[tuple[Any, Callable[[Picture], Html]]] = []
         self.parts: list[tuple[Viewable, str, tuple[str, ...]]] = []
         self.refused = pn.pane.Alert(alert_type="danger", visible=False)
-        self.presets = {one.label: self._button(one, scene.preset_all(one.label)) for one in sheet.panel.presets}
+        self.presets = {
+            one.label: self._button(one, scene.scene_kind.preset_all(one.label)) for one in sheet.panel.presets
+        }
         groups = map(self._section, sheet.panel.groups)
         self.panel = pn.Column(self.refused, pn.FlexBox(*self.presets.values()), *groups, max_width=320)
         self.tabs = self._tabs(sheet.views)
@@ -51,7 +54,7 @@ class PanelFace(Viewer):
         self.paper = pn.Column(f"## {sheet.headline}", self.tabs, paper, self._html(notes), min_width=NARROWEST)
         self.widgets = {one.row.name: one.field for one in self.controls}
         self.sliders = {one.row.name: one.slider for one in self.controls if isinstance(one, QuantityControl)}
-        self._show(scene.shown)
+        self._show(scene.value.shown)
         scene.on_picture(self._show)
 
     def __panel__(self) -> Viewable:
@@ -70,7 +73,7 @@ class PanelFace(Viewer):
             report(error)
             errors = {"": SORRY}
         self.refused.param.update(object=" ".join(errors.values()), visible=bool(errors))
-        self._tell(self.scene.shown)
+        self._tell(self.scene.value.shown)
 
     def _show(self, picture: Picture) -> None:
         """Follow the scene, whoever has set it."""

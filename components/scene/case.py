@@ -189,7 +189,7 @@ class CaseScene(Scene):
     @property
     def numbers(self) -> dict[str, CaseNumber]:
         """The numbers that the scene shows in any of its views, by name; those that have no value now are missing."""
-        case = self.value.of()
+        case = self.of()
         known = {one.called: one for one in attributes(self.case) if one.meaning}
         found = {name: (one, one.of(case)) for name, one in known.items()}
         return {

@@ -1,15 +1,14 @@
-"""A scene: parameters, one pure picture of them, and what follows from a change; a value, with a thin face to set."""
+"""A scene: an immutable set of parameter values, the picture of them, and what follows from a change."""
 
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Hashable, Mapping
 from functools import cache, cached_property
 from typing import Any, Self
 
 import param
-from bokeh.models import ColumnDataSource
-from param.parameterized import ParameterizedMetaclass, discard_events
+from param.parameterized import ParameterizedMetaclass
 
 from components.language.blocks import Block
 from components.language.state import Frame
@@ -31,21 +30,24 @@ VIEW = "view"
 
 
 class _SceneMeta(ParameterizedMetaclass, ABCMeta):
-    """Gives a scene with views the parameter that chooses one."""
+    """Gives a scene with views the parameter that chooses one; calling a scene makes its mutable face."""
 
     def __new__(mcs, name: str, bases: tuple[type, ...], given: dict[str, Any], **rest: Any) -> Any:
         if views := given.get("views", ()):
             given["view"] = one_of(views[0].slug, {view.slug: view.name for view in views}, "View")
         return super().__new__(mcs, name, bases, given, **rest)
 
+    def __call__(cls, **values: Any) -> Any:
+        from components.scene.face import face_of  # the server and the physics do without
+
+        return face_of(cls)(**values)
+
 
 class Scene(SceneInfo, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
-    `Scene.at(values)` is a value: nothing of it can be set, and `changed(values)` is another one. The page knows only
-    these. A scene that is made as usual is their face for notebooks and tests: what is set, one parameter or a batch
-    with `param.update`, makes it show another value, with one `picture`. A ValueError, from a parameter's own limits,
-    from the physics or in place of an ArithmeticError, leaves it as it was; so does any other exception.
+    `Scene.at(values)` is immutable, and `changed(values)` is another scene: the page knows only these.
+    `Scene(**values)` is a `SceneFace`, whose parameters can be set.
     """
 
     window = Quantity(
@@ -135,12 +137,11 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     def changed(self, values: Values, *, in_hand: bool = False) -> Self:
         """The scene with other values and what follows from their change; itself where they are its own."""
-        value, defaults = self.value, self.parameters()
-        changed = value.differing(values)
+        defaults, changed = self.parameters(), self.differing(values)
         if not changed:
-            return value
-        others = {name: own for name, own in value.values.items() if own is not defaults[name]}
-        return self._settled({**others, **values}, changed, value, in_hand=in_hand)
+            return self
+        others = {name: own for name, own in self.values.items() if own is not defaults[name]}
+        return self._settled({**others, **values}, changed, self, in_hand=in_hand)
 
     @classmethod
     def _settled(cls, values: Values, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Self:
@@ -174,7 +175,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     @property
     def values(self) -> Mapping[str, Any]:
         """The values of all parameters."""
-        values: Values = vars(self.value)["values"]
+        values: Values = vars(self)["values"]
         return values
 
     @cached_property
@@ -183,87 +184,17 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         exact = (repr(value) if isinstance(value, (float, list)) else value for value in self.values.values())
         return type(self), tuple(exact)
 
-    # The face.
-
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
-        self._listeners: list[Callable[[Picture], None]] = []
-        self._show(type(self).at(values))
-        self.param.watch(lambda *events: self._set(event.name for event in events), list(self.parameters()))
-
-    @property
-    def value(self) -> Self:
-        """The value that a face shows; a value itself."""
-        value: Self = vars(self).get("_value", self)
-        return value
-
-    @property
-    def shown(self) -> Picture:
-        """The picture in force."""
-        picture: Picture | None = vars(self).get("_shown")
-        return picture or draw(self).picture
-
     @cached_property
-    def sources(self) -> dict[str, ColumnDataSource]:
-        """The numbers of the picture in force, in SI units."""
-        return {name: ColumnDataSource(data=data) for name, data in self.shown.sources.items()}
-
-    def set(self, values: Values) -> None:
-        """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
-        if self.differing(values):
-            self._show(self.value.changed(values))
+    def shown(self) -> Picture:
+        """The picture of the scene in the frame that fits it; ValueError where doubles hold no answer."""
+        return draw(self).picture
 
     def frame(self, source: str = "") -> Columns:
         """The numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`: of the first that
         has any, where none is named. ValueError, with the names of those, for a source without numbers."""
         return with_units(self.shown, axes_of_columns(self.sheet()), source)
 
-    def panel(self) -> Any:
-        """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""
-        from components.panel_face.face import PanelFace  # the server and the physics do without
-
-        return PanelFace(self)
-
-    __panel__ = panel
-
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
-        """The scene in a notebook, once `panel.extension()` is loaded."""
-        return self.panel()._repr_mimebundle_(include, exclude)
-
-    def on_picture(self, listener: Callable[[Picture], None]) -> None:
-        """Call `listener` after every change with the new picture."""
-        self._listeners.append(listener)
-
     def __setattr__(self, name: str, value: Any) -> None:
         if "values" in vars(self):
             raise AttributeError(f"{name} cannot be set: changed({name}=...) is another scene")
-        try:
-            super().__setattr__(name, value)
-        except Exception:
-            # param stops a batch at the first bad value and keeps those already set: give all of them back.
-            self._restore()
-            raise
-
-    def _set(self, names: Iterable[str]) -> None:
-        try:
-            self._show(self.value.changed({name: getattr(self, name) for name in names}))
-        except Exception:
-            self._restore()
-            raise
-
-    def _show(self, value: Self) -> None:
-        picture = draw(value).picture
-        known: Mapping[str, ColumnDataSource] = vars(self).get("sources", {})
-        numbers = picture.sources if known else {}
-        vars(self).update(_value=value, _shown=picture)
-        self._restore()
-        for name in numbers.keys() | known.keys():
-            self.sources.setdefault(name, ColumnDataSource()).data = numbers.get(name, {})
-        for listener in self._listeners:
-            listener(picture)
-
-    def _restore(self) -> None:
-        if "_value" in vars(self):
-            with discard_events(self):
-                for name, value in self.value.values.items():
-                    super().__setattr__(name, value)
+        super().__setattr__(name, value)

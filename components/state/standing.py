@@ -118,7 +118,7 @@ class Standing:
 
 def fitted(scene: Scene) -> Standing:
     """A page on which a scene stands by itself, in the frame that fits it."""
-    return Standing(scene=scene.value, drawn=draw(scene.value))
+    return Standing(scene=scene, drawn=draw(scene))
 
 
 def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:

@@ -31,10 +31,10 @@ STAYING = """() => {
 SCROLLED = """(paper => paper.scrollHeight - paper.clientHeight -
   (paper.parentElement.querySelector(".notice")?.offsetHeight ?? 0))(document.querySelector(".paper"))"""
 """So much of the paper is out of sight; a notice gives its room back when it is closed."""
-PRESETS = [fitted(scene(**values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
-BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2)).query
+PRESETS = [fitted(scene.at(values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
+BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2).value).query
 """The longest equations."""
-REFUSED = f"{fitted(SCENES['absorber'](damping='added', c=40.0)).query}&unknown=1"
+REFUSED = f"{fitted(SCENES['absorber'](damping='added', c=40.0).value).query}&unknown=1"
 """The longest words beside a stage, under a notice."""
 CASES = [(link, GRID if WHOLE else SAMPLE) for link in (*LINKS, BRAKED, REFUSED)] + [
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS

@@ -77,7 +77,7 @@ def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_pa
         ground = next(part for part in picture.iter(f"{SVG}rect"))
         assert (ground.get("fill"), ground.get("width")) == ("rgb(255, 255, 255)", picture.get("width"))
         texts = ["".join(part.itertext()) for part in picture.iter(f"{SVG}text")]
-        assert f"?{fitted(SCENES[slug]()).query}" in "".join(texts)
+        assert f"?{fitted(SCENES[slug]().value).query}" in "".join(texts)
         assert "?" not in texts, texts
         assert len(texts) >= 3 and page.get_by_role("dialog").locator("p").inner_text()
 

@@ -21,11 +21,11 @@ GRID = (
 
 def seen(scene: type[Scene]) -> Iterator[Scene]:
     """The scene as it opens, then with each other word of each choice."""
-    yield (opens := scene())
-    yield from (scene(**choice) for choice in choices(scene) if opens.differing(choice))
+    yield (opens := scene.at())
+    yield from (scene.at(choice) for choice in choices(scene) if opens.differing(choice))
 
 
-LINKS = [fitted(view).query for scene in SCENES.values() for view in (seen(scene) if WHOLE else [scene()])]
+LINKS = [fitted(view).query for scene in SCENES.values() for view in (seen(scene) if WHOLE else [scene.at()])]
 """All views; a sample has each scene as it opens."""
 
 SCREENS = [(theme, width, height) for theme in ("light", "dark") for width, height in ((1280, 720), (390, 844))]

@@ -126,11 +126,11 @@ def opened(page: Page, **state: Any) -> dict[str, Any]:
 
 def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
     page = Page(SCENES["coupled"]())
-    frame = wider(draw(page.scene.value).frame)
+    frame = wider(draw(page.scene).frame)
     told = opened(page, frame=msgspec.to_builtins(frame))
     assert told["errors"] == {}
     standing = msgspec.convert(told["state"], State).frame
-    assert standing == unfitted(frame, draw(page.scene.value).frame)
+    assert standing == unfitted(frame, draw(page.scene).frame)
     x = told["view"]["axes"]["x"]
     told = page.say({"type": "set", "values": {"x1_0": 0.5}, "number": 90})
     assert told["view"]["axes"]["x"] == x, "a smaller start is seen as smaller"

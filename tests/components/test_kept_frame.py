@@ -142,10 +142,7 @@ def test_another_window_is_chosen_by_its_field() -> None:
     assert told["view"]["axes"]["t"]["end"] == 5.0
     told = set_value(page, {"k2": 2.0})
     assert told["view"]["axes"]["t"]["end"] == 5.0
-    assert (
-        set_value(page, {"window": None})["view"]["axes"]["t"]["end"]
-        == draw(page_of("coupled").scene.value).frame.window
-    )
+    assert set_value(page, {"window": None})["view"]["axes"]["t"]["end"] == draw(page_of("coupled").scene).frame.window
 
 
 def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
@@ -155,7 +152,7 @@ def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
     page.say({"type": "choose", "name": "datum", "value": "separate", "number": 50})
     after = page.now.drawn.frame
     assert after.ranges["x"] == small.ranges["x"]
-    assert after.ranges["E"] == draw(page.scene.value).frame.ranges["E"]
+    assert after.ranges["E"] == draw(page.scene).frame.ranges["E"]
     page = page_of("analogues")
     page.say({"type": "choose", "name": "system", "value": "spring", "number": 50})
     assert page.now.state.frame is None, "another system is another scene"

@@ -167,17 +167,17 @@ def test_no_query_breaks_the_server(args: dict[str, list[bytes]]) -> None:
 
 
 def test_default_scene_has_the_shortest_link() -> None:
-    assert fitted(First()).query == "scene=first"
+    assert fitted(First().value).query == "scene=first"
 
 
 def test_link_is_short_and_in_a_stable_order() -> None:
     scene = First(hidden=["x1.slow", "x2"], k2=3, m1=1e22, axes="lecture", steps=0.5)
-    assert fitted(scene).query == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
+    assert fitted(scene.value).query == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
 
 
 @pytest.mark.parametrize("span", [None, 4.0])
 def test_automatic_value_comes_back_where_it_is_not_the_default(span: float | None) -> None:
-    link = read_query(query(fitted(Second(span=span)).query), SCENES)
+    link = read_query(query(fitted(Second(span=span).value).query), SCENES)
     assert (link.slug, link.values, link.problems) == ("second", {"span": span}, [])
 
 
@@ -203,7 +203,7 @@ anywhere = st.floats(allow_nan=False, allow_infinity=False)
 )
 def test_link_brings_a_scene_back_exactly(values: dict[str, Any]) -> None:
     scene = First(**values)
-    link = read_query(query(fitted(scene).query), SCENES)
+    link = read_query(query(fitted(scene.value).query), SCENES)
     back = First(**link.values)
     assert link.problems == []
     assert {name: getattr(back, name) for name in values} == {name: getattr(scene, name) for name in values}

@@ -74,7 +74,7 @@ def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -
 
 def test_bokeh_adds_little_to_a_message() -> None:
     document, events = Document(), list[DocumentPatchedEvent]()
-    session = Session(fitted(Coupled()))
+    session = Session(fitted(Coupled().value))
     SceneView(session).get_root(document)
     document.on_change(events.append)
     send, packets = session.send, []

@@ -115,7 +115,7 @@ async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monk
 
     async with rooms() as (store, registry, _, code, key):
         store.away = True
-        session, asked = Session(fitted(SCENES["coupled"]())), 0
+        session, asked = Session(fitted(SCENES["coupled"]().value)), 0
         session.lead = lambda *given: Publisher(registry, *given)
         led = registry.led
 

@@ -63,8 +63,8 @@ MORE: dict[str, list[dict[str, Any]]] = {
 
 def cases(scene: type[Scene]) -> Iterator[Scene]:
     """The scene as it opens, each preset, each option of each choice, and what MORE names."""
-    yield from (scene(**values) for values in ({}, *scene.presets.values()))
-    yield from (scene(**values) for values in (*choices(scene), *MORE.get(scene.slug, [])))
+    yield from (scene.at(values) for values in ({}, *scene.presets.values()))
+    yield from (scene.at(values) for values in (*choices(scene), *MORE.get(scene.slug, [])))
 
 
 @cache

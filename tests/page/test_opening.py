@@ -25,7 +25,7 @@ def test_a_page_without_parameters_opens_as_its_scene_declares(slug: str) -> Non
 
 @pytest.mark.parametrize("slug", SCENES)
 def test_the_defaults_have_an_address_of_their_own(slug: str) -> None:
-    defaults = SCENES[slug]()
+    defaults = SCENES[slug].at()
     assert visited(as_arguments(fitted(defaults).query), {}).now.scene.values == defaults.values
     one = next(iter(defaults.linked()))
     linked = visited({"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}, {}).now.scene

@@ -35,7 +35,7 @@ def changed(scene: type[Scene]) -> Scene:
     values: dict[str, Any] = {name: q.softbounds[1] for name, q in list(quantities(scene).items())[:2]}
     chosen = [*choices(scene)]
     values |= [one for one in chosen if one.keys() == chosen[0].keys()][-1] if chosen else {}
-    return scene(**values, window=12.5, hidden=["x1"])
+    return scene.at({**values, "window": 12.5, "hidden": ["x1"]})
 
 
 @scenes
@@ -85,7 +85,7 @@ def test_a_state_that_is_refused_changes_nothing(state: dict[str, Any], reason: 
 def test_a_link_brings_the_state_of_a_page_back(slug: str) -> None:
     page = Page(changed(SCENES[slug]))
     cover = sorted(coverable(SCENES[slug], page.shown))[0]
-    frame = draw(page.scene.value).frame
+    frame = draw(page.scene).frame
     ranges = {name: (low, high + (high - low)) for name, (low, high) in frame.ranges.items() if name != TIME_AXIS}
     kept = {name: span for name, span in ranges.items() if not page.shown.axes[name].log}
     wide = replace(frame, ranges={**frame.ranges, **kept}, speed=frame.speed and 0.5 * frame.speed)

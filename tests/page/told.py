@@ -10,6 +10,7 @@ from components.language.messages import ToldAny
 from components.language.picture import PagePicture
 from components.layout.controls import panel
 from components.scene import Picture, Scene
+from components.scene.face import SceneFace
 from components.scenes import SCENES
 from components.session.session import Session
 from components.state.commands import Command, Errors, RefusalError, asked_values, refusal
@@ -20,8 +21,13 @@ from components.state.wire import Packet, as_json, decoded, packed
 from tests.page import scripts
 
 
-def apply_message(scene: Scene, data: object) -> Errors:
-    """Apply a message to a scene and return its refusals; by "message" where our page sends no such thing."""
+def value_of(scene: Scene | SceneFace) -> Scene:
+    """Return the immutable scene that a face shows, or the scene itself."""
+    return scene.value if isinstance(scene, SceneFace) else scene
+
+
+def apply_message(scene: SceneFace, data: object) -> Errors:
+    """Apply a message to the face of a scene; return its refusals, under "message" if it is none of the page's."""
     try:
         said = decoded(data)
     except ValueError as error:
@@ -36,22 +42,23 @@ def apply_message(scene: Scene, data: object) -> Errors:
     return {}
 
 
-def take_preset(scene: Scene, label: str) -> Errors:
+def take_preset(scene: SceneFace, label: str) -> Errors:
     """A press on the button of a preset: what it sets goes into the state of the page, which is opened."""
     page = Page(scene)
-    buttons = panel(scene.param.objects("existing"), (), presets=scene.presets).presets
+    buttons = panel(scene.param.objects("existing"), (), presets=scene.scene_kind.presets).presets
     (sets,) = (button.sets for button in buttons if button.label == label)
     state = page.now.state
     wanted = msgspec.structs.replace(state, parameters={**state.parameters, **sets}, frame=None)
     errors = Errors(page.say({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
     if not errors and page.scene.key != scene.value.key:
-        scene._show(page.scene)
+        scene.show(page.scene)
     return errors
 
 
-def picture_wire(scene: Scene | Standing) -> dict[str, Any]:
+def picture_wire(scene: Scene | SceneFace | Standing) -> dict[str, Any]:
     """The picture as the browser has it after unpacking: nested lists and dicts, columns as arrays."""
-    view, numbers = view_of(scene.shown, column_axes(scene.kind if isinstance(scene, Standing) else type(scene)))
+    kind = scene.kind if isinstance(scene, Standing) else type(value_of(scene))
+    view, numbers = view_of(scene.shown, column_axes(kind))
     msgspec.json.decode(as_json(view), type=PagePicture)
     return dict(scripts.unpacked(packed({"view": view}, numbers))["view"])  # type: ignore[arg-type]
 
@@ -59,7 +66,8 @@ def picture_wire(scene: Scene | Standing) -> dict[str, Any]:
 class Page:
     """A session, and all that it has told."""
 
-    def __init__(self, scene: Scene, problems: tuple[str, ...] = ()) -> None:
+    def __init__(self, shown: Scene | SceneFace, problems: tuple[str, ...] = ()) -> None:
+        scene = value_of(shown)
         self.session = Session(fitted(scene), problems, scenes={**SCENES, scene.slug: type(scene)})
         self.packets: list[Packet] = []
         self.session.send = self.packets.append

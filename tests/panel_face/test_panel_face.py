@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import json
+import pickle
 import subprocess
 from typing import Any
 
@@ -18,6 +20,7 @@ from components.language.controls import SliderRow
 from components.panel_face.face import PanelFace
 from components.quantities.scales import slider_place, slider_value
 from components.scene import Scene
+from components.scene.face import SceneFace
 from components.scene.picture import draw
 from components.scenes import SCENES
 from components.state.scene_sheet import plots, scene_sheet
@@ -27,7 +30,7 @@ from tests.serving.server import ROOT
 scenes = pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
 
 
-def numbers(scene: Scene) -> dict[str, dict[str, list[float]]]:
+def numbers(scene: SceneFace) -> dict[str, dict[str, list[float]]]:
     found = {name: source.data for name, source in scene.sources.items()}
     return {name: {column: list(data[column]) for column in data} for name, data in found.items() if data}
 
@@ -35,7 +38,7 @@ def numbers(scene: Scene) -> dict[str, dict[str, list[float]]]:
 def check_figures(face: PanelFace) -> None:
     """All figures draw the numbers that the scene has, in the units of their axes."""
     picture, drawn = face.scene.shown, 0
-    for block in plots(type(face.scene)):
+    for block in plots(face.scene.scene_kind):
         figure = face.figures[block.name]
         if not {block.x, block.y} <= picture.axes.keys():
             continue
@@ -112,7 +115,7 @@ def test_what_the_physics_refuses_goes_back_too() -> None:
 def test_a_fault_is_a_sentence_and_all_stands(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = SCENES["coupled"]()
     face, shown = scene.panel(), scene.shown
-    monkeypatch.setattr(type(scene), "picture", lambda *_: [][1])
+    monkeypatch.setattr(scene.scene_kind, "picture", lambda *_: [][1])
     face.widgets["k2"].value = "17"
     assert "Something went wrong" in face.refused.object
     assert face.widgets["k2"].value == "2.00" and scene.shown is shown
@@ -225,6 +228,17 @@ def test_all_faces_follow_the_scene_whoever_sets_it() -> None:
     assert not {model.id for model in one.figures["x1"].model.references()} & {
         model.id for model in other.figures["x1"].model.references()
     }
+
+
+@scenes
+def test_a_face_is_copied_and_pickled_with_its_values(kind: type[Scene]) -> None:
+    scene = kind()
+    for twin in (copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+        assert twin.value.key == scene.value.key
+        twin.set({"window": 12.5})
+        assert (twin.window, scene.window) == (12.5, kind.at().values["window"])
+    with pytest.raises(AttributeError, match="cannot be set"):
+        scene.value.window = 3.0
 
 
 def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -180,7 +180,7 @@ def test_refusals_leave_the_scene_as_it_was() -> None:
 def test_link_brings_the_absorber_back(values: dict[str, Any]) -> None:
     scene = Absorber()
     scene.set(values)
-    link = read_query(as_arguments(fitted(scene).query), SCENES)
+    link = read_query(as_arguments(fitted(scene.value).query), SCENES)
     again = Absorber()
     again.set(link.values)
     assert link.problems == []

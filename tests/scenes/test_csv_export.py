@@ -105,7 +105,7 @@ def test_the_comments_bring_the_picture_back_and_say_what_it_obeys(slug: str) ->
         _, address, *notes = comments(content)
         assert address.startswith(HERE) and "," not in address
         link = read_query(as_arguments(urlsplit(address).query), SCENES)
-        assert (link.problems, fitted(SCENES[link.slug](**link.values)).state) == ([], fitted(scene).state)
+        assert (link.problems, fitted(SCENES[link.slug](**link.values).value).state) == ([], fitted(scene.value).state)
         assert all(line in notes for line in scene.equations) and scene.equations
         assert "window = 12.5 s" in notes
 
@@ -133,7 +133,7 @@ def test_every_choice_at_every_end_of_every_slider_can_be_taken(slug: str) -> No
         for name, quantity in quantities(SCENES[slug]).items():
             for end in scene.shown.spans.get(name, quantity.softbounds):
                 scene.set({**standing, name: end})
-                head = comments_of(fitted(scene), scene.shown)
+                head = comments_of(fitted(scene.value), scene.shown)
                 for table in tables(SCENES[slug], scene.shown):
                     assert as_csv(replace(table, rows=table.rows[:1]), head)
 

@@ -136,13 +136,13 @@ def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
 @scenes
 def test_link_round_trip(scene_class: type[Scene]) -> None:
     scene = scene_class()
-    plain = read_query(as_arguments(fitted(scene).query), SCENES)
+    plain = read_query(as_arguments(fitted(scene.value).query), SCENES)
     named = ["view"] if scene.views else scene.opens
     assert plain.values == {name: scene.values[name] for name in named}, "its defaults, which a link names"
     assert plain.as_opened(SCENES).values == plain.values
     changed = {name: q.softbounds[1] for name, q in list(quantities(scene_class).items())[:2]}
     scene.set({**changed, "window": 12.5})
-    link = read_query(as_arguments(fitted(scene).query), SCENES)
+    link = read_query(as_arguments(fitted(scene.value).query), SCENES)
     assert (link.slug, link.problems) == (scene.slug, [])
     again = scene_class()
     again.set(link.values)

@@ -193,10 +193,10 @@ TRUE: dict[str, Callable[[Any, np.ndarray], dict[str, np.ndarray]]] = {
 def test_the_energies_of_coupled_have_their_names() -> None:
     energies = ["T1", "V1", "V2", "T2"]
     for view, names in (("parts", energies), ("modes", ["E_slow", "E_fast", "E_total"])):
-        table = taken(fitted(SCENES["coupled"](energy=view)))["time"]
+        table = taken(fitted(SCENES["coupled"](energy=view).value))["time"]
         assert list(table) == ["t", "x1", "x1_slow", "x1_fast", "x2", "x2_slow", "x2_fast", *names]
     scene = SCENES["coupled"]()
-    table = taken(fitted(scene))["time"]
+    table = taken(fitted(scene.value))["time"]
     assert table[energies].sum(axis=1).to_numpy() == pytest.approx(0.5 * scene.k1 + 0.5 * scene.k2)
     np.testing.assert_allclose(table["V1"], 0.5 * scene.k1 * table["x1"] ** 2, rtol=1e-14)
 
@@ -204,7 +204,7 @@ def test_the_energies_of_coupled_have_their_names() -> None:
 @pytest.mark.parametrize("curve", ["size", "signed", "log"])
 def test_an_amplitude_of_forced_is_one_column_and_no_number_at_resonance(curve: str) -> None:
     scene = SCENES["forced"](curve=curve)
-    table, natural = taken(fitted(scene))["response"], of_scene(scene).modes().omega
+    table, natural = taken(fitted(scene.value))["response"], of_scene(scene).modes().omega
     assert list(table) == ["omega", "Xp1", "Xp2"] and table["omega"].is_monotonic_increasing
     gaps = table[table["Xp1"].isna()]
     assert gaps["omega"].to_list() == natural.tolist() and gaps["Xp2"].isna().all()
@@ -217,7 +217,7 @@ def test_an_amplitude_of_forced_is_one_column_and_no_number_at_resonance(curve: 
 
 def test_with_dashpots_it_has_sizes_and_lags() -> None:
     scene = SCENES["forced"](c1=0.5, c2=0.2)
-    table = taken(fitted(scene))["response"]
+    table = taken(fitted(scene.value))["response"]
     assert list(table) == ["omega", "Xp1", "Xp2", "phi1", "phi2"] and not table.isna().any(axis=None)
     for _, row in table.iloc[::40].iterrows():
         X = damped_solution(of_scene(scene), 0.2, scene.F_0, row["omega"], 0.5)
@@ -246,7 +246,7 @@ def test_a_long_window_says_what_its_rows_are_and_has_the_bounds() -> None:
     assert {"x1_lo [m]", "x1_hi [m]", "x2_fast_hi [m]", "T1_mean [J]", "T2_mean [J]"} < set(band.head)
     last = 20 * math.pi / of_scene(scene).modes().omega[1]
     assert (time.rows[-1][0], band.rows[-1][0]) == (pytest.approx(last), 1000)
-    motion, bounds = taken(fitted(scene))["time"], taken(fitted(scene))["band"]
+    motion, bounds = taken(fitted(scene.value))["time"], taken(fitted(scene.value))["band"]
     for name in ("x1", "x2"):
         assert motion[name].abs().max() <= bounds[f"{name}_hi"].max() * (1 + 1e-12)
 

@@ -29,7 +29,7 @@ def opened(query: str) -> Standing:
 
 @views
 def test_a_link_names_its_view(slug: str, view: str) -> None:
-    now = fitted(SCENES[slug](view=view))
+    now = fitted(SCENES[slug](view=view).value)
     assert f"view={view}" in now.query
     assert opened(now.query).scene.key == now.scene.key
 
@@ -74,8 +74,8 @@ def test_every_view_has_something_of_its_own(slug: str, view: str) -> None:
 
 @views
 def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) -> None:
-    now = fitted(SCENES[slug](view=view))
-    first = fitted(SCENES[slug]())
+    now = fitted(SCENES[slug](view=view).value)
+    first = fitted(SCENES[slug]().value)
     assert now.shown.sources.keys() == first.shown.sources.keys()
     for source, columns in first.shown.sources.items():
         assert list(now.shown.sources[source]) == list(columns)
@@ -87,7 +87,7 @@ def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) ->
 
 def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
     state = State(scene="damped", show=("stage", "plot:P"))
-    now = changed(fitted(SCENES["oscillator"]()), Open(state=state), SCENES)
+    now = changed(fitted(SCENES["oscillator"]().value), Open(state=state), SCENES)
     assert "show=stage,plot:P" in now.query
     assert drawn_on(now)["time"].keys() == {"t", "P", "zero"}
     assert opened(now.query).show == now.show

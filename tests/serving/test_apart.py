@@ -144,7 +144,7 @@ class Slow:
 
 
 def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
-    session, apart, packets = Session(fitted(SCENES["coupled"]()), scenes=SCENES), Slow(), list[Packet]()
+    session, apart, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
     session.send, session.apart, session.network = packets.append, apart, "192.0.2.0/24"
     for number in (1, 1, 2):  # the second is the first, said again by a page that has waited long
         session.hear({"type": "walk", "name": "mine", "text": MINE, "number": number})

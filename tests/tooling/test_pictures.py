@@ -25,7 +25,7 @@ def test_every_scene_preset_and_step_is_looked_at_once() -> None:
     assert len(names) == len(set(names))
     presets = {f"scene={slug} preset {label}" for slug, scene in SCENES.items() for label in scene.presets}
     steps = {f"walk {step.id}" for walk in all_walks((), SCENES).values() for step in walk.steps}
-    assert presets | steps | {fitted(scene()).query for scene in SCENES.values()} < set(names)
+    assert presets | steps | {fitted(scene.at()).query for scene in SCENES.values()} < set(names)
     assert {view.name for view in views() if view.asks} == steps
 
 
@@ -72,7 +72,7 @@ def run(*arguments: str, tool: str = "tools.pictures") -> subprocess.CompletedPr
 @pytest.mark.browser
 @pytest.mark.timeout(400)  # two servers start
 def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> None:
-    view = fitted(SCENES["modes"]()).query
+    view = fitted(SCENES["modes"].at()).query
     folders = [str(tmp_path / name) for name in ("before", "after")]
     for folder in folders:
         # The answer of this step leaves covered what later steps ask.

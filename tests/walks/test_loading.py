@@ -119,7 +119,7 @@ def test_a_step_holds_all_that_its_link_says() -> None:
         assert (state.parameters, state.held, state.hidden) == ({"k2": 3.0}, {"k2": 20.0}, ("x1_slow",))
         assert state.frame == Frame(ranges={"x": (-4.0, 4.0)}, window=50.0, given=True)
     at_address = visited({"walk": [b"mine"], "step": [b"1"]}, {"mine": walk}).now.state
-    session = Session(fitted(SCENES["oscillator"]()), scenes=SCENES)
+    session = Session(fitted(SCENES["oscillator"]().value), scenes=SCENES)
     session.hear({"type": "open", "number": 1, "state": to_builtins(card.opens)})
     assert at_address == session.now.state == replace(card.opens, frame=session.now.state.frame)
     assert session.now.state.frame and session.now.state.frame.ranges["x"] == (-4.0, 4.0)

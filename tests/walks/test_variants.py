@@ -149,7 +149,7 @@ def test_an_answer_with_a_seed_that_is_none_is_refused() -> None:
 
 
 def test_a_walk_of_one_s_own_is_answered_with_its_seed() -> None:
-    session, said = Session(fitted(SCENES["oscillator"]()), scenes=SCENES), []
+    session, said = Session(fitted(SCENES["oscillator"]().value), scenes=SCENES), []
     session.send = said.append
     session.hear({"type": "walk", "number": 1, "name": "mine", "text": SWING})
     true = Oscillator(m=4, k=numbers_drawn(mine().steps[0], 3)["k"]).period

@@ -1,0 +1,124 @@
+"""The mutable face of a scene, for notebooks, Panel and tests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from copy import copy
+from functools import cache, cached_property
+from typing import Any, ClassVar
+
+import param
+from bokeh.models import ColumnDataSource
+from param.parameterized import discard_events
+
+from components.quantities.parameters import AnyParameter, Values
+from components.scene.picture import Picture
+from components.scene.scene import Scene
+
+
+class SceneFace(param.Parameterized):
+    """A scene whose parameters can be set: one by one, or in a batch by `param.update`, with one picture.
+
+    `value` is the current scene, which is immutable; the face has all its attributes. A ValueError (from
+    the limits of a parameter, from the physics, or for an ArithmeticError) and any other exception leave the face as
+    it was.
+    """
+
+    scene_kind: ClassVar[type[Scene]]
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
+        self._listeners: list[Callable[[Picture], None]] = []
+        self.show(self.scene_kind.at(values))
+        self.param.watch(lambda *events: self._set(event.name for event in events), list(self.scene_kind.parameters()))
+
+    @property
+    def value(self) -> Scene:
+        """The current scene, which is immutable."""
+        scene: Scene = vars(self)["_scene"]
+        return scene
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__") or "_scene" not in vars(self):
+            raise AttributeError(f"{type(self).__name__} has no attribute {name}")
+        return getattr(self.value, name)
+
+    def __reduce__(self) -> Any:
+        return self.scene_kind, (), dict(self.value.values)
+
+    def __setstate__(self, values: Values) -> None:
+        self.set(values)
+
+    @cached_property
+    def sources(self) -> dict[str, ColumnDataSource]:
+        """The numbers of the current picture, in SI units."""
+        return {name: ColumnDataSource(data=data) for name, data in self.value.shown.sources.items()}
+
+    def set(self, values: Values) -> None:
+        """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
+        if self.value.differing(values):
+            self.show(self.value.changed(values))
+
+    def panel(self) -> Any:
+        """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""
+        from components.panel_face.face import PanelFace  # the server and the physics do without
+
+        return PanelFace(self)
+
+    __panel__ = panel
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
+        """The scene in a notebook, once `panel.extension()` is loaded."""
+        return self.panel()._repr_mimebundle_(include, exclude)
+
+    def on_picture(self, listener: Callable[[Picture], None]) -> None:
+        """Call `listener` after every change with the new picture."""
+        self._listeners.append(listener)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        try:
+            super().__setattr__(name, value)
+        except Exception:
+            # param stops a batch at the first bad value and keeps those already set: give all of them back.
+            self._restore()
+            raise
+
+    def _set(self, names: Iterable[str]) -> None:
+        try:
+            self.show(self.value.changed({name: getattr(self, name) for name in names}))
+        except Exception:
+            self._restore()
+            raise
+
+    def show(self, scene: Scene) -> None:
+        """Show another scene of this kind."""
+        picture = scene.shown
+        known: Mapping[str, ColumnDataSource] = vars(self).get("sources", {})
+        numbers = picture.sources if known else {}
+        vars(self)["_scene"] = scene
+        self._restore()
+        for name in numbers.keys() | known.keys():
+            self.sources.setdefault(name, ColumnDataSource()).data = numbers.get(name, {})
+        for listener in self._listeners:
+            listener(picture)
+
+    def _restore(self) -> None:
+        if "_scene" in vars(self):
+            with discard_events(self):
+                for name, value in self.value.values.items():
+                    super().__setattr__(name, value)
+
+
+@cache
+def face_of(kind: type[Scene]) -> type[SceneFace]:
+    """Return the class of the faces of a kind of scene, which has its parameters."""
+    parameters = {name: _unbound(one) for name, one in kind.param.objects("existing").items() if name != "name"}
+    return type(f"{kind.__name__}Face", (SceneFace,), {"scene_kind": kind, "__doc__": kind.__doc__, **parameters})
+
+
+def _unbound(parameter: AnyParameter) -> AnyParameter:
+    """Return a copy of a parameter that can be declared by another class."""
+    twin = copy(parameter)
+    for slot in ("name", "owner"):
+        object.__setattr__(twin, slot, None)
+    return twin
