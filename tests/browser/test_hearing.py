@@ -83,7 +83,7 @@ def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2
 
 
 def test_what_leaves_the_frame_is_said_to(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="absorber")
+    open_scene(page, scene="absorber", view="stroke")
     assert "highest outside the frame" in described(page, "stroke")
 
 

@@ -36,7 +36,7 @@ def test_a_scene_is_one_sheet_in_ink(new_page: Callable[..., Page], open_scene: 
 def test_the_absorber_s_sheet_says_its_machine_and_has_each_plot_once_and_wide(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:
-    open_scene(page, scene="absorber")
+    open_scene(page, scene="absorber", view="stroke")
     page.wait_for_function("oscillations.page.print && oscillations.plots.filter(({box}) => box).length === 2")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")

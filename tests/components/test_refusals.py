@@ -169,7 +169,7 @@ def test_a_link_to_numbers_beyond_doubles_opens_a_page_that_works(query: str) ->
     [
         ("driven", {"kind": "base", "Y": 5e7, "omega": 4.4e-300, "k": 3.948e-149, "c": 2513000.0}),
         ("driven", {"kind": "base", "omega": 4.398, "m": 1e-06, "zeta": 2e299, "keep": "zeta"}),
-        ("absorber", {"own": True, "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "played": "rest"}),
+        ("absorber", {"own": True, "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "view": "rest"}),
     ],
 )
 def test_an_axis_that_doubles_cannot_have_is_refused_in_a_sentence(slug: str, values: dict[str, Any]) -> None:

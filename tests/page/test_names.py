@@ -50,7 +50,7 @@ MORE: dict[str, list[dict[str, Any]]] = {
         {"task": "solve", "c1": 5.0},
         *({"task": "sweep", "swept": name} for name in ("m1", "m2", "k1", "k2")),
     ],
-    "absorber": [{"omega": 50.0001, "tuning": "free"}, {"played": "rest", "x1_0": 0.01}],
+    "absorber": [{"omega": 50.0001, "tuning": "free"}, {"view": "rest", "x1_0": 0.01}],
     "forced": [{"window": 1e4}, {"omega": 0.6180339887498949 + 2e-5, "window": 2e5}],
     "accuracy": [
         *({"view": "growth", "wanted": 1.0, "hidden": [], "system": slug} for slug in MEASURED),

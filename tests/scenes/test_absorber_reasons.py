@@ -35,7 +35,7 @@ def test_two_equal_forces_leave_nothing_to_move_the_machine(
 ) -> None:
     omega, m2 = math.sqrt(k1 / m1) * (1 + off), share * m1
     k2 = m2 * omega**2 * (1 + untuned)
-    scene = Absorber(own=True, m1=m1, k1=k1, F_0=F_0, omega=omega, m2=m2, k2=k2, tuning="free")
+    scene = Absorber(own=True, m1=m1, k1=k1, F_0=F_0, omega=omega, m2=m2, k2=k2, tuning="free", view="formulas")
     why, text = scene.shown.forms["why"], said(scene)
     assume(why in ("less", "own", "little"))
     pull, swing = forces(scene)
@@ -49,7 +49,7 @@ def test_two_equal_forces_leave_nothing_to_move_the_machine(
 
 
 def test_at_its_own_frequency_the_machine_swings_though_the_forces_are_equal() -> None:
-    scene = Absorber(omega=50.0, k2=30e3, tuning="free")
+    scene = Absorber(omega=50.0, k2=30e3, tuning="free", view="formulas")
     text = said(scene)
     assert "spring 2 must pull as hard as the drive pushes, with 500 N" in text and "is left" not in text
     assert scene.shown.values["swing"] in text
@@ -60,7 +60,7 @@ def test_at_its_own_frequency_the_machine_swings_though_the_forces_are_equal() -
 def test_the_drive_adds_what_grows_from_any_start(x1_0: float, mode: int) -> None:
     chain = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
     omega = float(chain.modes().omega[mode])
-    scene = Absorber(omega=omega, k2=36864.0, tuning="free", played="rest", x1_0=x1_0)
+    scene = Absorber(omega=omega, k2=36864.0, tuning="free", view="rest", x1_0=x1_0)
     assert "the drive adds" in said(scene)
 
     def added(late: float) -> float:

@@ -26,13 +26,13 @@ NEAR = 0.6
 """Pixels: a hand rounds what it sets to a half of one, or little more."""
 ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "modes": ({"ratio": 2.0},),
-    "absorber": ({"played": "rest", "x1_0": 0.002},),
+    "absorber": ({"view": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
 FOLLOWS = {
     "damped": ("c",),
     "driven": ("c",),
-    "absorber": ("played", "k2"),
+    "absorber": ("view", "k2"),
     "coupled": ("given_by", *BY_MODES, *START),
 }
 """Parameters that follow from one that is set: a start is played, a tuned spring follows the speed, modes a start."""

@@ -52,6 +52,10 @@ OLD = [
     ("scene=phugoid&show=lift", "lift"),
     ("scene=phugoid&show=exchange", "energy"),
     ("scene=phugoid&show=limits", "limits"),
+    ("scene=absorber&m2=20", "goals"),
+    ("scene=absorber&played=particular", "goals"),
+    ("scene=absorber&played=rest&x1_0=0.01", "rest"),
+    ("scene=absorber&x1_0=0.01", "rest"),
 ]
 """Links from before there were views, and the view that each opens: also those that name none."""
 

@@ -12,6 +12,7 @@ import param
 from components import chain
 from components.language.state import Frame
 from components.layout.controls import Group
+from components.layout.views import View
 from components.quantities.axes import nice_axis
 from components.quantities.declared import Declared, Form, by_name
 from components.quantities.motion import pace
@@ -21,6 +22,7 @@ from components.quantities.units import Unit
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
+from components.scene.scene import VIEW
 from components.scenes.absorber.about import absorber_about
 from components.scenes.absorber.curves import Axes, Signals, axes_of, columns_of, moved, rest_of, signals_of, times
 from components.scenes.absorber.duty import Duty
@@ -29,7 +31,7 @@ from components.scenes.absorber.numbers import goal_texts
 from components.scenes.absorber.places import Places, drawn
 from components.scenes.absorber.sheet import absorber_sheet
 from components.scenes.absorber.stage import SWING
-from components.scenes.absorber.words import PLAYED, WATCH, Forms
+from components.scenes.absorber.words import WATCH, Forms
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
 from physics.sampling import periods
@@ -115,7 +117,6 @@ class Absorber(Scene):
     )  # fmt: skip
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
-    played = PLAYED
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
     lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)
@@ -140,6 +141,27 @@ class Absorber(Scene):
         Group("", (c,), actions=(("optimum", "Den Hartog's optimum"),), form=Panels.damped),
         Group("", (x1_0, x2_0, v1_0, v2_0), "Start", folded=True, form=Forms.rest),
     )
+
+    view: str
+    views = (
+        View(
+            "Goals", "Meet all three goals, then meet them with less mass *m*_2.",
+            keys=(m2, k2), names=("stage", "stage:goals", "plot:swing"),
+        ),
+        View(
+            "Stroke", "Make *m*_2 lighter: what does its stroke do, and where do the resonances go?",
+            keys=(m2, k2), names=("stage", "plot:swing", "plot:stroke"),
+        ),
+        View(
+            "From rest", "Start from rest: what stays that the particular solution does not show?",
+            keys=(m2, k2), names=("stage", "plot:rest"), word="rest",
+        ),
+        View(
+            "Formulas", "Change *m*_2, and watch the numbers in each formula.",
+            keys=(m2, k2), names=("stage", "words:formulas"),
+        ),
+    )  # fmt: skip
+    old_views = {"played": {"particular": "goals", "rest": "rest"}}
 
     sheet = staticmethod(absorber_sheet)
 
@@ -186,10 +208,10 @@ class Absorber(Scene):
         return (None, None) if is_told or is_other else (best, spring)
 
     def _started(self, changed: frozenset[str]) -> Values:
-        """A start is played; the particular solution has none."""
-        if self.played == "rest" or not changed & {"played", *chain.START}:
+        """A start opens the view of the motion from it; the particular solution has none."""
+        if self.view == "rest" or not changed & {VIEW, *chain.START}:
             return {}
-        return dict.fromkeys(chain.START, 0.0) if "played" in changed else {"played": "rest"}
+        return dict.fromkeys(chain.START, 0.0) if VIEW in changed else {VIEW: "rest"}
 
     @property
     def _damping(self) -> float:
@@ -210,10 +232,8 @@ class Absorber(Scene):
 
     def _duty(self, k2: float, c: float) -> Duty:
         values = {"m1": self.m1, "k1": self.k1, "F_0": self.F_0, "omega": self.omega, "m2": self.m2}
-        if self.played != "rest":
-            return _asked_again(Duty(**values, k2=k2, c=c))
         x_0, v_0 = chain.start_of(self)
-        return _asked_again(Duty(**values, k2=k2, c=c, from_rest=True, x_0=x_0, v_0=v_0))
+        return _asked_again(Duty(**values, k2=k2, c=c, from_rest=self.view == "rest", x_0=x_0, v_0=v_0))
 
     @property
     def _shown_duty(self) -> Duty:
@@ -225,11 +245,11 @@ class Absorber(Scene):
         end = frame.window or window
         axes = framed(frame, axes_of(duty, window))
         swing = Axes.X1(axes)
-        motion = None if duty.plays else moved(duty, times(duty, end))
+        motion = moved(duty, times(duty, end))
         own, rest, traces = rest_of(duty, motion, end, swing)
         axes |= framed(frame, by_name({Axes.rest: own}))
         counted = axes | by_name({Axes.F: nice_axis(0.0, self.F_0, "N")})
-        stage = drawn(duty, motion, end, swing, frame.scale)
+        stage = drawn(duty, None if duty.plays else motion, end, swing, frame.scale)
         return Picture(
             columns=columns_of(duty, axes) | rest,
             axes=axes,

@@ -29,9 +29,10 @@ DRAWN = 1e-11
 """The share of a motion that no drawing shows, nor a table that is taken away."""
 TALLEST = 1e30
 """The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
-ALONE = "_alone"
-WHO: tuple[int | str, ...] = (ALONE, 1, 2)
-"""The moving bodies by key: the machine without its absorber, then mass 1 (the machine) and mass 2 (the absorber)."""
+ALONE, STARTED = "_alone", "1_rest"
+WHO: tuple[int | str, ...] = (ALONE, 1, 2, STARTED)
+"""The moving bodies by key: the machine without its absorber, mass 1 (the machine) and mass 2 (the absorber) as they
+are played, and the machine from its start."""
 
 signal, column = Signal[Duty], Column[Duty]
 SignalsFound = dict[Signal[Duty], AnySignal]
@@ -99,7 +100,7 @@ class FromStart(NamedTuple):
 
 def moved(duty: Duty, t: Floats) -> FromStart:
     """The motion at times t; its parts too where they are drawn. ValueError as Duty.from_rest_at."""
-    if not (duty.from_rest and duty.solved):
+    if not duty.solved:
         return FromStart(t, _displacements(duty.from_rest_at(t)))
     if duty.c:
         particular, complementary = duty.damped.particular_motion(t), duty.damped.complementary(t)
@@ -163,12 +164,10 @@ S = Signals
 
 
 def rest_of(
-    duty: Duty, motion: FromStart | None, end: float, unit: Axis
+    duty: Duty, motion: FromStart, end: float, unit: Axis
 ) -> tuple[Axis, dict[str, Columns], dict[str, Traces]]:
-    """x1 from its start and its parts, where they are shown, on an axis in the unit of `unit`: columns, or traces of
-    signals. Next to a natural frequency, where the parts are huge and opposite, x1 alone."""
-    if motion is None or not duty.from_rest:
-        return replace(unit, start=-unit.end), {"rest": {}}, {}
+    """x1 from its start and its parts, on an axis in the unit of `unit`: columns, or traces of signals. Next to a
+    natural frequency, where the parts are huge and opposite, x1 alone."""
     columns = _exact(motion)
     low, high = widest(*((float(c.min()), float(c.max())) for c in columns.values()))
     if duty.over_deflection(max(-low, high)) > TALLEST:
@@ -180,7 +179,15 @@ def rest_of(
     axis = replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
     names = tuple(columns)
     drawn, sent = (names, {}) if motion.in_doubles else ((), {"t": motion.t, **columns})
-    traces = Traces(end, motion.t.size, drawn, lambda t: _exact(moved(duty, t)), fastest=duty.fastest, moving=names)
+    traces = Traces(
+        end,
+        motion.t.size,
+        drawn,
+        lambda t: _exact(moved(duty, t)),
+        signals=by_name({S.x[1]: S.x[STARTED].name}),
+        fastest=duty.fastest,
+        moving=names,
+    )
     return axis, {"rest": sent}, {"rest": traces}
 
 
@@ -191,7 +198,7 @@ def _exact(motion: FromStart) -> Columns:
     return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
 
 
-def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
+def signals_of(duty: Duty, motion: FromStart, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
     """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
     found: SignalsFound = {
@@ -213,10 +220,12 @@ def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInFor
         with precise():
             k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
         found[S.pull_now] = derived(k2 * (var(S.x[2]) - var(S.x[1])))
-    if motion and motion.in_doubles and motion.particular is not None:
+    if motion.in_doubles:
+        found |= _machine_from_start(duty, size, time) if duty.plays else {S.x[STARTED]: derived(var(S.x[1]))}
+    if motion.in_doubles and motion.particular is not None:
         X = complex(duty.damped.particular[0]) if duty.c else complex(duty.driven.particular[0])
         found[S.x1_p] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)))
-        found[S.x1_c] = derived(var(S.x[1]) - var(S.x1_p))
+        found[S.x1_c] = derived(var(S.x[STARTED]) - var(S.x1_p))
     found[S.pull] = derived(var(S.pull_now) / push.place(duty.F_0))
     return by_name(found)
 
@@ -238,14 +247,23 @@ def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> Signa
     if duty.alike:
         return _tables(duty, end, size, time, push)
     transient = duty.damped.transient
-    found: SignalsFound = {}
-    for i, X in enumerate(duty.damped.particular[:2].tolist()):
-        terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in transient]
-        found[S.x[i + 1]] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)), *terms)
+    found = _decaying(duty, 0, 1, size, time) | _decaying(duty, 1, 2, size, time)
     # m2 x2'' is what spring and damper pull at mass 2 with; at mass 1 they pull the other way.
     X2 = duty.m2 * duty.omega**2 * complex(duty.damped.particular[1])
     pulls = [_wave(-duty.m2 * exponent**2 * amplitudes[0, 1], exponent) for exponent, amplitudes in transient]
     return found | {S.pull_now: sines(push, time, (abs(X2), duty.omega, cmath.phase(X2)), *pulls)}
+
+
+def _decaying(duty: Duty, i: int, who: int | str, size: Axis, time: Axis) -> SignalsFound:
+    """The motion of mass i (0, 1) from its start, with damping."""
+    X = complex(duty.damped.particular[i])
+    terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in duty.damped.transient]
+    return {S.x[who]: sines(size, time, (abs(X), duty.omega, cmath.phase(X)), *terms)}
+
+
+def _machine_from_start(duty: Duty, size: Axis, time: Axis) -> SignalsFound:
+    """The motion of the machine from its start, next to what is played."""
+    return _decaying(duty, 0, STARTED, size, time) if duty.c else _from_start(duty.driven, 0, STARTED, size, time)
 
 
 def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, float]:

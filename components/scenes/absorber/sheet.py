@@ -4,39 +4,41 @@ from __future__ import annotations
 
 from functools import cache
 
-from msgspec.structs import replace
-
 from components.language.blocks import Block
 from components.language.plots import Handle
 from components.layout.plots import Room, curve, mark, plot, region
-from components.layout.sheet import choice, column, desk, phrase, row, term, when, words
+from components.layout.sheet import column, desk, phrase, row, term, words
 from components.layout.stage import PlotFrame
 from components.layout.text import rich
-from components.scenes.absorber.curves import Axes, Sweep
+from components.layout.views import in_views
+from components.scenes.absorber.curves import STARTED, Axes, Sweep
 from components.scenes.absorber.curves import Signals as S
-from components.scenes.absorber.places import Places as P
-from components.scenes.absorber.stage import FREQUENCIES, STROKE, SWING, driven, goals, picture
-from components.scenes.absorber.words import FORMULAS, FROM_REST, HELPED, PLAYED, TASK
+from components.scenes.absorber.stage import (
+    FREQUENCIES,
+    STROKE,
+    SWING,
+    goals,
+    picture,
+    stroke_shapes,
+    swing_shapes,
+)
+from components.scenes.absorber.words import FORMULAS, FROM_REST, HELPED
 from components.scenes.absorber.words import Forms as F
 
 
 @cache
 def absorber_sheet() -> Block:
     return column(
-        desk(words(TASK, style="task", phone=0)),
+        picture(),
         row(
-            picture(),
-            column(
-                choice(PLAYED, phone=4),
-                when(F.formulas, words(*FORMULAS, style="facts", grow=1, phone=5)),
-                when(F.rest, column(_rest_plot(), words(FROM_REST, style="facts", phone=6))),
-                basis=286,
-                grow=0,
-            ),
-            grow=228,
+            in_views(_swing_plot(), "goals", "stroke"),
+            in_views(_stroke_plot(), "stroke"),
+            in_views(goals(), "goals"),
+            grow=300,
             gap=26,
         ),
-        row(column(_swing_plot(), _stroke_plot()), goals(), grow=346, gap=26),
+        in_views(column(_rest_plot(), desk(words(FROM_REST, name="rest", phone=16)), grow=300), "rest"),
+        in_views(words(*FORMULAS, name="formulas", grow=300, phone=10), "formulas"),
     )
 
 
@@ -50,7 +52,7 @@ def _rest_plot() -> Block:
         curves=(
             curve(S.x1_c, source="rest", tint="xc", width="dash", label="*x*_c"),
             curve(S.x1_p, source="rest", tint="xp", label="*x*_p"),
-            curve(S.x[1], source="rest", tint="m1", width="sum", label="*x*_1", signal=S.x[1]),
+            curve(S.x[1], source="rest", tint="m1", width="sum", label="*x*_1", signal=S.x[STARTED]),
         ),
         heading=(
             term(S.x[1], "sum", "m1", formula=r"x_1 ="),
@@ -59,8 +61,8 @@ def _rest_plot() -> Block:
         ),
         cursor="time",
         room=Room(44, 26),
-        phone=5,
-        height=150,
+        phone=10,
+        height=222,
     )
 
 
@@ -93,14 +95,12 @@ def _swing_plot() -> Block:
             phrase(Sweep.free, "dots", "m1", undamped="undamped"),
             phrase(F.helped, "band", "k2fill", form=F.helped, **HELPED),
         ),
-        x_labels=False,
         room=Room(52, 8, top=42),
-        handles=(replace(KNOB, bare=True),),
+        handles=(KNOB,),
         marks=tuple(mark(at, tint=tint, html=rich(flag), lift=35, flag="one") for at, _, tint, flag in FREQUENCIES),
-        shapes=driven(SWING, {P.swing: "with the absorber", P.alone: "alone"}),
-        grow=160,
+        shapes=swing_shapes(),
         phone=10,
-        height=200,
+        height=218,
     )
 
 
@@ -117,11 +117,10 @@ def _stroke_plot() -> Block:
             curve(Sweep.free2, tint="m2", width="dots", group=Sweep.free),
         ),
         heading=(phrase(Sweep.stroke, "sum", "m2", words=r"stroke $|X_{\mathrm{p}2} - X_{\mathrm{p}1}|$"),),
-        room=Room(52, 8),
+        room=Room(52, 8, top=42),
         marks=tuple(mark(at, tint=tint) for at, _, tint, _ in FREQUENCIES),
         handles=(KNOB,),
-        shapes=driven(STROKE, {P.stroke: "by the stroke"}),
-        grow=92,
+        shapes=stroke_shapes(),
         phone=11,
-        height=150,
+        height=190,
     )

@@ -1,5 +1,4 @@
-"""The absorber's stage, one instant drawn twice, and what is drawn over its plots and beside them: readings and goals,
-each at the end of its limit."""
+"""The absorber's stage, one instant drawn twice; the readings and limits over its plots; the goals with their marks."""
 
 from __future__ import annotations
 
@@ -10,6 +9,7 @@ from components.language.shapes import Grab
 from components.layout.grabs import begin, begins, grab, linear, on_plot
 from components.layout.sheet import stage
 from components.layout.stage import (
+    AT_DESK,
     HALL,
     NARROW,
     ON_NARROW,
@@ -27,6 +27,7 @@ from components.layout.stage import (
     spring,
     text,
     wall,
+    wide,
 )
 from components.quantities.declared import Scalar
 from components.scenes.absorber.curves import ALONE, Axes
@@ -39,9 +40,9 @@ from components.scenes.absorber.words import VERDICTS
 SWING, STROKE = PlotFrame("swing"), PlotFrame("stroke")
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
-FLOORS = (0.377 * H, 0.86 * H)
-TEETH = 190 * var(P.hook)
-"""The height of a spring's teeth in pixels: they stay above the floor."""
+FLOORS = (0.39 * H, 0.86 * H)
+TEETH = 0.8 * H * var(P.hook)
+"""The height of a spring's teeth: they stay above the floor."""
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 FREQUENCIES = (
     (P.slow, P.slow_seen, "slow", rf"$\omega_-$ {N.slow}"),
@@ -59,7 +60,7 @@ def picture() -> Block:
     """The stage, one instant drawn twice: above, as an outline, the machine alone; below, with the absorber."""
     ground = wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1)
     label = "The machine alone and with the absorber at the same instant, with the forces on it"
-    return stage(ground, *_rests(), *_alone(), *_both(), *_forces(), *_verdicts(), label=label, height=275)
+    return stage(ground, *_rests(), *_alone(), *_both(), *_forces(), *_verdicts(), label=label, grow=200, height=168)
 
 
 def _rests() -> list[Shape]:
@@ -112,7 +113,7 @@ def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Sha
     else:  # the verdict stands on its right where there is room for it
         names = [
             text(zero - 8, lift - 10, anchor="end", show=ON_WIDE, **look),
-            text(zero + 8, lift - 10, anchor="start", show=ON_NARROW, **look),
+            text(W, lift - 10, anchor="end", show=ON_NARROW, **look),
         ]
     return [line(x, top, x, lift, tint="mute", style="eq told"), arrow(zero, lift, x, lift, tint=tint), *names]
 
@@ -155,72 +156,69 @@ def _forces() -> list[Shape]:
 
 def _verdicts() -> list[Shape]:
     # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and beside its floor.
-    above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
-    above = above - NARROW * (0.5 * side(1) + 13)
-    below = WIDE * below + NARROW * (FLOORS[0] + 4)
+    above = FLOORS[0] - 0.5 * side(1) + 6 - NARROW * (0.5 * side(1) + 13) - HALL * 12
+    below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 3)
     told = "verdict b halo told"
     return [
         text(W, above, "Alone, the machine shakes", "end", style=told, show=P.alone_shakes),
         text(W, above, "Alone, it grows without limit", "end", style=told, show=P.alone_grows),
         text(W, above, "Alone, it beats, slowly", "end", style=told, show=P.alone_beats),
         text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=told, show=P.alone_within),
-        text(W, above - 19, f"{N.judged_alone}", "end", tint="mute", style="t0 halo", show=ON_WIDE),
+        text(W, above - 19, f"{N.judged_alone}", "end", tint="mute", style="t0 halo", show=(ON_WIDE, AT_DESK)),
         text(W, below - 19, f"{N.judged}", "end", tint="mute", style="t0 halo", show=(ON_WIDE, P.differ)),
         *(text(W, below, words, "end", style=told, show=P.verdict[name]) for name, words in VERDICTS.items()),
     ]
 
 
-def driven(plot: PlotFrame, readings: dict[Scalar[Duty], str]) -> tuple[Shape, ...]:
-    """The machine's speed, taken by its points on the curves of a plot."""
-    way, x = on_plot(plot, "x", "omega", P.omega, Axes.w), plot.x(var(P.omega))
-    return tuple(
-        circle(x, plot.y(var(at)), 0, show=P.omega_seen, grab=grab(f"Running speed, {of}", way, inside=plot))
-        for at, of in readings.items()
+def swing_shapes() -> tuple[Shape, ...]:
+    """The shapes over the plot of the swing: its limit, the range without resonances, readings and fixed points."""
+    over = 11, var(P.swing_aside)
+    return (
+        *_limit(SWING, P.limit1),
+        *_bracket(),
+        *_reading(SWING, P.alone, P.alone_seen, f"{N.alone}", "alone", (-11, 5), tint="m1", style="hollow"),
+        *_reading(SWING, P.swing, P.swing_seen, f"{N.swing}", "with the absorber", over, tint="m1"),
+        *_fixed(),
     )
 
 
-def goals() -> Block:
-    """Three goals: a dotted line runs from each limit in a plot to its mark and its sentence, with a bend in a hall."""
-    shapes = [*_bracket(), *_joints(), *_readings(), *_fixed()]
-    limits = _limits()
-    for i, limit in enumerate(limits):
-        y = WIDE * (limit + HALL * (limits[0] + 46 * i - limit)) + NARROW * (18 + 46 * i)
-        begin = SWING.x(var(P.away_high)) + 6 if i == 0 else SWING.left
-        shapes.append(line(begin, limit, -16, limit, style="dotted", show=ON_WIDE))
-        shapes.append(line(-16, limit, -4, y, style="dotted", show=ON_WIDE))
-        met, missed = P.met[i], P.missed[i]
-        shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
-        shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
-        shapes.append(text(26, y + 5, f"{N.goal[i]}", "start", style="t2 b"))
-        shapes.append(text(26, y + 23, f"{N.found[i]}", "start", tint="mute", style="t0"))
-    return stage(
-        *shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still", name="goals"
+def stroke_shapes() -> tuple[Shape, ...]:
+    """The shapes over the plot of the stroke: its limit and its reading."""
+    return (
+        *_limit(STROKE, P.limit2),
+        *_reading(STROKE, P.stroke, P.stroke_seen, f"{N.stroke}", "by the stroke", (11, -8), tint="m2"),
     )
 
 
-def _limits() -> tuple[Number, Number, Number]:
-    return SWING.top - 6, SWING.y(var(P.limit1)), STROKE.y(var(P.limit2))
+def _limit(plot: PlotFrame, at: Scalar[Duty]) -> list[Shape]:
+    """The goal of a plot, as a dotted line."""
+    y = plot.y(var(at))
+    return [line(plot.left, y, plot.right, y, style="dotted", inside=plot)]
 
 
 def _bracket() -> list[Shape]:
     """Where no resonance should be: around the machine's speed."""
-    y = _limits()[0]
-    low, high = SWING.x(var(P.away_low)), SWING.x(var(P.away_high))
+    y, low, high = SWING.top - 6, SWING.x(var(P.away_low)), SWING.x(var(P.away_high))
     return [line(low, y, high, y), *(line(x, y - 5, x, y + 5) for x in (low, high))]
 
 
-def _readings() -> list[Shape]:
-    """Dots and numbers at the machine's speed: hollow alone, filled with the absorber."""
-    here = SWING.x(var(P.omega))
-    alone, swing, stroke = SWING.y(var(P.alone)), SWING.y(var(P.swing)), STROKE.y(var(P.stroke))
-    over, bold = swing + var(P.swing_aside), "t1 b halo"
+def _reading(
+    plot: PlotFrame,
+    at: Scalar[Duty],
+    seen: Scalar[Duty],
+    number: str,
+    of: str,
+    aside: tuple[Number, Number],
+    **look: str,
+) -> list[Shape]:
+    """The dot of a curve at the machine's speed, hollow alone, with its number; by it the speed is taken."""
+    x, y = plot.x(var(P.omega)), plot.y(var(at))
+    held = grab(f"Running speed, {of}", on_plot(plot, "x", "omega", P.omega, Axes.w), inside=plot)
+    anchor = "end" if "hollow" in look.get("style", "") else "start"
     return [
-        circle(here, alone, 6, tint="m1", style="hollow", show=P.alone_seen),
-        circle(here, swing, 7, tint="m1", show=P.swing_seen),
-        circle(here, stroke, 7, tint="m2", show=P.stroke_seen),
-        text(here - 11, alone + 5, f"{N.alone}", "end", tint="m1", style=bold, show=P.alone_seen),
-        text(here + 11, over, f"{N.swing}", "start", tint="m1", style=bold, show=P.swing_seen),
-        text(here + 11, stroke - 8, f"{N.stroke}", "start", tint="m2", style=bold, show=P.stroke_seen),
+        circle(x, y, 7, show=seen, **look),
+        text(x + aside[0], y + aside[1], number, anchor, tint=look["tint"], style="t1 b halo", show=seen),
+        circle(x, y, 0, show=P.omega_seen, grab=held),
     ]
 
 
@@ -234,7 +232,22 @@ def _fixed() -> list[Shape]:
     return shapes
 
 
-def _joints() -> list[Shape]:
-    """The lines of the frequencies go on between the two plots."""
-    ways = ((SWING.x(var(at)), seen, tint) for at, seen, tint, _ in FREQUENCIES)
-    return [line(x, SWING.bottom, x, STROKE.top, tint=tint, show=seen) for x, seen, tint in ways]
+def goals() -> Block:
+    """The three goals, each with a mark: met or not."""
+    shapes: list[Shape] = []
+    for i in range(3):
+        y, met, missed = 14 + (37 + 17 * WIDE) * i, P.met[i], P.missed[i]
+        shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
+        shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
+        shapes.append(text(26, y + 4, f"{N.goal[i]}", "start", style="t2 b"))
+        shapes.append(text(26, y + 20, f"{N.found[i]}", "start", tint="mute", style="t0"))
+    return stage(
+        *shapes,
+        label="The goals, met or not",
+        grow=0,
+        basis=286,
+        phone=8,
+        height=112,
+        style="still second",
+        name="goals",
+    )

@@ -9,11 +9,9 @@ import numpy as np
 from components.layout.sheet import either
 from components.quantities.declared import Declared, Form
 from components.quantities.numbers import three
-from components.quantities.parameters import one_of
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 
-TASK = "Meet all three goals, then meet them with less mass."
 WATCH = {
     "Below": "Below the machine's own frequency: see how much vibration is left with a tuned absorber.",
     "Resonant": "At the machine's own frequency: without an absorber it would swing further and further.",
@@ -22,7 +20,6 @@ WATCH = {
 }
 """A sentence for each preset on what to watch."""
 
-PLAYED = one_of("particular", {"particular": "Particular solution", "rest": "From rest"}, "What is played")
 HELPED = {
     "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
     "above": f"less vibration above {N.help_low} rad/s",
@@ -74,7 +71,6 @@ class Forms(Declared[Duty]):
     why = form(_why)
     why_rest = form(_why_rest)
     rest = form(lambda d: d.from_rest)
-    formulas = form(lambda d: not d.from_rest)
     helped = form(lambda d: "never" if d.band is None else "above" if math.isinf(d.band[1]) else "band")
     free = form(lambda d: "undamped" if d.c else "")
     optimum = form(lambda d: d.c > 0)
