@@ -32,10 +32,10 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
 FOLLOWS = {
     "damped": ("c",),
     "driven": ("c",),
-    "absorber": ("view", "k2"),
+    "absorber": ("k2",),
     "coupled": ("given_by", *BY_MODES, *START),
 }
-"""Parameters that follow from one that is set: a start is played, a tuned spring follows the speed, modes a start."""
+"""Parameters that follow from one that is set: a tuned spring follows the speed, modes a start."""
 
 
 def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:

@@ -67,6 +67,8 @@ class Places(Declared[Duty]):
     hook = scalar(lambda d, a: min(HOOK, min(_sides(d)) / 2))
     wire1 = scalar(lambda d, a: wire(d.k1 / 1e4))
     wire2 = scalar(lambda d, a: wire(d.k2 / 1e4))
+    # The view in which a hand can take the masses.
+    from_rest = scalar(lambda d, a: d.from_rest)
     # The motion of the machine alone, the verdict with the absorber, the limits that are met.
     differ = scalar(lambda d, a: d.plays != d.plays_alone)
     alone_shakes = scalar(lambda d, a: d.plays_alone)
@@ -89,7 +91,8 @@ class Places(Declared[Duty]):
     swing, swing_seen = _reading(A.X1, 0)
     stroke, stroke_seen = _reading(A.X2, 1)
     alone, alone_seen = _reading(A.X1, 2, unless="detached")
-    swing_aside = scalar(lambda d, a: 20.0 if d.c else -9.0)  # makes room for the names of the fixed points
+    # Under its dot it makes room for the names of the fixed points, unless the knob is there.
+    swing_aside = scalar(lambda d, a: 20.0 if d.c and d.swings[0] > 0.3 * A.X1(a).end else -9.0)
     fixed_seen = scalar(lambda d, a: d.c > 0)
     fixed_x = Family("PQ", lambda name: scalar(lambda d, a: _across(a, d.fixed[name][0]) if d.c else None), "{}_x")
     fixed_y = Family("PQ", lambda name: scalar(lambda d, a: _up(A.X1(a), d.fixed[name][1]) if d.c else None), "{}_y")

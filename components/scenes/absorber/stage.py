@@ -124,8 +124,10 @@ def _both() -> list[Shape]:
     return [
         spring(WALL * W, hook, x1 - 0.5 * side(1), hook, var(P.wire1), height=TEETH),
         spring(right, hook, left, hook, var(P.wire2), height=TEETH, show=P.wire2),
-        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True, grab=_held(1, "Machine")),
-        box(x2, foot, side(2), "*m*_2", tint="m2", grab=_held(2, "Absorber")),
+        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True),
+        box(x2, foot, side(2), "*m*_2", tint="m2"),
+        circle(x1, foot - 0.5 * side(1), 0, show=P.from_rest, grab=_held(1, "Machine")),
+        circle(x2, foot - 0.5 * side(2), 0, show=P.from_rest, grab=_held(2, "Absorber")),
         *_displacement(1, 1, lift, foot - side(1)),
         *_displacement(2, 2, lift, foot - side(2)),
     ]
