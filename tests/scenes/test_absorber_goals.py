@@ -205,3 +205,13 @@ def test_any_machine_is_drawn_or_refused_in_words(seed: int, decades: int) -> No
         drawn += 1
         check_picture(scene)
     assert drawn > 10
+
+
+def test_a_motion_from_rest_that_cannot_be_drawn_takes_its_view_alone_away() -> None:
+    machine = {"own": True, "m1": 1e130, "k1": 1e-32, "F_0": 1e57, "omega": 1e113, "m2": 1e26, "k2": 1e145}
+    scene = Absorber(**machine, tuning="free")
+    check_picture(scene)
+    assert not scene.sources["rest"].data and len(scene.sources["sweep"].data["w"])
+    with pytest.raises(ValueError, match="outside the range of doubles"):
+        scene.view = "rest"
+    assert scene.view == "goals"

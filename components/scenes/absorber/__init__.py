@@ -24,7 +24,17 @@ from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.scene import VIEW
 from components.scenes.absorber.about import absorber_about
-from components.scenes.absorber.curves import Axes, Signals, axes_of, columns_of, moved, rest_of, signals_of, times
+from components.scenes.absorber.curves import (
+    Axes,
+    FromStart,
+    Signals,
+    axes_of,
+    columns_of,
+    moved,
+    rest_of,
+    signals_of,
+    times,
+)
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.numbers import goal_texts
@@ -240,12 +250,18 @@ class Absorber(Scene):
         return self._duty(0.0, 0.0) if self.tuning == "detached" else self._duty(self.k2, self._damping)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        duty = self._shown_duty
-        window = self.window or periods(self.omega, TURNS)
+        duty, window = self._shown_duty, self.window or periods(self.omega, TURNS)
+        try:
+            return self._drawn(duty, frame, window, moved(duty, times(duty, frame.window or window)))
+        except (ValueError, ArithmeticError):
+            if not duty.plays:
+                raise
+            return self._drawn(duty, frame, window, None)  # its view alone is refused
+
+    def _drawn(self, duty: Duty, frame: Frame, window: float, motion: FromStart | None) -> Picture:
         end = frame.window or window
         axes = framed(frame, axes_of(duty, window))
         swing = Axes.X1(axes)
-        motion = moved(duty, times(duty, end))
         own, rest, traces = rest_of(duty, motion, end, swing)
         axes |= framed(frame, by_name({Axes.rest: own}))
         counted = axes | by_name({Axes.F: nice_axis(0.0, self.F_0, "N")})

@@ -164,10 +164,12 @@ S = Signals
 
 
 def rest_of(
-    duty: Duty, motion: FromStart, end: float, unit: Axis
+    duty: Duty, motion: FromStart | None, end: float, unit: Axis
 ) -> tuple[Axis, dict[str, Columns], dict[str, Traces]]:
     """x1 from its start and its parts, on an axis in the unit of `unit`: columns, or traces of signals. Next to a
     natural frequency, where the parts are huge and opposite, x1 alone."""
+    if motion is None:
+        return replace(unit, start=-unit.end), {"rest": {}}, {}
     columns = _exact(motion)
     low, high = widest(*((float(c.min()), float(c.max())) for c in columns.values()))
     if duty.over_deflection(max(-low, high)) > TALLEST:
@@ -198,7 +200,7 @@ def _exact(motion: FromStart) -> Columns:
     return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
 
 
-def signals_of(duty: Duty, motion: FromStart, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
+def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
     """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
     found: SignalsFound = {
@@ -220,9 +222,9 @@ def signals_of(duty: Duty, motion: FromStart, end: float, axes: AxesInForce) -> 
         with precise():
             k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
         found[S.pull_now] = derived(k2 * (var(S.x[2]) - var(S.x[1])))
-    if motion.in_doubles:
+    if motion and motion.in_doubles:
         found |= _machine_from_start(duty, size, time) if duty.plays else {S.x[STARTED]: derived(var(S.x[1]))}
-    if motion.in_doubles and motion.particular is not None:
+    if motion and motion.in_doubles and motion.particular is not None:
         X = complex(duty.damped.particular[0]) if duty.c else complex(duty.driven.particular[0])
         found[S.x1_p] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)))
         found[S.x1_c] = derived(var(S.x[STARTED]) - var(S.x1_p))
