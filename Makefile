@@ -55,6 +55,7 @@ lint: $(VENV)/test.stamp
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python -m tools.house_rules
+	$(BIN)/python -m tools.plain_english
 	$(BIN)/oxfmt --check '**/*.{js,css}'
 	$(BIN)/oxlint static
 	$(BIN)/python -m tools.script_types
