@@ -43,7 +43,7 @@ def test_malformed_links(scene: type[Scene]) -> None:
         ("absorber", {}, {"type": "set", "values": {"k1": 1e-300}}),
         ("forced", {}, {"type": "set", "values": {"window": 1e300, "k1": 9.0}}),
         ("forced", {}, {"type": "set", "values": {"m1": 1e175, "v2_0": 1e308}}),
-        ("modes", {"task": "hunt"}, {"type": "set", "values": {"window": 5e-324, "m2": 2e-146, "x2_0": -HUGE}}),
+        ("modes", {"view": "hunt"}, {"type": "set", "values": {"window": 5e-324, "m2": 2e-146, "x2_0": -HUGE}}),
         ("oscillator", {}, {"type": "set", "values": {"m": HUGE, "k": HUGE, "x_0": HUGE, "v_0": HUGE}}),
     ],
 )

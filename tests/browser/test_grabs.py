@@ -228,7 +228,7 @@ def test_a_height_over_a_plot_follows_the_finger_beyond_it(new_page: Callable[..
 def test_the_axes_of_a_plane_stay_when_a_finger_lets_go(
     part: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    page = open_scene(new_page(390, 844, has_touch=True), scene="modes", task="hunt", x1_0=0.2, x2_0=1.5)
+    page = open_scene(new_page(390, 844, has_touch=True), scene="modes", view="hunt", x1_0=0.2, x2_0=1.5)
     axis = "(({start, end}) => [start, end])(oscillations.shown.view.axes.x)"
     before = page.evaluate(axis)
     handle = page.locator(f"{part}:visible").first
@@ -290,7 +290,7 @@ def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...
 
 
 def test_the_guess_is_dragged_while_it_plays_by_its_point_and_by_its_shape(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="modes")
+    open_scene(page, scene="modes", view="guess")
     drag(page, page.get_by_role("slider", name="Guess: frequency and shape"), "xy", ((20, -5), (30, 3)))
     page.mouse.up()
     page.wait_for_function("oscillations.shown.settings.omega.value > 1.7 && !oscillations.page.hand.grab")

@@ -42,9 +42,9 @@ def top(block: Locator) -> float:
     [
         ({"scene": "forced"}, "Drive frequency", (40, 0), "omega.value > 0.9"),
         ({"scene": "absorber"}, "Frequency to which the absorber is tuned", (40, 0), "k2.value > 40000"),
-        ({"scene": "modes"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
-        ({"scene": "modes", "task": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
-        ({"scene": "modes", "task": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
+        ({"scene": "modes", "view": "guess"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
+        ({"scene": "modes", "view": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
+        ({"scene": "modes", "view": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
         ({"scene": "accuracy"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
     ],
 )
@@ -163,7 +163,7 @@ def test_a_drag_over_a_plot_moves_the_instant_and_letting_go_plays_on(page: Page
 
 def test_a_handle_at_a_vertical_axis_cuts_no_number(page: Page, open_scene: Open) -> None:
     """Over all its values, in the hall too, where type is large and the plot low; numbers keep off each other."""
-    open_scene(page, scene="modes", task="guess", ratio=1)
+    open_scene(page, scene="modes", view="guess", ratio=1)
     plot = page.locator(".block.plot").filter(has=page.locator(".pill"))
     seen = set()
     for key in ("", "p"):

@@ -17,7 +17,7 @@ Keep = Callable[[Page, str], Path]
 
 
 def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screenshot: Keep) -> None:
-    open_scene(page, scene="modes", theme="light")
+    open_scene(page, scene="modes", view="guess", theme="light")
     screenshot(page, "modes-guess")
     knob = page.get_by_role("slider", name="Trial frequency, squared")
     knob.press("ArrowRight")
@@ -49,7 +49,7 @@ def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> No
 
 
 def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="modes")
+    open_scene(page, scene="modes", view="guess")
     drag(page, at(page, "shape", 2.0, 1.5), at(page, "shape", 1.0, 2.0))
     page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 1) < 0.02")
     page.wait_for_function("Math.abs(oscillations.shown.settings.ratio.value - 2) < 0.05")
@@ -58,18 +58,18 @@ def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_s
 def test_views(page: Page, open_scene: Open, screenshot: Keep) -> None:
     open_scene(page, scene="modes")
     for name, words in (("Solve", "sign"), ("Sweep", "Now"), ("Hunt", "Not yet")):
-        page.get_by_role("button", name=name, exact=True).click()
-        page.wait_for_function(f"oscillations.shown.settings.task.value === '{name.lower()}'")
+        page.get_by_role("tab", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.shown.settings.view.value === '{name.lower()}'")
         if name != "Solve":
             expect(page.get_by_text(words).filter(visible=True).first).to_be_visible()
         redrawn(page)
         screenshot(page, f"modes-{name.lower()}")
-    page.get_by_role("button", name="Guess", exact=True).click()
+    page.get_by_role("tab", name="Guess", exact=True).click()
     expect(page.get_by_role("slider", name="Trial frequency, squared")).to_be_visible()
 
 
 def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="modes", task="hunt")
+    open_scene(page, scene="modes", view="hunt")
     drag(page, at(page, "plane", 0.9, 0.2), at(page, "plane", 0.5, 1.0))
     expect(page.get_by_text("Found: a straight line, the slow mode.")).to_be_visible()
     expect(page.get_by_text("The directions of the modes:")).to_be_hidden()
@@ -81,10 +81,10 @@ def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
 
 def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open) -> None:
     page = open_scene(new_page(320, 800, has_touch=True), scene="modes")
-    for task in ("guess", "solve", "sweep", "hunt"):
+    for view in ("guess", "solve", "sweep", "hunt"):
         for values in ({}, {"k2": 1e8}, {"m2": 1e-6}, {"m1": 1.2345e-100, "k1": 1e100}):
-            turned(page, "modes", {"task": task, **values})
-            assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
+            turned(page, "modes", {"view": view, **values})
+            assert page.evaluate("document.documentElement.scrollWidth") == 320, (view, values)
         chip = page.get_by_role("button", name="All equal")
         chip.scroll_into_view_if_needed()
         chip.click(timeout=3000)
@@ -96,6 +96,6 @@ def test_transport_on_a_phone_is_under_the_stage_in_sight(new_page: Callable[...
     top = "parseFloat(getComputedStyle(document.querySelector('.transport')).top)"
     height = "([...document.querySelectorAll('.stage.block:not(.still)')].find(b => b.offsetHeight)?.offsetHeight) ?? 0"
     for name in ("Solve", "Hunt", "Guess"):
-        page.get_by_role("button", name=name, exact=True).click()
-        page.wait_for_function(f"oscillations.shown.settings.task.value === '{name.lower()}'")
+        page.get_by_role("tab", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.shown.settings.view.value === '{name.lower()}'")
         assert page.evaluate(top) == page.evaluate(height)

@@ -149,7 +149,7 @@ def test_on_a_phone_no_number_of_a_table_is_out_of_sight(
 
 def test_on_a_low_phone_names_lie_on_no_bar(new_page: Callable[..., Page], open_scene: Callable[..., Page]) -> None:
     """With words under the stage, which is low then."""
-    page = open_scene(new_page(320, 568), scene="modes", task="hunt")
+    page = open_scene(new_page(320, 568), scene="modes", view="hunt")
     assert page.locator(".transport .note").text_content()
     seek(page, 0.0)
     name, bar = page.evaluate("""(shapes => [

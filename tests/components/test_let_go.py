@@ -143,7 +143,7 @@ def span(frame: Frame, axis: str) -> float:
 
 
 def test_the_plane_of_modes_stays_whatever_lets_go() -> None:
-    page = Page(SCENES["modes"](task="hunt"))
+    page = Page(SCENES["modes"](view="hunt"))
     for value in (2.0, 0.2):
         say(page, type="set", values={"x1_0": value, "x2_0": value})
     wide = frame_of(page.shown)

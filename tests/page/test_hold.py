@@ -117,7 +117,7 @@ def test_a_number_that_a_page_tells_by_several_names_is_covered_by_each() -> Non
     page = Page(SCENES["modes"]())
     hold(page)
     covers = ["value:fast_omega", "value:now_ratio_slow"]
-    told = change(page, parameters={"task": "solve", "k2": 3.0}, covered=covers)
+    told = change(page, parameters={"view": "solve", "k2": 3.0}, covered=covers)
     hidden = [(row["tint"], row["unit"]) for row in told["held"]["ledger"] if row["now"] == "?"]
     assert sorted(hidden) == [("fast", "rad/s"), ("slow", "")]
 

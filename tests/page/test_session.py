@@ -114,8 +114,8 @@ def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> 
 def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
     """The number is in a view that the state is not in, as a new session finds it when a page comes back."""
     page = Page(SCENES["modes"]())
-    page.say(opening({"scene": "modes", "parameters": {"task": "solve"}, "covered": ["value:Delta"]}))
-    told = page.say({"type": "choose", "name": "task", "value": "hunt", "number": 2})
+    page.say(opening({"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]}))
+    told = page.say({"type": "choose", "name": "view", "value": "hunt", "number": 2})
     again = Page(SCENES["modes"]()).say(opening(told["state"]))
     assert (again["errors"], again["state"]) == ({}, told["state"])
 

@@ -29,7 +29,7 @@ EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
 EXTREME_LINKS = (
     "scene=forced&m1=1e175&v2_0=1e308",
     "scene=absorber&omega=5e-324&window=1e-80",
-    "scene=modes&task=hunt&window=5e-324&m2=2.035838133457214e-146&x2_0=-1.7976931348623157e308",
+    "scene=modes&view=hunt&window=5e-324&m2=2.035838133457214e-146&x2_0=-1.7976931348623157e308",
 )
 """Their pictures need more than a double holds."""
 

@@ -57,9 +57,9 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({**stiff, "given_by": "modes", "X_fast": 0.3, "phi_slow": 99.7} for stiff in ({}, *STIFF)),
     ],
     "modes": [
-        *({"task": task, **chain} for task in VIEWS for chain in CHAINS),
-        *({"task": "sweep", "swept": name, "k2": 1e12} for name in ("m1", "m2", "k1", "k2")),
-        {"task": "hunt", "answer": "shown"},
+        *({"view": view, **chain} for view in VIEWS for chain in CHAINS),
+        *({"view": "sweep", "swept": name, "k2": 1e12} for name in ("m1", "m2", "k1", "k2")),
+        {"view": "hunt", "answer": "shown"},
     ],
     "forced": [
         *STIFF,
@@ -131,7 +131,7 @@ def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
     """A few ulp of its largest value are added to every column: each row that shows one is then beyond its bound."""
     scene = SCENES[slug]()
     if slug == "modes":
-        scene.set({"task": "sweep"})
+        scene.set({"view": "sweep"})
     about = told_by(scene)
     assert about is not None
     most = max(each.limit for each in about.tables)
@@ -240,7 +240,7 @@ def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
 
 
 def test_the_hunt_keeps_its_answer() -> None:
-    tables = [told_by(opened("modes", {"task": "hunt", "answer": answer})) for answer in ("hidden", "shown")]
+    tables = [told_by(opened("modes", {"view": "hunt", "answer": answer})) for answer in ("hidden", "shown")]
     told = [any("X_2/X_1" in row.name for each in about.tables for row in each.rows) for about in tables if about]
     assert told == [False, True]
 

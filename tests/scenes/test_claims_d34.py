@@ -73,7 +73,7 @@ def test_a_line_is_found_where_the_path_is_one_and_one_mode_alone_swings() -> No
     draw, seen = Draw("hunt"), set()
     for i in range(2 * DRAWS):
         values = chain(draw, 0.05)
-        scene = ModesScene(task="hunt", **values)
+        scene = ModesScene(view="hunt", **values)
         ratios = mode_ratios(values)
         start = (draw.some(draw.number(-1, 1), 0.1), draw.some(draw.number(-1, 1), 0.1))
         if i % 2 and ratios:
@@ -115,7 +115,7 @@ def mode_ratios(values: dict[str, float]) -> list[float]:
     [(0.1, 10.0, 100.0, 0.1, (1.0, 1.0)), (1.0, 1e-4, 1.0, 4e-4, (1.0, 0.0))],
 )
 def test_a_filled_rectangle_and_a_parabola_are_no_line(m1: float, m2: float, k1: float, k2: float, start: Any) -> None:
-    scene = ModesScene(task="hunt", m1=m1, m2=m2, k1=k1, k2=k2, x1_0=start[0], x2_0=start[1])
+    scene = ModesScene(view="hunt", m1=m1, m2=m2, k1=k1, k2=k2, x1_0=start[0], x2_0=start[1])
     assert scene.shown.forms["verdict"] == "mixed"
     assert "of the swing" in str(scene.sheet())
 
@@ -126,7 +126,7 @@ def test_a_filled_rectangle_and_a_parabola_are_no_line(m1: float, m2: float, k1:
 def guesses(draw: Draw) -> ModesScene:
     """A chain, at or near a mode or anywhere, with a shape that may be that of a mode."""
     values = chain(draw, 0.2)
-    scene = ModesScene(**values)
+    scene = ModesScene(view="guess", **values)
     kind = draw.pick.choice(("at", "near", "far"))
     j = draw.pick.choice((0, 1))
     omega = float(mp.sqrt(squares(scene)[j]))
@@ -198,8 +198,9 @@ def test_what_a_hand_must_add() -> None:
 
 
 def test_a_drift_in_step_needs_no_hand() -> None:
-    assert ModesScene(k1=0.0, omega=0.0, ratio=1.0).shown.values["you_add"] == "no extra force: a mode"
-    assert ModesScene(k2=0.0, omega=0.0).shown.values["you_add"] == "force of your hand", "mass 1 is held by spring 1"
+    assert ModesScene(view="guess", k1=0.0, omega=0.0, ratio=1.0).shown.values["you_add"] == "no extra force: a mode"
+    held = ModesScene(view="guess", k2=0.0, omega=0.0)
+    assert held.shown.values["you_add"] == "force of your hand", "mass 1 is held by spring 1"
 
 
 # Modes, solve and sweep
@@ -209,7 +210,7 @@ def test_the_root_is_below_b_by_a_number_that_is_seen() -> None:
     draw = Draw("solve")
     for i in range(DRAWS):
         values = chain(draw, 0.1) | ({"k2": draw.size(-12, -6)} if i % 3 == 0 else {})
-        scene = ModesScene(task="solve", **values)
+        scene = ModesScene(view="solve", **values)
         m1, m2, k1, k2 = (mp.mpf(values[name]) for name in ("m1", "m2", "k1", "k2"))
         b = m1 * k2 + m2 * (k1 + k2)
         gap = b - mp.sqrt(b**2 - 4 * m1 * m2 * k1 * k2)
@@ -236,7 +237,7 @@ def test_the_limits_of_a_sweep_are_those_of_its_formulas() -> None:
     for _ in range(DRAWS):
         values = chain(draw, 0.2)
         swept = draw.pick.choice(("m1", "m2", "k1", "k2"))
-        scene = ModesScene(task="sweep", swept=swept, **values)
+        scene = ModesScene(view="sweep", swept=swept, **values)
         for end, far in (("low", -1), ("high", 1)):
             kind = scene.shown.forms[end]
             seen.add(kind)

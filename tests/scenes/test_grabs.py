@@ -25,7 +25,7 @@ AT = 0.37
 NEAR = 0.6
 """Pixels: a hand rounds what it sets to a half of one, or little more."""
 ALSO: dict[str, tuple[dict[str, Any], ...]] = {
-    "modes": ({"ratio": 2.0},),
+    "modes": ({"view": "guess"}, {"view": "guess", "ratio": 2.0}),
     "absorber": ({"view": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
@@ -43,8 +43,10 @@ def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:
     ways = sorted(({}, *shown_ways(slug)), key=lambda values: not any(one in shape.show for one in values.values()))
     for values in ways:
         scene = SCENES[slug](**values)
-        begun = all(one.of in scene.shown.signals for one in grab.start if one.of)
-        if begun and all(way.axis in scene.shown.axes for way in grab.ways if way.axis):
+        now = scene.shown
+        begun = all(one.of in now.signals for one in grab.start if one.of)
+        moved = all(way.moves in {*now.signals, *now.scalars} for way in grab.ways if way.moves)
+        if begun and moved and all(way.axis in now.axes for way in grab.ways if way.axis):
             return scene
     raise AssertionError(f"{slug} never draws {grab.label}")
 

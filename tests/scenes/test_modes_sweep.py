@@ -11,7 +11,7 @@ from components.scenes.modes import ModesScene
 
 @pytest.mark.parametrize("swept", ["m1", "m2", "k1", "k2"])
 def test_a_sweep_passes_through_the_chain(swept: str) -> None:
-    scene = ModesScene(task="sweep", swept=swept)
+    scene = ModesScene(view="sweep", swept=swept)
     run = scene.sources["omega_sweep"].data
     assert np.log10(run["p"][-1] / run["p"][0]) == pytest.approx(6)
     now = getattr(scene, swept)
@@ -24,7 +24,7 @@ def test_a_sweep_passes_through_the_chain(swept: str) -> None:
 
 
 def test_asymptotes_are_met_at_the_ends() -> None:
-    scene = ModesScene(task="sweep")
+    scene = ModesScene(view="sweep")
     run, low, high = (scene.sources[f"omega_{part}"].data for part in ("sweep", "low", "high"))
     for mode in ("slow", "fast"):
         assert low[f"omega_{mode}"][0] == pytest.approx(run[f"omega_{mode}"][0], rel=1e-3)
@@ -34,12 +34,12 @@ def test_asymptotes_are_met_at_the_ends() -> None:
 
 def test_the_held_frequencies_cross_where_the_lecture_says() -> None:
     """m1 k2 = m2 (k1 + k2): 2 k2 = 4 + k2."""
-    shown = ModesScene(task="sweep").shown
+    shown = ModesScene(view="sweep").shown
     assert 10 ** shown.scalars["cross"] == pytest.approx(4.0, rel=1e-3)
 
 
 def test_without_coupling_there_are_no_ratios_to_draw() -> None:
-    scene = ModesScene(task="sweep", k2=0.0, swept="m1")
+    scene = ModesScene(view="sweep", k2=0.0, swept="m1")
     assert scene.sources["ratio_sweep"].data == {}
     assert scene.shown.forms["low"] == "loose"
 
@@ -48,7 +48,7 @@ def test_without_coupling_there_are_no_ratios_to_draw() -> None:
 
 
 def test_the_path_is_the_motion() -> None:
-    scene = ModesScene(task="hunt", k2=3.0, x2_0=-0.4)
+    scene = ModesScene(view="hunt", k2=3.0, x2_0=-0.4)
     data = scene.sources["path"].data
 
     def rates(_: float, y: np.ndarray) -> list[float]:
@@ -73,7 +73,7 @@ def test_the_path_is_the_motion() -> None:
     ],
 )
 def test_a_straight_line_is_marked(start: tuple[float, float], verdict: str) -> None:
-    scene = ModesScene(task="hunt", x1_0=start[0], x2_0=start[1])
+    scene = ModesScene(view="hunt", x1_0=start[0], x2_0=start[1])
     assert scene.shown.forms["verdict"] == verdict
     path = scene.sources["path"].data
     if verdict in ("slow", "fast"):
@@ -82,12 +82,12 @@ def test_a_straight_line_is_marked(start: tuple[float, float], verdict: str) -> 
 
 
 def test_shares_are_told() -> None:
-    values = ModesScene(task="hunt", x1_0=1.0, x2_0=0.0).shown.values
+    values = ModesScene(view="hunt", x1_0=1.0, x2_0=0.0).shown.values
     assert (values["share_slow"], values["share_fast"]) == ("44.2 %", "55.8 %")
 
 
 def test_the_answer_is_nowhere_before_it_is_asked_for() -> None:
-    scene = ModesScene(task="hunt")
+    scene = ModesScene(view="hunt")
     shown = scene.shown
     assert "answer" not in scene.sources
     assert shown.forms["answer"] == ""
@@ -101,4 +101,4 @@ def test_the_answer_is_nowhere_before_it_is_asked_for() -> None:
 
 def test_every_start_is_a_line_where_a_spring_is_missing() -> None:
     for missing in ("k1", "k2"):
-        assert ModesScene(task="hunt", **{missing: 0.0}).shown.forms["verdict"] == "drift"
+        assert ModesScene(view="hunt", **{missing: 0.0}).shown.forms["verdict"] == "drift"

@@ -226,7 +226,7 @@ def test_an_answer_is_a_quantity_of_the_scene() -> None:
 def test_a_claim_is_true_of_what_is_shown() -> None:
     """The number that the texts give to a quantity, and the place that the answer plays."""
     assert told(ENERGY.replace('explain = "e"', 'explain = "*τ* = 1.00 s, *x*_0 = 0.2 m"')) == []
-    place = '\n[[step]]\nid = "one"\nfrom = "d34-08"\nreveal = "?scene=modes&task=hunt&m1=1&m2=1&k1=1&k2=1&x1_0=1&x2_0='
+    place = '\n[[step]]\nid = "one"\nfrom = "d34-08"\nreveal = "?scene=modes&view=hunt&m1=1&m2=1&k1=1&k2=1&x1_0=1&x2_0='
     for value, says in (("1.618", []), ("0.5", ["reveal: there x2_0 is 0.5; the answer is 1.62 m or −0.618 m."])):
         walk = read_walk(f'title = "t"{place}{value}"\nexplain = "e"', "mine", steps_of(OWN.values()))
         assert [one.partition("(one), ")[2] for one in shortcomings(walk, SCENES)] == says

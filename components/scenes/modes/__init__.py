@@ -10,13 +10,15 @@ from components.chain.signals import Axes
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.sheet import Paragraph, choice, column, desk, when, words
+from components.layout.sheet import column, when
+from components.layout.views import View, in_views
 from components.quantities.declared import Declared, Family, Form
 from components.quantities.parameters import Values, angular_frequency, finite, one_of
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
+from components.scene.scene import VIEW
 from components.scenes.modes import guess, hunt, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
 from components.scenes.modes.guess_case import said
@@ -24,25 +26,17 @@ from components.scenes.modes.numbers import BrakedChain, ComparedNumbers, RootRe
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 
-TASKS: dict[str, Paragraph] = {
-    "guess": "Drag the point: where is no extra force needed?",
-    "solve": solve.TASK,
-    "sweep": "Sweep one value: which frequency follows it, and where do the two come near?",
-    "hunt": "Drag the start: from where is the path a straight line?",
-}
-VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
-TASK = one_of("guess", VIEWS, "View")
-
+VIEWS = ("hunt", "guess", "solve", "sweep")
 USUAL = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.0, "c2": 0.0}
 
 
-class Tasks(Declared[str]):
-    """The view that stands."""
+class Seen(Declared[str]):
+    """Which view is shown: a picture has the parts of that one alone."""
 
-    view = Family(VIEWS, lambda one: Form[str](lambda task: task == one), "{}")
+    view = Family(VIEWS, lambda one: Form[str](lambda view: view == one), "{}")
 
 
-LEFT_OUT = "Shown without the dashpots: they are part of Solve."
+LEFT_OUT = "Shown without the dashpots: they are in the view Solve."
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
 
@@ -68,10 +62,8 @@ class ModesScene(Scene):
         "No wall": {**USUAL, "k1": 0.0},
         "Loose": {**USUAL, "k2": 0.1},
     }
-    opens = {"task": "hunt"}
     steady = (Axes.x.name,)
 
-    task = TASK
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     c1, c2 = chain.dashpots()
     omega = angular_frequency(
@@ -95,24 +87,42 @@ class ModesScene(Scene):
         Group(
             "Guess",
             (omega, ratio),
-            form=Tasks.view["guess"],
+            form=Seen.view["guess"],
             actions=tuple((action, f"Use equation {row}") for action, row in ROW_OF.items()),
         ),
-        Group("Start, from rest", (x1_0, x2_0), "or drag the ring", form=Tasks.view["hunt"]),
+        Group("Start, from rest", (x1_0, x2_0), "or drag the ring", form=Seen.view["hunt"]),
         chain.chain_group(m1, m2, k1, k2),
-        chain.dashpots_group(c1, c2, Tasks.view["solve"]),
+        chain.dashpots_group(c1, c2, Seen.view["solve"]),
     )
+    views = (
+        View(
+            "Hunt",
+            "Drag the ring, the start: from where is the path a straight line? With both springs there are two.",
+            keys=(x1_0, x2_0), names=("stage", "plot:plane"),
+        ),
+        View(
+            "Guess", "Drag the point: where is no extra force of your hand needed?",
+            keys=(omega, ratio), names=("stage:guess", "plot:shape"),
+        ),
+        View(
+            "Solve", "Change the chain: can the two frequencies ever meet?",
+            keys=(m2, k2), names=("stage:solve", "plot:det"),
+        ),
+        View(
+            "Sweep", "Choose what to sweep: which frequency follows it, and where do the two come near?",
+            keys=(k2,), names=("choice:swept", "plot:frequencies"),
+        ),
+    )  # fmt: skip
+    old_view, old_views = "guess", {"task": {view: view for view in VIEWS}}
 
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return column(
-            choice(TASK, style="views", phone=-1),
-            *(desk(when(Tasks.view[view], words(task, style="task", phone=0))) for view, task in TASKS.items()),
-            when(Tasks.view["guess"], guess.sheet()),
-            when(Tasks.view["solve"], solve.sheet()),
-            when(Tasks.view["sweep"], sweep.sheet()),
-            when(Tasks.view["hunt"], hunt.sheet()),
+            in_views(when(Seen.view["hunt"], hunt.sheet()), "hunt"),
+            in_views(when(Seen.view["guess"], guess.sheet()), "guess"),
+            in_views(solve.sheet(), "solve"),  # a step of a walk can show D under the plot of Guess
+            in_views(when(Seen.view["sweep"], sweep.sheet()), "sweep"),
         )
 
     def picture(self, frame: Frame = FITTED) -> Picture:
@@ -121,20 +131,25 @@ class ModesScene(Scene):
         return replace(
             picture,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
-            forms=Tasks.forms(self.task) | picture.forms,
-            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self.task != "solve" else ())),
+            forms=Seen.forms(self._seen) | picture.forms,
+            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self._seen != "solve" else ())),
         )
 
     @property
     def _brakes(self) -> bool:
         return any(chain.damping_of(self))
 
+    @property
+    def _seen(self) -> str:
+        """The word of the view that is shown."""
+        return str(getattr(self, VIEW))
+
     def _view(self, system: TwoMassChain, frame: Frame) -> Picture:
-        if self.task == "solve":
-            return solve.picture(system, chain.damping_of(self), self.window, frame)
-        if self.task == "sweep":
+        if self._seen == "solve":
+            return solve.picture(system, chain.damping_of(self), self.omega, self.window, frame)
+        if self._seen == "sweep":
             return sweep.picture(system, self.swept, frame)
-        if self.task == "hunt":
+        if self._seen == "hunt":
             return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window, frame)
         return guess.picture(system, self.omega, self.ratio, self.window, frame)
 
@@ -149,16 +164,16 @@ class ModesScene(Scene):
         return {"ratio": float(wanted)}
 
     def readouts(self) -> tuple[Readout, ...]:
-        if self._brakes and self.task == "solve":
+        if self._brakes and self._seen == "solve":
             return RootReadouts.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
         return ComparedNumbers.readouts(chain.of_scene(self).modes())
 
     def about(self, shown: Picture) -> About:
         system = chain.of_scene(self)
-        if self.task == "hunt":
+        if self._seen == "hunt":
             return hunt_about(shown, system, (self.x1_0, self.x2_0))
-        if self.task == "sweep":
+        if self._seen == "sweep":
             return sweep_about(shown, system, self.swept)
-        if self._brakes and self.task == "solve":
+        if self._brakes and self._seen == "solve":
             return braked_about(system, chain.damping_of(self))
-        return solve_about(system) if self.task == "solve" else guess_about(shown, system)
+        return solve_about(system) if self._seen == "solve" else guess_about(shown, system)

@@ -11,7 +11,7 @@ from components.quantities.declared import by_name
 from components.quantities.numbers import ten
 from components.scene import Picture
 from components.scene.about import About, CheckedPoint, Place, bounded, few_of, rows
-from components.scenes.modes.guess import Curves as C
+from components.scenes.modes.determinant import Curves as C
 from components.scenes.modes.sweep import Sweep
 from physics.coupled import TwoMassChain, free_modes
 from physics.damped_chain import DampedChain

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from decimal import Decimal
-from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
@@ -18,12 +16,13 @@ from components.language.shapes import Along, Quotient
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
-from components.layout.plots import Room, curve, mark, plot
+from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
 from components.layout.stage import (
     AT_DESK,
     HALL,
     IN_HALL,
+    LOW,
     NARROW,
     ON_NARROW,
     ON_WIDE,
@@ -39,8 +38,7 @@ from components.layout.stage import (
     shown_by,
     text,
 )
-from components.layout.text import rich
-from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
+from components.quantities.axes import Axis, nice_axis, time_axis
 from components.quantities.declared import (
     AxesInForce,
     Column,
@@ -54,13 +52,15 @@ from components.quantities.declared import (
     by_name,
 )
 from components.quantities.motion import QUARTER, pace, sines
-from components.quantities.numbers import signed, ten, three
+from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns
+from components.scenes.modes.determinant import Axes as DetAxes
+from components.scenes.modes.determinant import DeterminantPart, TriedPlaces, flags, frequency_handle, label, point
 from components.scenes.modes.guess_case import REACH, Guess, added, agreement, inside, kind_of
 from physics.coupled import Modes, TwoMassChain
-from physics.modes import determinant_curve, row_curves
+from physics.modes import row_curves
 from physics.sampling import NOTHING_OSCILLATES, periods
 from physics.valid import DOUBLES
 
@@ -71,14 +71,8 @@ METRES = Axis(-1.0, 1.0, "m")
 class Numbers(Declared[Guess]):
     a11, a12 = number.both(lambda g: g.asked.matrix[0])
     a22 = number(lambda g: g.asked.matrix[1][1])
-    D = number(lambda g: g.asked.determinant)
-    square = number(lambda g: Decimal(g.omega) ** 2)
-    apart = number(lambda g: g.asked.apart)
     distance = number(lambda g: None if g.asked.apart is None else abs(g.asked.apart))
-    k1k2 = number(lambda g: g.at_rest)
-    k2k2 = number(lambda g: g.held)
     row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
-    omega = omega_slow, omega_fast = number.both(lambda g: g.system.modes().omega)
     r = r_slow, r_fast = number.both(lambda g: g.system.modes().ratio, signed)
     slow_long, fast_long = number.both(
         lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.system.modes().omega]
@@ -91,14 +85,14 @@ class Numbers(Declared[Guess]):
 
 
 class Axes(Declared[Guess]):
-    t, w, r, D = DrawnAxis.some(4)
+    t, r = DrawnAxis.some(2)
 
 
 class Curves(Declared[Guess]):
-    """The shape that each equation fixes, the second one on both sides of its pole, and D."""
+    """The shape that each equation fixes, the second one on both sides of its pole."""
 
     w = Column[Guess]("")
-    row1, D = Column[Guess]("row1"), Column[Guess]("det")
+    row1 = Column[Guess]("row1")
     row2_below, row2_above = Column[Guess]("row2_below"), Column[Guess]("row2_above")
 
 
@@ -108,8 +102,8 @@ def _swung(guess: Guess, axes: AxesInForce, size: float) -> AnySignal:
 
 
 class Places(Declared[Guess]):
-    """Swings and forces, and over the plots the modes, the known values of D, the guess, and the readings of both
-    equations, in the units of the axes; `_in` tells which are inside the frame."""
+    """Swings and forces, and over the plot the modes, the guess, and the readings of both equations, in the units of
+    the axes; `_in` tells which are inside the frame."""
 
     swing = Signal[Guess](lambda g, a: _swung(g, a, 1.0))
     x = Family(BOTH, lambda i: Signal[Guess](lambda g, a: _swung(g, a, g.swings[i - 1])))
@@ -118,23 +112,11 @@ class Places(Declared[Guess]):
     less = Family(BOTH, lambda i: scalar(lambda g, a: abs(g.swings[i - 1]) <= abs(g.swings[2 - i])))
     need = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.needed[i - 1])), "need{}_N")
     give = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.springs[i - 1])), "give{}_N")
-    # The modes, D at rest and where mass 2 would be held.
-    w_of = Family(MODES, lambda mode: scalar(lambda g, a: g.frequency.place(g.modes[mode][0])), "w_{}")
-    w_si = Family(MODES, lambda mode: scalar(lambda g, a: g.modes[mode][0]), "w_{}_si")
+    # The shapes of the modes, the guess, and what both equations ask for.
     r_of = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode) and g.shape.place(g.modes[mode][1])), "r_{}")
     seen = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode)), "{}_in")
-    D0 = scalar(lambda g, a: g.place_D(g.at_rest))
-    D0_in = scalar(lambda g, a: g.system.k1 > 0 < g.system.k2)
-    w_held = scalar(lambda g, a: g.frequency.place(math.sqrt(g.system.k2) / math.sqrt(g.system.m2)))
-    D_held = scalar(lambda g, a: g.place_D(g.held))
-    held_in = scalar(lambda g, a: g.system.k2 > 0 and g.has_D(g.held))
-    # The guess, D there, and what both equations ask for.
-    w = scalar(lambda g, a: g.frequency.place(min(g.omega, 2 * g.frequency.end)))
-    w_in = scalar(lambda g, a: g.w_in)
     r = scalar(lambda g, a: g.shape.place(max(min(g.ratio, 2 * g.shape.end), 2 * g.shape.start)))
     guess_in = scalar(lambda g, a: g.w_in and inside(g.shape, g.ratio))
-    D = scalar(lambda g, a: g.place_D(g.asked.determinant))
-    D_in = scalar(lambda g, a: g.w_in and g.has_D(g.asked.determinant))
     row = Family(BOTH, lambda i: scalar(lambda g, a: g.reading(i)))
     row_in = Family(BOTH, lambda i: scalar(lambda g, a: g.reads(i)), "row{}_in")
     gap = scalar(lambda g, a: g.w_in and None not in g.asked.rows)
@@ -143,14 +125,12 @@ class Places(Declared[Guess]):
 class Forms(Declared[Guess]):
     says = Family(BOTH, lambda i: form(lambda g: kind_of(g.asked.rows[i - 1])), "row{}_says")
     agree = form(agreement)
-    D = form(lambda g: "value" if g.asked.apart is None else "product")
     matrix = form(lambda g: True)
-    roots = form(lambda g: "loose" if not g.system.k2 else "two" if g.system.k1 else "wall")
 
 
-A, C, F, N, P = Axes, Curves, Forms, Numbers, Places
+A, C, D, F, N, P, T = Axes, Curves, DetAxes, Forms, Numbers, Places, TriedPlaces
 
-SHAPE, DET = PlotFrame("shape"), PlotFrame("det")
+SHAPE = PlotFrame("shape")
 
 UNIT = 0.112 * W
 """An amplitude of 1 m on the stage."""
@@ -173,7 +153,7 @@ def sheet() -> Block:
     return column(
         row(
             stage(
-                *_shapes(), grow=590, height=230,
+                *_shapes(), name="guess", grow=590, height=230,
                 label="The guess at full swing; under it, on each mass, the force that the motion needs, the springs' "
                 "force and that of your hand",
             ),
@@ -189,13 +169,9 @@ def sheet() -> Block:
             grow=222,
         ),
         row(
-            column(_shape_plot(), _determinant_plot(), grow=590),
-            column(
-                words(*_readings(), style="facts", grow=195, phone=21),
-                words(*_determinant_words(), style="facts", grow=116, phone=22),
-                grow=296,
-            ),
-            grow=350,
+            _shape_plot(),
+            words(*_readings(), style="facts", grow=296, phone=21),
+            grow=268,
         ),
     )  # fmt: skip
 
@@ -234,25 +210,9 @@ def _readings() -> list[Paragraph]:
     ]
 
 
-def _determinant_words() -> list[Paragraph]:
-    return [
-        either(
-            F.D,
-            product=rf"$D = k_2 (k_2 - m_2 \omega^2) \cdot ({N.apart})$$= {N.D}$",
-            value=f"$D = {N.D}$",
-        ),
-        either(
-            F.roots,
-            two=r"$D = \text{det } A$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
-            wall=r"No wall: $D$ is 0 at 0, − at $k_2/m_2$, + far out: one zero is at 0.",
-            loose=r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each equation holds one mass only.",
-        ),
-    ]
-
-
 def _shape_plot() -> Block:
     return plot(
-        SHAPE, x=A.w, y=A.r, x_column=C.w,
+        SHAPE, x=D.w, y=A.r, x_column=C.w,
         title="The shape X2/X1 that each equation fixes, against omega squared",
         curves=(
             curve(C.row1, tint="m1", width="sum"),
@@ -261,45 +221,19 @@ def _shape_plot() -> Block:
         ),
         heading=(
             term("", "none", "ink", formula="X_2/X_1"),
-            phrase(C.row1, "sum", "m1", formula=r"equation 1 requires $(k_1 + k_2 - m_1 \omega^2)/k_2$"),
-            phrase("row2", "sum", "m2", formula=r"equation 2 requires $k_2/(k_2 - m_2 \omega^2)$"),
+            phrase(C.row1, "sum", "m1", formula=r"equation 1 $(k_1 + k_2 - m_1 \omega^2)/k_2$"),
+            phrase("row2", "sum", "m2", formula=r"equation 2 $k_2/(k_2 - m_2 \omega^2)$"),
         ),
-        x_labels=False, room=Room(60, 12),
+        room=Room(60, 12, top=28),
         handles=(
-            Handle(parameter="ratio", symbol="", label="Trial shape X2/X1", tint="F", axis="y"),
-            Handle(parameter="omega", symbol="", label="Trial frequency", tint="F", axis="x", bare=True),
+            Handle(parameter="ratio", symbol="", label="Trial shape X2/X1", tint="F", axis="y"), frequency_handle(),
         ),
-        marks=tuple(mark(P.w_of[mode], tint=mode) for mode in MODES),
-        shapes=_over_shapes(), grow=195, phone=10, height=220,
-    )  # fmt: skip
-
-
-def _determinant_plot() -> Block:
-    return plot(
-        DET, x=A.w, y=A.D, x_column=C.w,
-        title="The determinant D of A against omega squared",
-        curves=(curve(C.D, tint="ink", width="sum"),),
-        heading=(term("", "none", "ink", formula="D"),),
-        room=Room(60, 12, top=6),
-        handles=(
-            Handle(
-                parameter="omega", symbol="ω²", label="Trial frequency, squared", tint="F", axis="x",
-                text=N.square.name, covering="(rad/s)²",
-            ),
-        ),
-        marks=tuple(
-            mark(
-                P.w_of[mode], tint=mode, set="omega", exactly=P.w_si[mode], lift=23, label=f"Go to the {mode} mode",
-                html=rich(rf"$\omega_{sign}$ {omega}"), flag="one",
-            )
-            for mode, sign, omega in zip(MODES, "-+", N.omega, strict=True)
-        ),
-        shapes=_over_determinant(), grow=100, phone=11, height=150,
+        marks=flags(4), shapes=_over_shapes(), grow=590, phone=10, height=270,
     )  # fmt: skip
 
 
 def _shapes() -> list[Shape]:
-    foot, gap, lift = 0.505 * H, 0.144 * H, 0.122 * H
+    foot, gap, lift = 0.505 * H, 0.144 * H, 0.122 * H + 8 * LOW
     last = foot + 3 * gap
     shapes = [chain.standing_wall(0.09 * H, 0.415 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
     places = [chain.rest(i) + UNIT * var(P.x[i]) for i in BOTH]
@@ -360,54 +294,28 @@ def _force(i: int, number: LiveNumber[Guess], lengths: Lengths | None, tint: str
 
 def _over_shapes() -> tuple[Shape, ...]:
     """Over the plane of omega^2 and X2/X1: the trial frequency, both readings and their gap, the guess, the modes."""
-    w, r = SHAPE.x(var(P.w)), SHAPE.y(var(P.r))
+    w, r = SHAPE.x(var(T.w)), SHAPE.y(var(P.r))
     shapes = [
-        line(w, SHAPE.top, w, DET.bottom, tint="F", show=P.w_in),
+        line(w, SHAPE.top, w, SHAPE.bottom, tint="F", show=T.w_in),
         line(w, SHAPE.y(var(P.row[1])), w, SHAPE.y(var(P.row[2])), tint="F", style="thick", show=P.gap),
         line(SHAPE.left, r, w, r, tint="F", style="dots", show=P.guess_in),
     ]
     for mode, shift, ratio in zip(MODES, ((14, -8), (11, -14)), N.r, strict=True):
-        at, name = (SHAPE, var(P.w_of[mode]), var(P.r_of[mode])), f"{mode} mode {ratio}"
+        at, name = (SHAPE, var(T.w_of[mode]), var(P.r_of[mode])), f"{mode} mode {ratio}"
         shapes += [
-            _point(*at, 7, mode, show=P.seen[mode], style="ring"),
-            _label(*at, mode, shift, name, show=(P.seen[mode], ON_WIDE)),
-            _label(*at, mode, (6, -14), name, "middle", show=(P.seen[mode], ON_NARROW)),
+            point(*at, 7, mode, show=P.seen[mode], style="ring"),
+            label(*at, mode, shift, name, show=(P.seen[mode], ON_WIDE)),
+            label(*at, mode, (6, -14), name, "middle", show=(P.seen[mode], ON_NARROW)),
         ]
-    shapes += [_point(SHAPE, var(P.w), var(P.row[i]), 6, f"m{i}", show=P.row_in[i]) for i in BOTH]
+    shapes += [point(SHAPE, var(T.w), var(P.row[i]), 6, f"m{i}", show=P.row_in[i]) for i in BOTH]
     return (*shapes, _guess_point(w, r))
 
 
 def _guess_point(x: Number, y: Number) -> Shape:
     """The point in the plane of omega^2 and X2/X1."""
-    ways = on_plot(SHAPE, "x", "omega", P.w, A.w, least=0.0), on_plot(SHAPE, "y", "ratio", P.r, A.r)
+    ways = on_plot(SHAPE, "x", "omega", T.w, D.w, least=0.0), on_plot(SHAPE, "y", "ratio", P.r, A.r)
     held = grab("Guess: frequency and shape", *ways, inside=SHAPE)
     return circle(x, y, 8, tint="F", show=P.guess_in, grab=held, held=True)
-
-
-def _over_determinant() -> tuple[Shape, ...]:
-    """Over D: its value at the trial frequency, its zeros, and the two values that alone prove them."""
-    here, rest, held = (DET, var(P.w), var(P.D)), (DET, 0.0, var(P.D0)), (DET, var(P.w_held), var(P.D_held))
-    return (
-        _label(*here, "ink", (10, -9), f"*D* = {N.D}", show=P.D_in),
-        _point(*rest, 4, "ink", show=P.D0_in),
-        _label(*rest, "ink", (0, 0), f"*k*_1*k*_2 = {N.k1k2}", "beside", P.D0_in, "t0"),
-        _point(*held, 4, "ink", show=P.held_in),
-        _label(*held, "ink", (0, 0), f"−*k*_2² = {N.k2k2}", "beside", P.held_in, "t0"),
-        *(_point(DET, var(P.w_of[mode]), 0.0, 5, mode, style="ring") for mode in MODES),
-        _point(*here, 6, "ink", show=P.D_in),
-    )
-
-
-def _point(frame: PlotFrame, x: Number, y: Number, radius: float, tint: str, **look: Any) -> Shape:
-    return circle(frame.x(x), frame.y(y), radius, tint=tint, **look)
-
-
-def _label(
-    frame: PlotFrame, x: Number, y: Number, tint: str, shift: tuple[int, int], words_: str, anchor: str = "start",
-    show: ShownBy | None = None, weight: str = "t1 b",
-) -> Shape:  # fmt: skip
-    place = frame.x(x) + shift[0], frame.y(y) + shift[1]
-    return text(*place, words_, anchor, tint=tint, style=f"{weight} halo", show=show)
 
 
 def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
@@ -415,22 +323,19 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
     modes = system.modes()
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
         raise ValueError(f"a mode ratio X2/X1 leaves {DOUBLES}")
-    end = _end(float(modes.omega[1]), omega)
     reach, shape = _shape_axis(modes)
-    across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
-    A, time = Axes, time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
-    axes = framed(frame, by_name({A.w: across, A.r: shape, A.t: time}))
-    columns, det, exponent = _columns(system, A.w(axes).end, reach)
-    axes |= framed(frame, by_name({A.D: det}))
-    guess = Guess(system, omega, ratio, frequency=A.w(axes), shape=A.r(axes), det=A.D(axes), exponent=exponent)
+    time = time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
+    det = DeterminantPart.of(system, omega, frame)
+    axes = det.axes | framed(frame, by_name({A.r: shape, A.t: time}))
+    guess = Guess(system, omega, D.w(axes), ratio=ratio, shape=A.r(axes))
     return Picture(
-        columns=columns,
+        columns=_columns(system, D.w(axes).end, reach) | det.columns,
         axes=axes,
         signals=Places.signals(guess, axes),
-        scalars=Places.scalars(guess, axes),
+        scalars=det.scalars | Places.scalars(guess, axes),
         pace=pace(omega, omega),
-        values=Numbers.texts(guess, axes),
-        forms=Forms.forms(guess),
+        values=det.texts | Numbers.texts(guess, axes),
+        forms=det.forms | Forms.forms(guess),
     )
 
 
@@ -444,22 +349,9 @@ def _shape_axis(modes: Modes) -> tuple[float, Axis]:
     return reach, replace(axis, ticks=axis.ticks[1:-1], drawn=(-half / 2, half / 2))
 
 
-def _end(fast: float, omega: float) -> float:
-    """The frame holds both modes, and the trial frequency where it is not far beyond them."""
-    both = math.sqrt(1.375) * fast
-    return (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
-
-
-def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
-    C, (first, second) = Curves, row_curves(system, end, largest)
+def _columns(system: TwoMassChain, end: float, largest: float) -> dict[str, Columns]:
+    first, second = row_curves(system, end, largest)
     columns = {C.row1.source: by_name({C.w: first.omega[0], C.row1: first.ratio[0]})}
     for one, w, r in zip((C.row2_below, C.row2_above), second.omega, second.ratio, strict=False):
         columns[one.source] = by_name({C.w: w, one: r})
-    w = end * np.sqrt(np.linspace(0.0, 1.0, 201))
-    curve, exponent = determinant_curve(system, w)
-    columns[C.D.source] = by_name({C.w: w, C.D: curve})
-    low, at_zero = float(np.min(curve)), float(curve[0])
-    unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
-    size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
-    det = nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True)
-    return columns, replace(det, drawn=(low, at_zero)), exponent
+    return columns

@@ -1,8 +1,9 @@
-"""A guess as its view sees it: what both equations say at its frequency, the forces that it needs, and where it is."""
+"""A trial frequency, what both equations say there, and a guess: the forces that it needs, and where it is drawn."""
 
 from __future__ import annotations
 
 import math
+from abc import ABC
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
@@ -25,54 +26,38 @@ LITTLE = Decimal("0.005")
 
 
 @dataclass(frozen=True, eq=False)
-class Guess:
-    """A chain, a trial frequency and shape, and the axes that they are drawn on, with what the physics says of them.
-
-    `det` counts D in units of 10**exponent, since D leaves the range of doubles long before the rest does.
-    """
+class AtFrequency(ABC):
+    """A chain, a trial frequency in rad/s, and the axis of the frequencies, with what the physics says of them."""
 
     system: TwoMassChain
     omega: float
-    ratio: float
     frequency: Axis
-    shape: Axis
-    det: Axis
-    exponent: int
-
-    def place_D(self, value: Decimal) -> float:
-        """A value of D on its axis, cut far outside the frame."""
-        scaled = float(value.scaleb(-self.exponent))
-        return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
 
     @cached_property
     def asked(self) -> Trial:
         return said(self.system, self.omega)
 
     @cached_property
-    def push(self) -> TrialForces:
-        return trial_forces(self.system, self.omega, self.ratio)
-
-    @cached_property
-    def at_rest(self) -> Decimal:
-        """D at omega = 0."""
-        _, _, k1, k2 = self.system.exact_parameters
-        with precise():
-            return k1 * k2
-
-    @property
-    def held(self) -> Decimal:
-        """D where mass 2 alone, mass 1 held, would swing."""
-        return -(Decimal(self.system.k2) ** 2)
-
-    def has_D(self, value: Decimal) -> bool:
-        """Whether a value of D is inside the frame."""
-        return inside(self.det, value.scaleb(-self.exponent))
-
-    @cached_property
     def modes(self) -> dict[str, tuple[float, float]]:
         """Frequency and shape of each mode."""
         modes = self.system.modes()
         return dict(zip(MODES, zip(modes.omega.tolist(), modes.ratio.tolist(), strict=True), strict=True))
+
+    @cached_property
+    def w_in(self) -> bool:
+        return inside(self.frequency, self.omega)
+
+
+@dataclass(frozen=True, eq=False)
+class Guess(AtFrequency):
+    """A trial frequency and shape, and the axis of the shapes."""
+
+    ratio: float
+    shape: Axis
+
+    @cached_property
+    def push(self) -> TrialForces:
+        return trial_forces(self.system, self.omega, self.ratio)
 
     def seen(self, mode: str) -> bool:
         """Whether the point of a mode is inside the frame."""
@@ -88,10 +73,6 @@ class Guess:
         """The length of the arrow of a force at full swing, as a fraction of the stage's width."""
         largest = max(abs(value) for pair in self.push[1:] for value in pair)
         return REACH * float(force / largest) if largest else 0.0
-
-    @cached_property
-    def w_in(self) -> bool:
-        return inside(self.frequency, self.omega)
 
     def reading(self, row: int) -> float:
         """The place of the shape that a row asks for."""

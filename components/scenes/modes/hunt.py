@@ -66,15 +66,7 @@ class Hunt(Declared[HuntCase]):
     share_fast = Scalar[HuntCase](lambda c, a: c.shares[1])
     verdict = Form[HuntCase](lambda c: found(c.system, c.shares))
     answer = Form[HuntCase](lambda c: c.revealed)
-    hunt_task = Form[HuntCase](lambda c: "two" if c.system.k1 and c.system.k2 else "every")
     line = chain.lines_of("answer")
-
-
-TASK = either(
-    Hunt.hunt_task,
-    two="Drag the start, the ring, until the path is a straight line. There are two such directions.",
-    every="Drag the start, the ring: with a spring missing, is any path not a straight line?",
-)
 
 
 PLANE = PlotFrame("plane")
@@ -87,11 +79,9 @@ def sheet() -> Block:
     return row(
         _plane(),
         column(
-            words("**Mass 2 against mass 1, let go from rest.**", phone=6),
-            words(TASK, style="task", phone=6),
-            stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=210),
-            words(_verdict(), _answer(), style="verdict", phone=7),
-            choice(ANSWER, phone=8),
+            stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=196),
+            words(_verdict(), _answer(), style="verdict", phone=12),
+            choice(ANSWER, phone=13),
             grow=352, gap=10,
         ),
     )  # fmt: skip
@@ -135,7 +125,7 @@ def _plane() -> Block:
             Handle(parameter="x2_0", symbol="x₂", label="Start of mass 2", tint="m2", axis="y"),
         ),
         shapes=(circle(*START, 8, tint="ink", style="ring", grab=START_GRAB),),
-        grow=536, phone=10, height=380,
+        grow=536, phone=10, height=330,
     )  # fmt: skip
 
 

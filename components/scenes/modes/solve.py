@@ -19,6 +19,7 @@ from components.quantities.declared import AxesInForce, Declared, Family, Form, 
 from components.quantities.motion import QUARTER, pace, sines
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
+from components.scenes.modes.determinant import DeterminantPart, determinant_plot, determinant_words
 from components.scenes.modes.numbers import MOTIONS, BrakedChain, RootReadouts
 from components.scenes.modes.numbers import BrakedNumbers as B
 from components.scenes.modes.numbers import EquationNumbers as E
@@ -63,16 +64,8 @@ class Solve(Declared[BrakedChain]):
     many = form(lambda c: c.brakes and len(c.motions) > len(chain.MODES))
     root = Family(MOTIONS, lambda place: form(lambda c: c.root(place)), "{}_root")
     undamped = form(lambda c: not c.brakes)
-    solve_task = form(lambda c: "braked" if c.brakes else "plain")
     drawn = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode in c.exponents), "{}_drawn")
     missing = Family(chain.MODES, lambda mode: Scalar[BrakedChain](lambda c, a: mode not in c.exponents), "{}_missing")
-
-
-TASK = either(
-    Solve.solve_task,
-    plain="Change the chain: can the two frequencies ever meet?",
-    braked="Change a dashpot: how many of the free motions still swing?",
-)
 
 
 def _root(place: str) -> Paragraph:
@@ -149,21 +142,29 @@ STATEMENTS: dict[str, str] = {
 
 def sheet() -> Block:
     return row(
-        when(Solve.undamped, _stage("Both modes, each moving at its own frequency", _mode_title)),
-        when(Solve.braked, _stage("Free motions of the chain with dashpots, one above the other", _motion_title)),
         column(
-            words(*_equation(), style="facts", grow=0, phone=20, name="equation"),
-            words(*_roots(), style="facts", grow=0, phone=20, name="roots"),
+            when(Solve.undamped, _stage("solve", "Both modes, each moving at its own frequency", _mode_title)),
+            when(
+                Solve.braked,
+                _stage("braked", "Free motions of the chain with dashpots, one above the other", _motion_title),
+            ),
+            determinant_plot(),
+            grow=480,
+        ),
+        column(
+            words(*determinant_words(), style="facts way", grow=0, phone=20, name="determinant"),
+            words(*_equation(), style="facts way", grow=0, phone=20, name="equation"),
+            words(*_roots(), style="facts way", grow=0, phone=20, name="roots"),
             words(*_modes(), style="facts", grow=1, phone=20, name="modes"),
             grow=408,
         ),
     )
 
 
-def _stage(what: str, title: Callable[[str], list[Shape]]) -> Block:
+def _stage(name: str, what: str, title: Callable[[str], list[Shape]]) -> Block:
     label = f"{what}, and under each mass its complex amplitude as a rotating arrow"
     shapes = (shape for mode in chain.MODES for shape in (*title(mode), *_moving(mode)))
-    return stage(*shapes, label=label, grow=480, phone=4, height=420, style="still")
+    return stage(*shapes, name=name, label=label, grow=375, phone=4, height=370, style="still")
 
 
 def _always(text_: str) -> Paragraph:
@@ -283,18 +284,19 @@ def _titled(mode: str, title: str, narrow: str, shape: str) -> list[Shape]:
     ]
 
 
-def picture(system: TwoMassChain, damping: Pair, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain, with its dashpots."""
+def picture(system: TwoMassChain, damping: Pair, omega: float, window: float | None, frame: Frame = FITTED) -> Picture:
+    """All of the view for one chain, with its dashpots, and a trial frequency."""
     case = BrakedChain(system, damping)
     slow, fast = system.modes().omega.tolist()
     axes = framed(frame, by_name({Axes.t: time_axis(window or time_window(slow, fast))}))
-    plain = {} if case.brakes else E.texts(quadratic(system), axes) | N.texts(system, axes)
+    det = None if case.brakes else DeterminantPart.of(system, omega, frame)
+    plain = det and det.texts | E.texts(quadratic(system), axes) | N.texts(system, axes)
     return Picture(
-        columns={},
-        axes=axes,
+        columns=det.columns if det else {},
+        axes=axes | (det.axes if det else {}),
         signals=Solve.signals(case, axes),
-        scalars=Solve.scalars(case, axes) | chain.Has.scalars(damping, axes),
+        scalars=Solve.scalars(case, axes) | chain.Has.scalars(damping, axes) | (det.scalars if det else {}),
         pace=pace(slow or fast, fast),
         values=plain or B.texts(case, axes) | RootReadouts.texts(case, axes),
-        forms=Solve.forms(case),
+        forms=Solve.forms(case) | (det.forms if det else {}),
     )

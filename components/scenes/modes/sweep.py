@@ -15,7 +15,7 @@ from components.language.blocks import Block
 from components.language.plots import Curve, Handle
 from components.language.state import Frame
 from components.layout.plots import Room, curve, mark, plot
-from components.layout.sheet import Paragraph, choice, column, either, row, term, words
+from components.layout.sheet import Paragraph, choice, column, either, phrase, row, term, words
 from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis
@@ -126,7 +126,8 @@ def sheet() -> Block:
             *_limits("high"),
             either(
                 Sweep.tied,
-                shown="**The thin lines** are the frequency of one mass with the other one fixed. Where they cross, "
+                shown=r"**The thin lines** are the frequency of one mass with the other one fixed, "
+                r"$\sqrt{(k_1 + k_2)/m_1}$ and $\sqrt{k_2/m_2}$. Where they cross, "
                 "the modes avoid each other: one stays below both, the other above.",
                 loose="**The thin lines** are the frequency of one mass with the other one fixed: without spring 2 "
                 "they are the modes.",
@@ -181,8 +182,8 @@ def _frequencies() -> Block:
         curves=held + _curves("omega", Sweep.omega, ("*ω*_{−}", "*ω*_{+}")),
         heading=(
             term("", "none", "ink", formula=r"\omega_\pm"),
-            term("held", "line", "mute", formula=r"\text{fixed: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
-            term("limits", "dash", "mute", formula=r"\text{limits}"),
+            phrase("held", "line", "mute", formula="one mass fixed"),
+            phrase("limits", "dash", "mute", formula="limits"),
         ),
         x_labels=False, room=Room(72, 60, top=30), handles=_handles(bare=True),
         marks=(mark(at=Sweep.cross, tint="mute", style="dashed", html=rich("these cross"), lift=0),),
