@@ -179,7 +179,7 @@ def test_the_other_views_say_that_they_leave_the_dashpots_out(view: str) -> None
 
 
 def test_dashpots_go_along_with_the_chain() -> None:
-    shared = taken_along(Forced(c1=0.3, c2=0.1), {})
+    shared = taken_along(Forced.at({"c1": 0.3, "c2": 0.1}), {})
     assert {"c1": 0.3, "c2": 0.1}.items() <= brought(ModesScene, shared).items()
 
 
