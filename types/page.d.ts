@@ -340,6 +340,9 @@ declare namespace page {
     places: number[]
   }
 
+  /** Buttons of a remote control. */
+  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end"
+
   /** Anything that the instructor's page asks of the room. */
   interface Ordered {
   }
@@ -399,12 +402,21 @@ declare namespace page {
     answers: Record<string, Voted>
   }
 
+  /** Describes the instructor's screen for a remote control: the words of the next press, the other buttons that do
+   * something now, and whether the screen is blank. */
+  interface DescribeScreen extends Ordered {
+    type: "screen"
+    next: string
+    blank: boolean
+    deeds: Deed[]
+  }
+
   /** Ends the class: the room and all that was answered are forgotten. */
   interface EndRoom extends Ordered {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
    * teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
@@ -441,7 +453,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end" | "taken"
+    deed: Deed | "" | "taken"
     step: string
     remotes: string[] | null
   }
@@ -487,6 +499,20 @@ declare namespace page {
     before: Counted | null
     features: Html[]
     right: number
+  }
+
+  /** The contents of a remote control: the question that is put, how many are here, the count of its answers without
+   * single numbers and sketches, its lesson also before the answer is shown, whether its answers are right or wrong, the
+   * instructor's notes, and the instructor's screen. `number` is the room's state that it shows. */
+  interface RemoteView {
+    number: string
+    question: PutTo
+    here: number
+    tally: Tally | null
+    lesson: Lesson | null
+    judges: boolean
+    notes: Html[]
+    screen: DescribeScreen | null
   }
 
   /** The answers to a vote by their number, and how many of them were right. */
@@ -562,7 +588,7 @@ declare namespace page {
   /** A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
    * whether to end the class, and ends it if that is asked already. */
   interface Done {
-    deed: "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end"
+    deed: Deed
     step: SaidName
   }
 

@@ -12,6 +12,8 @@ from components.language.walk import Lesson, StepCard
 
 YEAR_2100 = 4_102_444_800
 """In seconds since 1970."""
+Deed: TypeAlias = Literal["next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end"]
+"""Buttons of a remote control."""
 
 
 class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
@@ -71,11 +73,22 @@ class RestoreAnswers(Ordered, frozen=True, kw_only=True, tag="restore"):
     answers: dict[Annotated[str, Meta(pattern=r"^[0-9a-f]{11}[A-Za-z0-9_-]{8}$")], Voted]
 
 
+class DescribeScreen(Ordered, frozen=True, kw_only=True, tag="screen"):
+    """Describes the instructor's screen for a remote control: the words of the next press, the other buttons that do
+    something now, and whether the screen is blank."""
+
+    next: Annotated[str, Meta(max_length=60)] = ""
+    blank: bool = False
+    deeds: Annotated[tuple[Deed, ...], Meta(max_length=20)] = ()
+
+
 class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
     """Ends the class: the room and all that was answered are forgotten."""
 
 
-Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | EndRoom
+Order: TypeAlias = (
+    RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+)
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
@@ -117,9 +130,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal[
-        "", "next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end", "taken"
-    ] = ""
+    deed: Deed | Literal["", "taken"] = ""
     step: str = ""
     remotes: tuple[str, ...] | None = None
 
@@ -170,6 +181,21 @@ class Tally(Struct, frozen=True, kw_only=True):
     before: Counted | None
     features: tuple[Html, ...]
     right: int
+
+
+class RemoteView(Struct, frozen=True, kw_only=True):
+    """The contents of a remote control: the question that is put, how many are here, the count of its answers without
+    single numbers and sketches, its lesson also before the answer is shown, whether its answers are right or wrong, the
+    instructor's notes, and the instructor's screen. `number` is the room's state that it shows."""
+
+    number: str
+    question: PutTo
+    here: int
+    tally: Tally | None = None
+    lesson: Lesson | None = None
+    judges: bool = False
+    notes: tuple[Html, ...] = ()
+    screen: DescribeScreen | None = None
 
 
 class VoteSummary(Struct, frozen=True, kw_only=True):
@@ -256,7 +282,7 @@ class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
     whether to end the class, and ends it if that is asked already."""
 
-    deed: Literal["next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end"]
+    deed: Deed
     step: SaidName = ""
 
 

@@ -41,7 +41,7 @@ class QuestionBank:
         self._scenes = scenes
         self.apart: Apart = Here(walks, scenes)
         self._subject = lru_cache(maxsize=64)(self._subject_of)
-        self.features = lru_cache(maxsize=64)(self._features)
+        self.unanswered = lru_cache(maxsize=64)(self._unanswered)
         self._form = lru_cache(maxsize=512)(self._form_of)
         self._anew = lru_cache(maxsize=5000)(self._judged_anew)
 
@@ -112,9 +112,16 @@ class QuestionBank:
         """The place of a step in its walk, from 1 on."""
         return self._walks[walk].steps.index(self.step(walk, step)) + 1
 
-    def _features(self, walk: str, step: str) -> tuple[str, ...]:
+    def features(self, walk: str, step: str) -> tuple[str, ...]:
         """The names of the features of a right sketch."""
-        return tuple(one.name for one in self.lesson(Given(walk=walk, step=step)).findings)
+        return tuple(one.name for one in self.unanswered(walk, step).findings)
+
+    def notes(self, walk: str, step: str) -> tuple[str, ...]:
+        """The instructor's notes on a step, a paragraph for each of their lines."""
+        return tuple(map(rich, self.step(walk, step).noted))
+
+    def _unanswered(self, walk: str, step: str) -> Lesson:
+        return self.lesson(Given(walk=walk, step=step))
 
     def read(self, kept: bytes) -> Judged | None:
         """An answer as it was kept; None where its step is another by now, to which it is no answer."""

@@ -14,6 +14,7 @@ import msgspec
 from components.language.messages import Given
 from components.language.room import (
     CloseVote,
+    DescribeScreen,
     EndRoom,
     HandWalk,
     Order,
@@ -187,6 +188,8 @@ class Registry:
                 await self._keep(room, question=NOTHING_PUT)
             case RestoreAnswers(answers=answers):
                 await self._restore(room, answers)
+            case DescribeScreen():
+                await self._keep(room, screen=order)
             case EndRoom():
                 with suppress(AwayError, FullError):  # where it cannot be counted, it ends all the same
                     for ended in (room.parts["key"], room.code.encode()):

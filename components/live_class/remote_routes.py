@@ -7,6 +7,7 @@ import msgspec
 from components.language.room import Confirmed, Done, Paired, Reopen, Ticket
 from components.live_class.codes import as_code, digest, new_key
 from components.live_class.handler import ClassHandler, square
+from components.live_class.remote_view import remote_view
 from components.live_class.remotes import CONTROL, begun, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from components.serving.handlers import RefusedError
@@ -79,10 +80,13 @@ class RemoteControl(RemoteHandler):
         self.reply(paired)
 
     async def get(self, code: str) -> None:
-        """The question that is put; null until it has been let in."""
+        """Reply with its contents if they differ from the state that it shows; with null until it has been let in."""
         room = await self._there(code)
         if is_in(room.parts, self.word):
-            self.reply(room.question)
+            if self.get_query_argument("after", "") == room.number:
+                self.set_status(204)
+            else:
+                self.reply(await self.in_turn(remote_view(self.classes.registry, room)))
         elif waits(room.parts, self.word):
             self.reply(None)
         else:

@@ -38,7 +38,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     are shown, by default those of its view. In the spans of `vary`, by quantity, each
     student has numbers of their own: components/walks/variants.py. `controls` are the parameters that may be
     moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
-    one. With `derive` a clicker shows the formulas in `follows` too.
+    one. With `derive` a clicker shows the formulas in `follows` too. `notes` are for the instructor's remote control.
     """
 
     id: Slug
@@ -58,6 +58,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     minutes: float | None = None
     core: bool = False
     derive: bool = False
+    notes: Annotated[str, Meta(max_length=2000)] = ""
 
     @property
     def shown(self) -> str:
@@ -71,9 +72,20 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     @property
     def equations(self) -> tuple[str, ...]:
         """The lines of `follows`, each a formula."""
-        return tuple(line for line in map(str.strip, self.follows.splitlines()) if line)
+        return lines(self.follows)
+
+    @property
+    def noted(self) -> tuple[str, ...]:
+        """The lines of `notes`."""
+        return lines(self.notes)
 
     def sentences(self) -> Iterator[tuple[str, str]]:
         """Every text by the name of its field."""
         for name in ("title", "question", "explain", "next"):
             yield name, getattr(self, name)
+        yield from (("notes", line) for line in self.noted)
+
+
+def lines(text: str) -> tuple[str, ...]:
+    """The lines of a text that are not empty."""
+    return tuple(line for line in map(str.strip, text.splitlines()) if line)

@@ -1,12 +1,19 @@
-// A phone as the instructor's remote control: let in by the first screen, then two large buttons.
+// A phone as the instructor's remote control: let in by the first screen, it then shows the question, how the class
+// answers it, and what the next press does.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
+import {brief, haveAllAnswered} from "./brief.js"
 import {Refusal, ask, insist, isMissing} from "./requests.js"
 
 const DOUBTS = 30 // looks at a class that is not there until that is believed: its server may begin anew
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
+const BUZZ = 200 // ms for which it vibrates once all have answered
+const DEEDS = /** @type {[string, page.Deed][]} */ ([
+  ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["Vote A to D", "poll"],
+  ["Contents", "go"], ["Close the QR code", "close"], ["Blank the screen", "blank"], ["Back", "back"], ["Next", "next"],
+]) // prettier-ignore
 
 /** @param {string} code @param {string} ticket */
 export async function control(code, ticket) {
@@ -52,30 +59,64 @@ class Remote {
   over = false
   doubts = 0
 
+  /** @type {page.RemoteView | null} what it shows */
+  view = null
+
   async look() {
-    const {code, paired} = this
-    const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
+    const {code, paired, view} = this
+    const after = view ? `?after=${view.number}` : ""
+    /** @type {page.RemoteView | null | undefined} */
+    const news = await ask(`${code}/remote${after}`, {word: paired.key}).catch(reason => this.#failed(reason))
     if (this.over) return
-    if (question !== undefined) this.doubts = 0
-    if (question === null) this.state.textContent = "" // it waits
-    if (question && !this.isIn) this.#enter()
-    if (question) this.state.textContent = question.place || "No question is open now."
+    if (news !== undefined) this.doubts = 0
+    if (news === null && !this.isIn) this.state.textContent = "" // it waits
+    if (news) this.#show(news)
     setTimeout(() => this.look(), ASKING)
+  }
+
+  /** @param {page.RemoteView} view */
+  #show(view) {
+    const before = this.view
+    this.view = view
+    if (!this.isIn) this.#enter()
+    this.state.textContent = view.question.place || "No question is open now."
+    this.body.replaceChildren(...brief(view, this.code))
+    this.#ready()
+    if (haveAllAnswered(view) && !haveAllAnswered(before)) navigator.vibrate?.(BUZZ)
+  }
+
+  body = element("div", {class: "remote-body"})
+
+  /** Buttons stay in their places: one that changes under a finger would not be pressed. */
+  buttons = DEEDS.map(([name, deed]) => ({
+    name,
+    deed,
+    element: button({class: deed === "next" ? "act filled" : "act"}, () => this.#press(deed), name),
+  }))
+
+  /** Offers what the instructor's screen can do now. */
+  #ready() {
+    const {next = "", blank = false, deeds = []} = this.view?.screen ?? {}
+    for (const {name, deed, element: pressed} of this.buttons) {
+      const words = deed === "next" ? next : deed === "blank" && blank ? "Show the screen" : name
+      const isOffered = deed === "next" || deed === "blank" || (deeds.includes(deed) && words !== next)
+      pressed.textContent = words
+      pressed.hidden = !isOffered || !words
+    }
   }
 
   #enter() {
     this.isIn = true
-    const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
-      ["Next", "next"], ["Back", "back"], ["Show the votes", "votes"], ["Show the answer", "show"],
-      ["How it follows", "derive"], ["Vote again", "again"], ["Vote A to D", "poll"], ["Blank the screen", "blank"],
-      ["Close the QR code", "close"],
-    ]) // prettier-ignore
-    const buttons = deeds.map(([name, deed]) =>
-      button({class: deed === "next" ? "act filled" : "act"}, () => this.#do({deed}), name),
-    )
-    const contents = button({class: "act"}, () => this.#list(), "Contents")
+    this.#ready()
+    const deeds = element("div", {class: "remote-deeds"}, ...this.buttons.map(({element: pressed}) => pressed))
     const end = chip("End the class", () => this.#confirm())
-    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons, contents), end)
+    this.host.replaceChildren(this.state, this.body, end, deeds)
+  }
+
+  /** @param {page.Deed} deed */
+  #press(deed) {
+    if (deed === "go") this.#list()
+    else this.#do({deed})
   }
 
   /** The first screen asks as well, and says what is deleted. */

@@ -9,6 +9,7 @@ import {Copies} from "./copies.js"
 import {JoinScreen} from "./join_screen.js"
 import {poll} from "./poll.js"
 import {Refusal, ask, isMissing, pause} from "./requests.js"
+import {describedScreen} from "./screen.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
@@ -92,6 +93,7 @@ export class Teach {
       return this.isOver ? undefined : this.#restore()
     }
     this.told = null
+    this.described = ""
     this.lead()
     this.stream.close()
     this.stream = this.#listen()
@@ -200,6 +202,7 @@ export class Teach {
   /** Where followers would see another instant than this page, they are told. */
   #look() {
     this.badge.stand(this.lecture.page.root)
+    this.#describe()
     if (this.timing.bound === Infinity) return
     const {clock} = this.lecture
     const now = this.timing.now
@@ -213,6 +216,17 @@ export class Teach {
     this.told = {type: "clock", t: clock.t, rate, end: clock.end, at: now}
     this.order(this.told)
   }
+
+  /** A remote control learns what its buttons do. */
+  #describe() {
+    if (!this.copies.room.control || this.away) return
+    const screen = describedScreen(this.lecture.walks, this.votes.canRepeat, this.joinScreen.dialog !== null)
+    const described = JSON.stringify(screen)
+    if (described !== this.described) this.order(screen)
+    this.described = described
+  }
+
+  described = "" // what a remote control was told last
 
   /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
   walked(walk) {

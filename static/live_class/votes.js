@@ -49,6 +49,11 @@ export class Votes {
     return Boolean(this.card) && !this.isOpen && !this.teach.lecture.walks.walk?.lesson
   }
 
+  /** Whether the question can be put once more. */
+  get canRepeat() {
+    return this.isOpen || Boolean(this.teach.news.question?.closed)
+  }
+
   open() {
     this.isOpen = true
     this.update()
@@ -109,7 +114,7 @@ export class Votes {
     const tools = [
       ...(this.isOpen && !walk.lesson ? [this.hide] : []),
       ...(isTakenBack ? [this.answer] : []),
-      ...(isAsked && (this.isOpen || closed) ? [this.once] : []),
+      ...(isAsked && this.canRepeat ? [this.once] : []),
       ...(isAsked && !closed ? [this.end] : []),
     ]
     this.chips.replaceChildren(...tools)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -60,6 +61,18 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
     page = window(f"class={code.lower()}", width, height)
     page.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
     return page
+
+
+def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) -> Page:
+    """A phone that is let in as the remote control."""
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile("/tickets$")) as answer:
+        lecture.get_by_role("button", name="Remote control").click()
+    remote = window(answer.value.json()["address"].partition("?")[2], width, height)
+    lecture.get_by_role("button", name="Yes, connect it").click()
+    remote.get_by_role("button", name="Close").click()
+    expect(lecture.get_by_role("dialog")).to_have_count(0)
+    return remote
 
 
 def draw(page: Page, height: Callable[[float], float]) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import LED, counted, draw, joined, taught
+from tests.browser.classroom import LED, counted, draw, joined, remote_of, taught
 from tests.browser.dropping import drop
 from tests.browser.halls import seen
 from tests.browser.waiting import clicked
@@ -21,17 +21,6 @@ STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
 SENT = "Sent. You can change it until the answer is shown."
 Take = Callable[[Page, str], object]
-
-
-def remote_of(lecture: Page, window: Callable[[str, int, int], Page]) -> Page:
-    lecture.keyboard.press("j")
-    with lecture.expect_response(re.compile("/tickets$")) as answer:
-        lecture.get_by_role("button", name="Remote control").click()
-    remote = window(answer.value.json()["address"].partition("?")[2], 390, 844)
-    lecture.get_by_role("button", name="Yes, connect it").click()
-    remote.get_by_role("button", name="Close").click()
-    expect(lecture.get_by_role("dialog")).to_have_count(0)
-    return remote
 
 
 def put(lecture: Page, phone: Page, step: str) -> None:
@@ -153,7 +142,7 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
     point(lecture, phone, screenshot)
     sketch(lecture, phone, screenshot)
     put(lecture, phone, "rest")
-    expect(remote.locator(".class-remote p")).to_contain_text("5 of 5")
+    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("5 of 5")
     clicked(lecture, "PageUp")
     put(lecture, phone, "curve")
     assert len(phone.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101  # it is theirs still

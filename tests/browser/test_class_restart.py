@@ -47,13 +47,13 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
 
         site.kill()
         expect(phone.locator(".class-bar")).to_contain_text("Not connected")
-        expect(remote.locator(".class-remote p")).to_contain_text("The server does not answer")
+        expect(remote.locator(".class-remote > [role=status]")).to_contain_text("The server does not answer")
         site.start()
         expect(phone.locator(".class-bar")).to_contain_text("Following", timeout=AGAIN)
         lecture.wait_for_function(f"{LED}.news.here === 1 && {LED}.votes.tally?.now.answered === 2", timeout=AGAIN)
         assert lecture.evaluate(f"{LED}.room.code") == code
         lecture.wait_for_function("document.documentElement.dataset.connected === 'true'", timeout=AGAIN)
-        expect(remote.locator(".class-remote p")).to_contain_text("3 of 16", timeout=AGAIN)
+        expect(remote.locator(".class-remote > [role=status]")).to_contain_text("3 of 16", timeout=AGAIN)
         remote.get_by_role("button", name="Show the votes").click()  # it is let in still
         counted(lecture, "1", "1", "0")
         remote.get_by_role("button", name="Show the answer").click()

@@ -21,7 +21,7 @@ state = "?scene=damped&zeta=1&frame.x=-2,2"
 
 
 @pytest.mark.timeout(600)  # sixteen steps, asked and answered, at two sizes
-@pytest.mark.parametrize("name", ["d34"])
+@pytest.mark.parametrize("name", sorted(load_walks(())))
 def test_the_last_row_can_read_every_step(name: str, server: Server, browser: Browser) -> None:
     found = list(faults(load_walks(())[name], browser, server.url))
     assert not found, "\n".join(found)

@@ -211,7 +211,7 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         handed = (await called(url, f"/class/{lesson.code}/word", "POST", {"query": ""}, lesson.key)).json["address"]
         word = {"word": handed.rpartition("-")[2]}
         assert (await called(url, f"/class/{lesson.code}/word", "PUT", word)).json["control"] == control
-        assert (await called(url, path, word=paired["key"])).json["step"] == ""
+        assert (await called(url, path, word=paired["key"])).json["question"]["step"] == ""
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 204
         await leader.until(lambda event: event.get("deed") == "next")
         assert (await called(url, steps, word=paired["key"])).json == []

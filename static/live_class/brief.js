@@ -1,0 +1,74 @@
+// The instructor's brief on a remote control: the question, who has answered, what is right, the split, the notes.
+
+import {element, marked} from "../core/dom.js"
+import {orderOf} from "../questions/order.js"
+import {mark} from "../questions/question.js"
+
+const FEW = 5 // answers of which no share is told
+const [LOW, HIGH] = [0.3, 0.7] // shares of right answers between which talk among students helps
+
+/** Whether all who are here have answered. @param {page.RemoteView | null} view */
+export function haveAllAnswered(view) {
+  return Boolean(view?.here && view.tally && view.tally.now.answered >= view.here)
+}
+
+/** @param {page.RemoteView} view @param {string} code of the class, whose order the answers have */
+export function brief(view, code) {
+  const {question, tally, notes} = view
+  if (!question.card || !tally) return []
+  return [
+    marked("h2", {}, `${question.card.given} ${question.card.question}`),
+    element("p", {class: "remote-count", role: "status"}, answeredBy(view)),
+    ...split(view, question.card, code),
+    ...advice(view),
+    ...notes.map(note => marked("p", {class: "remote-note"}, note)),
+  ]
+}
+
+/** @param {page.RemoteView} view */
+function answeredBy({question, tally, here}) {
+  const answered = tally?.now.answered ?? 0
+  const of = answered > here ? "" : ` of ${here}` // some have left since
+  const turn = question.vote > 1 ? `Vote ${question.vote}: ` : ""
+  const closed = question.closed && !question.lesson ? ". The vote is closed." : ""
+  return `${turn}${answered}${of} have answered${closed}`
+}
+
+/**
+ * The answers with the right one marked; a number and how many have it; features of a sketch.
+ * @param {page.RemoteView} view @param {page.StepCard} card @param {string} code
+ */
+function split({tally, lesson, judges}, card, code) {
+  if (!tally || !lesson) return []
+  const {now, features, right} = tally
+  if (card.options.length) {
+    const rows = orderOf(card, code).map(i =>
+      row(card.options[i], now.options[i] ?? 0, now.answered, lesson.verdicts[i]?.right),
+    )
+    return [element("ul", {class: "remote-split"}, ...rows)]
+  }
+  const truth = lesson.truth ? [element("p", {}, "Right: ", element("b", {}, lesson.truth))] : []
+  if (features.length) {
+    const rows = features.map((name, i) => row(name, now.having[i] ?? 0, now.answered))
+    return [...truth, element("ul", {class: "remote-split"}, ...rows)]
+  }
+  return judges ? [...truth, element("ul", {class: "remote-split"}, row("right", right, now.answered))] : truth
+}
+
+/** @param {page.Html} html @param {number} count @param {number} all @param {boolean} [isRight] */
+function row(html, count, all, isRight = false) {
+  const bar = element("span", {class: "vote-bar"}, element("i", {style: `--share: ${count / Math.max(1, all)}`}))
+  const name = marked("span", {}, html)
+  if (isRight) name.append(" ", mark(true))
+  return element("li", {class: isRight ? "right-vote" : ""}, name, element("b", {}, String(count)), bar)
+}
+
+/** A hint of peer instruction. @param {page.RemoteView} view */
+function advice({question, tally, judges}) {
+  const answered = tally?.now.answered ?? 0
+  if (!tally || !judges || question.lesson || answered < FEW) return []
+  const share = tally.right / answered
+  if (share < LOW || share > HIGH) return []
+  const words = `${Math.round(100 * share)} % are right: let them talk, then vote again.`
+  return [element("p", {class: "remote-advice"}, words)]
+}
