@@ -43,6 +43,7 @@ from components.paper.plots import (
 )
 from components.quantities.axes import Axis, nice_axis, whole_axis, widest
 from components.quantities.parameters import one_of
+from components.scene.frames import USED
 from components.scene.traces import Columns
 from components.scenes.coupled.case import CoupledShown
 from physics.motion import ExactMotion
@@ -55,10 +56,12 @@ ENERGY = one_of("parts", {"parts": "Masses, springs", "modes": "Modes"}, "Energy
 
 c = deferred(CoupledShown)
 GIVEN_BY_MODES = form_of(c.given_by == "modes")
-X = axis("m", lambda c: nice_axis(*widest(c.extremes["x1"], c.extremes["x2"]), "m", 3), "x")
+X = axis("m", lambda c: both_axis(c), "x")
+X_1 = axis("m", lambda c: own_axis(c), "x1", like=X)
+"""That of both masses, unless mass 1 would use less than a quarter of it."""
 LEVEL = axis("J", lambda c: whole_axis(c.E_total, "J"), "E")
 FORCE = axis("N", lambda c: nice_axis(0.0, c.strongest or 1.0, "N", exact=True), "force")
-X1, X2, PLANE = Plot("x1", TIME, X), Plot("x2", TIME, X), Plot("plane", X, X)
+X1, X2, PLANE = Plot("x1", TIME, X_1), Plot("x2", TIME, X), Plot("plane", X, X)
 PARTS, MODES = Plot("energy", TIME, LEVEL), Plot("mode_energy", TIME, LEVEL)
 DRAWN = drawing(c, X1)
 WHOLE = c.x1, c.x2
@@ -168,6 +171,16 @@ def forces() -> Block:
         "[small|That $T + V$ stays constant is one equation: two masses need two.]",
         style="facts", grow=0, basis=254, phone=15, name="forces",
     )  # fmt: skip
+
+
+def both_axis(case: CoupledShown) -> Axis:
+    return nice_axis(*widest(case.extremes["x1"], case.extremes["x2"]), "m", 3)
+
+
+def own_axis(case: CoupledShown) -> Axis:
+    """The axis of both masses, or that of mass 1 alone where it would use less than a quarter of the other."""
+    own, both = nice_axis(*case.extremes["x1"], "m", 3), both_axis(case)
+    return own if own.end - own.start < USED * (both.end - both.start) else both
 
 
 def place(mass: int, x: PlotValue) -> Number:
