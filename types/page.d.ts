@@ -15,7 +15,7 @@ declare namespace page {
    * name.
    *
    * `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
-   * a class, from 1 on. */
+   * a class, from 1 on; `sure` is how sure of it somebody is: 1 for a guess, 2 for fairly, 3 for certain, 0 if not said. */
   interface Given {
     walk: SaidName
     step: SaidName
@@ -25,6 +25,7 @@ declare namespace page {
     text?: string
     value?: number | null
     curves?: Record<SaidName, Sketched>
+    sure?: number
   }
 
   /** Anything that the browser says. */
@@ -341,7 +342,7 @@ declare namespace page {
   }
 
   /** Buttons of a remote control. */
-  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "blank" | "close" | "go" | "end"
+  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "blank" | "close" | "go" | "end"
 
   /** Anything that the instructor's page asks of the room. */
   interface Ordered {
@@ -384,6 +385,11 @@ declare namespace page {
     type: "close"
   }
 
+  /** Asks of those who answer the question that is put how sure they are. */
+  interface AskSure extends Ordered {
+    type: "sure"
+  }
+
   /** Withdraws the question: none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
@@ -416,11 +422,22 @@ declare namespace page {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+
+  /** The answers to a vote for those who gave them: how many, how many are right, how many chose each option or have
+   * each of the features asked for. It `judges` where answers are right or wrong. */
+  interface Split {
+    answered: number
+    right: number
+    judges: boolean
+    options: number[]
+    having: number[]
+  }
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
    * teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-   * shown, which is hidden again. Without a step none is. */
+   * shown, which is hidden again; `sure` asks how sure an answer is; `split` comes with the answer. Without a step none
+   * is. */
   interface PutTo {
     walk: string
     step: string
@@ -429,7 +446,9 @@ declare namespace page {
     vote: number
     closed: boolean
     answered: boolean
+    sure: boolean
     lesson: Lesson | null
+    split: Split | null
   }
 
   /** The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to. */
@@ -440,16 +459,17 @@ declare namespace page {
 
   /** The changes in a room since the last news; the first that a follower hears has all of it.
    *
-   * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
-   * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-   * remote control, with the `step` that it is to go to, or that the lead was taken over, and of all `remotes` that wait
-   * to be let in, by the two digits that each shows. */
+   * `number` is this state's, `here` says how many follow, `answered` how many have answered the question, `lost` that
+   * the store which replicas share does not answer, `ended` that the class is over. The instructor's page alone hears of
+   * `answers` given, of the `deed` of a remote control, with the `step` that it is to go to, or that the lead was taken
+   * over, and of all `remotes` that wait to be let in, by the two digits that each shows. */
   interface News {
     number: string
     picture: SentPicture | null
     clock: RunClock | null
     question: PutTo | null
     here: number | null
+    answered: number | null
     lost: boolean | null
     ended: boolean
     answers: boolean
@@ -480,13 +500,15 @@ declare namespace page {
   }
 
   /** The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
-   * hundreds of them, and how many of all have each of the features asked for. */
+   * hundreds of them, and how many of all have each of the features asked for. `sure` has for each of the three levels
+   * how many are as sure, and how many of these are right; nothing where nobody has said it. */
   interface Counted {
     answered: number
     options: number[]
     numbers: number[]
     sketches: SketchOf[]
     having: number[]
+    sure: [number, number][]
   }
 
   /** The answers to the question that is put, for the instructor; `before` is the first vote where this is another,

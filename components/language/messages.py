@@ -29,7 +29,7 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     name.
 
     `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
-    a class, from 1 on.
+    a class, from 1 on; `sure` is how sure of it somebody is: 1 for a guess, 2 for fairly, 3 for certain, 0 if not said.
     """
 
     walk: SaidName
@@ -40,6 +40,7 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     text: Annotated[str, Meta(max_length=60)] = ""
     value: float | None = None
     curves: Annotated[dict[SaidName, Sketched], Meta(max_length=2)] = {}
+    sure: Annotated[int, Meta(ge=0, le=3)] = 0
 
 
 class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):

@@ -12,7 +12,9 @@ from components.language.walk import Lesson, StepCard
 
 YEAR_2100 = 4_102_444_800
 """In seconds since 1970."""
-Deed: TypeAlias = Literal["next", "back", "show", "votes", "derive", "again", "poll", "blank", "close", "go", "end"]
+Deed: TypeAlias = Literal[
+    "next", "back", "show", "votes", "derive", "again", "poll", "sure", "blank", "close", "go", "end"
+]
 """Buttons of a remote control."""
 
 
@@ -55,6 +57,10 @@ class CloseVote(Ordered, frozen=True, kw_only=True, tag="close"):
     """Closes the vote: no answer is taken until the question is put as another vote. Nothing is shown."""
 
 
+class AskSure(Ordered, frozen=True, kw_only=True, tag="sure"):
+    """Asks of those who answer the question that is put how sure they are."""
+
+
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
     """Withdraws the question: none is open."""
 
@@ -87,14 +93,35 @@ class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
 
 
 Order: TypeAlias = (
-    RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+    RunClock
+    | HandWalk
+    | PutQuestion
+    | ShowAnswer
+    | CloseVote
+    | AskSure
+    | Withdraw
+    | RestoreAnswers
+    | DescribeScreen
+    | EndRoom
 )
+
+
+class Split(Struct, frozen=True, kw_only=True):
+    """The answers to a vote for those who gave them: how many, how many are right, how many chose each option or have
+    each of the features asked for. It `judges` where answers are right or wrong."""
+
+    answered: int
+    right: int
+    judges: bool
+    options: tuple[int, ...] = ()
+    having: tuple[int, ...] = ()
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
     """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
     teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-    shown, which is hidden again. Without a step none is."""
+    shown, which is hidden again; `sure` asks how sure an answer is; `split` comes with the answer. Without a step none
+    is."""
 
     walk: str = ""
     step: str = ""
@@ -103,7 +130,9 @@ class PutTo(Struct, frozen=True, kw_only=True):
     vote: int = 1
     closed: bool = False
     answered: bool = False
+    sure: bool = False
     lesson: Lesson | None = None
+    split: Split | None = None
 
 
 class SentPicture(Struct, frozen=True, kw_only=True):
@@ -116,10 +145,10 @@ class SentPicture(Struct, frozen=True, kw_only=True):
 class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """The changes in a room since the last news; the first that a follower hears has all of it.
 
-    `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
-    answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-    remote control, with the `step` that it is to go to, or that the lead was taken over, and of all `remotes` that wait
-    to be let in, by the two digits that each shows.
+    `number` is this state's, `here` says how many follow, `answered` how many have answered the question, `lost` that
+    the store which replicas share does not answer, `ended` that the class is over. The instructor's page alone hears of
+    `answers` given, of the `deed` of a remote control, with the `step` that it is to go to, or that the lead was taken
+    over, and of all `remotes` that wait to be let in, by the two digits that each shows.
     """
 
     number: str
@@ -127,6 +156,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     clock: RunClock | None = None
     question: PutTo | None = None
     here: int | None = None
+    answered: int | None = None
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
@@ -161,13 +191,15 @@ class SketchOf(Struct, frozen=True, kw_only=True):
 
 class Counted(Struct, frozen=True, kw_only=True):
     """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
-    hundreds of them, and how many of all have each of the features asked for."""
+    hundreds of them, and how many of all have each of the features asked for. `sure` has for each of the three levels
+    how many are as sure, and how many of these are right; nothing where nobody has said it."""
 
     answered: int
     options: tuple[int, ...] = ()
     numbers: tuple[float, ...] = ()
     sketches: tuple[SketchOf, ...] = ()
     having: tuple[int, ...] = ()
+    sure: tuple[tuple[int, int], ...] = ()
 
 
 class Tally(Struct, frozen=True, kw_only=True):

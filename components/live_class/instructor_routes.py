@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urllib.parse import unquote
 
-from components.language.room import Order, Reopen, RestoreAnswers, Tally
+from components.language.room import Order, Reopen, RestoreAnswers, ShowAnswer, Tally
 from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
@@ -73,7 +73,7 @@ class LeadClass(Opener):
     async def post(self, code: str) -> None:
         room = await self.led(code)
         order: Order = self.body(Order, LONGEST_ORDER)  # type: ignore[arg-type]  # a union of types
-        obey = self.in_turn if isinstance(order, RestoreAnswers) else self.outcome
+        obey = self.in_turn if isinstance(order, RestoreAnswers | ShowAnswer) else self.outcome
         await obey(self.classes.registry.obey(room, order, str(network_of(self.visitor))))
         self.set_status(204)
 

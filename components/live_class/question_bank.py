@@ -25,6 +25,8 @@ from components.walks.questions.question import UNFIT, Judged, Written
 from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
+SURE = {1: "guessed", 2: "fairly sure", 3: "certain"}
+"""The levels at which somebody is sure of an answer, in words."""
 ReadWalks = Mapping[tuple[str, str], Walk]
 """Walks from files, by name and text."""
 
@@ -93,7 +95,9 @@ class QuestionBank:
         return Judged(**asdict(given), number=found.number, right=bool(found.right), has=found.has, form=form)
 
     def counted(self, walk: str, step: str, given: Sequence[Judged]) -> Counted:
-        return self.step(walk, step).count(given)
+        told = [(one.sure, one.right) for one in given if one.sure]
+        levels = tuple((sum(sure == n for sure, _ in told), told.count((n, True))) for n in SURE) if told else ()
+        return replace(self.step(walk, step).count(given), sure=levels)
 
     def written(self, given: Judged) -> Written:
         """An answer in the table of a class."""

@@ -8,11 +8,13 @@ from contextlib import suppress
 from functools import partial
 from secrets import token_hex
 from time import monotonic, time
+from typing import Any
 
 import msgspec
 
 from components.language.messages import Given
 from components.language.room import (
+    AskSure,
     CloseVote,
     DescribeScreen,
     EndRoom,
@@ -24,6 +26,7 @@ from components.language.room import (
     RunClock,
     SentPicture,
     ShowAnswer,
+    Split,
     Tally,
     Voted,
     Withdraw,
@@ -164,26 +167,10 @@ class Registry:
                 await self._keep(room, clock=msgspec.structs.replace(order, at=at))
             case HandWalk(name=name, text=text):
                 await self._take(room, name, text, network)
-            case PutQuestion(walk=walk, step=step, vote=asked, answered=answered):
-                put = room.question
-                same = (put.walk, put.step) == (walk, step)
-                again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
-                vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
-                asked_anew = self.bank_of(room).put(walk, step, vote)
-                is_same = same and vote == put.vote
-                answered = answered or (is_same and (put.lesson is not None or put.answered))
-                closed = answered or (is_same and put.closed)
-                await self._keep(room, question=msgspec.structs.replace(asked_anew, closed=closed, answered=answered))
-            case ShowAnswer():
-                put = room.question
-                if not put.step:
-                    raise ValueError("No question is open now.")
-                lesson = self.bank_of(room).lesson(Given(walk=put.walk, step=put.step))
-                await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson, answered=False))
-            case CloseVote():
-                if not room.question.step:
-                    raise ValueError("No question is open now.")
-                await self._keep(room, question=msgspec.structs.replace(room.question, closed=True))
+            case PutQuestion():
+                await self._put(room, order)
+            case ShowAnswer() | CloseVote() | AskSure():
+                await self._amend(room, order)
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
             case RestoreAnswers(answers=answers):
@@ -195,6 +182,33 @@ class Registry:
                     for ended in (room.parts["key"], room.code.encode()):
                         await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
+
+    async def _put(self, room: ClassRoom, order: PutQuestion) -> None:
+        """Put a question; one that is put already keeps what was asked of it."""
+        put, walk, step, asked = room.question, order.walk, order.step, order.vote
+        same = (put.walk, put.step) == (walk, step)
+        again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
+        vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
+        is_same = same and vote == put.vote
+        answered = order.answered or (is_same and (put.lesson is not None or put.answered))
+        stands = {"closed": answered or (is_same and put.closed), "answered": answered, "sure": same and put.sure}
+        asked_anew = self.bank_of(room).put(walk, step, vote)
+        await self._keep(room, question=msgspec.structs.replace(asked_anew, **stands))
+
+    async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure) -> None:
+        """Change the question that is put; ValueError, in words, where none is."""
+        put, changed = room.question, dict[str, Any]()
+        if not put.step:
+            raise ValueError("No question is open now.")
+        match order:
+            case ShowAnswer():
+                lesson = self.bank_of(room).lesson(Given(walk=put.walk, step=put.step))
+                changed = {"lesson": lesson, "answered": False, "split": await self._split(room)}
+            case CloseVote():
+                changed = {"closed": True}
+            case AskSure():
+                changed = {"sure": True}
+        await self._keep(room, question=msgspec.structs.replace(put, **changed))
 
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
         await self._keep(room, picture=picture)
@@ -235,6 +249,9 @@ class Registry:
             most = MOST_VOTES if self._keys.is_given(voter, room.parts["key"]) else self._most(room)
             left_out += not await self.store.vote(room.code, _question(given), voter, answer, most, replace=False)
         await self.store.tell(room.code, {"answers": b"true"})
+        put = room.question
+        if put.lesson:
+            await self._keep(room, question=msgspec.structs.replace(put, split=await self._split(room)))
         if left_out:
             raise ValueError(f"{left_out} answers were not kept: more than the phones of this class can have given.")
 
@@ -340,6 +357,23 @@ class Registry:
         return Tally(
             walk=put.walk, step=put.step, vote=put.vote, now=now, before=before, features=features, right=right
         )
+
+    async def _split(self, room: ClassRoom) -> Split | None:
+        """The answers to the question that is put, for those who gave them; None where the store is away."""
+        with suppress(AwayError):
+            if tally := await self.tally(room):
+                now, judges = tally.now, self.bank_of(room).judges(tally.walk, tally.step)
+                return Split(
+                    answered=now.answered, right=tally.right, judges=judges, options=now.options, having=now.having
+                )
+        return None
+
+    async def count(self, room: ClassRoom) -> None:
+        """Tell all who are here how many have answered the question that is put."""
+        room.recount = False
+        answered = len(await self.votes(room, _question(room.question))) if room.question.step else 0
+        if answered != room.answered:
+            room.change(answered=answered)
 
     def leave(self, room: ClassRoom) -> None:
         """Somebody has gone: a room that nobody is in is not kept here."""

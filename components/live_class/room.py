@@ -68,6 +68,10 @@ class ClassRoom:
         self.here = 0
         self.peak = 0
         """The most that have been here at once."""
+        self.answered = 0
+        """The number of answers to the question that is put, as those who are here were told it."""
+        self.recount = False
+        """Whether answers have come since they were counted."""
         self.lost = False
         self.missed = 0
         """The times in a row that it was not found in the store."""
@@ -163,7 +167,8 @@ class ClassRoom:
     def whole(self, leads: bool = False) -> News:
         known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items()}
         remotes = self.waiting if leads else None
-        return News(number=self.number, here=self.here, lost=self.lost, remotes=remotes, **known)
+        known |= {"here": self.here, "answered": self.answered}
+        return News(number=self.number, lost=self.lost, remotes=remotes, **known)
 
     def polled(self, word: str, leads: bool) -> None:
         """Somebody asks who has no stream."""
@@ -184,6 +189,9 @@ class ClassRoom:
     def tell(self, parts: Parts) -> None:
         """Take new parts in, and tell all who are here: one encoded event, the same for all."""
         self._count += 1
+        self.recount = self.recount or bool({"answers", "question"} & parts.keys())
+        if "question" in parts:
+            self.answered = 0  # until they are counted
         self.parts |= {name: part for name, part in parts.items() if name not in (*LEADERS, "by")}
         known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items() if name in parts}
         if known:
@@ -205,7 +213,8 @@ class ClassRoom:
             self._say_waiting()
 
     def change(self, **facts: Any) -> None:
-        """Tell all who are here, those without a stream too, how it stands with the room itself: `here`, `lost`."""
+        """Tell all who are here, those without a stream too, how it stands with the room itself: `here`,
+        `answered`, `lost`."""
         self._count += 1
         for name, fact in facts.items():
             setattr(self, name, fact)

@@ -26,6 +26,8 @@ FAREWELL = 1.0
 """Seconds that the end of a replica waits until the store knows that nobody follows there any more."""
 COUNTING = 1.0
 """Seconds between counts of who is here."""
+CROWD = 500
+"""Followers whose phones are told the number of answers at each count; of twice as many at every second count."""
 SKEW = 0.2
 """Seconds by which the clocks of replicas may differ: followers of another one see the instructor's so much off."""
 
@@ -185,6 +187,8 @@ class Upkeep:
             room.change(here=here)
         elif turn:
             room.say(News(number=room.number, here=here))
+        if room.recount and self._round % (1 + room.followers // CROWD) == 0:
+            await self.registry.count(room)
         self._full = False
         self.registry.leave(room)
         if room.code not in self.registry.rooms:

@@ -9,14 +9,14 @@ from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime
 from hashlib import sha256
 
-from components.live_class.question_bank import QuestionBank
+from components.live_class.question_bank import SURE, QuestionBank
 from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 
 FORMULAS = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
 """Beginnings of a cell that a spreadsheet works out, or does in some language or when the file is saved again."""
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
-HEAD = ("phone", "time", "here", "walk", "step", "vote", "question", "answer", "unit", "right")
+HEAD = ("phone", "time", "here", "walk", "step", "vote", "question", "answer", "unit", "right", "sure")
 
 
 async def votes_csv(registry: Registry, room: ClassRoom) -> list[str]:
@@ -49,7 +49,7 @@ class VoteRows:
         walk, step, vote = self._question
         asked, words = self._asked = self._asked or self._of(walk, step)
         given = time_of(one.at), str(one.here or "")
-        told = (*given, walk, step, vote, asked, *self._bank.written(one), words[one.right])
+        told = (*given, walk, step, vote, asked, *self._bank.written(one), words[one.right], SURE.get(one.sure, ""))
         return line((self._phones[name], *map(cell, told)))
 
     def _of(self, walk: str, step: str) -> tuple[str, tuple[str, str]]:

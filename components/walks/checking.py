@@ -44,7 +44,7 @@ def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 
 def _doubts(step: Step, subject: Subject) -> Iterator[str]:
-    if not step.cover:
+    if not step.cover and step.judges:
         yield "cover: nothing is covered, so that the answer can be read."
     if (words := len(step.explain.split())) > MOST_WORDS:
         yield f"explain: it has {words} words, {MOST_WORDS} are the most."
@@ -98,7 +98,7 @@ def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
     unknown = [name for name in step.show if name not in known_parts]
     yield from (f"show: “{excerpt(name)}” is not possible: choose from {choices}." for name in unknown)
     yield from (f"still: “{excerpt(name)}” is not in cover." for name in step.still if name not in step.cover)
-    if step.cover and set(step.cover) == set(step.still):
+    if step.judges and step.cover and set(step.cover) == set(step.still):
         yield "still: the answer shows nothing that was covered."
     yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in parameters)
     spoken = set(live_names(step.explain))

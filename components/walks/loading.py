@@ -63,19 +63,22 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
         raise WalkError(f"{name}: end has at most {MOST_AT_END} sentences.")
     if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_STEPS:
         raise WalkError(f"{name}: a walk has 1 to {MOST_STEPS} steps, each under [[step]].")
-    steps = tuple(_step(entry, f"{name}, step {i}", known or {}) for i, entry in enumerate(entries, 1))
+    steps: list[Step] = []
+    for i, entry in enumerate(entries, 1):
+        steps.append(_step(entry, f"{name}, step {i}", known or {}, steps[-1] if steps else None))
     if len({link for step in steps for link in step.links()}) > MOST_LINKS:
         raise WalkError(f"{name}: a walk has at most {MOST_LINKS} different links.")
     for i, step in enumerate(steps):
         if step.id in {before.id for before in steps[:i]}:
             raise WalkError(f"{name}, step {i + 1}: the id “{step.id}” was given to a step before.")
-    return Walk(name=name, title=title, steps=steps, end=tuple(end))
+    return Walk(name=name, title=title, steps=tuple(steps), end=tuple(end))
 
 
-def _step(entry: Any, where: str, known: KnownSteps) -> Step:
+def _step(entry: Any, where: str, known: KnownSteps, last: Step | None) -> Step:
     if not isinstance(entry, dict):
         raise WalkError(f"{where}: a step begins with [[step]].")
-    given = {**_base(entry, where, known), **{key: value for key, value in entry.items() if key != "from"}}
+    poll = _poll(entry, last) if entry.get("poll") is True else {}
+    given = {**poll, **_base(entry, where, known), **{key: value for key, value in entry.items() if key != "from"}}
     if isinstance(entry.get("id"), str):
         where += f" ({excerpt(entry['id'])})"
     try:
@@ -83,6 +86,14 @@ def _step(entry: Any, where: str, known: KnownSteps) -> Step:
     except msgspec.ValidationError as error:
         raise WalkError(f"{where}, {_told(str(error))}") from error
     return step
+
+
+def _poll(entry: dict[str, Any], last: Step | None) -> dict[str, Any]:
+    """The fields that a poll need not give: it asks on what the step before it has shown."""
+    fields = {"kind": "choice", "fixed": True, "title": entry.get("question"), "explain": "There is no right answer."}
+    if last is None or "state" in entry:
+        return fields
+    return {**fields, "state": last.shown, "cover": last.still, "still": last.still, "show": last.show}
 
 
 def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any]:

@@ -74,6 +74,12 @@ export const KEYS = [
     act: l => l.classes.poll(),
   },
   {
+    keys: ["s", "S"],
+    shown: "S",
+    does: "Ask how sure everybody is of the answer, in a live class",
+    act: l => l.classes.askSure(),
+  },
+  {
     keys: ["j", "J"],
     shown: "J",
     does: "Show the code of the class, large",

@@ -3,6 +3,7 @@
 import {element, marked} from "../core/dom.js"
 import {orderOf} from "../questions/order.js"
 import {mark} from "../questions/question.js"
+import {sureness} from "./sureness.js"
 
 const FEW = 5 // answers of which no share is told
 const [LOW, HIGH] = [0.3, 0.7] // shares of right answers between which talk among students helps
@@ -20,6 +21,7 @@ export function brief(view, code) {
     marked("h2", {}, `${question.card.given} ${question.card.question}`),
     element("p", {class: "remote-count", role: "status"}, answeredBy(view)),
     ...split(view, question.card, code),
+    ...told(sureness(tally.now, true)),
     ...advice(view),
     ...notes.map(note => marked("p", {class: "remote-note"}, note)),
   ]
@@ -62,6 +64,9 @@ function row(html, count, all, isRight = false) {
   if (isRight) name.append(" ", mark(true))
   return element("li", {class: isRight ? "right-vote" : ""}, name, element("b", {}, String(count)), bar)
 }
+
+/** @param {string} words */
+const told = words => (words ? [element("p", {}, words)] : [])
 
 /** A hint of peer instruction. @param {page.RemoteView} view */
 function advice({question, tally, judges}) {

@@ -4,9 +4,10 @@ import {element} from "../core/dom.js"
 import {Card} from "../walks/card.js"
 import {Delivery} from "./delivery.js"
 import {ask, insist, pause} from "./requests.js"
+import {Sureness} from "./sureness.js"
 
-const SENT = "Sent. You can change it until the answer is shown."
-const VOTED = "Sent. You can change it until the vote is closed."
+const UNTIL_SHOWN = "You can change it until the answer is shown."
+const UNTIL_CLOSED = "You can change it until the vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which the requests of all phones are spread
 const TOO_LATE = "Your answer to an earlier question came too late."
@@ -32,6 +33,7 @@ export class ClassQuestion {
     this.following = following
     this.delivery = new Delivery(following, () => this.#say())
     this.status = element("p", {class: "hint", role: "status"})
+    this.sureness = new Sureness(() => this.card?.question.changed())
   }
 
   /** @param {page.PutTo} question */
@@ -45,6 +47,7 @@ export class ClassQuestion {
     else this.#resend()
     this.#say()
     if (this.card && question.lesson) await this.#teach(question.lesson)
+    if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson) // of answers that came back
   }
 
   /** Says whether the question takes answers, and whether the class has this phone's. */
@@ -53,9 +56,25 @@ export class ClassQuestion {
     if (!card || !question) return
     const isClosed = question.closed && !question.lesson
     card.question.element.toggleAttribute("inert", isClosed)
+    this.sureness.element.toggleAttribute("inert", isClosed)
+    this.sureness.element.hidden = !question.sure || Boolean(question.lesson)
     const closed = question.answered ? ANSWERED : CLOSED
-    const parts = [this.#earlier, isClosed ? closed : "", this.#ofMine(isClosed)]
+    const parts = [this.#earlier, isClosed ? closed : "", this.#ofMine(isClosed), this.#ofAll()]
     this.status.textContent = parts.filter(Boolean).join(" ")
+  }
+
+  /** The answers of the class in a sentence: how many, and once the answer is shown how many are right. */
+  #ofAll() {
+    const {split, lesson} = this.question ?? {}
+    if (lesson) return split?.judges && split.answered ? rightOf(split) : ""
+    const {answered, here} = this.following.news
+    if (!answered || !here) return ""
+    return answered > here ? `${answered} have answered.` : `${answered} of ${here} have answered.`
+  }
+
+  /** Says by now how many have answered. */
+  count() {
+    if (this.card && !this.card.walk.lesson) this.#say()
   }
 
   get #earlier() {
@@ -71,8 +90,13 @@ export class ClassQuestion {
     const isUnsent = delivery.unsent.has(name)
     if (isUnsent && delivery.isFailing) return "Not sent yet; trying again."
     if (timer !== undefined || isClosed) return ""
-    if (delivery.isSent(name)) return laid.card?.poll ? VOTED : SENT
+    if (delivery.isSent(name)) return `${this.#sent} ${laid.card?.poll ? UNTIL_CLOSED : UNTIL_SHOWN}`
     return laid.vote > 1 && !isUnsent ? `A new vote, number ${laid.vote}: answer once more.` : ""
+  }
+
+  get #sent() {
+    const said = this.card?.question.said()
+    return said ? `Sent: ${said}.` : "Sent."
   }
 
   get name() {
@@ -98,7 +122,7 @@ export class ClassQuestion {
     if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
     this.laid = question
     this.card = new Card(this.#walk(question.card, question.place), page)
-    this.card.question.element.after(this.status)
+    this.card.question.element.after(this.sureness.element, this.status)
     const {changed} = this.card.question
     this.card.question.changed = () => {
       changed()
@@ -132,7 +156,8 @@ export class ClassQuestion {
     const {walk, step, vote} = this.laid
     const given = this.card?.question.given()
     this.#settle()
-    if (given && !this.card?.walk.lesson) this.delivery.give(this.name, {walk, step, vote, ...given})
+    if (given && !this.card?.walk.lesson)
+      this.delivery.give(this.name, {walk, step, vote, ...given, sure: this.sureness.level})
     this.#say()
   }
 
@@ -163,6 +188,7 @@ export class ClassQuestion {
   /** Shows the answer that was given before: the page was loaded again, or the question comes back. */
   #restore() {
     const {given} = this
+    this.sureness.put(given?.sure ?? 0)
     if (!given) return
     this.card?.question.restore(given)
     this.#settle()
@@ -179,7 +205,7 @@ export class ClassQuestion {
     const own = this.#ownLesson(card)
     const first = await Promise.race([own, pause(PATIENCE)])
     if (card !== this.card) return // the lecture has gone on
-    card.teach(first ?? lesson)
+    this.#show(card, first ?? lesson)
     if (!first) own.then(late => this.#teachLate(card, late))
   }
 
@@ -189,9 +215,26 @@ export class ClassQuestion {
     await this.#lay()
     if (!this.card) return
     this.card.walk.lesson = lesson
-    this.card.teach(lesson)
+    this.#show(this.card, lesson)
     this.#say()
   }
+
+  /** The lesson with the split. There is nothing here to try with. @param {Card} card @param {page.Lesson} lesson */
+  #show(card, lesson) {
+    card.teach({...lesson, next: ""})
+    this.#split(card, lesson)
+  }
+
+  /** The counts of the class, at each option. @param {Card} card @param {page.Lesson} lesson */
+  #split({question}, lesson) {
+    const {split} = this.question ?? {}
+    if (!split?.options.length) return
+    this.layer ??= question.tally(element("div"))
+    this.layer.update(tallyOf(split), lesson)
+  }
+
+  /** @type {import("../questions/question.js").Tallied | null} the split on the card */
+  layer = null
 
   /**
    * The lesson with the reply to this phone's answer; null without an answer.
@@ -210,11 +253,21 @@ export class ClassQuestion {
 
   #leave() {
     if (this.timer !== undefined) this.#give()
+    this.layer = null
     this.card?.leave()
     this.card?.page.redraw()
     this.card = null
   }
 }
+
+/** A tally of a split, without what phones are not told. @param {page.Split} split @returns {page.Tally} */
+function tallyOf({answered, right, options, having}) {
+  const now = {answered, options, having, numbers: [], sketches: [], sure: []}
+  return {walk: "", step: "", vote: 1, before: null, features: [], right, now}
+}
+
+/** @param {page.Split} split */
+const rightOf = ({answered, right}) => `${right} of ${answered} ${right === 1 ? "is" : "are"} right.`
 
 const none = () => {}
 

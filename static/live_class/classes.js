@@ -44,6 +44,12 @@ export class Classes {
     else this.lecture.page.notice.tell("A vote needs a live class: press T.")
   }
 
+  /** Asks those who answer how sure they are. */
+  askSure() {
+    if (this.led) this.led.askSure()
+    else this.lecture.page.notice.tell("How sure a class is can be asked in a live class: press T.")
+  }
+
   /** Whether this page has the numbers of a class: it leads one, has led one, or is about to come back to its own. */
   get hasNumbers() {
     return Boolean(this.code || tabStorage.text(LED))

@@ -14,7 +14,8 @@ const AGAIN = 1000 // ms until it is sent again
 /**
  * A room, the remote control that was let in, the question that is put, the last vote on each, the last of
  * which the answer was shown, and when it was led.
- * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean}} Put
+ * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean,
+ *   sure: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
  *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
  * @typedef {Record<string, page.Voted>} Ballot by the names of those who gave them
@@ -50,8 +51,8 @@ export class Copies {
   hear({question, answers}) {
     if (this.room.isLost) return
     if (question) {
-      const {walk, step, vote, lesson, closed, answered} = question
-      const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed, answered} : null
+      const {walk, step, vote, lesson, closed, answered, sure} = question
+      const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed, answered, sure} : null
       const {last, shown} = this.room
       const known = {[`${walk}/${step}`]: vote}
       this.save({put, last: put ? {...last, ...known} : last, shown: lesson ? {...shown, ...known} : shown})
@@ -124,6 +125,7 @@ export class Copies {
       const {walk, step, vote, answered = false} = put
       orders.push({type: "put", walk, step, vote, answered})
     }
+    if (put?.sure) orders.push({type: "sure"})
     if (put?.isClosed) orders.push({type: "close"})
     if (put?.isShown) orders.push({type: "show"})
     const lost = [...this.answers.values()].flatMap(parcels)

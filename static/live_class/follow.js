@@ -84,8 +84,10 @@ export class Following {
   /** @param {Partial<page.News>} news */
   #hear(news) {
     if (news.ended) return this.#over(OVER)
+    if (news.question) this.news.answered = 0 // until they are counted
     Object.assign(this.news, news)
     this.bar.update()
+    this.asked.count()
     if (news.picture) this.#next(() => this.#show(/** @type {page.SentPicture} */ (news.picture)))
     if (news.clock) this.#run()
     if (news.question) this.#next(() => this.asked.put(/** @type {page.PutTo} */ (news.question)))

@@ -45,6 +45,7 @@ export class FollowBar {
       ? this.why || "Not connected; the connection comes back by itself."
       : behind || calm
     this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
+    this.own.textContent = news.question?.lesson ? "Try it on your own" : "Look around on your own"
     if (shown) this.own.href = `./?${shown.query}`
   }
 

@@ -1,8 +1,7 @@
 // A vote on a question asked aloud: a step with four answers of which none is right, on what is shown.
 
-import {shownBy, stepText, walkText} from "../walks/draft.js"
+import {ALOUD, shownBy, stepText, walkText} from "../walks/draft.js"
 
-const VOTES = "votes" // the name of their walk
 const LETTERS = ["A", "B", "C", "D"]
 
 /**
@@ -13,9 +12,9 @@ export async function poll({walks, messages, kept}) {
   const covered = walks.walk?.lesson ? [] : kept.covered
   const told = await messages.ask({type: "open", state: {...kept, covered, step: ""}})
   if (told.type !== "shown") return "This picture cannot be voted on."
-  const before = walks.texts[VOTES] ?? walkText("Votes", [])
+  const before = walks.texts[ALOUD] ?? walkText("Votes", [])
   const place = before.split("\n[[step]]\n").length - 1
-  return walks.run(VOTES, before + stepText(stepOn(shownBy(told.query), covered, place + 1)), place)
+  return walks.run(ALOUD, before + stepText(stepOn(shownBy(told.query), covered, place + 1)), place)
 }
 
 /** @param {string} state that is shown, as a link @param {string[]} cover @param {number} number of the vote */

@@ -11,7 +11,8 @@ const DOUBTS = 30 // looks at a class that is not there until that is believed: 
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
 const BUZZ = 200 // ms for which it vibrates once all have answered
 const DEEDS = /** @type {[string, page.Deed][]} */ ([
-  ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["Vote A to D", "poll"],
+  ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["How sure?", "sure"],
+  ["Vote A to D", "poll"],
   ["Contents", "go"], ["Close the QR code", "close"], ["Blank the screen", "blank"], ["Back", "back"], ["Next", "next"],
 ]) // prettier-ignore
 

@@ -1,10 +1,13 @@
 // The instructor's screen, described for a remote control: what the next press does, and which buttons do something.
 
 /**
- * Its description, with whether a question can be put once more and whether the join screen is open.
- * @param {LectureHost["walks"]} walks @param {boolean} canRepeat @param {boolean} joins @returns {page.DescribeScreen}
+ * Its description.
+ * @param {LectureHost["walks"]} walks
+ * @param {{canRepeat: boolean, asksSure: boolean, joins: boolean}} is the question can be put again, asks how sure the
+ *   class is, and the join screen is open
+ * @returns {page.DescribeScreen}
  */
-export function describedScreen(walks, canRepeat, joins) {
+export function describedScreen(walks, {canRepeat, asksSure, joins}) {
   const {walk} = walks
   const isAsked = Boolean(walk?.step && !walk.lesson)
   /** @type {[page.Deed, boolean][]} */
@@ -13,13 +16,14 @@ export function describedScreen(walks, canRepeat, joins) {
     ["show", isAsked && !walk?.step.poll],
     ["derive", Boolean(walk?.lesson && walk.card?.fold && !walk.card.fold.open)],
     ["again", isAsked && canRepeat],
+    ["sure", isAsked && !asksSure],
     ["poll", true],
     ["go", Boolean(walk)],
     ["close", joins],
   ]
   return {
     type: "screen",
-    next: walks.turns ? (walk?.press.words ?? "Back to the walk") : "",
+    next: walk?.step ? walk.press.words : walks.turns ? "Back to the walk" : "",
     blank: document.querySelector(".blank") !== null,
     deeds: possible.filter(([, is]) => is).map(([deed]) => deed),
   }

@@ -153,6 +153,7 @@ export class Teach {
     else if (deed === "again") this.again()
     else if (deed === "votes") this.votes.open()
     else if (deed === "poll") this.poll()
+    else if (deed === "sure") this.askSure()
     else if (deed === "go") walk?.go(walk.sheet.steps.findIndex(one => one.id === step))
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
@@ -220,7 +221,11 @@ export class Teach {
   /** A remote control learns what its buttons do. */
   #describe() {
     if (!this.copies.room.control || this.away) return
-    const screen = describedScreen(this.lecture.walks, this.votes.canRepeat, this.joinScreen.dialog !== null)
+    const screen = describedScreen(this.lecture.walks, {
+      canRepeat: this.votes.canRepeat,
+      asksSure: Boolean(this.news.question?.sure),
+      joins: this.joinScreen.dialog !== null,
+    })
     const described = JSON.stringify(screen)
     if (described !== this.described) this.order(screen)
     this.described = described
@@ -294,6 +299,13 @@ export class Teach {
   async poll() {
     const refused = await poll(this.lecture)
     if (refused) this.lecture.page.notice.tell(refused)
+  }
+
+  /** Asks of those who answer how sure they are. */
+  askSure() {
+    const {walk} = this.lecture.walks
+    if (walk?.step && !walk.lesson) this.order({type: "sure"})
+    else this.lecture.page.notice.tell("How sure the class is can be asked while a question is open.")
   }
 
   /** Takes no more answers. */

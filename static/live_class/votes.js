@@ -3,6 +3,7 @@
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/claim.js"
 import {ask} from "./requests.js"
+import {sureness} from "./sureness.js"
 
 const MOMENT = 250 // ms between counts; one that fails is taken anew
 
@@ -29,8 +30,9 @@ export class Votes {
     this.hide = chip("Hide the votes", () => this.close())
     this.end = chip("Close the vote", () => teach.close())
     this.answer = chip("Show the answer", () => teach.lecture.walks.walk?.show(true))
+    this.sure = element("p", {class: "sure"})
     this.chips = element("div", {class: "chips"})
-    this.element = element("div", {class: "votes"}, this.all, this.status, this.chips)
+    this.element = element("div", {class: "votes"}, this.all, this.status, this.sure, this.chips)
   }
 
   /** A question begins, or its card is another. @param {import("../walks/walk.js").Walk | null} walk */
@@ -119,6 +121,7 @@ export class Votes {
     ]
     this.chips.replaceChildren(...tools)
     this.all.textContent = ""
+    this.sure.textContent = this.isOpen && tally ? sureness(tally.now, Boolean(walk.lesson)) : ""
     card.page.root.classList.toggle("voted", this.isOpen)
     if (this.isOpen && tally) this.#draw(walk, tally)
   }

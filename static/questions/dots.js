@@ -39,7 +39,7 @@ export class Dots {
 
   /** @param {page.Tally} tally */
   headline({right, now}) {
-    return `${right} of ${now.answered} are right`
+    return `${right} of ${now.answered} ${right === 1 ? "is" : "are"} right`
   }
 
   #draw() {

@@ -4,6 +4,8 @@ import {browserStorage} from "../core/storage.js"
 
 const KEY = "asked-steps"
 
+export const ALOUD = "votes" // the name of the walk of what is asked aloud
+
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
 export class Draft {

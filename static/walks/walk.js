@@ -3,6 +3,7 @@
 import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
 import {ANSWER_FIRST, Card, FOLLOWS} from "./card.js"
 import {Contents} from "./contents.js"
+import {ALOUD} from "./draft.js"
 import {tabStorage} from "../core/storage.js"
 import {ownSeed, seedOf, variant} from "./variants.js"
 
@@ -185,7 +186,8 @@ export class Walk {
     if (this.lesson) return this.#onward(this.card, led?.votes)
     if (led?.isTakenBack(this)) return {words: "Vote again", act: () => led.again()}
     if (led?.votes.waits) return {words: "Show the votes", act: () => led.votes.open()}
-    if (this.step.poll) return {words: "Go on", act: () => this.walks.goOn()}
+    if (this.isAloud) return {words: "Go on", act: () => this.walks.goOn()}
+    if (this.step.poll) return this.#leading()
     return {words: "Show the answer", needsAnswer: !led, act: always => this.show(always || Boolean(led))}
   }
 
@@ -196,8 +198,18 @@ export class Walk {
   #onward(card, votes) {
     if (votes?.isOpen) return {words: "Show the explanation", act: () => votes.close()}
     if (this.step.derive && card?.fold && !card.fold.open) return {words: FOLLOWS, act: () => card.derive()}
+    return this.#leading()
+  }
+
+  /** To the next step. @returns {Press} */
+  #leading() {
     const isLast = this.#towards(1) >= this.sheet.steps.length
     return {words: isLast ? "Contents" : "Next", act: () => this.next()}
+  }
+
+  /** Whether it stands at a vote on what was asked aloud. */
+  get isAloud() {
+    return Boolean(this.step?.poll) && this.sheet.name === ALOUD
   }
 
   /** Does what the filled button says; Page Down does too. @param {boolean} [always] without an answer, too */
@@ -247,7 +259,7 @@ export class Walk {
 
   /** The step as it stands, to come back to. */
   get bookmark() {
-    if (!this.step || !this.state || this.step.poll) return null
+    if (!this.step || !this.state || this.isAloud) return null
     const given = this.card?.question.given() ?? {}
     const known = this.lesson ? {step: this.#name, given} : null
     return {walk: this.sheet.name, place: this.place, state: this.state, known}

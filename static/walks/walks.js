@@ -95,7 +95,7 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
-      if (!this.walk?.step?.poll) this.left = null // which a vote leads back to
+      if (!this.walk?.isAloud) this.left = null // which a vote leads back to
     } else {
       this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()

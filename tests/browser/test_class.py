@@ -52,7 +52,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     phones = [joined(window, code) for _ in range(2)]
     for i, phone in enumerate(phones):
         phone.locator(f".answers [data-option='{i}']").click()
-        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+        expect(phone.get_by_text("You can change it")).to_be_visible()
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     assert lecture.locator(".vote-bar").count() == 0  # first the class sees that it answers, then what
     clicked(lecture)
@@ -102,7 +102,7 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     draw(phones[1], lambda x: 0.9 - 0.6 * x)
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     for phone in phones:  # half a sketch may have been sent before the whole
-        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+        expect(phone.get_by_text("You can change it")).to_be_visible()
     clicked(lecture)
     expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
     lecture.get_by_role("button", name="Middle 50 %").click()
@@ -110,7 +110,7 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     expect(lecture.get_by_role("button", name=re.compile("^The zero between them 0"))).to_be_visible()
     expect(phones[0].locator(".findings li")).to_have_count(5)
     own = phones[1]
-    own.get_by_text("Look around on your own").click()
+    own.get_by_text("Try it on your own").click()
     own.wait_for_function(CONNECTED)
     expect(own.locator(".class-bar")).to_contain_text("On your own")
     own.get_by_text("Back to the lecture").click()
@@ -123,7 +123,7 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     lecture, code = taught(window, "walk=d34&step=d34-12")
     own = joined(window, code)
     own.get_by_role("button", name="Only the drive's, in the end").click()
-    expect(own.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(own.get_by_text("You can change it")).to_be_visible()
     clicked(lecture)
     clicked(lecture)
     own.locator(".told").get_by_text("Show such a case").click()  # what a reply leads to is on their own
@@ -133,7 +133,7 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     assert own.evaluate("!oscillations.shown.state.step && !oscillations.shown.state.covered.length")
     own.get_by_text("Back to the lecture").click()
     own.wait_for_function(f"{READY} && oscillations.asked?.card")
-    own.get_by_text("Look around on your own").click()  # and it is not sought again
+    own.get_by_text("Try it on your own").click()  # and it is not sought again
     own.wait_for_function(f"{CONNECTED} && !globalThis.sessionStorage['class-sought']")
     lecture.evaluate("oscillations.walks.walk.go(4)")
     own.goto(f"{own.url.partition('?')[0]}?walk=d34&step=d34-05")
@@ -180,7 +180,7 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     remote.get_by_role("button", name="Contents").click()
     remote.get_by_role("button", name="Where energy goes to and fro").click()
     lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-11'")
-    expect(remote.get_by_role("button", name="Next")).to_be_visible()
+    expect(remote.get_by_role("button", name="Show the votes")).to_be_visible()
 
 
 def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open) -> None:
@@ -193,7 +193,7 @@ def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open
     phone.wait_for_function("oscillations.asked.question?.step === 'vote-1' && oscillations.asked.card")
     assert covered and lecture.evaluate("oscillations.shown.state.covered") == covered
     phone.get_by_role("button", name="B", exact=False).and_(phone.locator("[data-option='1']")).click()
-    expect(phone.get_by_text("Sent. You can change it until the vote is closed.")).to_be_visible()
+    expect(phone.get_by_text("You can change it until the vote is closed.")).to_be_visible()
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
     clicked(lecture)
     counted(lecture, "0", "1", "0", "0")

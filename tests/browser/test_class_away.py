@@ -20,7 +20,7 @@ pytestmark = pytest.mark.browser
 BACK = 30_000
 """Milliseconds that pages may take to come back by themselves."""
 COPIED = f"{LED}.copies.answers.size === 2 && !{LED}.copies.stale.size"
-SENT = "Sent. You can change it"
+SENT = "You can change it"
 
 
 @pytest.fixture

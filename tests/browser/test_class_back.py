@@ -12,7 +12,7 @@ pytestmark = pytest.mark.browser
 
 WALK = {"d31-03": "choice", "d31-02": "number", "d34-08": "point", "d34-14": "sketch"}
 """A step of each kind of question."""
-SENT = "Sent. You can change it"
+SENT = "You can change it"
 QUESTION = "(({walk, step, vote, closed, answered, lesson}) => [walk, step, vote, closed, answered, Boolean(lesson)])"
 FILLED = ".card .foot .filled"
 

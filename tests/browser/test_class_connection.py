@@ -166,18 +166,18 @@ def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int,
     lecture, code = taught(window, "walk=d34&step=d34-14")
     page = joined(window, code)
     draw(page, lambda x: 0.2 + 0.6 * x)
-    expect(page.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(page.get_by_text("You can change it")).to_be_visible()
     drawn = page.evaluate("oscillations.asked.card.question.pad.sent")
     page.reload()
     page.wait_for_function(f"{READY} && oscillations.asked?.card && oscillations.asked.given")
     again = page.evaluate("oscillations.asked.card.question.pad.sent")
     assert again == drawn and len(again["Xp1"]) == 101
-    expect(page.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(page.get_by_text("You can change it")).to_be_visible()
     page.wait_for_function(RESENT)  # or it meets the next question, and is refused
     lecture.evaluate("oscillations.walks.walk.go(7)")  # d34-08, a point
     page.wait_for_function("oscillations.asked?.card?.question.marker")
     page.locator(".pill-mark").press("ArrowRight")
-    expect(page.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(page.get_by_text("You can change it")).to_be_visible()
     marked = page.evaluate("oscillations.asked.card.question.marker.value")
     page.reload()
     page.wait_for_function("globalThis.oscillations?.asked?.card?.question.marker")

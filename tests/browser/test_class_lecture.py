@@ -19,7 +19,7 @@ pytestmark = pytest.mark.browser
 
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14", "rest": "d34-12"}
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
-SENT = "Sent. You can change it until the answer is shown."
+SENT = "You can change it until the answer is shown."
 Take = Callable[[Page, str], object]
 
 
@@ -70,7 +70,7 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     clicked(lecture)
     expect(lecture.locator(".vote-line circle")).to_have_count(1)
     remote.get_by_role("button", name="Show the answer").click()
-    expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
+    expect(lecture.locator(".votes .all")).to_have_text("1 of 1 is right")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
     look(lecture, "lecture-number", screenshot)
     remote.get_by_role("button", name="How it follows").click()

@@ -53,7 +53,7 @@ def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
         if len(curves) > 1:
             phone.get_by_role("button", name=f"Draw {name}", exact=True).click()
         drawn(phone, points)
-    expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(phone.get_by_text("You can change it")).to_be_visible()
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
     clicked(lecture)
     clicked(lecture)

@@ -94,7 +94,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
     def judged(self, given: Given, subject: Subject) -> Judgement | None:
         """The judgement of an answer, None where nothing was answered; ValueError, in words, for what is no answer to
         such a question."""
-        bare = Given(walk=given.walk, step=given.step, seed=given.seed, vote=given.vote)
+        bare = Given(walk=given.walk, step=given.step, seed=given.seed, vote=given.vote, sure=given.sure)
         if replace(bare, **{self.takes: getattr(given, self.takes)}) != given:
             raise ValueError(UNFIT)
         return None if given == bare else self.judge(given, subject)

@@ -1,0 +1,57 @@
+"""A phone while it waits, and after the answer: what it sent, how many have answered, the split, its own reply."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.classroom import Open, draw, joined, taught
+from tests.browser.waiting import clicked
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+Take = Callable[[Page, str], Path]
+WAITS = ".card-body > .hint[role=status]"
+
+
+@pytest.mark.parametrize("size", [(390, 844), (844, 390)])
+def test_a_choice(size: tuple[int, int], window: Open, screenshot: Take) -> None:
+    lecture, code = taught(window, "walk=d31&step=d31-03&projector")
+    phone, other = joined(window, code, *size), joined(window, code)
+    for one, option in ((phone, 1), (other, 0)):
+        one.wait_for_function("oscillations.asked.card")
+        one.locator(f".answers [data-option='{option}']").click()
+    expect(phone.locator(WAITS)).to_contain_text("Sent: Longer: the way is longer. You can change it until")
+    expect(phone.locator(WAITS)).to_contain_text("2 of 2 have answered.")
+    screenshot(phone, f"phone-{size[0]}-waits")
+    for _ in range(2):
+        clicked(lecture)
+    expect(phone.locator(WAITS)).to_have_text("1 of 2 is right.")
+    expect(phone.locator(".answers .vote-count")).to_have_count(3)
+    assert phone.locator(".answers .vote-count").all_inner_texts().count("1") == 2
+    expect(phone.locator(".answers [data-option='1']")).to_contain_text("your answer")
+    expect(phone.locator(".answers [data-option='1'] .line")).not_to_be_empty()
+    expect(phone.locator(".card .try")).to_have_count(0)  # there is no slider
+    own = phone.get_by_role("link", name="Try it on your own")
+    screenshot(phone, f"phone-{size[0]}-split")
+    own.click()
+    expect(phone.get_by_role("slider").first).to_be_visible()
+    expect(phone.get_by_role("link", name="Back to the lecture")).to_be_visible()
+
+
+@pytest.mark.parametrize(("step", "said"), [("d31-02", "Sent: 2.5 s."), ("d34-14", "Sent: a sketch.")])
+def test_a_number_and_a_sketch(step: str, said: str, window: Open, server: Server) -> None:
+    lecture, code = taught(window, f"walk={step.partition('-')[0]}&step={step}&projector")
+    phone = joined(window, code)
+    phone.wait_for_function("oscillations.asked.card")
+    if step == "d31-02":
+        phone.locator("[name=answer]").fill("2.5")
+    else:
+        draw(phone, lambda x: 0.5)
+    expect(phone.locator(WAITS)).to_contain_text(said)
+    for _ in range(2):
+        clicked(lecture)
+    expect(phone.locator(WAITS)).to_have_text("0 of 1 are right.")
