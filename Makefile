@@ -143,8 +143,9 @@ accuracy: $(VENV)/test.stamp
 bench: $(VENV)/test.stamp
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.bench.error_vs_time $(ARGS)
 
-# Checks guided walks: make walk FILE=my-walk.toml. With ARGS=--look it also measures each step in a browser, as a hall sees it.
-LOOKS := $(filter --look,$(ARGS))
+# Checks guided walks: make walk FILE=my-walk.toml. With ARGS=--look it also measures each step in a browser, as a hall sees
+# it; ARGS=--pictures writes pictures of each step to build/walk; ARGS=--serve also serves the walk.
+LOOKS := $(filter --look --pictures --serve,$(ARGS))
 walk: $(VENV)/$(if $(LOOKS),test,run).stamp
 	$(if $(LOOKS),$(BROWSER)) $(BIN)/python -m tools.walk $(ARGS) $(FILE)
 

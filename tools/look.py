@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +62,13 @@ MEASURED = """() => {
 
 def look(walk: Walk, path: Path) -> Iterator[str]:
     """Serve a walk, from its file where it is not one of the lecture's, and yield its faults."""
+    with served(walk, path) as (browser, url):
+        yield from faults(walk, browser, url)
+
+
+@contextmanager
+def served(walk: Walk, path: Path) -> Iterator[tuple[Browser, str]]:
+    """A browser, and the address of a server that has the walk."""
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         environment = {"ARRIVALS": "1000000", "SESSIONS": "100000"}
         if walk.name not in load_walks(()):
@@ -68,7 +76,7 @@ def look(walk: Walk, path: Path) -> Iterator[str]:
             environment["WALKS"] = folder
         browser = playwright.chromium.launch(executable_path=find())
         with serving(Path(folder) / "log", environment=environment) as server:
-            yield from faults(walk, browser, server.url)
+            yield browser, server.url
 
 
 def faults(walk: Walk, browser: Browser, url: str) -> Iterator[str]:
@@ -81,13 +89,13 @@ def faults(walk: Walk, browser: Browser, url: str) -> Iterator[str]:
         page = context.new_page()
         page.goto(f"{url}?walk={walk.name}&projector")
         for place, step in enumerate(walk.steps):
-            for when in _shown(page, place):
+            for when in shown(page, place):
                 where = f"{walk.name}, step {place + 1} ({step.id}), {when} at {width} x {height}"
                 yield from (f"{where}: {fault}" for fault in _faults_of(page, height))
         context.close()
 
 
-def _shown(page: Page, place: int) -> Iterator[str]:
+def shown(page: Page, place: int) -> Iterator[str]:
     """Show the question of a step, then its answer."""
     page.wait_for_function(f"{READY} && oscillations.walks.walk")
     page.evaluate("place => oscillations.walks.walk.go(place)", place)
@@ -96,8 +104,9 @@ def _shown(page: Page, place: int) -> Iterator[str]:
         arg=place,
     )
     yield "question"
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function(TAUGHT)
+    if page.evaluate("!oscillations.walks.walk.step.poll"):
+        page.evaluate("oscillations.walks.walk.show(true)")
+        page.wait_for_function(TAUGHT)
     yield "answer"
 
 

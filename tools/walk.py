@@ -1,51 +1,77 @@
 """`python -m tools.walk FILE ...` checks walks: every link, name, formula and answer, against the scenes, and that no
-step shows what a later one asks for. With `--look` each step is measured in a browser too: tools/look.py."""
+step shows what a later one asks for. It reports all problems, in the order of the file.
+
+With `--look` each step is measured in a browser too: tools/look.py. With `--pictures` each is photographed, and with
+`--serve` it is served, with a page that has the problems and the pictures beside each other: tools/preview.py."""
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
 from components.scenes import SCENES
-from components.walks.checking import coverable_names, problems, shortcomings
-from components.walks.loading import WalkError, load_walk, load_walks, steps_of
+from components.walks.checking import problems, problems_of, shortcomings
+from components.walks.loading import KnownSteps, WalkError, load_walk, load_walks, steps_of
 from components.walks.walk import Walk
 
-LOOK = "--look"
+LOOK, PICTURES, SERVE = OPTIONS = "--look", "--pictures", "--serve"
+PLACE = re.compile(r", step (\d+)")
 
 
 def main(arguments: list[str]) -> int:
-    paths = [Path(one) for one in arguments if one != LOOK]
+    paths = [Path(one) for one in arguments if one not in OPTIONS]
     if not paths:
         print("Which file? make walk FILE=my-walk.toml")
         return 2
     known, wrong = steps_of(load_walks(()).values()), 0
     for path in paths:
-        try:
-            walk = load_walk(path, known)
-        except WalkError as error:
-            print(error)
-            wrong += 1
-            continue
-        found = _found(walk, path, LOOK in arguments)
-        print(*found, f"{walk.name}: {len(walk.steps)} steps, {len(found) or 'nothing'} to mend.", sep="\n")
+        walk, found = _read(path, known)
+        if walk and not found:
+            found = _shortcomings(walk, path, LOOK in arguments)
+        size = f"{len(walk.steps)} steps, " if walk else ""
+        print(*found, f"{path.stem}: {size}{len(found) or 'nothing'} to mend.", sep="\n")
         wrong += len(found)
+        if {PICTURES, SERVE} & {*arguments}:
+            _preview(walk, path, found, SERVE in arguments)
     return int(wrong > 0)
 
 
-def _found(walk: Walk, path: Path, is_looked_at: bool) -> list[str]:
-    """The problems of a walk; of one without any, its shortcomings."""
-    found = list(problems(walk, SCENES))
-    for step in walk.steps:
-        if any(f"({step.id}), cover: " in problem for problem in found):
-            found.append(f"{step.id} can cover {', '.join(coverable_names(step, SCENES))}.")
-    if found:
-        return found
-    if not is_looked_at:
-        return list(shortcomings(walk, SCENES))
-    from tools.look import look  # the environment that runs the app has no browser
+def _read(path: Path, known: KnownSteps) -> tuple[Walk | None, list[str]]:
+    """Read a walk; return it, unless a step cannot be read, and its problems."""
+    try:
+        walk = load_walk(path, known)
+    except WalkError as error:
+        if not error.by_step:
+            return None, [str(error)]
+        of_others = (problem for i, step in error.steps.items() for problem in problems_of(path.stem, i, step, SCENES))
+        return None, _in_order([*error.by_step.values(), *of_others])
+    return walk, _in_order([*problems(walk, SCENES)])
 
-    return [*shortcomings(walk, SCENES), *look(walk, path)]
+
+def _in_order(sentences: list[str]) -> list[str]:
+    """Sort sentences by the step that they begin with; those of no step come last."""
+
+    def place(sentence: str) -> float:
+        found = PLACE.search(sentence)
+        return float(found[1]) if found else float("inf")
+
+    return sorted(sentences, key=place)
+
+
+def _shortcomings(walk: Walk, path: Path, is_looked_at: bool) -> list[str]:
+    found = list(shortcomings(walk, SCENES))
+    if is_looked_at:
+        from tools.look import look  # the environment that runs the app has no browser
+
+        found += look(walk, path)
+    return _in_order(found)
+
+
+def _preview(walk: Walk | None, path: Path, found: list[str], is_served: bool) -> None:
+    from tools.preview import preview
+
+    preview(walk, path, found, is_served)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 
 from components.layout.text import rich
@@ -30,8 +30,7 @@ def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
     for i, sentence in enumerate(walk.end):
         yield from (f"{walk.name}, {problem}" for problem in refused(f"end[{i}]", partial(rich, sentence)))
     for i, step in enumerate(walk.steps, 1):
-        for problem in _of_step(walk.name, step, scenes):
-            yield f"{walk.name}, step {i} ({step.id}), {problem}"
+        yield from problems_of(walk.name, i, step, scenes)
 
 
 def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
@@ -61,10 +60,10 @@ def _doubts_of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
             return
 
 
-def coverable_names(step: Step, scenes: Scenes) -> list[str]:
-    """The names of all that can be covered in a step."""
-    standing = standing_at(step.state, scenes)
-    return sorted(coverable(standing.kind, standing.shown))
+def problems_of(walk: str, place: int, step: Step, scenes: Scenes) -> Iterator[str]:
+    """The problems of a step of a walk, from 1 on."""
+    for problem in _of_step(walk, step, scenes):
+        yield f"{walk}, step {place} ({step.id}), {problem}"
 
 
 def _of_step(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
@@ -91,25 +90,25 @@ def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
     except ValueError as reason:
         yield f"{field}: {reason}"
         return
-    known, parameters = coverable(before.kind, before.shown), after.kind.param
-    yield from (f"cover: “{excerpt(name)}” cannot be covered here." for name in step.cover if name not in known)
-    known_parts = parts(before.kind.sheet())
-    choices = ", ".join(known_parts)
-    unknown = [name for name in step.show if name not in known_parts]
-    yield from (f"show: “{excerpt(name)}” is not possible: choose from {choices}." for name in unknown)
+    yield from _unknown("cover", step.cover, coverable(before.kind, before.shown))
+    yield from _unknown("show", step.show, parts(before.kind.sheet()))
     yield from (f"still: “{excerpt(name)}” is not in cover." for name in step.still if name not in step.cover)
     if step.judges and step.cover and set(step.cover) == set(step.still):
         yield "still: the answer shows nothing that was covered."
-    yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in parameters)
-    spoken = set(live_names(step.explain))
-    yield from (
-        f"explain: there is no live number “{excerpt(name)}”."
-        for name in sorted(spoken - {*after.shown.values, *after.shown.live})
-    )
+    yield from _unknown("controls", step.controls, after.kind.parameters())
+    yield from _unknown("explain", sorted({*live_names(step.explain)}), {*after.shown.values, *after.shown.live})
     if step.derive and not step.equations:
         yield "derive: there are no formulas in follows to show."
     yield from refused("question", lambda: rich(asked(step, subject)))
     yield from step.problems(subject)
+
+
+def _unknown(field: str, names: Iterable[str], possible: Iterable[str]) -> Iterator[str]:
+    """A sentence on the names in a field that are not possible there, with all that are."""
+    possible = sorted(possible)
+    if wrong := [f"“{excerpt(name)}”" for name in names if name not in possible]:
+        are = "is" if len(wrong) == 1 else "are"
+        yield f"{field}: {', '.join(wrong)} {are} not possible: choose from {', '.join(possible)}."
 
 
 def _of_texts(step: BaseStep) -> Iterator[str]:

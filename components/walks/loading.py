@@ -35,7 +35,16 @@ KnownSteps = Mapping[str, Step]
 
 
 class WalkError(ValueError):
-    """A fault of a walk's file, in a sentence that says where it is."""
+    """Faults of a walk's file, each in a sentence that says where it is.
+
+    `by_step` has the fault of each step by its place, from 1 on, where single steps cannot be read; `steps` has the
+    others, in the same way.
+    """
+
+    def __init__(self, *sentences: str, by_step: Mapping[int, str] = {}, steps: Mapping[int, Step] = {}) -> None:
+        super().__init__(" ".join(sentences))
+        self.by_step = by_step
+        self.steps = steps
 
 
 def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
@@ -63,15 +72,28 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
         raise WalkError(f"{name}: end has at most {MOST_AT_END} sentences.")
     if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_STEPS:
         raise WalkError(f"{name}: a walk has 1 to {MOST_STEPS} steps, each under [[step]].")
-    steps: list[Step] = []
-    for i, entry in enumerate(entries, 1):
-        steps.append(_step(entry, f"{name}, step {i}", known or {}, steps[-1] if steps else None))
+    steps = _steps(entries, name, known or {})
     if len({link for step in steps for link in step.links()}) > MOST_LINKS:
         raise WalkError(f"{name}: a walk has at most {MOST_LINKS} different links.")
-    for i, step in enumerate(steps):
-        if step.id in {before.id for before in steps[:i]}:
-            raise WalkError(f"{name}, step {i + 1}: the id “{step.id}” was given to a step before.")
     return Walk(name=name, title=title, steps=tuple(steps), end=tuple(end))
+
+
+def _steps(entries: list[Any], name: str, known: KnownSteps) -> list[Step]:
+    """Read the steps; WalkError with the first fault of each that cannot be read."""
+    steps, faults, ids = dict[int, Step](), dict[int, str](), set[str]()
+    for i, entry in enumerate(entries, 1):
+        try:
+            step = _step(entry, f"{name}, step {i}", known, steps.get(i - 1))
+            if step.id in ids:
+                raise WalkError(f"{name}, step {i}: the id “{step.id}” was given to a step before.")
+        except WalkError as error:
+            faults[i] = str(error)
+        else:
+            ids.add(step.id)
+            steps[i] = step
+    if faults:
+        raise WalkError(*faults.values(), by_step=faults, steps=steps)
+    return list(steps.values())
 
 
 def _step(entry: Any, where: str, known: KnownSteps, last: Step | None) -> Step:
