@@ -270,8 +270,8 @@ declare namespace page {
    * is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
    * `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
    * `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
-   * walk. A step with `derive` shows how its answer follows by one more press. `variants` are cards of its question with
-   * other numbers, under the seeds from 1 on. */
+   * walk. A step with `derive` shows how its answer follows by one more press; a vote on one that `closes` is closed at
+   * the end of a countdown. `variants` are cards of its question with other numbers, under the seeds from 1 on. */
   interface StepCard {
     id: string
     kind: string
@@ -282,6 +282,7 @@ declare namespace page {
     minutes: number
     core: boolean
     derive: boolean
+    closes: boolean
     opens: State
     reveals: State
     controls: string[]
@@ -342,7 +343,7 @@ declare namespace page {
   }
 
   /** Buttons of a remote control. */
-  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "blank" | "close" | "go" | "end"
+  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "end"
 
   /** Anything that the instructor's page asks of the room. */
   interface Ordered {
@@ -390,6 +391,14 @@ declare namespace page {
     type: "sure"
   }
 
+  /** Counts down for the question that is put: so many seconds, or so many more where it counts already. At 0 the vote
+   * `closes`, or the count just ends. */
+  interface CountDown extends Ordered {
+    type: "countdown"
+    seconds: number
+    closes: boolean
+  }
+
   /** Withdraws the question: none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
@@ -422,7 +431,7 @@ declare namespace page {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | CountDown | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
 
   /** The answers to a vote for those who gave them: how many, how many are right, how many chose each option or have
    * each of the features asked for. It `judges` where answers are right or wrong. */
@@ -436,8 +445,9 @@ declare namespace page {
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
    * teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-   * shown, which is hidden again; `sure` asks how sure an answer is; `split` comes with the answer. Without a step none
-   * is. */
+   * shown, which is hidden again; `sure` asks how sure an answer is; a countdown ends at the
+   * server's time `until`, in ms, if it is not 0, and then the vote `closes` or does not; `split` comes with the answer.
+   * Without a step none is. */
   interface PutTo {
     walk: string
     step: string
@@ -447,6 +457,8 @@ declare namespace page {
     closed: boolean
     answered: boolean
     sure: boolean
+    until: number
+    closes: boolean
     lesson: Lesson | null
     split: Split | null
   }

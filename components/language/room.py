@@ -13,7 +13,20 @@ from components.language.walk import Lesson, StepCard
 YEAR_2100 = 4_102_444_800
 """In seconds since 1970."""
 Deed: TypeAlias = Literal[
-    "next", "back", "show", "votes", "derive", "again", "poll", "sure", "blank", "close", "go", "end"
+    "next",
+    "back",
+    "show",
+    "votes",
+    "derive",
+    "again",
+    "poll",
+    "sure",
+    "countdown",
+    "closing",
+    "blank",
+    "close",
+    "go",
+    "end",
 ]
 """Buttons of a remote control."""
 
@@ -61,6 +74,14 @@ class AskSure(Ordered, frozen=True, kw_only=True, tag="sure"):
     """Asks of those who answer the question that is put how sure they are."""
 
 
+class CountDown(Ordered, frozen=True, kw_only=True, tag="countdown"):
+    """Counts down for the question that is put: so many seconds, or so many more where it counts already. At 0 the vote
+    `closes`, or the count just ends."""
+
+    seconds: Annotated[int, Meta(ge=0, le=600)] = 0
+    closes: bool = False
+
+
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
     """Withdraws the question: none is open."""
 
@@ -99,6 +120,7 @@ Order: TypeAlias = (
     | ShowAnswer
     | CloseVote
     | AskSure
+    | CountDown
     | Withdraw
     | RestoreAnswers
     | DescribeScreen
@@ -120,8 +142,9 @@ class Split(Struct, frozen=True, kw_only=True):
 class PutTo(Struct, frozen=True, kw_only=True):
     """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
     teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-    shown, which is hidden again; `sure` asks how sure an answer is; `split` comes with the answer. Without a step none
-    is."""
+    shown, which is hidden again; `sure` asks how sure an answer is; a countdown ends at the
+    server's time `until`, in ms, if it is not 0, and then the vote `closes` or does not; `split` comes with the answer.
+    Without a step none is."""
 
     walk: str = ""
     step: str = ""
@@ -131,6 +154,8 @@ class PutTo(Struct, frozen=True, kw_only=True):
     closed: bool = False
     answered: bool = False
     sure: bool = False
+    until: float = 0.0
+    closes: bool = False
     lesson: Lesson | None = None
     split: Split | None = None
 

@@ -19,8 +19,8 @@ class StepCard(Struct, frozen=True, kw_only=True):
     is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
     `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
     `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
-    walk. A step with `derive` shows how its answer follows by one more press. `variants` are cards of its question with
-    other numbers, under the seeds from 1 on.
+    walk. A step with `derive` shows how its answer follows by one more press; a vote on one that `closes` is closed at
+    the end of a countdown. `variants` are cards of its question with other numbers, under the seeds from 1 on.
     """
 
     id: str
@@ -32,6 +32,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     minutes: float
     core: bool = False
     derive: bool = False
+    closes: bool = False
     opens: State
     reveals: State
     controls: tuple[str, ...]

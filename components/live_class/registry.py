@@ -16,6 +16,7 @@ from components.language.messages import Given
 from components.language.room import (
     AskSure,
     CloseVote,
+    CountDown,
     DescribeScreen,
     EndRoom,
     HandWalk,
@@ -39,6 +40,8 @@ from components.live_class.slices import Slices
 from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, FullError, Parts, Store
 from components.walks.questions.question import Judged
 
+LONGEST_COUNT = 600_000.0
+"""Milliseconds from which a vote is counted down at most."""
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
 FIRST, LAST = 1, 9
@@ -169,7 +172,7 @@ class Registry:
                 await self._take(room, name, text, network)
             case PutQuestion():
                 await self._put(room, order)
-            case ShowAnswer() | CloseVote() | AskSure():
+            case ShowAnswer() | CloseVote() | AskSure() | CountDown():
                 await self._amend(room, order)
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
@@ -191,11 +194,17 @@ class Registry:
         vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
         is_same = same and vote == put.vote
         answered = order.answered or (is_same and (put.lesson is not None or put.answered))
-        stands = {"closed": answered or (is_same and put.closed), "answered": answered, "sure": same and put.sure}
+        stands: dict[str, Any] = {
+            "closed": answered or (is_same and put.closed),
+            "answered": answered,
+            "sure": same and put.sure,
+        }
+        if is_same:
+            stands |= {"until": put.until, "closes": put.closes}
         asked_anew = self.bank_of(room).put(walk, step, vote)
         await self._keep(room, question=msgspec.structs.replace(asked_anew, **stands))
 
-    async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure) -> None:
+    async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure | CountDown) -> None:
         """Change the question that is put; ValueError, in words, where none is."""
         put, changed = room.question, dict[str, Any]()
         if not put.step:
@@ -208,6 +217,10 @@ class Registry:
                 changed = {"closed": True}
             case AskSure():
                 changed = {"sure": True}
+            case CountDown(seconds=seconds, closes=closes):
+                now = 1000 * time()
+                until = min(max(put.until, now) + 1000 * seconds, now + LONGEST_COUNT) if seconds else put.until
+                changed = {"until": until, "closes": closes}
         await self._keep(room, question=msgspec.structs.replace(put, **changed))
 
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:

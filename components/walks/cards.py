@@ -52,6 +52,7 @@ def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
         minutes=step.planned,
         core=step.core,
         derive=step.derive,
+        closes=step.closes,
         opens=opens,
         reveals=subject.answer,
         controls=step.controls,

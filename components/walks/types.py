@@ -35,10 +35,11 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
 
     `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
     `still` is what stays covered after it, for a later step that asks for it. `show` are the parts of the scene that
-    are shown, by default those of its view. In the spans of `vary`, by quantity, each
-    student has numbers of their own: components/walks/variants.py. `controls` are the parameters that may be
-    moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
-    one. With `derive` a clicker shows the formulas in `follows` too. `notes` are for the instructor's remote control.
+    are shown, by default those of its view. In the spans of `vary`, by quantity, each student has numbers of their own:
+    components/walks/variants.py. `controls` are the parameters that may be moved after the answer, `next` says what to
+    try with the first of them. The `core` steps of a walk make a shorter one. Where a vote `closes`, it does so at the
+    end of a countdown. With `derive` a clicker shows the formulas in `follows` too. `notes` are for the instructor's
+    remote control.
     """
 
     id: Slug
@@ -58,6 +59,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     minutes: float | None = None
     core: bool = False
     derive: bool = False
+    closes: bool = False
     notes: Annotated[str, Meta(max_length=2000)] = ""
 
     @property

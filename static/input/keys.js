@@ -80,6 +80,12 @@ export const KEYS = [
     act: l => l.classes.askSure(),
   },
   {
+    keys: ["d", "D"],
+    shown: "D",
+    does: "Count a vote down from 30 s; again: 15 s more",
+    act: l => l.classes.countDown(),
+  },
+  {
     keys: ["j", "J"],
     shown: "J",
     does: "Show the code of the class, large",

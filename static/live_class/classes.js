@@ -50,6 +50,12 @@ export class Classes {
     else this.lecture.page.notice.tell("How sure a class is can be asked in a live class: press T.")
   }
 
+  /** A countdown of the vote. */
+  countDown() {
+    if (this.led) this.led.countDown()
+    else this.lecture.page.notice.tell("A countdown needs a vote of a live class: press T.")
+  }
+
   /** Whether this page has the numbers of a class: it leads one, has led one, or is about to come back to its own. */
   get hasNumbers() {
     return Boolean(this.code || tabStorage.text(LED))

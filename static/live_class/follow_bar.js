@@ -1,6 +1,7 @@
 // The bars around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
 
 import {element} from "../core/dom.js"
+import {Countdown} from "./countdown.js"
 import {LEFT, SOUGHT, tabStorage} from "../core/storage.js"
 
 export class FollowBar {
@@ -13,11 +14,13 @@ export class FollowBar {
     this.element = /** @type {HTMLElement} */ (document.querySelector(".class-bar"))
     this.here = /** @type {HTMLElement} */ (document.querySelector(".class-here"))
     this.state = element("b", {}, "Following")
+    this.countdown = new Countdown(following.timing)
     this.within = element("span", {class: "within"})
     this.line = element("span", {})
     this.own = element("a", {class: "act", href: "./"}, "Look around on your own")
     this.own.addEventListener("click", () => this.leave())
     this.element.append(
+      this.countdown.element,
       element("div", {}, element("div", {role: "status"}, this.state, this.line), this.within),
       this.own,
     )
@@ -40,6 +43,7 @@ export class FollowBar {
     this.within.textContent =
       this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms of the lecture`
     const behind = news.lost ? "The lecturer's page is not connected; this is what it showed last." : ""
+    this.countdown.put(news.question)
     const calm = news.question?.place || "the lecture"
     this.line.textContent = this.away
       ? this.why || "Not connected; the connection comes back by itself."
@@ -56,6 +60,7 @@ export class FollowBar {
   }
 
   over() {
+    this.countdown.end()
     this.element.replaceChildren()
     this.here.textContent = ""
   }

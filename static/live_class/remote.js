@@ -4,6 +4,8 @@
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
+import {Countdown} from "./countdown.js"
+import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
 import {Refusal, ask, insist, isMissing} from "./requests.js"
 
@@ -12,6 +14,8 @@ const ASKING = 1000 // ms between looks whether it is in, and at which step the 
 const BUZZ = 200 // ms for which it vibrates once all have answered
 const DEEDS = /** @type {[string, page.Deed][]} */ ([
   ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["How sure?", "sure"],
+  ["30 s", "countdown"],
+  ["Close at 0", "closing"],
   ["Vote A to D", "poll"],
   ["Contents", "go"], ["Close the QR code", "close"], ["Blank the screen", "blank"], ["Back", "back"], ["Next", "next"],
 ]) // prettier-ignore
@@ -81,6 +85,7 @@ class Remote {
     this.view = view
     if (!this.isIn) this.#enter()
     this.state.textContent = view.question.place || "No question is open now."
+    this.countdown.put(view.question)
     this.body.replaceChildren(...brief(view, this.code))
     this.#ready()
     if (haveAllAnswered(view) && !haveAllAnswered(before)) navigator.vibrate?.(BUZZ)
@@ -99,19 +104,32 @@ class Remote {
   #ready() {
     const {next = "", blank = false, deeds = []} = this.view?.screen ?? {}
     for (const {name, deed, element: pressed} of this.buttons) {
-      const words = deed === "next" ? next : deed === "blank" && blank ? "Show the screen" : name
+      const words = {next, ...this.#words(blank)}[deed] ?? name
       const isOffered = deed === "next" || deed === "blank" || (deeds.includes(deed) && words !== next)
       pressed.textContent = words
       pressed.hidden = !isOffered || !words
     }
   }
 
+  /** Buttons that do something else now. @param {boolean} isBlank @returns {Partial<Record<page.Deed, string>>} */
+  #words(isBlank) {
+    const counts = this.countdown.left > 0
+    const closes = this.view?.question.closes
+    return {
+      ...(isBlank ? {blank: "Show the screen"} : {}),
+      ...(counts ? {countdown: "15 s more"} : {}),
+      ...(closes ? {closing: "Stay open at 0"} : {}),
+    }
+  }
+
+  countdown = new Countdown(new Timing())
+
   #enter() {
     this.isIn = true
     this.#ready()
     const deeds = element("div", {class: "remote-deeds"}, ...this.buttons.map(({element: pressed}) => pressed))
     const end = chip("End the class", () => this.#confirm())
-    this.host.replaceChildren(this.state, this.body, end, deeds)
+    this.host.replaceChildren(this.state, this.countdown.element, this.body, end, deeds)
   }
 
   /** @param {page.Deed} deed */

@@ -3,11 +3,11 @@
 /**
  * Its description.
  * @param {LectureHost["walks"]} walks
- * @param {{canRepeat: boolean, asksSure: boolean, joins: boolean}} is the question can be put again, asks how sure the
- *   class is, and the join screen is open
+ * @param {{canRepeat: boolean, asksSure: boolean, isOpen: boolean, counts: boolean, joins: boolean}} is the question
+ *   can be put again, asks how sure the class is, takes answers, counts down; the join screen is open
  * @returns {page.DescribeScreen}
  */
-export function describedScreen(walks, {canRepeat, asksSure, joins}) {
+export function describedScreen(walks, {canRepeat, asksSure, isOpen, counts, joins}) {
   const {walk} = walks
   const isAsked = Boolean(walk?.step && !walk.lesson)
   /** @type {[page.Deed, boolean][]} */
@@ -17,6 +17,8 @@ export function describedScreen(walks, {canRepeat, asksSure, joins}) {
     ["derive", Boolean(walk?.lesson && walk.card?.fold && !walk.card.fold.open)],
     ["again", isAsked && canRepeat],
     ["sure", isAsked && !asksSure],
+    ["countdown", isAsked && isOpen],
+    ["closing", isAsked && isOpen && counts],
     ["poll", true],
     ["go", Boolean(walk)],
     ["close", joins],

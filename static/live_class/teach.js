@@ -6,6 +6,7 @@ import {blank} from "../shell/blank.js"
 import {LED, tabStorage} from "../core/storage.js"
 import {JoinBadge} from "./join_badge.js"
 import {Copies} from "./copies.js"
+import {Countdown, FIRST, MORE} from "./countdown.js"
 import {JoinScreen} from "./join_screen.js"
 import {poll} from "./poll.js"
 import {Refusal, ask, isMissing, pause} from "./requests.js"
@@ -49,6 +50,7 @@ export class Teach {
     this.copies = copies
     this.room = room
     this.timing = new Timing()
+    this.countdown = new Countdown(this.timing)
     this.votes = new Votes(this)
     this.joinScreen = new JoinScreen(this)
     this.badge = new JoinBadge(room, () => this.joinScreen.toggle())
@@ -136,6 +138,7 @@ export class Teach {
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
     if (news.question && this.isTakenBack(walk)) this.votes.open()
+    if (news.question) this.countdown.put(news.question)
     if (news.answers || news.question || news.lost === false) this.votes.count()
     else if (news.here !== undefined) this.votes.update()
     if (news.remotes) this.joinScreen.wait(news.remotes)
@@ -154,6 +157,8 @@ export class Teach {
     else if (deed === "votes") this.votes.open()
     else if (deed === "poll") this.poll()
     else if (deed === "sure") this.askSure()
+    else if (deed === "countdown") this.countDown()
+    else if (deed === "closing") this.closeAtEnd()
     else if (deed === "go") walk?.go(walk.sheet.steps.findIndex(one => one.id === step))
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
@@ -204,6 +209,7 @@ export class Teach {
   #look() {
     this.badge.stand(this.lecture.page.root)
     this.#describe()
+    this.#closeInTime()
     if (this.timing.bound === Infinity) return
     const {clock} = this.lecture
     const now = this.timing.now
@@ -224,12 +230,24 @@ export class Teach {
     const screen = describedScreen(this.lecture.walks, {
       canRepeat: this.votes.canRepeat,
       asksSure: Boolean(this.news.question?.sure),
+      isOpen: !this.news.question?.closed,
+      counts: this.countdown.left > 0,
       joins: this.joinScreen.dialog !== null,
     })
     const described = JSON.stringify(screen)
     if (described !== this.described) this.order(screen)
     this.described = described
   }
+
+  /** A vote that closes at the end of its countdown is closed once. */
+  #closeInTime() {
+    const {countdown, news} = this
+    if (!countdown.isOver || !news.question?.closes || this.closedAt === countdown.until) return
+    this.closedAt = countdown.until
+    this.close()
+  }
+
+  closedAt = 0 // the end of the countdown after which it was closed last
 
   described = "" // what a remote control was told last
 
@@ -308,6 +326,22 @@ export class Teach {
     else this.lecture.page.notice.tell("How sure the class is can be asked while a question is open.")
   }
 
+  /** Counts down, or longer where it counts already. */
+  countDown() {
+    const {walk} = this.lecture.walks
+    const {question} = this.news
+    if (!walk?.step || walk.lesson || question?.closed)
+      return this.lecture.page.notice.tell("A countdown needs a vote that is open.")
+    const isOn = this.countdown.left > 0
+    const closes = question?.until ? question.closes : walk.step.closes || Boolean(question?.closes)
+    this.order({type: "countdown", seconds: isOn ? MORE : FIRST, closes})
+  }
+
+  /** Whether the vote closes at the end of its countdown: the other way than before. */
+  closeAtEnd() {
+    this.order({type: "countdown", seconds: 0, closes: !this.news.question?.closes})
+  }
+
   /** Takes no more answers. */
   close() {
     this.order({type: "close"})
@@ -352,6 +386,7 @@ export class Teach {
     this.stream.close()
     clearInterval(this.looking)
     clearInterval(this.saving)
+    this.countdown.end()
     this.joinScreen.ending.close()
     this.joinScreen.close()
     this.votes.leave()

@@ -29,10 +29,19 @@ export class Votes {
     this.once = chip("Vote again", () => teach.again())
     this.hide = chip("Hide the votes", () => this.close())
     this.end = chip("Close the vote", () => teach.close())
+    this.closing = chip("Close at 0", () => teach.closeAtEnd())
     this.answer = chip("Show the answer", () => teach.lecture.walks.walk?.show(true))
     this.sure = element("p", {class: "sure"})
     this.chips = element("div", {class: "chips"})
-    this.element = element("div", {class: "votes"}, this.all, this.status, this.sure, this.chips)
+    this.element = element(
+      "div",
+      {class: "votes"},
+      teach.countdown.element,
+      this.all,
+      this.status,
+      this.sure,
+      this.chips,
+    )
   }
 
   /** A question begins, or its card is another. @param {import("../walks/walk.js").Walk | null} walk */
@@ -113,11 +122,13 @@ export class Votes {
     if (closed && !walk.lesson)
       this.status.append(isTakenBack ? ". The answer has been shown." : ". The vote is closed.")
     const isAsked = !walk.lesson && !isTakenBack
+    this.closing.setAttribute("aria-pressed", String(Boolean(this.teach.news.question?.closes)))
     const tools = [
       ...(this.isOpen && !walk.lesson ? [this.hide] : []),
       ...(isTakenBack ? [this.answer] : []),
       ...(isAsked && this.canRepeat ? [this.once] : []),
       ...(isAsked && !closed ? [this.end] : []),
+      ...(isAsked && !closed && this.teach.countdown.until ? [this.closing] : []),
     ]
     this.chips.replaceChildren(...tools)
     this.all.textContent = ""

@@ -2,12 +2,12 @@
 
 import {short, withUnit} from "../core/numbers.js"
 import {inUnits, set, svg, unitSize} from "../core/dom.js"
-import {places} from "../paper/places.js"
 
 const R = 3.5
 const WIDTH = 280
-const HEIGHT = 84
-const LETTER = 6 // across
+const HEIGHT = 96
+const GAP = 8 // between two labels
+const LEAD = 12 // of a line from a bar to its label
 const TOP = 18 // above it the truth is named
 
 export class Dots {
@@ -83,11 +83,12 @@ export class Dots {
     set(this.svg, {viewBox: `0 0 ${WIDTH} ${HEIGHT}`})
     /** @param {number} value */
     const at = value => 8 + ((WIDTH - 16) * (value - start)) / (end - start)
-    const base = HEIGHT - 18
+    const base = HEIGHT - 18 - LEAD
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
-    const ends = this.#counted(now, low, high, at).map(({value, words}) =>
-      label(at(value), HEIGHT - 3, words, "middle"),
-    )
+    const ends = this.#counted(now, low, high, at).flatMap(({from, x, words}) => [
+      svg("line", {class: "lead", x1: from, x2: x, y1: base + 2, y2: base + LEAD, stroke: "currentColor"}),
+      label(x, HEIGHT - 5, words, "middle"),
+    ])
     const [below, above] = [now.filter(value => value < start), now.filter(value => value > end)].map(all => all.length)
     if (below) ends.push(label(0, TOP - 4, `← ${below} below`, "start"))
     if (above) ends.push(label(WIDTH, TOP - 4, `${above} above →`, "end"))
@@ -108,7 +109,7 @@ export class Dots {
   }
 
   /**
-   * Values with how often each was given, the most frequent first, as many as stand beside each other.
+   * Values with how often each was given, the most frequent first, as many as stand in a row: each near its bar.
    * @param {readonly number[]} numbers @param {number} low @param {number} high @param {(value: number) => number} at
    */
   #counted(numbers, low, high, at) {
@@ -116,14 +117,19 @@ export class Dots {
     const counts = new Map()
     for (const value of numbers) if (value >= low && value <= high) counts.set(value, (counts.get(value) ?? 0) + 1)
     const often = [...counts].toSorted(([, one], [, other]) => other - one)
-    const told = often.map(([value, count]) => ({value, words: `${this.#written(value)} × ${count}`}))
-    const found = places(
-      told.map(({value, words}) => {
-        const half = ((words.length + 1) * LETTER) / 2
-        return {wishes: [{left: at(value) - half, right: at(value) + half, top: 0, bottom: 1}]}
-      }),
+    const [bare, whole] = [short, this.#written.bind(this)].map(written =>
+      often.map(([value, count]) => this.#measured(value, `${written(value)} × ${count}`)),
     )
-    return told.filter((_, i) => found[i])
+    return beside(fitting(whole).length === whole.length ? whole : fitting(bare), at)
+  }
+
+  /** @param {number} value @param {string} words */
+  #measured(value, words) {
+    const text = label(0, 0, words, "start")
+    this.svg.append(text)
+    const width = text.getComputedTextLength()
+    text.remove()
+    return {value, words, width}
   }
 
   /** @param {number} value */
@@ -141,6 +147,30 @@ export class Dots {
     this.observer.disconnect()
     this.svg.remove()
   }
+}
+
+/** @typedef {{value: number, words: string, width: number}} Measured a label of a value */
+
+/** The first labels, as many as a row has room for. @param {Measured[]} labels */
+export function fitting(labels) {
+  let room = WIDTH
+  return labels.filter(({width}) => (room -= width + GAP) >= -GAP)
+}
+
+/**
+ * Labels in one row, none over another, each as near its value as the others let it.
+ * @param {Measured[]} labels @param {(value: number) => number} at
+ */
+export function beside(labels, at) {
+  const row = labels.toSorted((one, other) => one.value - other.value)
+  const places = row.map(({value}) => at(value))
+  const apart = (/** @type {number} */ i) => (row[i].width + row[i + 1].width) / 2 + GAP
+  for (const i of row.keys()) places[i] = Math.max(places[i], i ? places[i - 1] + apart(i - 1) : row[i].width / 2)
+  for (let i = row.length - 1; i >= 0; i--) {
+    const most = i + 1 < row.length ? places[i + 1] - apart(i) : WIDTH - row[i].width / 2
+    places[i] = Math.min(places[i], most)
+  }
+  return row.map(({value, words}, i) => ({from: at(value), x: places[i], words}))
 }
 
 /** @param {number} x @param {number} y @param {string} words @param {string} anchor @param {string} [name] */

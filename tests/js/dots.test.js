@@ -5,7 +5,7 @@ import {test} from "node:test"
 
 import "./browser.js"
 
-const {reach} = await import("../../static/questions/dots.js")
+const {beside, fitting, reach} = await import("../../static/questions/dots.js")
 
 const many = (count, value) => Array.from({length: count}, () => value)
 
@@ -24,4 +24,21 @@ test("a few values far off are counted at its ends, however few have answered", 
     const [low, high] = reach([1, 1.1, 1.2, 1.3, 1.4, far], [])
     assert.ok(low >= 1 && high <= 1.4)
   }
+})
+
+test("labels lie beside each other, each as near its bar as the others let it", () => {
+  const labels = [2, 1, 3].map(value => ({value, words: `${value}`, width: 60}))
+  const at = value => 100 + 10 * value
+  const row = beside(labels, at)
+  assert.deepEqual(
+    row.map(({from}) => from),
+    [110, 120, 130],
+  )
+  for (const [i, {x}] of row.slice(1).entries()) assert.ok(x - row[i].x >= 68)
+  assert.ok(row[0].x >= 30 && row[2].x <= 250)
+  assert.deepEqual(
+    beside([{value: 20, words: "20", width: 60}], at).map(({x}) => x),
+    [250],
+  )
+  assert.equal(fitting(Array.from({length: 9}, () => labels[0])).length, 4)
 })

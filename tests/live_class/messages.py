@@ -103,6 +103,7 @@ MESSAGES: dict[str, Send] = {
     "POST /class/CODE/lead show": lambda client, n: client.lesson.order("show"),
     "POST /class/CODE/lead close": lambda client, n: client.lesson.order("close"),
     "POST /class/CODE/lead sure": lambda client, n: client.lesson.order("sure"),
+    "POST /class/CODE/lead countdown": lambda client, n: client.lesson.order("countdown", seconds=n, closes=n % 2 == 0),
     "POST /class/CODE/lead withdraw": lambda client, n: client.lesson.order("withdraw"),
     "POST /class/CODE/lead screen": lambda client, n: client.lesson.order("screen", next=f"{n}".ljust(60, "x")),
     "POST /class/CODE/lead restore": lambda client, n: client.restore(n),

@@ -98,6 +98,7 @@ async def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_
         assert abs((datetime.now(UTC) - at).total_seconds()) < 60
         assert row == {
             "phone": "1", "here": row["here"], "walk": "d31", "step": "d31-03", "vote": "1", "unit": "", "right": "yes",
+            "sure": "",
             "question": "How long does one swing take?", "answer": "Just as long as it did before",
         }  # fmt: skip
 
