@@ -10,6 +10,7 @@ from playwright.sync_api import Browser
 from components.walks.loading import load_walks, read_walk, steps_of
 from tests.serving.server import Server, serving
 from tools.look import faults
+from tools.walk import main
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 FLAT = """title = "Too flat"
@@ -25,6 +26,20 @@ state = "?scene=damped&zeta=1&frame.x=-2,2"
 def test_the_last_row_can_read_every_step(name: str, server: Server, browser: Browser) -> None:
     found = list(faults(load_walks(())[name], browser, server.url))
     assert not found, "\n".join(found)
+
+
+def test_pictures_of_each_step_stand_beside_its_problems(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "flat.toml").write_text(FLAT.replace("[[step]]", "[[step]]\ncover = []", 1), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main(["flat.toml", "--pictures"]) == 1
+    folder = tmp_path / "build" / "walk" / "flat"
+    names = {f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")}
+    assert {one.name for one in folder.glob("*.png")} == names
+    page = (folder / "index.html").read_text(encoding="utf-8")
+    assert all(f'src="{name}"' in page for name in names) and "cover: nothing is covered" in page
+    assert "build/walk/flat/index.html has its pictures" in capsys.readouterr().out
 
 
 def test_a_curve_that_is_too_flat_is_reported_with_its_step_and_size(tmp_path: Path, browser: Browser) -> None:

@@ -256,7 +256,7 @@ def test_the_command_lists_what_can_be_covered(tmp_path: Path, capsys: pytest.Ca
     path.write_text(ENERGY.replace("value:tau", "value:tua"), encoding="utf-8")
     assert main([str(path)]) == 1
     said = capsys.readouterr().out
-    assert "cover: “value:tua” cannot be covered here." in said
+    assert "cover: “value:tua” is not possible: choose from " in said
     assert "one can cover band:" in said and "value:tau" in said
 
 
@@ -348,11 +348,40 @@ def test_what_is_asked_is_told_from_what_is_given() -> None:
     assert parted("No question at all.") == ("", "No question at all.")
 
 
-def test_the_walk_in_the_docs_is_right() -> None:
-    """The example of docs/writing-a-walk.md, as it stands there."""
+def test_the_walks_in_the_docs_are_right() -> None:
+    """The examples of docs/writing-a-walk.md, as they stand there: the first is a walk of three steps."""
     docs = (Path(__file__).parents[2] / "docs" / "writing-a-walk.md").read_text(encoding="utf-8")
-    example = docs.split("```toml\n")[1].split("```")[0]
-    assert list(problems(read_walk(example, "docs"), SCENES)) == []
+    examples = [one for one in docs.split("```toml\n")[1:] if one.startswith("title")]
+    walks = [read_walk(one.split("```")[0], "docs") for one in examples]
+    for walk in walks:
+        assert list(problems(walk, SCENES)) == []
+    assert list(shortcomings(walks[0], SCENES)) == []
+    assert [(step.kind, step.judges) for step in walks[0].steps] == [
+        ("number", True), ("choice", False), ("choice", True)
+    ]  # fmt: skip
+
+
+def test_all_problems_are_reported_at_once_in_the_order_of_the_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Those of steps that cannot be read, too; each with all that is possible in its place."""
+    step = GOOD.partition("[[step]]")[2]
+    wrong = [
+        step.replace('controls = ["k2"]', 'controls = ["k9", "🙂"]').replace("{omega_minus} rad", "{omega_9} rad"),
+        step.replace('"choice"', '"dance"').replace('"first"', '"second"'),
+        step.replace("value:omega_minus", "<b>" + "x" * 10_000).replace('"first"', '"third"'),
+    ]
+    path = tmp_path / "mine.toml"
+    path.write_text("[[step]]".join(['title = "T"\n', *wrong]), encoding="utf-8")
+    assert main([str(path)]) == 1
+    *found, last = capsys.readouterr().out.splitlines()
+    assert [one.partition(": ")[0] for one in found] == [
+        "mine, step 1 (first), controls", "mine, step 1 (first), explain", "mine, step 2 (second), kind",
+        "mine, step 3 (third), cover",
+    ]  # fmt: skip
+    assert "“k9”, “🙂” are not possible: choose from" in found[0] and ", m1, m2, " in found[0]
+    assert ", omega_minus, " in found[1] and ", value:omega_minus, " in found[3]
+    assert len(found[3]) < 9_000 and last == "mine: 4 to mend."
 
 
 @pytest.mark.parametrize(
