@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Protocol, TypeAlias
 
 from msgspec import Struct
+
+PAGE_NUMBERS = frozenset({"speed"})
+"""The live numbers of the page itself, which no scene may have: the speed of the clock."""
+
+
+def check_free(owner: str, names: Iterable[str]) -> None:
+    """Raise ValueError for a name that a live number of the page has."""
+    if taken := PAGE_NUMBERS.intersection(names):
+        raise ValueError(f"{owner}: the page has a live number “{min(taken)}” of its own: choose another name.")
 
 
 class Name(Protocol):

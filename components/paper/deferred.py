@@ -348,6 +348,12 @@ def attributes(kind: type) -> tuple[Attribute[Any], ...]:
     return tuple(one for one in members if isinstance(one, Attribute))
 
 
+def names(kind: type) -> set[str]:
+    """Return the names by which a paper can write the numbers of cases of a class."""
+    others = {name for owner in kind.__mro__ for name, one in vars(owner).items() if not isinstance(one, Attribute)}
+    return others | {one.called for one in attributes(kind)} | set(fields(kind))
+
+
 @cache
 def book_of(kind: type) -> Book:
     return Book(kind)

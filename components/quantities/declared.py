@@ -16,6 +16,7 @@ from typing import Any, Generic, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from components.language.numbers import check_free
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
@@ -186,6 +187,10 @@ class LiveNumber(Named, Generic[Case]):
 class Declared(Generic[Case]):
     """The declarations of a scene, or some that scenes share: a class that is read and never made. Signals stand in the
     order in which they build on each other."""
+
+    def __init_subclass__(cls, **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        check_free(cls.__name__, (one.name for one in cls._all(Named)))
 
     @classmethod
     def signals(cls, case: Case, axes: AxesInForce) -> dict[str, AnySignal]:

@@ -15,10 +15,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from components.language.blocks import Block
+from components.language.numbers import check_free
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.layout.views import check_views
-from components.paper.deferred import attributes, book_of, fields
+from components.paper.deferred import attributes, book_of, fields, names
 from components.paper.plots import settled
 from components.quantities.parameters import Values
 from components.quantities.readouts import Readout
@@ -163,6 +164,8 @@ class CaseScene(Scene):
 
     def __init_subclass__(cls, **rest: Any) -> None:
         super().__init_subclass__(**rest)
+        if "case" in vars(cls):
+            check_free(cls.case.__name__, names(cls.case))
         cls.presets = {one.label: one.values for one in cls.examples}
         cls.watch = {one.label: one.watch for one in cls.examples}
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from components.language.numbers import named, var
+from components.language.numbers import PAGE_NUMBERS, named, var
 from components.layout.controls import Group
 from components.layout.plots import curve, region
 from components.layout.sheet import either, term
@@ -33,6 +35,7 @@ from components.quantities.readouts import Readout
 from components.scene.about import rows
 
 number = LiveNumber[complex]
+STATIC = Path(__file__).parents[2] / "static"
 
 
 class On(Declared[complex]):
@@ -152,6 +155,15 @@ def test_a_name_stands_alike_in_words_formulas_and_drawings() -> None:
 def test_it_is_read_aloud_with_its_unit() -> None:
     assert (Own.size.aloud, Own.sign.aloud, Own.imaginary.aloud) == ("{size} m", "{sign}", "{imaginary} {unit}")
     assert Own.length.aloud == "{length}"
+
+
+def test_the_live_numbers_of_the_page_are_its_own() -> None:
+    told = {name for file in STATIC.rglob("*.js") for name in re.findall(r'live\.tell\("(\w+)"', file.read_text())}
+    assert told == PAGE_NUMBERS
+    with pytest.raises(ValueError, match="Fast: the page has a live number “speed” of its own"):
+
+        class Fast(Declared[complex]):
+            speed = number(abs)
 
 
 def test_a_misspelt_name_is_an_error_of_types() -> None:

@@ -222,3 +222,13 @@ def test_a_number_that_is_none_must_be_optional() -> None:
 
     with pytest.raises(TypeError, match="lost is None: make it an optional attribute"):
         BrokenScene()
+
+
+def test_a_number_may_not_have_the_name_of_one_of_the_page() -> None:
+    class Quick(FrictionShown):
+        speed = value(lambda c: c.v_0)
+
+    with pytest.raises(ValueError, match="Quick: the page has a live number “speed” of its own: choose another name"):
+
+        class QuickScene(Friction):
+            case = Quick
