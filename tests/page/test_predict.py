@@ -10,7 +10,9 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
+from components.quantities.axes import round_ticks
 from components.quantities.numbers import three
 from components.scene import Scene
 from components.scenes import SCENES
@@ -53,7 +55,7 @@ def test_nothing_that_follows_from_the_next_change_is_sent(slug: str) -> None:
 def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
     for values in changes(SCENES[slug]):
         page = Page(SCENES[slug]())
-        seen = numbers([change(page, covered=["next"], held={}), csv_of(page)])
+        seen = numbers([change(page, covered=["next"], held={}), csv_of(page), round_numbers(page)])
         told = put(page, **values)
         assert told["errors"] == {} and told["state"]["before"] == {}, values
         given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"]])
@@ -70,6 +72,25 @@ def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
             quantity = scene.param[name]
             if name in quantities(scene) and group.stands(first.shown.forms):
                 yield {name: 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]}
+
+
+def round_numbers(page: Page) -> list[Any]:
+    """The numbers that each axis has in its frame whatever is drawn: they take the place of those of a total."""
+    axes = (replace(axis, ticks=round_ticks(axis), labels=()) for axis in page.shown.axes.values())
+    return [json.loads(as_json(axis.ruler)) for axis in axes]
+
+
+@pytest.mark.parametrize("x_0", [0.05, 0.002])
+def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> None:
+    """The axis of the energies ends at their total: covered, it has round numbers of the frame, which stays."""
+    page = Page(SCENES["damped"](view="energy"))
+    change(page, covered=["next"])
+    told = put(page, x_0=x_0)
+    first = Page(SCENES["damped"](view="energy"))
+    change(first, covered=["next"])
+    other = put(first, x_0=0.07)
+    assert "numbers:E" in told["state"]["covered"] and page.shown.axes["E"].seen != first.shown.axes["E"].seen
+    assert told["view"]["axes"]["E"] == other["view"]["axes"]["E"]
 
 
 def set_by_hand(told: dict[str, Any]) -> list[Any]:

@@ -64,7 +64,7 @@ class WallsShown(WallsCase):
 
 c = deferred(WallsShown)
 X = Plot("x", TIME, axis("m", lambda c: (-abs(c.x_0), abs(c.x_0)), room=1.25, count=2))
-ENERGY = Plot("energy", TIME, axis("J", lambda c: (0.0, c.free.E), "E", room=1.08, count=2))
+ENERGY = Plot("energy", TIME, axis("J", lambda c: (0.0, c.free.E), "E", room=1.08, whole=True))
 
 
 def paper() -> Block:
