@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import partial
 
+from components.layout.sheet import in_force
 from components.layout.text import rich
 from components.layout.views import parts
 from components.quantities.numbers import excerpt
+from components.scene import Scene
 from components.state.covers import coverable
 from components.walks.cards import ASKS, asked, sentences
 from components.walks.claims import untrue
@@ -49,8 +51,25 @@ def _doubts(step: Step, subject: Subject) -> Iterator[str]:
         yield f"explain: it has {words} words, {MOST_WORDS} are the most."
     if not any(map(ASKS.search, sentences(step.question))):
         yield "question: no sentence ends with a question mark, or begins with Sketch or Mark."
+    yield from _lost_parts(step, subject)
     yield from untrue(step, subject)
     yield from step.doubts(subject)
+
+
+def _lost_parts(step: Step, subject: Subject) -> Iterator[str]:
+    """The controls by which a part that the step lists is shown no longer."""
+    after = standing_at(step.shown, subject.scenes)
+    listed = _listed(step, after.scene)
+    for name in step.controls:
+        values = getattr(after.kind.param[name], "objects", ()) if listed else ()
+        for value in values:
+            if lost := ", ".join(sorted(listed - _listed(step, after.scene.changed({name: value})))):
+                yield f"controls: with “{name}” at {value}, {lost} of show is not shown: leave it out."
+
+
+def _listed(step: Step, scene: Scene) -> set[str]:
+    """The parts in the list of a step that a scene shows."""
+    return {block.part for block in in_force(scene.sheet(), scene.shown.forms) if block.part in step.show}
 
 
 def _doubts_of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:

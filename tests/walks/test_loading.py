@@ -410,3 +410,15 @@ def test_a_walk_has_so_many_links_and_so_much_that_follows() -> None:
         read_walk("\n".join(['title = "t"', *(a + b for a, b in zip(steps, reveals, strict=True))]), "mine", known)
     with pytest.raises(WalkError, match="follows: "):
         read_walk(f'title = "t"\n{steps[0]}\nfollows = "{"x" * 2001}"', "mine", known)
+
+
+def test_a_control_that_takes_a_listed_part_away_is_named() -> None:
+    """The choice of the energies shows one of two plots, of which the step lists one."""
+    state = 'state = "?scene=coupled&view=energy&energy=modes"\nshow = ["plot:mode_energy"]'
+    walk = changed('state = "?scene=coupled&k2=3"', state)
+    assert not any("leave it out" in one for one in shortcomings(walk, SCENES))
+    energy = read_walk(
+        GOOD.replace('state = "?scene=coupled&k2=3"', state).replace('["k2"]', '["k2", "energy"]'), "mine"
+    )
+    (doubt,) = (one for one in shortcomings(energy, SCENES) if "leave it out" in one)
+    assert "controls: with “energy” at parts, plot:mode_energy of show is not shown" in doubt
