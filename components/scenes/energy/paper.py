@@ -101,15 +101,15 @@ WELL = Plot("well", axis("m", _well_axis, "x_well", like=X.up), axis("J", _energ
 ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
 
 MOTION = number(c.view == "motion")
-CENTRE = wide(0.4 * W, 0.24 * W + MOTION * (100 - 0.12 * W))
+CENTRE = wide(0.4 * W, 0.2 * W + MOTION * (88 - 0.08 * W))
 """The middle of the mass: where levels have names, it leaves room for them at its left."""
-HALF, ASIDE = wide(62, 40), wide(45, 33)
+HALF, ASIDE = wide(62, 30), wide(45, 26)
 """The reach of the levels to either side of it, and where arrows stand."""
 CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.58 * H)
 """The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
-BAR, BROAD = wide(0.66 * W, 0.5 * W), 46
-"""The left edge of the bar, and its width."""
-NAME = wide(2, 2 + (1 - MOTION) * (0.5 * W - 10)), wide(H - 6, 0.36 * H - 29 + MOTION * (0.64 * H + 23))
+BAR, BROAD = wide(0.66 * W, 0.4 * W), wide(46, 0.128 * W)
+"""The left edge of the bar, and its width: on a phone with large text its names have room next to it."""
+NAME = wide(2, 2 + (1 - MOTION) * (0.4 * W - 10)), wide(H - 6, 0.36 * H - 29 + MOTION * (0.64 * H + 23))
 """Where x is written: in the lower corner; on a phone, where the mass hangs over that, above the bar."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
@@ -281,7 +281,7 @@ def levels() -> list[Shape]:
                 ),
                 text(left, level + 5, "equilibrium", **look),
                 arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9),
-                text(CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, deflection, "end", style="b halo"),
+                text(CENTRE - ASIDE - 6, (natural + level) * 0.5 + 6, deflection, "end", style="b halo"),
             ),
             *shown_by(
                 NATURAL_FAR, text(left, FIRST + 2, "natural", **look), text(left, FIRST + 17, "length ↑", **look)
@@ -327,7 +327,7 @@ def planets() -> list[Shape]:
             *shown_by(
                 c.here == slug,
                 line(x, height(0), x + 8, height(0), style="floor"),
-                text(x + 12, height(0) + 4.5, name, "start", style="b halo given"),
+                text(x + 12, height(0) + wide(4.5, -7), name, "start", style="b halo given"),
             ),
         ]
     return found
@@ -338,16 +338,17 @@ def bar() -> list[Shape]:
     top, bottom = wide(ENERGY.y(c.total), 0.36 * H), wide(ENERGY.y(0), H - 4)
     whole = bottom - top
     edge, right = bottom - whole * number(c.V_share), BAR + BROAD
+    beside = right + wide(9, 5)
     total = f"*T* + *V* = {WELL.text(c.E_total)} {WELL.unit}"
     return [
         *shown_by(
             c.has_energy,
             path(SQUARE, BAR, edge, sx=BROAD, sy=bottom - edge, style="body told", tint="V"),
             path(SQUARE, BAR, top, sx=BROAD, sy=edge - top, style="body told", tint="T"),
-            text(right + 9, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
-            text(right + 9, top + 36, "motion", "start", tint="T", style="halo"),
-            text(right + 9, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
-            text(right + 9, bottom - 4, "position", "start", tint="V", style="halo"),
+            text(beside, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
+            text(beside, top + 36, "motion", "start", tint="T", style="halo"),
+            text(beside, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
+            text(beside, bottom - 4, "position", "start", tint="V", style="halo"),
             line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level told", tint="V", show=ON_WIDE),
         ),
         path(SQUARE, BAR, top, sx=BROAD, sy=whole, style="scaled outline", tint="ink"),
