@@ -114,3 +114,12 @@ def test_a_flag_of_the_period_plot_is_the_button_of_its_aircraft(page: Page, ope
     page.get_by_role("button", name="Speed of: Glider").click()
     expect(page.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
     assert page.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)
+
+
+def test_on_a_phone_the_name_of_the_loop_is_whole(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), scene="phugoid", view="limits")
+    (name,) = [one for one in page.locator("svg text").filter(has_text="loop,").all() if one.is_visible()]
+    box, plot = name.bounding_box(), page.get_by_role("img", name="Velocity upward").bounding_box()
+    assert box and plot and plot["x"] <= box["x"] and box["x"] + box["width"] <= plot["x"] + plot["width"]

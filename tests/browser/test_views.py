@@ -25,6 +25,11 @@ LINES = """(() => {
   const {lineHeight, paddingTop, paddingBottom} = getComputedStyle(task)
   return Math.round((task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / parseFloat(lineHeight))
 })()"""
+HEADLINE = """(() => {
+  const lines = document.createRange()
+  lines.selectNodeContents(document.querySelector("h1"))
+  return new Set([...lines.getClientRects()].map(({top}) => Math.round(top))).size
+})()"""
 SIDE_BY_SIDE = """(() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
@@ -43,7 +48,7 @@ def test_a_phones_first_screen_has_all_that_the_task_names(
     redrawn(page)
     names = list(view.names)
     assert [one for one in page.evaluate(BOTTOMS, names) if one[0] != "keys" and not (one[2] and one[1] <= 844)] == []
-    assert page.evaluate(LINES) <= 3
+    assert page.evaluate(LINES) <= 3 and page.evaluate(HEADLINE) <= 2
     page.set_viewport_size({"width": 320, "height": 568})
     passed(page)
     assert [one for one in page.evaluate(BOTTOMS, names) if not (one[2] and one[1] <= 2 * 568)] == []

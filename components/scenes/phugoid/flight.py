@@ -12,6 +12,7 @@ from components.language.shapes import Trade
 from components.layout.grabs import begin, grab, on_plot
 from components.layout.stage import (
     NARROW,
+    ON_NARROW,
     ON_WIDE,
     WIDE,
     Looks,
@@ -182,6 +183,13 @@ def velocity_shapes() -> list[Shape]:
     tip = plot.x(var(S.u) - 1), plot.y(var(S.w))
     held = grab("Speed at the start", on_plot(plot, "x", "excess", Places.excess, A.forward))
     own: Looks = {"inside": plot}
+    loop, places = (
+        {"tint": "mute", "style": "halo", **own},
+        (
+            (plot.x(1.06), "start", ON_WIDE),
+            (plot.right - 4, "end", ON_NARROW),
+        ),
+    )
     return [
         line(still, plot.top, still, plot.bottom, tint="rule", style="hair", **own),
         line(start, level, start, plot.bottom, tint="T", **own),
@@ -194,7 +202,7 @@ def velocity_shapes() -> list[Shape]:
             Places.family_named,
             text(plot.x(0), level - 10, "*C* = 2/3", style="halo", **own),
             text(plot.x(0.68), plot.y(0.68), "cusp, *C* = 0", anchor="start", style="b halo", **own),
-            text(plot.x(1.06), plot.y(0.3), "loop, *C* = −0.667", anchor="start", tint="mute", style="halo", **own),
+            *(text(x, plot.y(0.3), "loop, *C* = −0.667", anchor, show=screen, **loop) for x, anchor, screen in places),
         ),
         text(still - 6, plot.top + 12, "up", anchor="end", tint="mute", style="halo", **own),
         text(plot.right, level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
