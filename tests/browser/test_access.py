@@ -66,7 +66,7 @@ def test_on_a_phone_the_sliders_stand_between_the_stage_and_the_plots(
     new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = new_page(390, 844, has_touch=True, is_mobile=True)
-    for slug in ("forced",):
+    for slug in ("analogues",):
         open_scene(page, scene=slug)
         sliders = [box for one in page.locator(".panel .control").all() if (box := one.bounding_box())]
         plots = [box for one in page.locator(".block.plot").all() if (box := one.bounding_box())]

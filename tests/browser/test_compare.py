@@ -154,7 +154,7 @@ def test_the_navigation_takes_the_chain_along_and_reset_gives_it_up(page: Page, 
     open_scene(page, scene="coupled", k2=3)
     page.get_by_role("link", name="Forced").click()
     page.wait_for_function("oscillations.shown.scene === 'forced' && oscillations.shown.settings.m1.value === 2")
-    page.wait_for_url("**/?scene=forced&m1=2&k1=4&k2=3")
+    page.wait_for_url("**/?scene=forced&m1=2&k1=4&k2=3&view=response")
     page.get_by_role("button", name="Reset").click()
     page.wait_for_function("oscillations.shown.settings.m1.value === 1")
     expect(page.get_by_role("button", name="Reset")).to_be_disabled()

@@ -71,7 +71,10 @@ def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, opened: Callable
         assert frame
         frame.wait_for_url(f"{framed.url}**")
         frame.wait_for_function(READY)
-        assert frame.evaluate("[oscillations.shown.scene, location.search]") == ["forced", "?scene=forced&projector"]
+        assert frame.evaluate("[oscillations.shown.scene, location.search]") == [
+            "forced",
+            "?scene=forced&view=response&projector",
+        ]
 
 
 @contextmanager

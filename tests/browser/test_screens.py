@@ -32,7 +32,7 @@ SCROLLED = """(paper => paper.scrollHeight - paper.clientHeight -
   (paper.parentElement.querySelector(".notice")?.offsetHeight ?? 0))(document.querySelector(".paper"))"""
 """So much of the paper is out of sight; a notice gives its room back when it is closed."""
 PRESETS = [fitted(scene.at(values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
-BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2).value).query
+BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2, view="formulas").value).query
 """The longest equations."""
 REFUSED = f"{fitted(SCENES['absorber'](damping='added', c=40.0).value).query}&unknown=1"
 """The longest words beside a stage, under a notice."""
@@ -124,7 +124,7 @@ def test_in_a_low_window_the_bar_goes_under_the_stage(
     size: tuple[int, int], text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
     """Where the stage stays in sight: views have it beside their plots."""
-    page = open_scene(new_page(*size), scene="forced")
+    page = open_scene(new_page(*size), scene="analogues")
     page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
     passed(page)
     page.evaluate("scrollBy(0, document.querySelector('.transport').getBoundingClientRect().top - 60)")

@@ -151,8 +151,8 @@ def test_a_picture_has_what_is_held(page: Page, open_scene: Callable[..., Page])
 def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:
-    open_scene(page, scene="forced")
-    plot = page.locator(".block.plot", has=page.locator(".figure")).nth(1)
+    open_scene(page, scene="forced", view="motion")
+    plot = page.locator(".block.plot", has=page.locator(".figure:visible")).first
     plot.hover()
     plot.get_by_role("button", name="Save the picture, or read its table").click()
     image = page.get_by_role("dialog").locator("img")

@@ -90,7 +90,7 @@ def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values
     page.wait_for_function("oscillations.shown.preset === 'drift'")
     page.go_forward()
     arrived(page, "forced")
-    assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2"
+    assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2&view=response"
 
 
 def test_a_reload_after_a_turn_brings_the_scene_back(page: Page, open_scene: Open) -> None:

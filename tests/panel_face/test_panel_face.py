@@ -150,17 +150,19 @@ def test_the_groups_are_those_of_the_scene(kind: type[Scene]) -> None:
             assert list(widget.options.values()) and widget.value in widget.options.values()
 
 
-def test_a_choice_shows_another_view() -> None:
+def test_a_choice_shows_another_curve_or_plot() -> None:
     scene = SCENES["forced"]()
     face = scene.panel()
-    response, work = face.figures["response"], face.figures["energy"]
+    response = face.figures["response"]
     before = list(response.model.yaxis[0].major_label_overrides.values())
     face.widgets["curve"].value = "log"
     assert scene.curve == "log"
     assert list(response.model.yaxis[0].major_label_overrides.values()) != before
-    assert not any(renderer.visible for renderer in work.parts)
-    face.widgets["view"].value = "work"
-    assert all(renderer.visible for renderer in work.parts)
+    face = SCENES["coupled"](view="energy").panel()
+    modes = face.figures["mode_energy"]
+    assert not any(renderer.visible for renderer in modes.parts)
+    face.widgets["energy"].value = "modes"
+    assert all(renderer.visible for renderer in modes.parts)
 
 
 def test_what_stands_follows_the_picture() -> None:

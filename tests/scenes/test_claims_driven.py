@@ -42,7 +42,7 @@ def largest(scene: Any, i: int, t: float) -> float:
 
 def driven(draw: Draw) -> Forced:
     values = chain(draw, 0.15)
-    scene = Forced(**values)
+    scene = Forced(view="formulas", **values)
     kind, j = draw.pick.choice(("far", "near", "at", "none")), draw.pick.choice((0, 1))
     omega = draw.size() if kind == "far" else float(mp.sqrt(squares(scene)[j])) if kind != "none" else 0.0
     omega *= 1 + draw.number(-8, -3) * (kind == "near")
@@ -92,7 +92,7 @@ def test_mass_1_swings_against_the_push_up_to_its_zero_and_with_it_from_there(om
 def test_the_swing_grows_by_what_is_told_whatever_the_start() -> None:
     draw = Draw("growth")
     for _ in range(25):
-        scene = Forced(**chain(draw), F_0=draw.size())
+        scene = Forced(view="formulas", **chain(draw), F_0=draw.size())
         j = draw.pick.choice((0, 1))
         scene.set({"omega": float(mp.sqrt(squares(scene)[j])), "x1_0": draw.number()})
         if scene.shown.forms["steady"] != "resonance":

@@ -11,10 +11,11 @@ from components import chain
 from components.chain.forces import Forces
 from components.language.state import Frame
 from components.layout.controls import Group
+from components.layout.views import View
 from components.quantities.axes import Axis, nice_axis, time_axis, widest
 from components.quantities.declared import by_name
 from components.quantities.motion import pace, scaled
-from components.quantities.parameters import Values, angular_frequency, force, one_of
+from components.quantities.parameters import Values, angular_frequency, force
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
@@ -29,10 +30,10 @@ from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
 from components.scenes.forced.sheet import CURVE, UNITS, forced_sheet
 from components.scenes.forced.watch import WATCH
-from components.scenes.forced.words import VIEWS, Forms, Views, notes
+from components.scenes.forced.words import Forms, notes
 from physics.forced import driven_modes, steady_start
 from physics.particular import at_natural_frequency
-from physics.sampling import drawable, time_window
+from physics.sampling import time_window
 from physics.transient import DampedModes
 
 SLOW, FAST = (5**0.5 - 1) / 2, (5**0.5 + 1) / 2
@@ -80,13 +81,34 @@ class Forced(Scene):
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
     curve, axes = CURVE, UNITS
-    view = one_of("amplitudes", VIEWS, "What is shown beside the motion")
+    views = (
+        View(
+            "Response", "Drag *ω*: where does mass 1 swing farthest, where not at all, and when against the push?",
+            keys=(omega,), names=("stage", "plot:response"),
+        ),
+        View(
+            "Motion", "Change *ω*: without friction, does the motion ever become one pure swing?",
+            keys=(omega,), names=("stage", "plot:x1", "plot:x2"),
+        ),
+        View(
+            "Forces", "Watch the arrows: when do push and spring 2 cancel on mass 1?",
+            keys=(omega,), names=("stage", "plot:x1"),
+        ),
+        View(
+            "Work", "Change *ω*: what does the drive give the masses, and does it ever take it back?",
+            keys=(omega,), names=("stage", "plot:energy"),
+        ),
+        View(
+            "Formulas", "Change *ω*, and watch the numbers in each formula.",
+            keys=(omega,), names=("stage", "words:solution"),
+        ),
+    )  # fmt: skip
+    old_views = {"view": {"amplitudes": "response"}}
     groups = (
         Group("Drive", (F_0, omega)),
         chain.chain_group(m1, m2, k1, k2),
         chain.dashpots_group(c1, c2),
         Group("", (x1_0, x2_0, v1_0, v2_0), "Start", STARTS, folded=True),
-        Group("Shown", (view,)),
     )
 
     sheet = staticmethod(forced_sheet)
@@ -111,7 +133,7 @@ class Forced(Scene):
         curves, bands = case.columns(t)
         limit = {"limit": Traces(case.end, t.size, tuple(by_name(case.limits)), case.limiting)} if case.limits else {}
         extremes = chain.extremes(curves, bands)
-        work = case.energy(t) if self.view == "work" and drawable(2 * case.fastest, t) else {}
+        work = case.energies(t)
         swing = response(case, self.curve, self.axes == "lecture" and case.comparable, frame)
         window = time_axis(self.window or time_window(slow, fast))
         x = nice_axis(*_span(extremes, curves), "m", 2)
@@ -119,7 +141,7 @@ class Forced(Scene):
         axes, push = framed(frame, own) | swing.axes, nice_axis(0.0, self.F_0 or 1.0, "N")
         size, time, counted = Axes.x(axes), Axes.t(axes), axes | by_name({Axes.F: push})
         drawn = chain.to_scale(case.chain, extremes, size, frame.scale)
-        pushed = case.forces(t, size, time) if self.view == "forces" else Forces()
+        pushed = case.forces(t, size, time) if case.view == "forces" else Forces()
         dashpots = chain.Has.scalars(chain.damping_of(self), axes)
         return Picture(
             columns={**bands_over_time(t, bands), "energy": {"t": t, **by_name(work)} if work else {}, **swing.columns},
@@ -133,8 +155,8 @@ class Forced(Scene):
             fits=drawn.fits,
             values=N.texts(case, counted) | drawn.values | pushed.values,
             live=Signals.live(counted) | pushed.live,
-            forms=Forms.forms(case) | Views.forms(self.view),
-            notes=(*drawn.notes, *notes(case, self.axes, self.curve, self.view == "work" and not work)),
+            forms=Forms.forms(case),
+            notes=(*drawn.notes, *notes(case, self.axes, self.curve, case.view == "work" and not work)),
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
 
@@ -150,10 +172,11 @@ class Forced(Scene):
     def _case(self, frame: Frame = FITTED) -> AnyCase:
         system, (c1, c2), (x_0, v_0) = chain.of_scene(self), chain.damping_of(self), chain.start_of(self)
         end = frame.window or self.window or time_window(*system.modes().omega.tolist())
+        view = self.values["view"]
         if c1 or c2:
             drive = {"F_0": self.F_0, "omega": self.omega}
-            return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end)
-        return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end)
+            return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end, view)
+        return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end, view)
 
 
 def _traces(case: AnyCase, count: int, drawn: tuple[str, ...]) -> Traces:

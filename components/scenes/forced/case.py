@@ -18,6 +18,7 @@ from components.quantities.motion import sines
 from components.scene.traces import Columns, Floats
 from physics.coupled import TwoMassChain
 from physics.forced import DrivenModes, antiresonance
+from physics.sampling import drawable
 from physics.transient import DampedModes
 
 signal = Signal[Any]
@@ -76,10 +77,11 @@ class Growth(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ForcedCase:
-    """A driven motion over a window that ends at `end`, in s."""
+    """A driven motion over a window that ends at `end`, in s, shown in a `view`."""
 
     modes: DrivenModes | DampedModes
     end: float
+    view: str = "response"
 
     @property
     def chain(self) -> TwoMassChain:
@@ -127,6 +129,30 @@ class ForcedCase:
     def moving(self) -> tuple[str, ...]:
         """The displacements, with their parts where these are worth drawing."""
         return tuple(of[i].name for i in BOTH for of in ((S.x, S.x_p, S.x_c) if self.split else (S.x,)))
+
+    @property
+    def in_doubles(self) -> bool:
+        """Whether the motion, computed in doubles, is right to all that is drawn."""
+        return True
+
+    def energy(self, t: Floats) -> dict[Column[Any], Floats]:
+        """The gain of T + V since the start and the work of the drive."""
+        raise NotImplementedError
+
+    def energies(self, t: Floats) -> dict[Column[Any], Floats]:
+        """The energies, none where they are too fast to be drawn.
+
+        In another view than Work there are none either where they would cost much or leave the doubles: the ValueError
+        is that of Work alone.
+        """
+        if not drawable(2 * self.fastest, t) or not (self.in_doubles or self.view == "work"):
+            return {}
+        try:
+            return self.energy(t)
+        except ValueError:
+            if self.view == "work":
+                raise
+            return {}
 
     @property
     def limits(self) -> dict[Signal[Any], Growth]:

@@ -262,13 +262,14 @@ def response_plot() -> PlotBlock:
         heading=(
             *(term(Swings.Xp[i], "sum", f"m{i}", formula=rf"X_{{\mathrm{{p}}{i}}}") for i in BOTH),
             phrase("", "dash", "ink", form=F.rows, sign="against the push", braked=""),
+            phrase("", "none", "mute", formula="over *ω*"),
         ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
         shapes=(*_gone(), *_drive()),
         room=Room(40, 12, top=48),
         phone=10,
-        height=300,
+        height=262,
     )
 
 

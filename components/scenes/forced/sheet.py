@@ -15,13 +15,14 @@ from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.layout.stage import NARROW, WIDE, H, PlotFrame, Shape, W, arrow, circle, text
+from components.layout.views import in_views
 from components.quantities.parameters import one_of
 from components.scene.traces import traced
 from components.scenes.forced.case import Axes, Work
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response_plot
-from components.scenes.forced.words import MOTION, SOLUTION, TASK, Views
+from components.scenes.forced.words import FATE, MOTION, SOLUTION
 from components.scenes.forced.words import Forms as F
 
 CURVE = one_of("size", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as")
@@ -30,28 +31,33 @@ UNITS = one_of("si", {"si": "SI", "lecture": "Relative"}, "Units of the response
 
 @cache
 def forced_sheet() -> Block:
-    options = row(
-        words("**Particular solution**", phone=9),
-        choice(CURVE, basis=0, phone=9),
-        when(F.lecture, choice(UNITS, basis=0, phone=9)),
+    label = "Two masses and two springs, the first one driven by a force"
+    return column(
+        row(
+            stage(*_shapes(), label=label, height=150),
+            in_views(words(*SOLUTION, style="facts solution", basis=318, phone=13, name="solution"), "formulas"),
+            in_views(words(*MOTION, style="facts", basis=318, phone=15, name="forces"), "forces"),
+            grow=200,
+        ),
+        column(
+            in_views(response_plot(), "response"),
+            *(in_views(_motion(i), "motion", "forces", "formulas") for i in BOTH),
+            in_views(_energy(), "work"),
+            in_views(words(FATE, style="numbers", phone=15, name="fate"), "motion"),
+            in_views(desk(_options()), "response"),
+            grow=440,
+        ),
+    )
+
+
+def _options() -> Block:
+    return row(
+        words("**Particular solution**", phone=62),
+        choice(CURVE, basis=0, phone=62),
+        when(F.lecture, choice(UNITS, basis=0, phone=62)),
         grow=0,
         basis=34,
         gap=10,
-    )
-    return column(
-        desk(words(TASK, style="task", phone=0)),
-        row(
-            stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
-            when(Views.solution, words(*SOLUTION, style="facts", basis=318, phone=4)),
-            when(Views.view["forces"], words(*MOTION, style="facts", basis=318, phone=4)),
-            grow=220,
-        ),
-        row(
-            column(desk(options), response_plot(), basis=430, grow=430),
-            column(_motion(1), _motion(2), _energy(), basis=456, grow=456),
-            grow=420,
-            gap=18,
-        ),
     )
 
 
@@ -98,19 +104,21 @@ def _motion(i: int) -> Block:
         cursor="time",
         room=Room(40, 58),
         phone=10 + i,
-        height=125,
+        height=112 if i == 1 else 142,
     )
 
 
 def _heading(i: int) -> tuple[Term, ...]:
     """x_i as the sum of its parts; near resonance what its swing does."""
     particular = rf"\text{{particular }}{N.X[i]}\,\sin({N.omega}\,t"
+    rest = r"+\; \text{complementary}"
+    wave = {"words": r"\text{particular}", "formula": f"{particular})", "dies": rf"{particular}\,{N.lag[i]})"}
     grows = f"growing by {N.growth[i]} m/s"
     first = f"first {grows}"
     return (
         term(S.x[i], "sum", f"m{i}", formula=f"x_{i} ="),
-        term(S.x_p[i], "line", "xp", form=F.x_p[i], formula=f"{particular})", dies=rf"{particular}\,{N.lag[i]})"),
-        term(S.x_c[i], "dash", "xc", form=F.x_c[i], formula=r"+\; \text{complementary}", dies=r"+\; \text{dying part}"),
+        term(S.x_p[i], "line", "xp", form=F.x_p[i], **wave),
+        term(S.x_c[i], "dash", "xc", form=F.x_c[i], words=rest, formula=rest, dies=r"+\; \text{dying part}"),
         phrase(F.limit[i], "line", "xp", grows=f"resonant part, {grows}", beats=f"resonant part, a long beat, {first}"),
     )
 
@@ -135,6 +143,5 @@ def _energy() -> Block:
         cursor="time",
         room=Room(40, 58),
         phone=13,
-        height=120,
-        form=Views.view["work"],
+        height=240,
     )

@@ -7,7 +7,7 @@ import math
 from components.chain import BOTH
 from components.chain.forces import Arrows
 from components.layout.sheet import Paragraph, either
-from components.quantities.declared import Declared, Family, Form
+from components.quantities.declared import Declared, Form
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
@@ -15,7 +15,6 @@ from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 
 form = Form[AnyCase]
-TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"
 
 
 def _steady(case: AnyCase) -> str:
@@ -25,9 +24,9 @@ def _steady(case: AnyCase) -> str:
 
 def _part(case: AnyCase) -> str:
     """The form of the parts of a displacement; where they are huge and opposite the envelope stands in their place."""
-    if not case.split:
+    if not case.split or (isinstance(case, Dying) and not case.driven):
         return ""
-    return "formula" if isinstance(case, Undamped) else "dies" if case.driven else ""
+    return "words" if case.view != "formulas" else "formula" if isinstance(case, Undamped) else "dies"
 
 
 def _dying(case: AnyCase) -> str:
@@ -51,16 +50,6 @@ class Forms(Declared[AnyCase]):
     lecture = form(lambda c: "offered" if c.comparable else "")
 
 
-VIEWS = {"amplitudes": "Amplitudes", "forces": "Forces", "work": "Work"}
-
-
-class Views(Declared[str]):
-    """The view that is shown, and what stands in all but that of the forces."""
-
-    view = Family(VIEWS, lambda name: Form[str](lambda view: view == name), "{}")
-    solution = Form[str](lambda view: view != "forces")
-
-
 def _rows(one: str, two: str) -> str:
     """Both equations in matrix form, of springs alone or of springs and dashpots."""
     return (
@@ -73,6 +62,17 @@ def _rows(one: str, two: str) -> str:
 _GROWS = f"from rest the swing of $x_1$ grows by {N.growth[1]} m a second, that of $x_2$ by {N.growth[2]} m."
 UNDRIVEN = ("none", "idle", "rest")
 """Where nothing is driven, in the words of the particular solution."""
+
+FATE = either(
+    Forms.dying,
+    dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
+    alike="The complementary part dies, and the particular solution remains.",
+    stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
+    free=f"The motion dies, each of its terms to 1 % within {N.dies}.",
+    alike_free="The motion dies.",
+    stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
+)
+"""What becomes of the complementary part with dashpots."""
 
 SOLUTION: list[Paragraph] = [
     either(Forms.rows, sign=_rows("k_1", "k_2"), braked=_rows(r"\kappa_1", r"\kappa_2")),
@@ -104,15 +104,7 @@ SOLUTION: list[Paragraph] = [
         near=rf"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = {N.D}$]",
         **dict.fromkeys((*UNDRIVEN, "loose", "braked"), ""),
     ),
-    either(
-        Forms.dying,
-        dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
-        alike="The complementary part dies, and the particular solution remains.",
-        stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
-        free=f"The motion dies, each of its terms to 1 % within {N.dies}.",
-        alike_free="The motion dies.",
-        stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
-    ),
+    FATE,
     either(
         Forms.steady,
         finite=rf"[small|$X_{{\mathrm{{p}}1}} = 0$ at $\sqrt{{k_2/m_2}} = {N.mark['still']}$ rad/s: $m_1$ is a "
