@@ -1,0 +1,107 @@
+"""Response and lags of a chain with dashpots over many drive frequencies, in doubles.
+
+    wall --k1, c1-- [m1] --k2, c2-- [m2],   F_0 sin(omega t) on mass 1,   x_i = Im(X_i exp(i omega t))
+
+With d(r) = omega^2 - r^2, which next to r is computed from the digits of r beyond a double, no sum cancels:
+
+    X1 = F_0/m1 N/D,   X2 = F_0/m1 (omega_2^2 + i omega c2/m2)/D,   N = -d(omega_2) + i omega c2/m2,
+
+    D = d(omega_-) d(omega_+) - c1 c2 omega^2/(m1 m2)
+        - i omega (c2 (m1 + m2)/(m1 m2) d(omega_12) + c1/m1 d(omega_2)),
+
+omega_-, omega_+ the natural frequencies without damping, omega_2 = sqrt(k2/m2), and omega_12 = sqrt(k1/(m1 + m2)) that
+of both masses as one. The lag of mass 1 is the angle of I and R, that of mass 2 behind mass 1 the angle of its motion
+over a moving base. Neither passes the cut of the angle, so nothing has to be unwrapped:
+
+    I = c1/m1 omega |N|^2 + c2/m1 omega^5,
+    R = -d(omega_-) d(omega_+) d(omega_2) - c2^2 (m1 + m2)/(m1 m2^2) omega^2 d(omega_12).
+
+Source: beyond lecture D34, slide 8; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.damped_chain import Complexes, DampedChain
+from physics.exact import Array, binary, exact, precise
+from physics.particular import from_roots
+from physics.valid import finite_array
+
+_COMFORT = 2.0**60  # omega, the dampings and F_0/m1 within this and its inverse: no product leaves the doubles
+
+
+class BodeCurves(NamedTuple):
+    """X1 and X2 (2, n) in m, complex, and the lags of both masses behind the force (2, n) in rad."""
+
+    X: Complexes
+    lags: Array
+
+
+def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeCurves:
+    """Return the response and the lags at n drive frequencies in rad/s, above 0.
+
+    Amplitudes are within 8 u, lags within 8 u of a radian; they are those of DampedChain.response and DampedChain.lags.
+    inf where no steady amplitude exists. ValueError if an amplitude leaves the range of doubles.
+    """
+    frequencies = np.atleast_1d(finite_array("omega", omega))
+    scaled = _ScaledChain.of(chain, F_0, frequencies)
+    if not scaled.comfortable:
+        return BodeCurves(chain.response(frequencies, F_0), chain.lags(frequencies))
+    w, square = scaled.omega, scaled.omega**2
+    slow, fast, two, both = (difference for difference, _ in from_roots(w, scaled.roots))
+    one, link, ratio = scaled.first, scaled.second, scaled.ratio
+    tied = float(scaled.roots[2]) ** 2
+    N = -two + 1j * w * link
+    D = slow * fast - one * link * square - 1j * w * (link * ratio * both + one * two)
+    pole = D == 0.0
+    with np.errstate(invalid="ignore"):
+        X: Complexes = scaled.size * np.array([N, tied + 1j * w * link], np.complex128) / np.where(pole, 1.0, D)
+    X[:, pole] = np.where(X[:, pole] == 0.0, 0.0, np.inf)
+    fed = one * w * np.abs(N) ** 2 + link * (ratio - 1.0) * w**5
+    first = np.arctan2(fed, 0.0 - slow * fast * two - link**2 * ratio * square * both)
+    first[N == 0.0] = np.pi  # no swing, no lag: that of the frequencies just below
+    behind = np.arctan2(link * w**3, (link * w) ** 2 - tied * two)
+    return BodeCurves(X, np.array([first, first + behind]))
+
+
+class _ScaledChain(NamedTuple):
+    """Counted in a unit of time near that of the fast mode: F_0/m1, c1/m1, c2/m2, omega and the roots of the d(r).
+
+    `ratio` is (m1 + m2)/m1.
+    """
+
+    size: float
+    first: float
+    second: float
+    ratio: float
+    omega: Array
+    roots: list[Decimal]
+
+    @classmethod
+    def of(cls, damped: DampedChain, F_0: float, omega: Array) -> _ScaledChain:
+        chain = damped.chain
+        slow, fast = chain.exact_modes
+        m1, m2, k1, _ = chain.exact_parameters
+        exponent = binary(fast.omega)[2] if fast.omega else 0
+        with precise():
+            unit = Decimal(2) ** exponent
+            roots = slow.omega, fast.omega, chain.exact_antiresonance, (k1 / (m1 + m2)).sqrt()
+            return cls(
+                float(exact(F_0) / m1 / unit**2),
+                float(exact(damped.c1) / m1 / unit),
+                float(exact(damped.c2) / m2 / unit),
+                float((m1 + m2) / m1),
+                np.ldexp(omega, -exponent),
+                [root / unit for root in roots],
+            )
+
+    @property
+    def comfortable(self) -> bool:
+        ends = float(self.omega.min(initial=1.0)), float(self.omega.max(initial=1.0))
+        factors = abs(self.size), self.first, self.second, self.ratio, self.ratio - 1.0, *ends
+        return all(1 / _COMFORT < factor < _COMFORT for factor in factors if factor) and bool(self.omega.all())
