@@ -110,7 +110,7 @@ def _motion(i: int) -> Block:
 
 def _heading(i: int) -> tuple[Term, ...]:
     """x_i as the sum of its parts; near resonance what its swing does."""
-    particular = rf"\text{{particular }}{N.X[i]}\,\sin({N.omega}\,t"
+    particular = rf"{N.X[i]}\,\sin({N.omega}\,t"
     rest = r"+\; \text{complementary}"
     wave = {"words": r"\text{particular}", "formula": f"{particular})", "dies": rf"{particular}\,{N.lag[i]})"}
     grows = f"growing by {N.growth[i]} m/s"
