@@ -2,7 +2,7 @@
 
 import {note} from "./core/notes.js"
 
-const PAUSE = 10000 // ms until it is asked for anew; sooner where the network or the server is back
+const PAUSE = 10000 // ms until the next try, or until the network or the server is back
 
 const MISSING = "Part of this page could not be loaded; it follows as soon as the server is reached."
 
@@ -39,14 +39,14 @@ const fetched = {}
 /** @type {Partial<Record<Name, unknown>>} the last that asked for a part */
 const last = {}
 
-/** @type {() => void} takes back what has been said */
+/** @type {() => void} removes the notice */
 let found = () => {}
 let missing = 0
 
 /** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
 export function later(name) {
   let tries = 0
-  /** Some browsers keep a failed import for good: each further try has an address of its own. */
+  /** Some browsers remember a failed import forever, so each further try has another address. */
   const fetching = () => (tries++ ? import(`./${name}.js?again=${tries}`) : PARTS[name]())
   return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
 }

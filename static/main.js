@@ -1,4 +1,4 @@
-// The lecture in the browser: one conversation with the server, one page after the other, without loading anew.
+// The entry module: one connection to the server, and one page per scene, which replace each other without a reload.
 
 import {Address, plainLink, written} from "./net/address.js"
 import {unpacked} from "./net/columns.js"
@@ -77,12 +77,12 @@ export class Lecture {
     })
   }
 
-  /** The state of the page, as it was told last. */
+  /** The last state that the server sent. */
   get kept() {
     return this.messages.state
   }
 
-  // What tests and the console look at.
+  // For tests and the console.
   get clock() {
     return this.page.clock
   }
@@ -108,12 +108,12 @@ export class Lecture {
 
   /** Into another state, which speaks for every control. @type {Messages["send"]} */
   #go(message, about) {
-    this.page?.controls.release() // a link may be chosen before the first page stands
+    this.page?.controls.release() // the visitor may choose a link before the first page is ready
     this.messages.send(message, about)
     this.#wait()
   }
 
-  /** Shows what waits for the server as it was set. */
+  /** Shows values that have not been sent yet as if they were set. */
   #wait() {
     if (!this.page) return
     showWaiting(this.page, this.messages.waiting)
@@ -133,12 +133,12 @@ export class Lecture {
     page.speak()
   }
 
-  /** All that stands and waits, for a page that takes the place of this one. */
+  /** The state and the unsent values, for the page that replaces this one. */
   get left() {
     return {...this.messages.state, waiting: this.messages.left}
   }
 
-  /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
+  /** Reloads the page because the server has another version; state and unsent values are kept. */
   #reload() {
     const {address} = written(this.page.shown, this.hall.ending)
     this.address.write({address, entry: this.left}, false)
@@ -147,15 +147,15 @@ export class Lecture {
   }
 
   /**
-   * Another scene, or another state of this one, within the session; what it leaves out is at its default.
-   * What scenes share comes along where that is `carried`.
+   * Opens another scene, or another state of this one, in this session; missing parameters get their defaults.
+   * If `carried`, parameters that the scenes share keep their values.
    * @param {Pick<page.State, "scene"> & Partial<page.State>} state
    */
   open(state, carried = false) {
     this.#go({type: "open", state: /** @type {page.State} */ (state), carried}, {turn: true})
   }
 
-  /** The state that stands, but for what changes. @param {(state: page.State) => Partial<page.State>} change */
+  /** Opens the current state with some changes. @param {(state: page.State) => Partial<page.State>} change */
   #changed(change) {
     return (/** @type {page.State} */ state) => ({
       type: /** @type {const} */ ("open"),
@@ -163,7 +163,8 @@ export class Lecture {
     })
   }
 
-  /** A preset: fitted anew, from t = 0; the back button returns from it. @param {page.State["parameters"]} sets */
+  /** Applies a preset with a fitted frame, from t = 0; the back button undoes it. @param {page.State["parameters"]}
+   * sets */
   take(sets) {
     const open = this.#changed(({parameters}) => ({frame: null, parameters: {...parameters, ...sets}}))
     this.#go(open, {turn: true, start: true, sets})
@@ -191,7 +192,7 @@ export class Lecture {
     this.connection.lose()
   }
 
-  /** @param {Told} told @param {Asked | null} asked */
+  /** @param {Told} told @param {Asked | null} asked the message that it answers */
   #hear(told, asked) {
     guarded(() => asked?.answered?.(told))
     if (told.type === "about") this.page.about?.show(told)
@@ -212,7 +213,7 @@ export class Lecture {
   async #show(shown, asked) {
     guarded(() => this.hall.stand(shown.state))
     if (shown.scene === this.page?.spec.slug) {
-      guarded(() => this.#wait()) // before, so that it is not overwritten, and after for what has been
+      guarded(() => this.#wait()) // before the change, because it is overwritten, and after it for the earlier picture
       this.page.apply(shown, asked)
       guarded(() => this.hall.shown(this.page))
       guarded(() => this.#wait())
@@ -223,7 +224,7 @@ export class Lecture {
     guarded(() => this.walks.shown(shown))
   }
 
-  /** The page of another scene takes the place of the one that stands; its figures join it. @param {Drawn} shown */
+  /** Replaces the page by another scene's; its figures are added later. @param {Drawn} shown */
   async #turn(shown) {
     document.documentElement.dataset.ready = "false"
     const fetched = await this.#fetched(shown.sheet)
@@ -279,7 +280,7 @@ export class Lecture {
   }
 
   /**
-   * A turn is a new entry of the history; a value is written into the one that stands.
+   * Updates the address. A turn is a new entry of the history; a value only changes the current entry.
    * @param {Drawn} shown @param {boolean} turn
    */
   #write(shown, turn) {
@@ -295,7 +296,7 @@ export class Lecture {
   }
 }
 
-/** The page brings its first picture with it, packed as all that is told. */
+/** Reads the first picture, which is part of the page and packed like any message. */
 export function begin() {
   watch()
   anchor()
@@ -305,6 +306,6 @@ export function begin() {
   tabStorage.forget(UNANSWERED)
   const {messages} = (globalThis.oscillations = new Lecture(token))
   messages.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
-  // What a page older than the server, or one that was loaded anew, has left to this one.
+  // State that an earlier version of this page left before it reloaded.
   if (waiting) for (const message of [{type: "open", state}, ...waiting]) messages.send(message)
 }

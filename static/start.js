@@ -2,5 +2,5 @@
 
 import {begin} from "./main.js"
 
-// A page that follows a class has no picture of its own.
+// A page that follows a class has no own picture.
 if (document.getElementById("opening")) begin()

@@ -10,12 +10,12 @@ from tools.notation import limit, notation
 from tools.page_types import Alias, Chapter, Field, Record, chapters, only_said, said
 
 ROOT = Path(__file__).parents[1]
-WRITTEN = "Written by `make protocol` from components/language; a change there is a change here."
+WRITTEN = "Written by `make protocol` from components/language. Edit the code, not this file."
 
 
 def page() -> str:
     """docs/protocol.md: every type under its module, with its docstring and its fields."""
-    parts = ["# The language between Python and the browser", WRITTEN, _introduction()]
+    parts = ["# Messages between Python and the browser", WRITTEN, _introduction()]
     for chapter in chapters():
         parts += [f"## {chapter.name}.py", chapter.doc]
         parts += [part for type in chapter.types for part in _described(type)]
@@ -23,20 +23,21 @@ def page() -> str:
 
 
 def _introduction() -> str:
-    """The first part of the page: how to read it."""
+    """Return the introduction of the page."""
     contents = " · ".join(f"[{chapter.name}](#{chapter.name}py)" for chapter in chapters())
     return f"""\
-One visitor's page and its session on the server talk over one web socket, in JSON.
+One visitor's page and its session on the server exchange JSON messages over one WebSocket.
 
-The browser says one message at a time, under a number, and waits for the answer to it; what its messages are is `Said`.
-The server answers each, also one that it refuses, with one of `ToldAny`, and tells what has changed without being
-asked, as a measurement does. What a scene is made of comes once, as its `SceneSheet`. The
-first picture is in the page itself.
+The browser numbers its messages (`Said`), sends one at a time and waits for the answer. The server answers each, also
+when it rejects one, with a message of type `ToldAny`. It also sends changes without a request, for example while a
+measurement runs. The fixed parts of a scene are sent once, as its `SceneSheet`. The first picture is in the
+page itself.
 
-A message of the server is deflated, with the sheet's `usual` text as what it may refer to: a line of JSON and, with a
-`PagePicture`, the numbers of its columns and of the runs of its signals, in steps: components/state/encoding.py.
+A message of the server is compressed with the sheet's `usual` text as preset dictionary. It is a line of JSON. With a
+`PagePicture`, the numbers of its columns and of the runs of its signals follow as scaled integers:
+components/state/encoding.py.
 
-Types are in TypeScript's notation, numbers are doubles. What may be left out has what then stands in its place.
+Types are in TypeScript's notation; numbers are doubles. The column "left out" has the value of a field that is missing.
 
 {contents}"""
 
@@ -55,7 +56,7 @@ def _described(type: Alias | Record) -> Iterable[str]:
 
 
 def _rest(record: Record) -> Iterable[str]:
-    """The table of the fields, and where the others are."""
+    """Yield the table of the fields, and a link to the inherited ones."""
     rows = [f'| `{record.tag[0]}` | `"{record.tag[1]}"` | |'] if record.tag else []
     rows += [f"| `{field.name}` | {_cell(field)} |{_default(record, field)} |" for field in record.fields]
     if rows:

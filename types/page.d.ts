@@ -1,21 +1,22 @@
-// Written by `make protocol` from components/language; a change there is a change here.
+// Written by `make protocol` from components/language. Edit the code, not this file.
 
 declare namespace page {
   type SaidName = string
 
   type Text = string
 
-  /** In thousandths of the frame, from its foot. */
+  /** A height in thousandths of the frame, from its lower edge. */
   type Height = number
 
-  /** A sketched curve: its heights, null where there is a gap. */
+  /** A sketched curve: its heights; null in gaps. */
   type Sketched = (Height | null)[]
 
-  /** An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
+  /** An answer to a step of a walk: the index of an option, the text of a number, a place on the axis, or curves by
    * name.
    *
-   * `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
-   * a class, from 1 on; `sure` is how sure of it somebody is: 1 for a guess, 2 for fairly, 3 for certain, 0 if not said. */
+   * `seed` chooses the step's numbers; 0 means the numbers of the file. `vote` counts how often the class has voted on
+   * the question, from 1 on. `sure` is the student's confidence: 1 for a guess, 2 for fairly, 3 for certain, 0 if not
+   * given. */
   interface Given {
     walk: SaidName
     step: SaidName
@@ -28,16 +29,16 @@ declare namespace page {
     sure?: number
   }
 
-  /** Anything that the browser says. */
+  /** Any message of the browser. */
   interface FromBrowser {
     number?: number
   }
 
   /** Sets quantities by name, in SI: from sliders and handles.
    *
-   * While a hand is `holding` on to what is drawn, the axes that it moves `along` and the scale of the stage stay; the
-   * others grow. When it has let go, or a slider or key has, an axis that is hardly used is fitted again, but none that
-   * the hand moved `along`. Without `holding` a value is on its way. */
+   * While a hand is dragging (`holding` is true), the axes that it moves `along` and the scale of the stage stay; other
+   * axes grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
+   * `along` it. If `holding` is None, the value may still change. */
   interface SetValues extends FromBrowser {
     type: "set"
     values: Record<SaidName, number | null>
@@ -52,7 +53,7 @@ declare namespace page {
     text: Text
   }
 
-  /** Presses a button, which does its action. */
+  /** Presses a button. */
   interface Act extends FromBrowser {
     type: "act"
     name: SaidName
@@ -65,15 +66,14 @@ declare namespace page {
     value: Text | SaidName[]
   }
 
-  /** Starts or ends the measurement of a scene that measures. */
+  /** Starts or ends a measurement. */
   interface RunOrder extends FromBrowser {
     type: "run"
     order: "start" | "cancel" | "skip"
   }
 
-  /** Puts the session into a state; another scene then has what it shares with those before, where that is asked to be
-   * `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
-   * that stands `keeps` its place. */
+  /** Puts the session into a state. If `carried`, another scene takes over the parameters that it shares with earlier
+   * scenes. If `keeps`, the current frame stays, so that two pictures of one scene can be compared. */
   interface Open extends FromBrowser {
     type: "open"
     state: State
@@ -87,43 +87,44 @@ declare namespace page {
     answer: Given
   }
 
-  /** Has this session alone run a walk from the text of its file. */
+  /** Runs a walk from the text of its file, in this session only. */
   interface RunWalk extends FromBrowser {
     type: "walk"
     name: SaidName
     text: string
   }
 
-  /** Sends all that is shown from now on to those who follow the class of this code; the room knows the key. */
+  /** Sends the pictures of this page to the followers of a class from now on; `key` permits the page to lead. */
   interface Lead extends FromBrowser {
     type: "lead"
     code: string
     key: SaidName
   }
 
-  /** Asks for the numbers of all plots as CSV; `page` is the address that their link begins with. */
+  /** Requests the numbers of all plots as CSV; `page` is the address that the link in the file begins with. */
   interface AskCsv extends FromBrowser {
     type: "csv"
     page?: Text
   }
 
-  /** Asks for the known errors of the numbers that are drawn. */
+  /** Requests the known errors of the displayed numbers. */
   interface AskAbout extends FromBrowser {
     type: "about"
   }
 
   type Said = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
 
-  /** Anything that the browser is told; `answer` is the number of the message that it answers. */
+  /** Any message of the server; `answer` is the number of the message that it answers. */
   interface Told {
     answer: number | null
   }
 
-  /** The page as it now is.
+  /** The current page.
    *
-   * `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
-   * parameter, `preset` names the one in force, `here` the places where the scene is, `errors` what was refused of the
-   * last message by parameter, `problems` what was refused of a link, `query` the link of this state. */
+   * `sheet` is the address of the scene's sheet, `held` the compared picture, `settings` the values of the controls by
+   * parameter, `preset` the name of the current preset, `here` the buttons whose values the scene has now, `errors` the
+   * reasons for rejected values of the last message by parameter, `problems` the rejected parts of a link, `query` the
+   * link of this state. */
   interface Shown extends Told {
     type: "shown"
     scene: string
@@ -140,12 +141,12 @@ declare namespace page {
     progress: Progress | null
   }
 
-  /** The answer to letting go if the page does not change. */
+  /** The answer to the end of a drag if the page does not change. */
   interface Kept extends Told {
     type: "kept"
   }
 
-  /** A file to keep, and its media type. */
+  /** A file to save, and its media type. */
   interface File extends Told {
     type: "file"
     name: string
@@ -153,7 +154,7 @@ declare namespace page {
     content: bytes
   }
 
-  /** One number in twenty digits: as drawn, as it truly is, and how far off in ulp. */
+  /** One number in twenty digits: as drawn, the exact value, and the error in ulp. */
   interface AboutPoint {
     name: Html
     place: Html
@@ -162,13 +163,13 @@ declare namespace page {
     off: string
   }
 
-  /** Points under the sentence that bounds their errors. */
+  /** Numbers with the sentence that bounds their errors. */
   interface AboutTable {
     bound: Html
     rows: AboutPoint[]
   }
 
-  /** The known errors of the numbers that are drawn. */
+  /** The known errors of the displayed numbers. */
   interface AboutNumbers extends Told {
     type: "about"
     reading: Html
@@ -176,8 +177,8 @@ declare namespace page {
     notes: Html[]
   }
 
-  /** The lesson of a step, in answer to what was given; `refused` says why there is none, `is_busy` that others come
-   * first: it may be asked again. */
+  /** The lesson of a step, in answer to `GiveAnswer`. `refused` is the reason if there is none; if `is_busy`, the
+   * server has no time now and the page may ask again. */
   interface Taught extends Told {
     type: "taught"
     walk: string
@@ -187,7 +188,8 @@ declare namespace page {
     is_busy: boolean
   }
 
-  /** A walk that this session runs; `refused` says what is wrong with its file, `is_busy` that others come first. */
+  /** A walk that this session runs. `refused` says what is wrong with its file; if `is_busy`, the server has no time
+   * now. */
   interface Walking extends Told {
     type: "walking"
     sheet: WalkSheet | null
@@ -197,7 +199,8 @@ declare namespace page {
 
   type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking
 
-  /** A link to another scene: what is `given`, and the parameters of this scene that are taken along. */
+  /** A link to another scene: the values that it sets (`given`), and the parameters of this scene that it keeps
+   * (`taken`). */
   interface Onward {
     label: string
     scene: string
@@ -214,11 +217,11 @@ declare namespace page {
     keys: string[]
   }
 
-  /** All that the browser must know of a scene once, the same for every visitor: an immutable file.
+  /** Everything about a scene that is the same for every visitor: an immutable file.
    *
-   * Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
-   * opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
-   * numbers}. A scene without `views` always shows its whole paper; the parameter `view` says which one is shown. */
+   * `usual` is the preset dictionary with which messages about the scene are compressed. `hidden` are the curves that
+   * are switched off at first. `spoken` maps names to texts with {live numbers} that are read aloud after a change. A
+   * scene with `views` shows one at a time, chosen by the parameter `view`; other scenes always show the whole paper. */
   interface SceneSheet {
     slug: string
     title: string
@@ -238,7 +241,7 @@ declare namespace page {
   type Value = number | string | string[] | null
 
   /** A frame for a picture: the ranges of its axes by name, its time window in s, the scale of its stage, and its
-   * speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew. */
+   * speed in simulated seconds per second. `given`: it came with a link, so the end of a drag does not fit it again. */
   interface Frame {
     ranges: Record<string, [number, number]>
     window: number | null
@@ -247,10 +250,12 @@ declare namespace page {
     given: boolean
   }
 
-  /** All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
-   * fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
-   * to be predicted, the hidden curves where they are not the scene's own, the step of a walk: "d34/d34-07", and
-   * "d34/d34-07/5" where its numbers have a seed, and the parts to show in place of those of its view. */
+  /** The state of a page.
+   *
+   * A scene, its parameters that are not at their defaults, its frame if it is not the fitted one, the parameters of the
+   * compared picture, the hidden plots and values, the parameters from before a change that is to be predicted, the
+   * switched-off curves if not the scene's default, the step of a walk ("d34/d34-07", or "d34/d34-07/5" with a seed for
+   * its numbers), and the parts to show in place of the parts of its view. */
   interface State {
     scene: string
     parameters: Record<string, Value>
@@ -265,13 +270,13 @@ declare namespace page {
 
   /** The card of a step, before its answer.
    *
-   * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
-   * shown in another order unless they are `fixed`, none of them right in a `poll`, `unit` is that of a number; `plot`
-   * is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
-   * `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
-   * `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
-   * walk. A step with `derive` shows how its answer follows by one more press; a vote on one that `closes` is closed at
-   * the end of a countdown. `variants` are cards of its question with other numbers, under the seeds from 1 on. */
+   * `place` is its position in the lecture, `given` a text above the question. `options` are the answers of a choice,
+   * shown in random order unless `fixed`; in a `poll` none is right. `unit` is the unit of a number, `plot` the plot for
+   * a point or a sketch, `axis` the axis of the point, `curves` the curves to draw, by name, and `frame` the axes x and
+   * y of a sketch that a class shares. `opens` is the state for the question, `reveals` the one for the answer, in which
+   * the parameters in `controls` can be changed. The `core` steps make a shorter walk. A step with `derive` has one more
+   * press, which shows the derivation. If it `closes`, the end of a countdown closes the vote. `variants` are cards of
+   * its question with other numbers, for the seeds from 1 on. */
   interface StepCard {
     id: string
     kind: string
@@ -297,7 +302,7 @@ declare namespace page {
     variants: StepCard[]
   }
 
-  /** A walk from its first step to its last, and the sentences on what it has shown. */
+  /** A walk from its first step to its last, and the sentences of its summary. */
   interface WalkSheet {
     name: string
     title: string
@@ -321,12 +326,12 @@ declare namespace page {
     at: [number, number] | null
   }
 
-  /** The lesson of a step, told once it has been answered.
+  /** The lesson of a step, sent after its answer.
    *
-   * `right` is None where nothing was answered; `reply` is the sentence of the answer given, `where` the state of a case
-   * of which it speaks; `verdicts` are those of the options, `findings` those of a sketch, `truth` the right number or
-   * places; `places` has them in the unit of the
-   * number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`. */
+   * `right` is None if no answer was given. `reply` is the sentence for the answer, `where` the state of a case that it
+   * mentions; `verdicts` are the comments on the options, `findings` those on a sketch, `truth` the right number or
+   * places; `places` has them in the unit of the number, or on the axis of the point. `shows` is the state of the answer
+   * if it is not the card's `reveals`. */
   interface Lesson {
     title: Html
     explain: Html
@@ -345,12 +350,12 @@ declare namespace page {
   /** Buttons of a remote control. */
   type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "end"
 
-  /** Anything that the instructor's page asks of the room. */
+  /** Any request of the instructor's page to the room. */
   interface Ordered {
   }
 
-  /** Sets the class's clock: the lecture's stood at `t` at the server's time `at`, in ms, and goes on by `rate` a
-   * second, up to `end`: in the unit of the time axis. */
+  /** Sets the class's clock: it showed `t` at the server's time `at`, in ms, and advances by `rate` per second, up to
+   * `end`; `t`, `rate` and `end` are in the unit of the time axis. */
   interface RunClock extends Ordered {
     type: "clock"
     t: number
@@ -359,8 +364,10 @@ declare namespace page {
     at: number
   }
 
-  /** Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
-   * a question that comes back. A vote that was `answered` takes no more answers: the class has seen the answer. */
+  /** Puts the question of a step to the class.
+   *
+   * `vote` is the number of the vote: one more than before, or the last one if the question comes back. If `answered`,
+   * the class has seen the answer and the vote takes no more answers. */
   interface PutQuestion extends Ordered {
     type: "put"
     walk: SaidName
@@ -369,56 +376,56 @@ declare namespace page {
     answered: boolean
   }
 
-  /** Hands in a walk from the instructor's own file, whose questions can be put from now on. */
+  /** Adds a walk from the instructor's own file, so that its questions can be put. */
   interface HandWalk extends Ordered {
     type: "walk"
     name: SaidName
     text: string
   }
 
-  /** Shows all the lesson of the step; no answer is taken any more. */
+  /** Shows the lesson of the step to all and ends the vote. */
   interface ShowAnswer extends Ordered {
     type: "show"
   }
 
-  /** Closes the vote: no answer is taken until the question is put as another vote. Nothing is shown. */
+  /** Closes the vote: no more answers until the question is put to another vote. No answer is shown. */
   interface CloseVote extends Ordered {
     type: "close"
   }
 
-  /** Asks of those who answer the question that is put how sure they are. */
+  /** Asks the followers how sure they are of their answers to the current question. */
   interface AskSure extends Ordered {
     type: "sure"
   }
 
-  /** Counts down for the question that is put: so many seconds, or so many more where it counts already. At 0 the vote
-   * `closes`, or the count just ends. */
+  /** Starts a countdown for the current question, or adds seconds to a running one. At its end the vote closes if
+   * `closes`. */
   interface CountDown extends Ordered {
     type: "countdown"
     seconds: number
     closes: boolean
   }
 
-  /** Withdraws the question: none is open. */
+  /** Withdraws the question, so that none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
   }
 
-  /** An answer as a class keeps it: when it was given, in seconds since 1970, and how many were here. */
+  /** An answer as a class stores it, with its time in seconds since 1970 and the number of followers at that time. */
   interface Voted extends Given {
     at: number
     here: number
   }
 
-  /** Gives back answers that the server has lost, by the names in the tokens of those who gave them: the
-   * instructor's page keeps them. None takes the place of one that is there. */
+  /** Restores answers that the server has lost, by the names in their followers' tokens; the instructor's page has
+   * copies. Existing answers are not replaced. */
   interface RestoreAnswers extends Ordered {
     type: "restore"
     answers: Record<string, Voted>
   }
 
-  /** Describes the instructor's screen for a remote control: the words of the next press, the other buttons that do
-   * something now, and whether the screen is blank. */
+  /** Describes the instructor's screen for a remote control: the label of the next press, the other active buttons,
+   * and whether the screen is blank. */
   interface DescribeScreen extends Ordered {
     type: "screen"
     next: string
@@ -426,15 +433,15 @@ declare namespace page {
     deeds: Deed[]
   }
 
-  /** Ends the class: the room and all that was answered are forgotten. */
+  /** Ends the class and deletes the room with all its answers. */
   interface EndRoom extends Ordered {
     type: "end"
   }
 
   type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | CountDown | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
 
-  /** The answers to a vote for those who gave them: how many, how many are right, how many chose each option or have
-   * each of the features asked for. It `judges` where answers are right or wrong. */
+  /** The result of a vote for the followers: the number of answers, of right ones, and of answers with each option or
+   * feature. `judges`: answers can be right or wrong. */
   interface Split {
     answered: number
     right: number
@@ -443,11 +450,12 @@ declare namespace page {
     having: number[]
   }
 
-  /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-   * teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-   * shown, which is hidden again; `sure` asks how sure an answer is; a countdown ends at the
-   * server's time `until`, in ms, if it is not 0, and then the vote `closes` or does not; `split` comes with the answer.
-   * Without a step none is. */
+  /** The current question of the class: a step of a walk, its card, its position in the lecture, the number of the
+   * vote from 1 on, and its lesson once the answer is shown.
+   *
+   * `closed`: the vote takes no more answers. `answered`: its answer was shown before and is hidden again. `sure`:
+   * followers are asked how sure they are. `until` is the end of a countdown in ms of the server's time, 0 for none; the
+   * vote then closes if `closes`. `split` comes with the answer. If `step` is empty, there is no question. */
   interface PutTo {
     walk: string
     step: string
@@ -463,18 +471,18 @@ declare namespace page {
     split: Split | null
   }
 
-  /** The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to. */
+  /** The picture of the instructor's page: a packed `Shown`, and the sheet with the dictionary for its compression. */
   interface SentPicture {
     sheet: string
     data: bytes
   }
 
-  /** The changes in a room since the last news; the first that a follower hears has all of it.
+  /** The changes in a room since the last news; a follower's first news has the complete state.
    *
-   * `number` is this state's, `here` says how many follow, `answered` how many have answered the question, `lost` that
-   * the store which replicas share does not answer, `ended` that the class is over. The instructor's page alone hears of
-   * `answers` given, of the `deed` of a remote control, with the `step` that it is to go to, or that the lead was taken
-   * over, and of all `remotes` that wait to be let in, by the two digits that each shows. */
+   * `number` is the number of this state, `here` the number of followers, `answered` the number of answers to the
+   * question. `lost`: the store that replicas share does not answer. `ended`: the class is over. Only the instructor's
+   * page gets the `answers`, the `deed` of a remote control with its `step`, the notice that another computer leads now,
+   * and all waiting `remotes`, by the two digits on their screens. */
   interface News {
     number: string
     picture: SentPicture | null
@@ -499,21 +507,21 @@ declare namespace page {
     square: string
   }
 
-  /** Opens the room of a code anew, with its key, where a server has lost it: as often as it is asked for. `control`
-   * is what the page was told when it let a remote control in. */
+  /** Opens the room of a code again, with its key, after a server has lost it; it may be repeated. `control` is the
+   * proof that the page got when it admitted a remote control. */
   interface Reopen {
     control: string
   }
 
-  /** One sketch and which of the features asked for it has. */
+  /** One sketch, and its features. */
   interface SketchOf {
     curves: Record<string, Sketched>
     has: boolean[]
   }
 
-  /** The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
-   * hundreds of them, and how many of all have each of the features asked for. `sure` has for each of the three levels
-   * how many are as sure, and how many of these are right; nothing where nobody has said it. */
+  /** The answers to one vote: their number, the number for each option, the numbers or places on the axis of a point,
+   * some hundreds of sketches, and the number of sketches with each feature. `sure` has for each of the three levels of
+   * confidence the number of answers and of right ones; it is empty if nobody gave a level. */
   interface Counted {
     answered: number
     options: number[]
@@ -523,8 +531,8 @@ declare namespace page {
     sure: [number, number][]
   }
 
-  /** The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
-   * `features` what a right sketch has, by name, `right` how many answers are. */
+  /** The answers to the current question, for the instructor. `before` is the first vote if there are two, `features`
+   * the features of a right sketch, by name, `right` the number of right answers. */
   interface Tally {
     walk: string
     step: string
@@ -535,9 +543,9 @@ declare namespace page {
     right: number
   }
 
-  /** The contents of a remote control: the question that is put, how many are here, the count of its answers without
-   * single numbers and sketches, its lesson also before the answer is shown, whether its answers are right or wrong, the
-   * instructor's notes, and the instructor's screen. `number` is the room's state that it shows. */
+  /** The contents of a remote control: the current question, the number of followers, the counted answers without
+   * single numbers and sketches, the lesson (also before the answer is shown), if the answers can be right or wrong, the
+   * instructor's notes, and the instructor's screen. `number` is the number of the room's state. */
   interface RemoteView {
     number: string
     question: PutTo
@@ -549,21 +557,21 @@ declare namespace page {
     screen: DescribeScreen | null
   }
 
-  /** The answers to a vote by their number, and how many of them were right. */
+  /** The number of answers to a vote, and of right ones. */
   interface VoteSummary {
     vote: number
     answered: number
     right: number
   }
 
-  /** The number of answers that a class stores, and of the questions that they answer. */
+  /** The number of stored answers of a class, and of their questions. */
   interface Stored {
     answers: number
     questions: number
   }
 
-  /** A question that a class has answered, a step of a walk: its place there, from 1 on, its votes, and the wrong
-   * answer that was given most often in the last, by how many; "" where that cannot be said in a few words. */
+  /** A question that a class has answered: its position in the walk, from 1 on, its votes, and the most frequent wrong
+   * answer of the last vote with its count; "" if it does not fit into a few words. */
   interface StepSummary {
     walk: string
     step: string
@@ -574,39 +582,38 @@ declare namespace page {
     mistaken: number
   }
 
-  /** A follower's way in: the code as it is written, and the token under which answers are kept. */
+  /** The entry of a follower: the normalised code, and the token under which answers are kept. */
   interface Entered {
     code: string
     token: string
   }
 
-  /** A ticket for a remote control, good once: its address, also as a QR code (SVG); the phone sends the secret
-   * alone. */
+  /** A ticket for one remote control: its address, also as a QR code (SVG). The phone sends only the secret. */
   interface Ticket {
     address: string
     square: string
   }
 
-  /** A remote control that waits: the two digits that it shows, and the key that is good once it has been let in. */
+  /** A waiting remote control: its two digits, and the key that is valid once the instructor has admitted it. */
   interface Paired {
     digits: string
     key: string
   }
 
-  /** Asks for a word with which another computer leads the class from now on, at the page of this link. `shown` has
-   * the vote after which the class saw the answer, by question. */
+  /** Requests a word with which another computer leads the class from now on, with the page of this link. `shown` has
+   * the number of the vote whose answer the class has seen, by question. */
   interface HandOver {
     query: string
     shown: Record<string, number>
   }
 
-  /** Takes the lead of a class with such a word, good once. */
+  /** Takes the lead of a class with such a word, which is valid once. */
   interface TakeOver {
     word: string
   }
 
-  /** A room that another computer led, the link of the page that it showed, the answers that the class saw, the walks
-   * from its files, by name, and what was kept of its remote control. */
+  /** A room that another computer led: the link of its page, the answers that the class saw, the walks from its files
+   * by name, and the saved state of its remote control. */
   interface TakenOver extends Opened {
     query: string
     shown: Record<string, number>
@@ -619,8 +626,8 @@ declare namespace page {
     digits: string
   }
 
-  /** A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
-   * whether to end the class, and ends it if that is asked already. */
+  /** A press of a button on a remote control; `step` is the step to open. The first `end` asks the instructor to
+   * confirm, the second ends the class. */
   interface Done {
     deed: Deed
     step: SaidName
@@ -632,7 +639,7 @@ declare namespace page {
     title: Html
   }
 
-  /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
+  /** An axis as drawn: coordinates are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
    * their logarithms to base ten. */
   interface Ruler {
     start: number
@@ -652,7 +659,7 @@ declare namespace page {
     limit: number | null
   }
 
-  /** The digits of a moving number: its decimals, and whether its sign always stands. */
+  /** The format of a moving number: its decimals, and if its sign is always shown. */
   type Digits = [decimals: number, signed: boolean]
 
   /** The progress of a measurement: so many of a total, counted in `unit`. */
@@ -667,21 +674,19 @@ declare namespace page {
   /** A column: the name of the axis that it is drawn on, and how many numbers it has. */
   type Drawn = [axis: string, count: number]
 
-  /** Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
-   * columns of these names; `signals` are those that are called otherwise. */
+  /** Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`. They are the column t and
+   * columns of these names; `signals` maps a column to a signal with another name. */
   type Trace = [end: number, count: number, names: string[], signals: Record<string, string>]
 
-  /** A picture as the browser shows it.
+  /** A picture for the browser.
    *
-   * `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
-   * `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
-   * `signals`   what moves, by name, in the order in which they build on each other
-   * `traces`    those of them that are drawn over time, by the source whose columns they are
-   * `scalars`   numbers that shapes and marks use
-   * `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
-   * `forms`     which variant of a formula or sentence stands, by name; "" hides it
-   * `notes`     what the visitor must know about this picture
-   * `left_out`  the quantities that are not sent because they are covered; a shape that needs one is not drawn */
+   * `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals` `axes`
+   * the axes by name; `time` is the name of the time axis, "" if nothing moves `signals`   the moving numbers by name;
+   * each may use the ones before it `traces`    the signals that are drawn over time, by the source with their columns
+   * `scalars`   numbers that shapes and marks use `values`    texts of live numbers, by name; `live` has the format of
+   * the moving ones, by signal `forms`     the current variant of a formula or sentence, by name; "" hides it `notes`
+   * what the visitor must know about this picture `left_out`  the quantities that are not sent because they are hidden;
+   * shapes that need one are not drawn */
   interface PagePicture {
     columns: Record<string, Record<string, Drawn>>
     axes: Record<string, Ruler>
@@ -697,7 +702,7 @@ declare namespace page {
     left_out: string[]
   }
 
-  /** A number of the picture held and of the one that stands, in `unit`, and what became of it; "?" is covered. */
+  /** A number of the compared picture and of the current one, in `unit`, and the change; "?" means hidden. */
   interface LedgerRow {
     symbol: Html
     tint: string
@@ -708,10 +713,10 @@ declare namespace page {
     same: boolean
   }
 
-  /** The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
+  /** The compared picture, on the axes of the current one: only its drawn curves, and only where they differ.
    *
-   * Its numbers follow those of the view. `signals` and `scalars` are those of its `traces` and of what a hand can take
-   * on the stage, `values` the numbers of the sliders that have been moved since, `ledger` what is compared. */
+   * Its numbers follow the numbers of the view. `signals` and `scalars` are for its `traces` and for draggable shapes on
+   * the stage, `values` the numbers of the sliders that have changed since, `ledger` the compared numbers. */
   interface Held {
     columns: Record<string, Record<string, Drawn>>
     signals: Record<string, AnySignal>
@@ -727,8 +732,8 @@ declare namespace page {
     text: string
   }
 
-  /** A slider with its field: `label` is what it is called but for its unit, `soft` what it spans; `says` continues
-   * the symbol to a sentence. */
+  /** A slider with its field: `label` is its name without the unit, `soft` its range; `says` is help text that
+   * continues the symbol: "m is the mass". */
   interface SliderRow {
     kind: "slider"
     name: string
@@ -742,7 +747,7 @@ declare namespace page {
     marks: NamedValue[]
   }
 
-  /** Joined buttons, or small pictures: the shapes of a stage by value. */
+  /** A choice: joined buttons, or small pictures made of the shapes of a stage, by value. */
   interface ChoiceRow {
     kind: "choice"
     name: string
@@ -753,16 +758,17 @@ declare namespace page {
 
   type ControlRow = SliderRow | ChoiceRow
 
-  /** A button that has the server set several parameters; a place shows whether the scene is there. */
+  /** A button that makes the server set several parameters; if `place`, it shows when the scene has these values. */
   interface ActionButton {
     name: string
     label: string
     place: boolean
   }
 
-  /** Controls that belong together; without a title they go on with those before. `facts` are rows of cells.
+  /** Controls that belong together; a section without a title continues the one before. `facts` are rows of cells.
    *
-   * A folded one opens when asked for and when one of its values is not the default; it stands by the form `form`. */
+   * A folded section opens on request, or if one of its values is not the default. It is visible while the picture has
+   * the form `form`. */
   interface GroupSection {
     title: string
     hint: string
@@ -774,10 +780,10 @@ declare namespace page {
     facts: Html[][]
   }
 
-  /** A preset by its name: what it is called, the parameters that it sets, its outline (SVG path data in a box of 128
-   * by 46, or none), and what to watch in it.
+  /** A preset: its label, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and
+   * a sentence on what to watch.
    *
-   * It sets all that any preset of the scene speaks of; the others stay. */
+   * It sets every parameter that any preset of the scene sets; other parameters keep their values. */
   interface PresetButton {
     name: string
     label: string
@@ -786,7 +792,7 @@ declare namespace page {
     watch: string
   }
 
-  /** All controls of a scene; `start` is the title over the presets, which a folded one hides until asked for. */
+  /** All controls of a scene; `start` is the title above the presets. A folded list of presets opens on request. */
   interface Panel {
     start: string
     folded: boolean
@@ -796,7 +802,7 @@ declare namespace page {
 
   /** The state of a parameter's control: its value (in its own unit) and the text of its field.
    *
-   * `unit` is the one that is shown and typed, of which one is `size`; `changed` says that it is not the default. */
+   * `unit` is the unit of display and input, `size` its size in the parameter's own unit; `changed`: not the default. */
   interface Setting {
     value: number | string | null
     text: string
@@ -808,10 +814,10 @@ declare namespace page {
 
   /** The fields that all blocks have.
    *
-   * `part` is its name in lists of what a step shows: stage, plot:x, words:why, table. Without any `views` it is in all
-   * of them. `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its
-   * place from top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form
-   * `form`, and with the large type of a `hall` or not there. */
+   * `part` is the block's name in links and walks: stage, plot:x, words:why, table. A block without `views` is in all of
+   * them. `grow` and `basis` divide the height (in a column) or the width (in a row). `phone` is its position from top
+   * to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`, and
+   * only with or only without the large type of a `hall`, if that is set. */
   interface Part {
     part: string
     views: string[]
@@ -831,15 +837,15 @@ declare namespace page {
     gap: number
   }
 
-  /** Blocks one under the other. */
+  /** Blocks below each other. */
   interface Column extends Part {
     kind: "column"
     blocks: Block[]
     gap: number
   }
 
-  /** The picture; `label` describes it to those who do not see it. Where it stands alone it is at most `widest` times
-   * as wide as high. */
+  /** The animated picture; `label` describes it for screen readers. If it fills a row alone, it is at most `widest`
+   * times as wide as high. */
   interface StageBlock extends Part {
     kind: "stage"
     shapes: AnyShape[]
@@ -853,20 +859,20 @@ declare namespace page {
     items: Forms[]
   }
 
-  /** Rows of cells under their heads; the first cell of a row is its name. */
+  /** Rows of cells with column headings; the first cell of a row is its name. */
   interface TableBlock extends Part {
     kind: "table"
     head: Html[]
     rows: Forms[][]
   }
 
-  /** A value of a choice, by its word, and its name on the screen. */
+  /** A value of a choice: its word in links, and its label. */
   interface Option {
     value: string
     label: string
   }
 
-  /** A joined segment of options that sets the parameter `name`. */
+  /** Joined buttons for the options of the parameter `name`. */
   interface ChoiceBlock extends Part {
     kind: "choice"
     name: string
@@ -876,10 +882,10 @@ declare namespace page {
 
   /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
    *
-   * `time` says whether its abscissa is the instant shown, which then can be dragged; `square` draws both axes to one
-   * scale; `plain` leaves out numbers at the axes; `shapes` are drawn over it as on a stage; a press near a point of a
-   * curve sets the list `pick` to its source and its place in the column. The frame leaves free the room around it, so
-   * that what stands over the figure has its place before the figure is there. */
+   * `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
+   * `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
+   * list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
+   * placed with it before the figure is loaded. */
   interface PlotBlock extends Part {
     kind: "plot"
     name: string
@@ -905,8 +911,8 @@ declare namespace page {
 
   type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock
 
-  /** The room around the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
-   * over it. */
+  /** The margins of the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
+   * above. */
   interface Room {
     left: number
     right: number
@@ -916,10 +922,9 @@ declare namespace page {
 
   /** A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
    *
-   * `signal` moves a dot along it (with `signal_x` as its abscissa where that is not the time); `label` stands at its
-   * right end and in the read-out at the pointer, `read` there alone; `group` is the name by which it is switched off.
-   * With a `marker` its points are marked; with width "none" only they are drawn. Of a group drawn as a band its name
-   * stands at the band's middle. */
+   * `signal` moves a dot along it (with `signal_x` as its abscissa if that is not time). `label` is at its right end and
+   * in the tooltip, `read` only in the tooltip. `group` is the name that switches it off. `marker` marks its points;
+   * with width "none" only the markers are drawn. In a group drawn as a band, its label is at the band's middle. */
   interface Curve {
     source: string
     x: string
@@ -950,8 +955,9 @@ declare namespace page {
 
   /** A pill on an axis that sets a parameter, no lower than `least`.
    *
-   * It shows `symbol` and the parameter's number, or the value called `text`, then `unit`; where it stands over the unit
-   * of the axis it says `covering`. A `bare` one is moved by a press on the plot alone. It stands by the form `form`. */
+   * It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
+   * of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the
+   * form `form`. */
   interface Handle {
     parameter: string
     label: string
@@ -966,10 +972,10 @@ declare namespace page {
     bare: boolean
   }
 
-  /** A line with a flag across the plot at the scalar `at`, a place on the axis.
+  /** A line with a flag across the plot at the scalar `at`, a coordinate of the axis.
    *
-   * The flag is the button for the action `act`, or sets the parameter `set` to the scalar `exactly` where given, else
-   * to what the place stands for. `lift` is its height over the frame, `shift` its way to the right, in pixels. */
+   * The flag is a button. It does the action `act`, or sets the parameter `set` to the scalar `exactly` if given, else
+   * to the value at its position. `lift` is its height above the frame, `shift` its offset to the right, in pixels. */
   interface Mark {
     at: string
     tint: string
@@ -987,7 +993,7 @@ declare namespace page {
 
   /** One term of the heading: a formula or words by form, a sample of the line, and the switch of the group `curve`.
    *
-   * `form` names the picture's form that says which variant stands; the variant "formula" where the picture has none. */
+   * `form` names the picture's form that chooses the variant; the default is the variant "formula". */
   interface Term {
     variants: Record<string, Html>
     curve: string
@@ -1000,10 +1006,11 @@ declare namespace page {
 
   type Side = "left" | "right" | "top" | "bottom"
 
-  /** A rule that makes a value of `parameter`, of which one is `size` in SI, of the place of a hand; "" sets nothing.
+  /** A rule that computes the value of `parameter` from the position of the hand; one unit is `size` in SI, "" sets
+   * nothing.
    *
-   * `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
-   * A flick adds its velocity to the start of the parameter `rate`. */
+   * `moves` is the signal or scalar, on `axis` ("" for none), that follows the hand at once, before the server answers.
+   * A flick adds its velocity to the initial value of the parameter `rate`. */
   interface Way {
     parameter: string
     moves: string
@@ -1012,8 +1019,8 @@ declare namespace page {
     rate: string
   }
 
-  /** A way along a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
-   * hand takes it no lower than `least` and no higher than `most`, both in SI. */
+  /** A way along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right or down. A
+   * hand can move it from `least` to `most`, both in SI. */
   interface Stretch extends Way {
     across: "x" | "y"
     zero: Number
@@ -1022,34 +1029,34 @@ declare namespace page {
     most: number | null
   }
 
-  /** A way whose value is the place of the hand. */
+  /** A way whose value is the position of the hand. */
   interface Along extends Stretch {
     kind: "along"
   }
 
-  /** A way to set one of two parts of a value: `share` times the place of the hand, and the signal `rest`. */
+  /** A way that sets one of two parts of a value: `share` times the position of the hand, and the signal `rest`. */
   interface Share extends Stretch {
     kind: "share"
     share: Number
     rest: string
   }
 
-  /** A way that sets the value of `over`, divided by the place of the hand. */
+  /** A way that sets the value of `over`, divided by the position of the hand. */
   interface Quotient extends Stretch {
     kind: "quotient"
     over: string
   }
 
-  /** A way to hold a root of s^2 + 2 z s + 1 by its distance p to the left of the imaginary axis, and to set z: p on
-   * the circle, (p + 1/p)/2 on the real axis, where it is beyond 1 or says `real`. */
+  /** A way to drag a root of s^2 + 2 z s + 1, which sets z. With p, its distance to the left of the imaginary axis, z
+   * is p on the circle, and (p + 1/p)/2 on the real axis: for p > 1, or if `real`. */
   interface Root extends Stretch {
     kind: "root"
     real: boolean
   }
 
-  /** A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
-   * amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
-   * is the signal of its argument. */
+  /** A way for an oscillation: the position of the hand, times `counted`, is a turning point of a sine. The value is
+   * its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A flick gives it a
+   * velocity; `turn` is the signal of the sine's argument. */
   interface Swung extends Stretch {
     kind: "swung"
     of: "amplitude" | "phase"
@@ -1058,8 +1065,8 @@ declare namespace page {
     turn: string
   }
 
-  /** A way about a point (x, y): the angle in rad, from straight down, counted to the right (anticlockwise): 0 stands
-   * at `zero`, one is `unit` rad. Of a circle seen from the side `tall` is the height over the width. */
+  /** A way about a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at `zero`, and one
+   * unit is `unit` rad. `tall` is height over width, for a circle seen from the side. */
   interface Turn extends Way {
     kind: "turn"
     x: Number
@@ -1069,8 +1076,8 @@ declare namespace page {
     tall: number
   }
 
-  /** A way that trades height for speed without loss: the excess of speed in level flight at a height, by the height
-   * `head` (v_0^2/g); no higher than where the speed is used up. */
+  /** A way that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
+   * `head` is the height v_0^2/g. The height is limited by the speed. */
   interface Trade extends Way {
     kind: "trade"
     zero: Number
@@ -1080,8 +1087,8 @@ declare namespace page {
 
   type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade
 
-  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. Of what
-   * goes on as it was every digit is taken `exactly`; an angle, in rad, without whole turns. */
+  /** An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
+   * `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns. */
   interface Begin {
     parameter: string
     of: string
@@ -1091,10 +1098,10 @@ declare namespace page {
     angle: boolean
   }
 
-  /** A shape's answer to a hand: the values that it sets; `label` names it for a screen reader.
+  /** The response of a shape to dragging: the values that it sets; `label` names it for a screen reader.
    *
-   * Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
-   * not leave the frame of the plot `inside`. */
+   * If it `begins` a motion, time stops, the visible instant becomes the new `start`, and letting go plays it. The hand
+   * cannot leave the frame of the plot `inside`. */
   interface Grab {
     label: string
     ways: AnyWay[]
@@ -1103,9 +1110,11 @@ declare namespace page {
     inside: string
   }
 
-  /** The fields that all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the
-   * picture has all the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand
-   * does with it; what begins a motion in a hand, and what says `held`, is drawn of a picture held too. */
+  /** The fields that all shapes have.
+   *
+   * `tint` is the class of a colour, `style` are more classes. A shape is drawn if the picture has all the scalars
+   * `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. In a
+   * compared picture, only shapes that begin a motion, or that say `held`, are drawn. */
   interface Look {
     tint: string
     style: string
@@ -1115,7 +1124,7 @@ declare namespace page {
     held: boolean
   }
 
-  /** A zigzag of nine teeth between two points: stretch is pitch, stiffness is the width of the wire. */
+  /** A zigzag of nine teeth between two points. Its pitch shows the stretch, the width of the wire the stiffness. */
   interface Spring extends Look {
     kind: "spring"
     x1: Number
@@ -1126,7 +1135,7 @@ declare namespace page {
     height: Number
   }
 
-  /** A square mass, given by the middle of its foot; `corner` puts its label over it, to the left. */
+  /** A square mass, given by the middle of its lower edge; `corner` puts its label above it, to the left. */
   interface Box extends Look {
     kind: "box"
     x: Number
@@ -1145,7 +1154,7 @@ declare namespace page {
     y2: Number
   }
 
-  /** An arrow with a head of so many pixels, moved ahead along itself by `gap`. */
+  /** An arrow with a head of `head` pixels, shifted by `gap` along its direction. */
   interface Arrow extends Look {
     kind: "arrow"
     x1: Number
@@ -1188,7 +1197,8 @@ declare namespace page {
     end: Number
   }
 
-  /** size sin(2 pi turns s + phase) upwards over a length from (x, y); with a `depth` filled down to there. */
+  /** A sine wave, size sin(2 pi turns s + phase) upwards, over a length from (x, y); with `depth`, filled down to
+   * there. */
   interface Wave extends Look {
     kind: "wave"
     x: Number
@@ -1200,7 +1210,8 @@ declare namespace page {
     depth: Number
   }
 
-  /** `count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s). */
+  /** `count` slices of a medium from (x, y) to the right; their edges are displaced along it by size sin(2 pi turns
+   * s). */
   interface Layers extends Look {
     kind: "layers"
     x: Number
@@ -1212,8 +1223,8 @@ declare namespace page {
     turns: Number
   }
 
-  /** Words at a place of the stage. Words `beside` a point of the plot over which they lie stand to its right or left,
-   * clear of the lines. */
+  /** Text on the stage. With the anchor `beside`, a text over a plot is to the right or left of its point, where it
+   * covers no lines. */
   interface Label extends Look {
     kind: "text"
     x: Number
@@ -1222,7 +1233,7 @@ declare namespace page {
     anchor: Anchor
   }
 
-  /** A hatched wall; (x, y) is its upper or left end, `side` where the solid is, `depth` the size of its hatching. */
+  /** A hatched wall; (x, y) is its upper or left end, `side` the solid side, `depth` the size of its hatching. */
   interface Wall extends Look {
     kind: "wall"
     x: Number
@@ -1234,21 +1245,22 @@ declare namespace page {
 
   type AnyShape = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall
 
-  /** Anything that has a number at every instant. */
+  /** Base of all signals. */
   interface Signal {
   }
 
-  /** (size + slope t) exp(-decay t) sin(omega t + phase); a plain exponential has omega = 0 and phase = pi/2. */
+  /** A damped sine, (size + slope t) exp(-decay t) sin(omega t + phase); an exponential has omega = 0 and phase =
+   * pi/2. */
   type Sine = [size: number, omega: number, phase: number, decay: number, slope: number]
 
-  /** a + b t and a sum of sines; line = (a, b). */
+  /** A sum of sines and a + b t; line = (a, b). */
   interface Sines extends Signal {
     kind: "sines"
     sines: Sine[]
     line: [number, number]
   }
 
-  /** size g(t), from rest, with g'' + omega_n^2 g = sin(omega t); regular at resonance and at omega_n = 0. */
+  /** Response from rest, size g(t) with g'' + omega_n^2 g = sin(omega t); regular at resonance and at omega_n = 0. */
   type Response = [size: number, omega: number, omega_n: number]
 
   /** A sum of responses to a drive. */
@@ -1259,8 +1271,8 @@ declare namespace page {
 
   /** The free motion of a damped mass, or its rate: exp(-slow t) (start C + rate S).
    *
-   * C = cos(swing t), S = sin(swing t)/swing where it swings; else C = 1, S = (1 - exp(-apart t))/apart, at critical
-   * damping t. Once apart t > 1 it is the sum of both exponentials, of the sizes `late`. */
+   * C = cos(swing t), S = sin(swing t)/swing if underdamped; else C = 1, S = (1 - exp(-apart t))/apart, and S = t at
+   * critical damping. For apart t > 1 it is computed as a sum of both exponentials with the amplitudes `late`. */
   interface DampedMass extends Signal {
     kind: "damped"
     start: number
@@ -1272,9 +1284,9 @@ declare namespace page {
   }
 
   /** The motion of a damped mass from rest, Im((re + i im) E), E'' + (2 slow + apart) E' + omega_n^2 E = exp(i omega
-   * t): regular at resonance, at critical damping and without damping.
+   * t): regular at resonance, at critical damping and for zero damping.
    *
-   * `slow`, `apart` and `swing` are those of its free motion, `detuning` is omega - swing. */
+   * `slow`, `apart` and `swing` are the rates of its free motion, `detuning` is omega - swing. */
   interface DrivenMass extends Signal {
     kind: "driven"
     re: number
@@ -1287,33 +1299,33 @@ declare namespace page {
     detuning: number
   }
 
-  /** A polynomial in the signals before it. */
+  /** A polynomial in earlier signals. */
   interface Derived extends Signal {
     kind: "derived"
     value: Expression
   }
 
-  /** The sine of an angle in rad, a signal before it. */
+  /** The sine of an earlier signal, an angle in rad. */
   interface SineOf extends Signal {
     kind: "sine"
     of: string
   }
 
-  /** The cosine of an angle in rad, a signal before it. */
+  /** The cosine of an earlier signal, an angle in rad. */
   interface CosineOf extends Signal {
     kind: "cosine"
     of: string
   }
 
-  /** Numbers that follow their message: how many, the least and the greatest. */
+  /** Samples that follow the JSON of their message: their count, minimum and maximum. */
   interface Samples {
     count: number
     low: number
     high: number
   }
 
-  /** A periodic motion in equally spaced values and slopes over one period, joined by Hermite pieces; `drift` is
-   * gained each period. */
+  /** A periodic motion from equally spaced values and slopes over one period, with Hermite interpolation; `drift` is
+   * added each period. */
   interface Sampled extends Signal {
     kind: "sampled"
     period: number
@@ -1329,12 +1341,12 @@ declare namespace page {
 
   /** A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
    *
-   * Anything else than a number may convert itself by its own reflected operators. */
+   * Other types than numbers can convert themselves by their own reflected operators. */
   interface Expression {
     terms: Product[]
   }
 
-  /** A number of a shape: fixed, or worked out at every frame. */
+  /** A number of a shape: fixed, or computed for every frame. */
   type Number = number | Expression
 
   /** HTML that components.layout.text made of our own source; live numbers in it are elements with `data-value`. */
@@ -1348,9 +1360,9 @@ declare namespace page {
 
   type Runs = TextRun[]
 
-  /** A sentence in several forms: the picture's form called `name` says which stands, "" that none does.
+  /** A sentence in several forms: the picture's form called `name` chooses the variant, "" for no sentence.
    *
-   * Without a name the only form, "", always stands. */
+   * If `name` is empty, the variant "" is always visible. */
   interface Forms {
     variants: Record<string, Html>
     name: string

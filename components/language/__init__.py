@@ -1,17 +1,17 @@
-"""The language between Python and the browser: types only, and nothing of ours is imported.
+"""The message types between Python and the browser. Imports no other package of the project.
 
-Whatever crosses is one of these frozen structs. What comes in is decoded by them, so that a malformed message is
-refused before anybody reads it; what goes out is built from them alone. `make protocol` writes docs/protocol.md and the
-browser's type definitions from them.
+All messages are built from these frozen structs. Incoming messages are decoded into them, so malformed ones are
+rejected before any other code sees them. `make protocol` writes docs/protocol.md and the TypeScript declarations from
+them.
 
-    numbers    numbers of a picture that the browser works out: polynomials in named quantities
+    numbers    numbers of a picture that the browser computes: polynomials in named quantities
     text       sentences as HTML, and short texts of a drawing as runs
-    shapes     what a stage is drawn from
-    signals    what moves, sixty times a second without a server
+    shapes     the parts of a stage
+    signals    numbers that depend on time, evaluated sixty times a second without the server
     plots      curves, bands, handles, marks and the heading of a plot
-    blocks     what stands where on the paper
-    controls   the panel, and what its controls show
-    picture    everything that a change of parameters changes
-    state      what a page stands for: scene, parameters, frame, what is hidden
-    messages   what the browser says, and what it is told
+    blocks     the arrangement of the paper
+    controls   the control panel and the values of its controls
+    picture    everything that depends on the parameters
+    state      the state of a page: scene, parameters, frame, hidden parts
+    messages   the messages of the browser and of the server
 """

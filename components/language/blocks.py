@@ -14,10 +14,10 @@ from components.language.text import Forms, Html
 class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """The fields that all blocks have.
 
-    `part` is its name in lists of what a step shows: stage, plot:x, words:why, table. Without any `views` it is in all
-    of them. `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its
-    place from top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form
-    `form`, and with the large type of a `hall` or not there.
+    `part` is the block's name in links and walks: stage, plot:x, words:why, table. A block without `views` is in all of
+    them. `grow` and `basis` divide the height (in a column) or the width (in a row). `phone` is its position from top
+    to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`, and
+    only with or only without the large type of a `hall`, if that is set.
     """
 
     part: str = ""
@@ -40,15 +40,15 @@ class Row(Part, frozen=True, kw_only=True, tag="row"):
 
 
 class Column(Part, frozen=True, kw_only=True, tag="column"):
-    """Blocks one under the other."""
+    """Blocks below each other."""
 
     blocks: tuple[Block, ...]
     gap: int = 0
 
 
 class StageBlock(Part, frozen=True, kw_only=True, tag="stage"):
-    """The picture; `label` describes it to those who do not see it. Where it stands alone it is at most `widest` times
-    as wide as high."""
+    """The animated picture; `label` describes it for screen readers. If it fills a row alone, it is at most `widest`
+    times as wide as high."""
 
     shapes: tuple[AnyShape, ...]
     label: str
@@ -62,21 +62,21 @@ class WordsBlock(Part, frozen=True, kw_only=True, tag="words"):
 
 
 class TableBlock(Part, frozen=True, kw_only=True, tag="table"):
-    """Rows of cells under their heads; the first cell of a row is its name."""
+    """Rows of cells with column headings; the first cell of a row is its name."""
 
     head: tuple[Html, ...]
     rows: tuple[tuple[Forms, ...], ...]
 
 
 class Option(Struct, frozen=True):
-    """A value of a choice, by its word, and its name on the screen."""
+    """A value of a choice: its word in links, and its label."""
 
     value: str
     label: str
 
 
 class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
-    """A joined segment of options that sets the parameter `name`."""
+    """Joined buttons for the options of the parameter `name`."""
 
     name: str
     label: str
@@ -86,10 +86,10 @@ class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
 class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     """A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
 
-    `time` says whether its abscissa is the instant shown, which then can be dragged; `square` draws both axes to one
-    scale; `plain` leaves out numbers at the axes; `shapes` are drawn over it as on a stage; a press near a point of a
-    curve sets the list `pick` to its source and its place in the column. The frame leaves free the room around it, so
-    that what stands over the figure has its place before the figure is there.
+    `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
+    `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
+    list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
+    placed with it before the figure is loaded.
     """
 
     name: str
@@ -111,7 +111,7 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     plain: bool
     pick: str
     figure: dict[str, Any]  # Bokeh's own JSON
-    """A document of the Bokeh figure alone, in Bokeh's own language."""
+    """A Bokeh document, as JSON, with only this figure."""
 
 
 Block: TypeAlias = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock

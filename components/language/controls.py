@@ -1,4 +1,4 @@
-"""The control panel, and what its controls show."""
+"""The control panel and the values of its controls."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ class NamedValue(Struct, frozen=True):
 
 
 class SliderRow(Struct, frozen=True, kw_only=True, tag_field="kind", tag="slider"):
-    """A slider with its field: `label` is what it is called but for its unit, `soft` what it spans; `says` continues
-    the symbol to a sentence."""
+    """A slider with its field: `label` is its name without the unit, `soft` its range; `says` is help text that
+    continues the symbol: "m is the mass"."""
 
     name: str
     symbol: str
@@ -35,7 +35,7 @@ class SliderRow(Struct, frozen=True, kw_only=True, tag_field="kind", tag="slider
 
 
 class ChoiceRow(Struct, frozen=True, kw_only=True, tag_field="kind", tag="choice"):
-    """Joined buttons, or small pictures: the shapes of a stage by value."""
+    """A choice: joined buttons, or small pictures made of the shapes of a stage, by value."""
 
     name: str
     label: str
@@ -47,7 +47,7 @@ ControlRow: TypeAlias = SliderRow | ChoiceRow
 
 
 class ActionButton(Struct, frozen=True):
-    """A button that has the server set several parameters; a place shows whether the scene is there."""
+    """A button that makes the server set several parameters; if `place`, it shows when the scene has these values."""
 
     name: str
     label: str
@@ -55,9 +55,10 @@ class ActionButton(Struct, frozen=True):
 
 
 class GroupSection(Struct, frozen=True, kw_only=True):
-    """Controls that belong together; without a title they go on with those before. `facts` are rows of cells.
+    """Controls that belong together; a section without a title continues the one before. `facts` are rows of cells.
 
-    A folded one opens when asked for and when one of its values is not the default; it stands by the form `form`.
+    A folded section opens on request, or if one of its values is not the default. It is visible while the picture has
+    the form `form`.
     """
 
     title: str
@@ -71,10 +72,10 @@ class GroupSection(Struct, frozen=True, kw_only=True):
 
 
 class PresetButton(Struct, frozen=True):
-    """A preset by its name: what it is called, the parameters that it sets, its outline (SVG path data in a box of 128
-    by 46, or none), and what to watch in it.
+    """A preset: its label, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and
+    a sentence on what to watch.
 
-    It sets all that any preset of the scene speaks of; the others stay.
+    It sets every parameter that any preset of the scene sets; other parameters keep their values.
     """
 
     name: str
@@ -85,7 +86,7 @@ class PresetButton(Struct, frozen=True):
 
 
 class Panel(Struct, frozen=True, kw_only=True):
-    """All controls of a scene; `start` is the title over the presets, which a folded one hides until asked for."""
+    """All controls of a scene; `start` is the title above the presets. A folded list of presets opens on request."""
 
     start: str
     folded: bool
@@ -96,7 +97,7 @@ class Panel(Struct, frozen=True, kw_only=True):
 class Setting(Struct, frozen=True, kw_only=True):
     """The state of a parameter's control: its value (in its own unit) and the text of its field.
 
-    `unit` is the one that is shown and typed, of which one is `size`; `changed` says that it is not the default.
+    `unit` is the unit of display and input, `size` its size in the parameter's own unit; `changed`: not the default.
     """
 
     value: float | str | None

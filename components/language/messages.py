@@ -1,4 +1,4 @@
-"""Messages between browser and server. Each message of the browser is answered under its number."""
+"""Messages between browser and server. The server answers each message of the browser by its number."""
 
 from __future__ import annotations
 
@@ -16,20 +16,21 @@ from components.language.walk import Lesson, WalkSheet
 SaidName: TypeAlias = Annotated[str, Meta(max_length=100)]
 Text: TypeAlias = Annotated[str, Meta(max_length=1000)]
 HEIGHTS = 101
-"""Of a sketch, evenly from the left end of its frame to the right."""
+"""Points of a sketch, evenly spaced from the left end of its frame to the right."""
 
 Height: TypeAlias = Annotated[int, Meta(ge=-100, le=1100)]
-"""In thousandths of the frame, from its foot."""
+"""A height in thousandths of the frame, from its lower edge."""
 Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
-"""A sketched curve: its heights, null where there is a gap."""
+"""A sketched curve: its heights; null in gaps."""
 
 
 class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
+    """An answer to a step of a walk: the index of an option, the text of a number, a place on the axis, or curves by
     name.
 
-    `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
-    a class, from 1 on; `sure` is how sure of it somebody is: 1 for a guess, 2 for fairly, 3 for certain, 0 if not said.
+    `seed` chooses the step's numbers; 0 means the numbers of the file. `vote` counts how often the class has voted on
+    the question, from 1 on. `sure` is the student's confidence: 1 for a guess, 2 for fairly, 3 for certain, 0 if not
+    given.
     """
 
     walk: SaidName
@@ -44,7 +45,7 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
-    """Anything that the browser says."""
+    """Any message of the browser."""
 
     number: int = 0
 
@@ -52,9 +53,9 @@ class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_un
 class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
     """Sets quantities by name, in SI: from sliders and handles.
 
-    While a hand is `holding` on to what is drawn, the axes that it moves `along` and the scale of the stage stay; the
-    others grow. When it has let go, or a slider or key has, an axis that is hardly used is fitted again, but none that
-    the hand moved `along`. Without `holding` a value is on its way.
+    While a hand is dragging (`holding` is true), the axes that it moves `along` and the scale of the stage stay; other
+    axes grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
+    `along` it. If `holding` is None, the value may still change.
     """
 
     values: Annotated[dict[SaidName, float | None], Meta(max_length=50)]
@@ -70,7 +71,7 @@ class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):
 
 
 class Act(FromBrowser, frozen=True, kw_only=True, tag="act"):
-    """Presses a button, which does its action."""
+    """Presses a button."""
 
     name: SaidName
 
@@ -83,15 +84,14 @@ class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
 
 
 class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
-    """Starts or ends the measurement of a scene that measures."""
+    """Starts or ends a measurement."""
 
     order: Literal["start", "cancel", "skip"]
 
 
 class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
-    """Puts the session into a state; another scene then has what it shares with those before, where that is asked to be
-    `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
-    that stands `keeps` its place."""
+    """Puts the session into a state. If `carried`, another scene takes over the parameters that it shares with earlier
+    scenes. If `keeps`, the current frame stays, so that two pictures of one scene can be compared."""
 
     state: State
     carried: bool = False
@@ -105,44 +105,45 @@ class GiveAnswer(FromBrowser, frozen=True, kw_only=True, tag="given"):
 
 
 class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
-    """Has this session alone run a walk from the text of its file."""
+    """Runs a walk from the text of its file, in this session only."""
 
     name: SaidName
     text: Annotated[str, Meta(max_length=48_000)]
 
 
 class Lead(FromBrowser, frozen=True, kw_only=True, tag="lead"):
-    """Sends all that is shown from now on to those who follow the class of this code; the room knows the key."""
+    """Sends the pictures of this page to the followers of a class from now on; `key` permits the page to lead."""
 
     code: Annotated[str, Meta(max_length=8)]
     key: SaidName
 
 
 class AskCsv(FromBrowser, frozen=True, kw_only=True, tag="csv"):
-    """Asks for the numbers of all plots as CSV; `page` is the address that their link begins with."""
+    """Requests the numbers of all plots as CSV; `page` is the address that the link in the file begins with."""
 
     page: Text = ""
 
 
 class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
-    """Asks for the known errors of the numbers that are drawn."""
+    """Requests the known errors of the displayed numbers."""
 
 
 Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
 
 
 class Told(Struct, frozen=True, kw_only=True, tag_field="type"):
-    """Anything that the browser is told; `answer` is the number of the message that it answers."""
+    """Any message of the server; `answer` is the number of the message that it answers."""
 
     answer: int | None = None
 
 
 class Shown(Told, frozen=True, kw_only=True, tag="shown"):
-    """The page as it now is.
+    """The current page.
 
-    `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
-    parameter, `preset` names the one in force, `here` the places where the scene is, `errors` what was refused of the
-    last message by parameter, `problems` what was refused of a link, `query` the link of this state.
+    `sheet` is the address of the scene's sheet, `held` the compared picture, `settings` the values of the controls by
+    parameter, `preset` the name of the current preset, `here` the buttons whose values the scene has now, `errors` the
+    reasons for rejected values of the last message by parameter, `problems` the rejected parts of a link, `query` the
+    link of this state.
     """
 
     scene: str
@@ -160,11 +161,11 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
 
 
 class Kept(Told, frozen=True, kw_only=True, tag="kept"):
-    """The answer to letting go if the page does not change."""
+    """The answer to the end of a drag if the page does not change."""
 
 
 class File(Told, frozen=True, kw_only=True, tag="file"):
-    """A file to keep, and its media type."""
+    """A file to save, and its media type."""
 
     name: str
     kind: str
@@ -172,7 +173,7 @@ class File(Told, frozen=True, kw_only=True, tag="file"):
 
 
 class AboutPoint(Struct, frozen=True, kw_only=True):
-    """One number in twenty digits: as drawn, as it truly is, and how far off in ulp."""
+    """One number in twenty digits: as drawn, the exact value, and the error in ulp."""
 
     name: Html
     place: Html
@@ -182,14 +183,14 @@ class AboutPoint(Struct, frozen=True, kw_only=True):
 
 
 class AboutTable(Struct, frozen=True):
-    """Points under the sentence that bounds their errors."""
+    """Numbers with the sentence that bounds their errors."""
 
     bound: Html
     rows: tuple[AboutPoint, ...]
 
 
 class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
-    """The known errors of the numbers that are drawn."""
+    """The known errors of the displayed numbers."""
 
     reading: Html
     tables: tuple[AboutTable, ...]
@@ -197,8 +198,8 @@ class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
 
 
 class Taught(Told, frozen=True, kw_only=True, tag="taught"):
-    """The lesson of a step, in answer to what was given; `refused` says why there is none, `is_busy` that others come
-    first: it may be asked again."""
+    """The lesson of a step, in answer to `GiveAnswer`. `refused` is the reason if there is none; if `is_busy`, the
+    server has no time now and the page may ask again."""
 
     walk: str
     step: str
@@ -208,7 +209,8 @@ class Taught(Told, frozen=True, kw_only=True, tag="taught"):
 
 
 class Walking(Told, frozen=True, kw_only=True, tag="walking"):
-    """A walk that this session runs; `refused` says what is wrong with its file, `is_busy` that others come first."""
+    """A walk that this session runs. `refused` says what is wrong with its file; if `is_busy`, the server has no time
+    now."""
 
     sheet: WalkSheet | None
     refused: str = ""
@@ -219,7 +221,8 @@ ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking
 
 
 class Onward(Struct, frozen=True, kw_only=True):
-    """A link to another scene: what is `given`, and the parameters of this scene that are taken along."""
+    """A link to another scene: the values that it sets (`given`), and the parameters of this scene that it keeps
+    (`taken`)."""
 
     label: str
     scene: str
@@ -238,11 +241,11 @@ class ViewTab(Struct, frozen=True, kw_only=True):
 
 
 class SceneSheet(Struct, frozen=True, kw_only=True):
-    """All that the browser must know of a scene once, the same for every visitor: an immutable file.
+    """Everything about a scene that is the same for every visitor: an immutable file.
 
-    Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
-    opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
-    numbers}. A scene without `views` always shows its whole paper; the parameter `view` says which one is shown.
+    `usual` is the preset dictionary with which messages about the scene are compressed. `hidden` are the curves that
+    are switched off at first. `spoken` maps names to texts with {live numbers} that are read aloud after a change. A
+    scene with `views` shows one at a time, chosen by the parameter `view`; other scenes always show the whole paper.
     """
 
     slug: str

@@ -1,4 +1,5 @@
-"""Numbers that the browser works out at every frame: polynomials, so that it runs no code it was sent."""
+"""Numbers that the browser computes for every frame. They are polynomials, so the browser runs no code from
+messages."""
 
 from __future__ import annotations
 
@@ -18,14 +19,14 @@ def check_free(owner: str, names: Iterable[str]) -> None:
 
 
 class Name(Protocol):
-    """Anything that is known by a name: a declaration of a scene."""
+    """Anything known by a name: a declaration of a scene."""
 
     @property
     def name(self) -> str: ...
 
 
 def called(one: Name | None) -> str:
-    """The name that is sent, "" for none."""
+    """The name in messages, "" for none."""
     return one.name if one else ""
 
 
@@ -39,7 +40,7 @@ class Product(Struct, frozen=True, array_like=True):
 class Expression(Struct, frozen=True):
     """A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
 
-    Anything else than a number may convert itself by its own reflected operators.
+    Other types than numbers can convert themselves by their own reflected operators.
     """
 
     terms: tuple[Product, ...]
@@ -75,7 +76,7 @@ class Expression(Struct, frozen=True):
 
 
 Number: TypeAlias = float | Expression
-"""A number of a shape: fixed, or worked out at every frame."""
+"""A number of a shape: fixed, or computed for every frame."""
 
 
 def as_expression(value: Number) -> Expression:
@@ -83,17 +84,17 @@ def as_expression(value: Number) -> Expression:
 
 
 def named(name: str) -> Expression:
-    """A quantity that the browser gives: the size of a stage, the frame of a plot."""
+    """A quantity that the browser supplies: the size of a stage, the frame of a plot."""
     return Expression((Product(1.0, (name,)),))
 
 
 def var(one: Name) -> Expression:
-    """A quantity that is declared."""
+    """A declared quantity."""
     return named(one.name)
 
 
 def names_in(value: Number) -> frozenset[str]:
-    """The quantities that a number speaks of."""
+    """Return the names of the quantities that a number uses."""
     return (
         frozenset(name for term in value.terms for name in term.names) if isinstance(value, Expression) else frozenset()
     )

@@ -1,4 +1,4 @@
-"""The picture of a scene as it is sent: all that a change of parameters changes, but for the columns of numbers."""
+"""The picture of a scene in a message: everything that depends on the parameters, without the columns of numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from components.language.text import Html
 
 
 class Ruler(Struct, frozen=True, kw_only=True):
-    """An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
+    """An axis as drawn: coordinates are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
     their logarithms to base ten."""
 
     start: float
@@ -33,7 +33,7 @@ class Pace(Struct, frozen=True):
 
 
 class Digits(Struct, frozen=True, array_like=True):
-    """The digits of a moving number: its decimals, and whether its sign always stands."""
+    """The format of a moving number: its decimals, and if its sign is always shown."""
 
     decimals: int
     signed: bool
@@ -57,8 +57,8 @@ class Drawn(Struct, frozen=True, array_like=True):
 
 
 class Trace(Struct, frozen=True, array_like=True):
-    """Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
-    columns of these names; `signals` are those that are called otherwise."""
+    """Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`. They are the column t and
+    columns of these names; `signals` maps a column to a signal with another name."""
 
     end: float
     count: int
@@ -67,17 +67,15 @@ class Trace(Struct, frozen=True, array_like=True):
 
 
 class PagePicture(Struct, frozen=True, kw_only=True):
-    """A picture as the browser shows it.
+    """A picture for the browser.
 
-    `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
-    `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
-    `signals`   what moves, by name, in the order in which they build on each other
-    `traces`    those of them that are drawn over time, by the source whose columns they are
-    `scalars`   numbers that shapes and marks use
-    `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
-    `forms`     which variant of a formula or sentence stands, by name; "" hides it
-    `notes`     what the visitor must know about this picture
-    `left_out`  the quantities that are not sent because they are covered; a shape that needs one is not drawn
+    `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals` `axes`
+    the axes by name; `time` is the name of the time axis, "" if nothing moves `signals`   the moving numbers by name;
+    each may use the ones before it `traces`    the signals that are drawn over time, by the source with their columns
+    `scalars`   numbers that shapes and marks use `values`    texts of live numbers, by name; `live` has the format of
+    the moving ones, by signal `forms`     the current variant of a formula or sentence, by name; "" hides it `notes`
+    what the visitor must know about this picture `left_out`  the quantities that are not sent because they are hidden;
+    shapes that need one are not drawn
     """
 
     columns: dict[str, dict[str, Drawn]]
@@ -95,7 +93,7 @@ class PagePicture(Struct, frozen=True, kw_only=True):
 
 
 class LedgerRow(Struct, frozen=True, kw_only=True):
-    """A number of the picture held and of the one that stands, in `unit`, and what became of it; "?" is covered."""
+    """A number of the compared picture and of the current one, in `unit`, and the change; "?" means hidden."""
 
     symbol: Html
     tint: str
@@ -107,10 +105,10 @@ class LedgerRow(Struct, frozen=True, kw_only=True):
 
 
 class Held(Struct, frozen=True, kw_only=True):
-    """The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
+    """The compared picture, on the axes of the current one: only its drawn curves, and only where they differ.
 
-    Its numbers follow those of the view. `signals` and `scalars` are those of its `traces` and of what a hand can take
-    on the stage, `values` the numbers of the sliders that have been moved since, `ledger` what is compared.
+    Its numbers follow the numbers of the view. `signals` and `scalars` are for its `traces` and for draggable shapes on
+    the stage, `values` the numbers of the sliders that have changed since, `ledger` the compared numbers.
     """
 
     columns: dict[str, dict[str, Drawn]]

@@ -1,4 +1,4 @@
-"""Plots: all that a plot is made of besides its frame. Names of axes, scalars, forms and values are the picture's."""
+"""The contents of plots without their frames. Names of axes, scalars, forms and values refer to the picture."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from components.language.text import Html, Runs
 
 
 class Room(Struct, frozen=True):
-    """The room around the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
-    over it."""
+    """The margins of the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
+    above."""
 
     left: int = 40
     right: int = 56
@@ -22,10 +22,9 @@ class Room(Struct, frozen=True):
 class Curve(Struct, frozen=True, kw_only=True):
     """A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
 
-    `signal` moves a dot along it (with `signal_x` as its abscissa where that is not the time); `label` stands at its
-    right end and in the read-out at the pointer, `read` there alone; `group` is the name by which it is switched off.
-    With a `marker` its points are marked; with width "none" only they are drawn. Of a group drawn as a band its name
-    stands at the band's middle.
+    `signal` moves a dot along it (with `signal_x` as its abscissa if that is not time). `label` is at its right end and
+    in the tooltip, `read` only in the tooltip. `group` is the name that switches it off. `marker` marks its points;
+    with width "none" only the markers are drawn. In a group drawn as a band, its label is at the band's middle.
     """
 
     source: str
@@ -59,8 +58,9 @@ class Region(Struct, frozen=True, kw_only=True):
 class Handle(Struct, frozen=True, kw_only=True):
     """A pill on an axis that sets a parameter, no lower than `least`.
 
-    It shows `symbol` and the parameter's number, or the value called `text`, then `unit`; where it stands over the unit
-    of the axis it says `covering`. A `bare` one is moved by a press on the plot alone. It stands by the form `form`.
+    It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
+    of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the
+    form `form`.
     """
 
     parameter: str
@@ -77,10 +77,10 @@ class Handle(Struct, frozen=True, kw_only=True):
 
 
 class Mark(Struct, frozen=True, kw_only=True):
-    """A line with a flag across the plot at the scalar `at`, a place on the axis.
+    """A line with a flag across the plot at the scalar `at`, a coordinate of the axis.
 
-    The flag is the button for the action `act`, or sets the parameter `set` to the scalar `exactly` where given, else
-    to what the place stands for. `lift` is its height over the frame, `shift` its way to the right, in pixels.
+    The flag is a button. It does the action `act`, or sets the parameter `set` to the scalar `exactly` if given, else
+    to the value at its position. `lift` is its height above the frame, `shift` its offset to the right, in pixels.
     """
 
     at: str
@@ -100,7 +100,7 @@ class Mark(Struct, frozen=True, kw_only=True):
 class Term(Struct, frozen=True, kw_only=True):
     """One term of the heading: a formula or words by form, a sample of the line, and the switch of the group `curve`.
 
-    `form` names the picture's form that says which variant stands; the variant "formula" where the picture has none.
+    `form` names the picture's form that chooses the variant; the default is the variant "formula".
     """
 
     variants: dict[str, Html]

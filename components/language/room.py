@@ -1,4 +1,4 @@
-"""The language of a live class: what the instructor's page asks of a room, what followers answer, what all are told."""
+"""The messages of a live class: requests of the instructor's page, answers of followers, and what the server sends."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from components.language.text import Html
 from components.language.walk import Lesson, StepCard
 
 YEAR_2100 = 4_102_444_800
-"""In seconds since 1970."""
+"""A time in seconds since 1970."""
 Deed: TypeAlias = Literal[
     "next",
     "back",
@@ -32,12 +32,12 @@ Deed: TypeAlias = Literal[
 
 
 class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
-    """Anything that the instructor's page asks of the room."""
+    """Any request of the instructor's page to the room."""
 
 
 class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
-    """Sets the class's clock: the lecture's stood at `t` at the server's time `at`, in ms, and goes on by `rate` a
-    second, up to `end`: in the unit of the time axis."""
+    """Sets the class's clock: it showed `t` at the server's time `at`, in ms, and advances by `rate` per second, up to
+    `end`; `t`, `rate` and `end` are in the unit of the time axis."""
 
     t: float
     rate: float
@@ -46,8 +46,11 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
-    """Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
-    a question that comes back. A vote that was `answered` takes no more answers: the class has seen the answer."""
+    """Puts the question of a step to the class.
+
+    `vote` is the number of the vote: one more than before, or the last one if the question comes back. If `answered`,
+    the class has seen the answer and the vote takes no more answers.
+    """
 
     walk: SaidName
     step: SaidName
@@ -56,53 +59,53 @@ class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
-    """Hands in a walk from the instructor's own file, whose questions can be put from now on."""
+    """Adds a walk from the instructor's own file, so that its questions can be put."""
 
     name: SaidName
     text: Annotated[str, Meta(max_length=48_000)]
 
 
 class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
-    """Shows all the lesson of the step; no answer is taken any more."""
+    """Shows the lesson of the step to all and ends the vote."""
 
 
 class CloseVote(Ordered, frozen=True, kw_only=True, tag="close"):
-    """Closes the vote: no answer is taken until the question is put as another vote. Nothing is shown."""
+    """Closes the vote: no more answers until the question is put to another vote. No answer is shown."""
 
 
 class AskSure(Ordered, frozen=True, kw_only=True, tag="sure"):
-    """Asks of those who answer the question that is put how sure they are."""
+    """Asks the followers how sure they are of their answers to the current question."""
 
 
 class CountDown(Ordered, frozen=True, kw_only=True, tag="countdown"):
-    """Counts down for the question that is put: so many seconds, or so many more where it counts already. At 0 the vote
-    `closes`, or the count just ends."""
+    """Starts a countdown for the current question, or adds seconds to a running one. At its end the vote closes if
+    `closes`."""
 
     seconds: Annotated[int, Meta(ge=0, le=600)] = 0
     closes: bool = False
 
 
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
-    """Withdraws the question: none is open."""
+    """Withdraws the question, so that none is open."""
 
 
 class Voted(Given, frozen=True, kw_only=True):
-    """An answer as a class keeps it: when it was given, in seconds since 1970, and how many were here."""
+    """An answer as a class stores it, with its time in seconds since 1970 and the number of followers at that time."""
 
     at: Annotated[float, Meta(ge=0, le=YEAR_2100)] = 0.0
     here: Annotated[int, Meta(ge=0, le=10_000_000)] = 0
 
 
 class RestoreAnswers(Ordered, frozen=True, kw_only=True, tag="restore"):
-    """Gives back answers that the server has lost, by the names in the tokens of those who gave them: the
-    instructor's page keeps them. None takes the place of one that is there."""
+    """Restores answers that the server has lost, by the names in their followers' tokens; the instructor's page has
+    copies. Existing answers are not replaced."""
 
     answers: dict[Annotated[str, Meta(pattern=r"^[0-9a-f]{11}[A-Za-z0-9_-]{8}$")], Voted]
 
 
 class DescribeScreen(Ordered, frozen=True, kw_only=True, tag="screen"):
-    """Describes the instructor's screen for a remote control: the words of the next press, the other buttons that do
-    something now, and whether the screen is blank."""
+    """Describes the instructor's screen for a remote control: the label of the next press, the other active buttons,
+    and whether the screen is blank."""
 
     next: Annotated[str, Meta(max_length=60)] = ""
     blank: bool = False
@@ -110,7 +113,7 @@ class DescribeScreen(Ordered, frozen=True, kw_only=True, tag="screen"):
 
 
 class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
-    """Ends the class: the room and all that was answered are forgotten."""
+    """Ends the class and deletes the room with all its answers."""
 
 
 Order: TypeAlias = (
@@ -129,8 +132,8 @@ Order: TypeAlias = (
 
 
 class Split(Struct, frozen=True, kw_only=True):
-    """The answers to a vote for those who gave them: how many, how many are right, how many chose each option or have
-    each of the features asked for. It `judges` where answers are right or wrong."""
+    """The result of a vote for the followers: the number of answers, of right ones, and of answers with each option or
+    feature. `judges`: answers can be right or wrong."""
 
     answered: int
     right: int
@@ -140,11 +143,13 @@ class Split(Struct, frozen=True, kw_only=True):
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
-    """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-    teaches once the answer is shown; a vote that is `closed` takes no answers; one that was `answered` had its answer
-    shown, which is hidden again; `sure` asks how sure an answer is; a countdown ends at the
-    server's time `until`, in ms, if it is not 0, and then the vote `closes` or does not; `split` comes with the answer.
-    Without a step none is."""
+    """The current question of the class: a step of a walk, its card, its position in the lecture, the number of the
+    vote from 1 on, and its lesson once the answer is shown.
+
+    `closed`: the vote takes no more answers. `answered`: its answer was shown before and is hidden again. `sure`:
+    followers are asked how sure they are. `until` is the end of a countdown in ms of the server's time, 0 for none; the
+    vote then closes if `closes`. `split` comes with the answer. If `step` is empty, there is no question.
+    """
 
     walk: str = ""
     step: str = ""
@@ -161,19 +166,19 @@ class PutTo(Struct, frozen=True, kw_only=True):
 
 
 class SentPicture(Struct, frozen=True, kw_only=True):
-    """The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to."""
+    """The picture of the instructor's page: a packed `Shown`, and the sheet with the dictionary for its compression."""
 
     sheet: str
     data: bytes
 
 
 class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """The changes in a room since the last news; the first that a follower hears has all of it.
+    """The changes in a room since the last news; a follower's first news has the complete state.
 
-    `number` is this state's, `here` says how many follow, `answered` how many have answered the question, `lost` that
-    the store which replicas share does not answer, `ended` that the class is over. The instructor's page alone hears of
-    `answers` given, of the `deed` of a remote control, with the `step` that it is to go to, or that the lead was taken
-    over, and of all `remotes` that wait to be let in, by the two digits that each shows.
+    `number` is the number of this state, `here` the number of followers, `answered` the number of answers to the
+    question. `lost`: the store that replicas share does not answer. `ended`: the class is over. Only the instructor's
+    page gets the `answers`, the `deed` of a remote control with its `step`, the notice that another computer leads now,
+    and all waiting `remotes`, by the two digits on their screens.
     """
 
     number: str
@@ -201,23 +206,23 @@ class Opened(Struct, frozen=True, kw_only=True):
 
 
 class Reopen(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Opens the room of a code anew, with its key, where a server has lost it: as often as it is asked for. `control`
-    is what the page was told when it let a remote control in."""
+    """Opens the room of a code again, with its key, after a server has lost it; it may be repeated. `control` is the
+    proof that the page got when it admitted a remote control."""
 
     control: Annotated[str, Meta(pattern="^([0-9a-f]{64})?$")] = ""
 
 
 class SketchOf(Struct, frozen=True, kw_only=True):
-    """One sketch and which of the features asked for it has."""
+    """One sketch, and its features."""
 
     curves: dict[str, Sketched]
     has: tuple[bool, ...]
 
 
 class Counted(Struct, frozen=True, kw_only=True):
-    """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
-    hundreds of them, and how many of all have each of the features asked for. `sure` has for each of the three levels
-    how many are as sure, and how many of these are right; nothing where nobody has said it."""
+    """The answers to one vote: their number, the number for each option, the numbers or places on the axis of a point,
+    some hundreds of sketches, and the number of sketches with each feature. `sure` has for each of the three levels of
+    confidence the number of answers and of right ones; it is empty if nobody gave a level."""
 
     answered: int
     options: tuple[int, ...] = ()
@@ -228,8 +233,8 @@ class Counted(Struct, frozen=True, kw_only=True):
 
 
 class Tally(Struct, frozen=True, kw_only=True):
-    """The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
-    `features` what a right sketch has, by name, `right` how many answers are."""
+    """The answers to the current question, for the instructor. `before` is the first vote if there are two, `features`
+    the features of a right sketch, by name, `right` the number of right answers."""
 
     walk: str
     step: str
@@ -241,9 +246,9 @@ class Tally(Struct, frozen=True, kw_only=True):
 
 
 class RemoteView(Struct, frozen=True, kw_only=True):
-    """The contents of a remote control: the question that is put, how many are here, the count of its answers without
-    single numbers and sketches, its lesson also before the answer is shown, whether its answers are right or wrong, the
-    instructor's notes, and the instructor's screen. `number` is the room's state that it shows."""
+    """The contents of a remote control: the current question, the number of followers, the counted answers without
+    single numbers and sketches, the lesson (also before the answer is shown), if the answers can be right or wrong, the
+    instructor's notes, and the instructor's screen. `number` is the number of the room's state."""
 
     number: str
     question: PutTo
@@ -256,7 +261,7 @@ class RemoteView(Struct, frozen=True, kw_only=True):
 
 
 class VoteSummary(Struct, frozen=True, kw_only=True):
-    """The answers to a vote by their number, and how many of them were right."""
+    """The number of answers to a vote, and of right ones."""
 
     vote: int
     answered: int
@@ -264,15 +269,15 @@ class VoteSummary(Struct, frozen=True, kw_only=True):
 
 
 class Stored(Struct, frozen=True, kw_only=True):
-    """The number of answers that a class stores, and of the questions that they answer."""
+    """The number of stored answers of a class, and of their questions."""
 
     answers: int
     questions: int
 
 
 class StepSummary(Struct, frozen=True, kw_only=True):
-    """A question that a class has answered, a step of a walk: its place there, from 1 on, its votes, and the wrong
-    answer that was given most often in the last, by how many; "" where that cannot be said in a few words."""
+    """A question that a class has answered: its position in the walk, from 1 on, its votes, and the most frequent wrong
+    answer of the last vote with its count; "" if it does not fit into a few words."""
 
     walk: str
     step: str
@@ -284,44 +289,43 @@ class StepSummary(Struct, frozen=True, kw_only=True):
 
 
 class Entered(Struct, frozen=True, kw_only=True):
-    """A follower's way in: the code as it is written, and the token under which answers are kept."""
+    """The entry of a follower: the normalised code, and the token under which answers are kept."""
 
     code: str
     token: str
 
 
 class Ticket(Struct, frozen=True, kw_only=True):
-    """A ticket for a remote control, good once: its address, also as a QR code (SVG); the phone sends the secret
-    alone."""
+    """A ticket for one remote control: its address, also as a QR code (SVG). The phone sends only the secret."""
 
     address: str
     square: str = ""
 
 
 class Paired(Struct, frozen=True, kw_only=True):
-    """A remote control that waits: the two digits that it shows, and the key that is good once it has been let in."""
+    """A waiting remote control: its two digits, and the key that is valid once the instructor has admitted it."""
 
     digits: str
     key: str
 
 
 class HandOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Asks for a word with which another computer leads the class from now on, at the page of this link. `shown` has
-    the vote after which the class saw the answer, by question."""
+    """Requests a word with which another computer leads the class from now on, with the page of this link. `shown` has
+    the number of the vote whose answer the class has seen, by question."""
 
     query: Annotated[str, Meta(max_length=4000)]
     shown: Annotated[dict[Annotated[str, Meta(max_length=201)], int], Meta(max_length=100)] = {}
 
 
 class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Takes the lead of a class with such a word, good once."""
+    """Takes the lead of a class with such a word, which is valid once."""
 
     word: Annotated[str, Meta(max_length=20)]
 
 
 class TakenOver(Opened, frozen=True, kw_only=True):
-    """A room that another computer led, the link of the page that it showed, the answers that the class saw, the walks
-    from its files, by name, and what was kept of its remote control."""
+    """A room that another computer led: the link of its page, the answers that the class saw, the walks from its files
+    by name, and the saved state of its remote control."""
 
     query: str
     shown: dict[str, int]
@@ -336,8 +340,8 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A press of a button on a remote control; `step` is the one to go to. `end` asks on the lecturer's screen
-    whether to end the class, and ends it if that is asked already."""
+    """A press of a button on a remote control; `step` is the step to open. The first `end` asks the instructor to
+    confirm, the second ends the class."""
 
     deed: Deed
     step: SaidName = ""

@@ -14,10 +14,11 @@ Side: TypeAlias = Literal["left", "right", "top", "bottom"]
 
 
 class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """A rule that makes a value of `parameter`, of which one is `size` in SI, of the place of a hand; "" sets nothing.
+    """A rule that computes the value of `parameter` from the position of the hand; one unit is `size` in SI, "" sets
+    nothing.
 
-    `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
-    A flick adds its velocity to the start of the parameter `rate`.
+    `moves` is the signal or scalar, on `axis` ("" for none), that follows the hand at once, before the server answers.
+    A flick adds its velocity to the initial value of the parameter `rate`.
     """
 
     parameter: str = ""
@@ -28,8 +29,8 @@ class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class Stretch(Way, frozen=True, kw_only=True):
-    """A way along a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
-    hand takes it no lower than `least` and no higher than `most`, both in SI."""
+    """A way along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right or down. A
+    hand can move it from `least` to `most`, both in SI."""
 
     across: Literal["x", "y"]
     zero: Number
@@ -39,33 +40,33 @@ class Stretch(Way, frozen=True, kw_only=True):
 
 
 class Along(Stretch, frozen=True, kw_only=True, tag="along"):
-    """A way whose value is the place of the hand."""
+    """A way whose value is the position of the hand."""
 
 
 class Share(Stretch, frozen=True, kw_only=True, tag="share"):
-    """A way to set one of two parts of a value: `share` times the place of the hand, and the signal `rest`."""
+    """A way that sets one of two parts of a value: `share` times the position of the hand, and the signal `rest`."""
 
     share: Number
     rest: str
 
 
 class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
-    """A way that sets the value of `over`, divided by the place of the hand."""
+    """A way that sets the value of `over`, divided by the position of the hand."""
 
     over: str
 
 
 class Root(Stretch, frozen=True, kw_only=True, tag="root"):
-    """A way to hold a root of s^2 + 2 z s + 1 by its distance p to the left of the imaginary axis, and to set z: p on
-    the circle, (p + 1/p)/2 on the real axis, where it is beyond 1 or says `real`."""
+    """A way to drag a root of s^2 + 2 z s + 1, which sets z. With p, its distance to the left of the imaginary axis, z
+    is p on the circle, and (p + 1/p)/2 on the real axis: for p > 1, or if `real`."""
 
     real: bool = False
 
 
 class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
-    """A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
-    amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
-    is the signal of its argument."""
+    """A way for an oscillation: the position of the hand, times `counted`, is a turning point of a sine. The value is
+    its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A flick gives it a
+    velocity; `turn` is the signal of the sine's argument."""
 
     of: Literal["amplitude", "phase"]
     counted: Number
@@ -74,8 +75,8 @@ class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
 
 
 class Turn(Way, frozen=True, kw_only=True, tag="turn"):
-    """A way about a point (x, y): the angle in rad, from straight down, counted to the right (anticlockwise): 0 stands
-    at `zero`, one is `unit` rad. Of a circle seen from the side `tall` is the height over the width."""
+    """A way about a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at `zero`, and one
+    unit is `unit` rad. `tall` is height over width, for a circle seen from the side."""
 
     x: Number
     y: Number
@@ -85,8 +86,8 @@ class Turn(Way, frozen=True, kw_only=True, tag="turn"):
 
 
 class Trade(Way, frozen=True, kw_only=True, tag="trade"):
-    """A way that trades height for speed without loss: the excess of speed in level flight at a height, by the height
-    `head` (v_0^2/g); no higher than where the speed is used up."""
+    """A way that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
+    `head` is the height v_0^2/g. The height is limited by the speed."""
 
     zero: Number
     unit: Number
@@ -97,8 +98,8 @@ AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade
 
 
 class Begin(Struct, frozen=True):
-    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. Of what
-    goes on as it was every digit is taken `exactly`; an angle, in rad, without whole turns."""
+    """An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
+    `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns."""
 
     parameter: str
     of: str = ""
@@ -109,10 +110,10 @@ class Begin(Struct, frozen=True):
 
 
 class Grab(Struct, frozen=True, kw_only=True):
-    """A shape's answer to a hand: the values that it sets; `label` names it for a screen reader.
+    """The response of a shape to dragging: the values that it sets; `label` names it for a screen reader.
 
-    Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
-    not leave the frame of the plot `inside`.
+    If it `begins` a motion, time stops, the visible instant becomes the new `start`, and letting go plays it. The hand
+    cannot leave the frame of the plot `inside`.
     """
 
     label: str
@@ -123,9 +124,12 @@ class Grab(Struct, frozen=True, kw_only=True):
 
 
 class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """The fields that all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the
-    picture has all the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand
-    does with it; what begins a motion in a hand, and what says `held`, is drawn of a picture held too."""
+    """The fields that all shapes have.
+
+    `tint` is the class of a colour, `style` are more classes. A shape is drawn if the picture has all the scalars
+    `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. In a
+    compared picture, only shapes that begin a motion, or that say `held`, are drawn.
+    """
 
     tint: str = "ink"
     style: str = ""
@@ -136,7 +140,7 @@ class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class Spring(Look, frozen=True, kw_only=True, tag="spring"):
-    """A zigzag of nine teeth between two points: stretch is pitch, stiffness is the width of the wire."""
+    """A zigzag of nine teeth between two points. Its pitch shows the stretch, the width of the wire the stiffness."""
 
     x1: Number
     y1: Number
@@ -147,7 +151,7 @@ class Spring(Look, frozen=True, kw_only=True, tag="spring"):
 
 
 class Box(Look, frozen=True, kw_only=True, tag="box"):
-    """A square mass, given by the middle of its foot; `corner` puts its label over it, to the left."""
+    """A square mass, given by the middle of its lower edge; `corner` puts its label above it, to the left."""
 
     x: Number
     y: Number
@@ -166,7 +170,7 @@ class Line(Look, frozen=True, kw_only=True, tag="line"):
 
 
 class Arrow(Look, frozen=True, kw_only=True, tag="arrow"):
-    """An arrow with a head of so many pixels, moved ahead along itself by `gap`."""
+    """An arrow with a head of `head` pixels, shifted by `gap` along its direction."""
 
     x1: Number
     y1: Number
@@ -209,7 +213,8 @@ class Arc(Look, frozen=True, kw_only=True, tag="arc"):
 
 
 class Wave(Look, frozen=True, kw_only=True, tag="wave"):
-    """size sin(2 pi turns s + phase) upwards over a length from (x, y); with a `depth` filled down to there."""
+    """A sine wave, size sin(2 pi turns s + phase) upwards, over a length from (x, y); with `depth`, filled down to
+    there."""
 
     x: Number
     y: Number
@@ -221,7 +226,8 @@ class Wave(Look, frozen=True, kw_only=True, tag="wave"):
 
 
 class Layers(Look, frozen=True, kw_only=True, tag="layers"):
-    """`count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s)."""
+    """`count` slices of a medium from (x, y) to the right; their edges are displaced along it by size sin(2 pi turns
+    s)."""
 
     x: Number
     y: Number
@@ -233,8 +239,8 @@ class Layers(Look, frozen=True, kw_only=True, tag="layers"):
 
 
 class Label(Look, frozen=True, kw_only=True, tag="text"):
-    """Words at a place of the stage. Words `beside` a point of the plot over which they lie stand to its right or left,
-    clear of the lines."""
+    """Text on the stage. With the anchor `beside`, a text over a plot is to the right or left of its point, where it
+    covers no lines."""
 
     x: Number
     y: Number
@@ -243,7 +249,7 @@ class Label(Look, frozen=True, kw_only=True, tag="text"):
 
 
 class Wall(Look, frozen=True, kw_only=True, tag="wall"):
-    """A hatched wall; (x, y) is its upper or left end, `side` where the solid is, `depth` the size of its hatching."""
+    """A hatched wall; (x, y) is its upper or left end, `side` the solid side, `depth` the size of its hatching."""
 
     x: Number
     y: Number

@@ -1,7 +1,7 @@
-"""Signals: numbers that move, a few scalars each, which the browser evaluates at any instant.
+"""Signals: numbers that depend on time, which the browser evaluates at any instant from a few coefficients.
 
-Times count in the unit of the time axis from the start of the window, sizes in the unit of the signal's own axis, so
-what is sent is of order one. A signal may speak of the signals before it and of the picture's scalars.
+Times are in the unit of the time axis, from the start of the window; amplitudes are in the unit of the signal's own
+axis. The coefficients are then of order one. A signal can use earlier signals and the picture's scalars.
 """
 
 from __future__ import annotations
@@ -14,11 +14,12 @@ from components.language.numbers import Expression
 
 
 class Signal(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """Anything that has a number at every instant."""
+    """Base of all signals."""
 
 
 class Sine(Struct, frozen=True, array_like=True):
-    """(size + slope t) exp(-decay t) sin(omega t + phase); a plain exponential has omega = 0 and phase = pi/2."""
+    """A damped sine, (size + slope t) exp(-decay t) sin(omega t + phase); an exponential has omega = 0 and phase =
+    pi/2."""
 
     size: float
     omega: float
@@ -28,14 +29,14 @@ class Sine(Struct, frozen=True, array_like=True):
 
 
 class Sines(Signal, frozen=True, kw_only=True, tag="sines"):
-    """a + b t and a sum of sines; line = (a, b)."""
+    """A sum of sines and a + b t; line = (a, b)."""
 
     sines: tuple[Sine, ...]
     line: tuple[float, float] = (0.0, 0.0)
 
 
 class Response(Struct, frozen=True, array_like=True):
-    """size g(t), from rest, with g'' + omega_n^2 g = sin(omega t); regular at resonance and at omega_n = 0."""
+    """Response from rest, size g(t) with g'' + omega_n^2 g = sin(omega t); regular at resonance and at omega_n = 0."""
 
     size: float
     omega: float
@@ -51,8 +52,8 @@ class Responses(Signal, frozen=True, kw_only=True, tag="responses"):
 class DampedMass(Signal, frozen=True, kw_only=True, tag="damped"):
     """The free motion of a damped mass, or its rate: exp(-slow t) (start C + rate S).
 
-    C = cos(swing t), S = sin(swing t)/swing where it swings; else C = 1, S = (1 - exp(-apart t))/apart, at critical
-    damping t. Once apart t > 1 it is the sum of both exponentials, of the sizes `late`.
+    C = cos(swing t), S = sin(swing t)/swing if underdamped; else C = 1, S = (1 - exp(-apart t))/apart, and S = t at
+    critical damping. For apart t > 1 it is computed as a sum of both exponentials with the amplitudes `late`.
     """
 
     start: float
@@ -65,9 +66,9 @@ class DampedMass(Signal, frozen=True, kw_only=True, tag="damped"):
 
 class DrivenMass(Signal, frozen=True, kw_only=True, tag="driven"):
     """The motion of a damped mass from rest, Im((re + i im) E), E'' + (2 slow + apart) E' + omega_n^2 E = exp(i omega
-    t): regular at resonance, at critical damping and without damping.
+    t): regular at resonance, at critical damping and for zero damping.
 
-    `slow`, `apart` and `swing` are those of its free motion, `detuning` is omega - swing.
+    `slow`, `apart` and `swing` are the rates of its free motion, `detuning` is omega - swing.
     """
 
     re: float
@@ -81,25 +82,25 @@ class DrivenMass(Signal, frozen=True, kw_only=True, tag="driven"):
 
 
 class Derived(Signal, frozen=True, kw_only=True, tag="derived"):
-    """A polynomial in the signals before it."""
+    """A polynomial in earlier signals."""
 
     value: Expression
 
 
 class SineOf(Signal, frozen=True, kw_only=True, tag="sine"):
-    """The sine of an angle in rad, a signal before it."""
+    """The sine of an earlier signal, an angle in rad."""
 
     of: str
 
 
 class CosineOf(Signal, frozen=True, kw_only=True, tag="cosine"):
-    """The cosine of an angle in rad, a signal before it."""
+    """The cosine of an earlier signal, an angle in rad."""
 
     of: str
 
 
 class Samples(Struct, frozen=True):
-    """Numbers that follow their message: how many, the least and the greatest."""
+    """Samples that follow the JSON of their message: their count, minimum and maximum."""
 
     count: int
     low: float
@@ -107,8 +108,8 @@ class Samples(Struct, frozen=True):
 
 
 class Sampled(Signal, frozen=True, kw_only=True, tag="sampled"):
-    """A periodic motion in equally spaced values and slopes over one period, joined by Hermite pieces; `drift` is
-    gained each period."""
+    """A periodic motion from equally spaced values and slopes over one period, with Hermite interpolation; `drift` is
+    added each period."""
 
     period: float
     y: tuple[float, ...] | Samples

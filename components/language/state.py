@@ -12,7 +12,7 @@ Value: TypeAlias = float | str | list[str] | None
 
 class Frame(Struct, frozen=True, kw_only=True):
     """A frame for a picture: the ranges of its axes by name, its time window in s, the scale of its stage, and its
-    speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew."""
+    speed in simulated seconds per second. `given`: it came with a link, so the end of a drag does not fit it again."""
 
     ranges: Annotated[dict[str, tuple[float, float]], Meta(max_length=50)] = {}
     window: float | None = None
@@ -22,10 +22,13 @@ class Frame(Struct, frozen=True, kw_only=True):
 
 
 class State(Struct, frozen=True, kw_only=True):
-    """All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
-    fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
-    to be predicted, the hidden curves where they are not the scene's own, the step of a walk: "d34/d34-07", and
-    "d34/d34-07/5" where its numbers have a seed, and the parts to show in place of those of its view."""
+    """The state of a page.
+
+    A scene, its parameters that are not at their defaults, its frame if it is not the fitted one, the parameters of the
+    compared picture, the hidden plots and values, the parameters from before a change that is to be predicted, the
+    switched-off curves if not the scene's default, the step of a walk ("d34/d34-07", or "d34/d34-07/5" with a seed for
+    its numbers), and the parts to show in place of the parts of its view.
+    """
 
     scene: str
     parameters: dict[str, Value] = {}

@@ -21,9 +21,9 @@ Runs: TypeAlias = tuple[TextRun, ...]
 
 
 class Forms(Struct, frozen=True):
-    """A sentence in several forms: the picture's form called `name` says which stands, "" that none does.
+    """A sentence in several forms: the picture's form called `name` chooses the variant, "" for no sentence.
 
-    Without a name the only form, "", always stands.
+    If `name` is empty, the variant "" is always visible.
     """
 
     variants: dict[str, Html]

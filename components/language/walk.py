@@ -14,13 +14,13 @@ from components.language.text import Html
 class StepCard(Struct, frozen=True, kw_only=True):
     """The card of a step, before its answer.
 
-    `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
-    shown in another order unless they are `fixed`, none of them right in a `poll`, `unit` is that of a number; `plot`
-    is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
-    `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
-    `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
-    walk. A step with `derive` shows how its answer follows by one more press; a vote on one that `closes` is closed at
-    the end of a countdown. `variants` are cards of its question with other numbers, under the seeds from 1 on.
+    `place` is its position in the lecture, `given` a text above the question. `options` are the answers of a choice,
+    shown in random order unless `fixed`; in a `poll` none is right. `unit` is the unit of a number, `plot` the plot for
+    a point or a sketch, `axis` the axis of the point, `curves` the curves to draw, by name, and `frame` the axes x and
+    y of a sketch that a class shares. `opens` is the state for the question, `reveals` the one for the answer, in which
+    the parameters in `controls` can be changed. The `core` steps make a shorter walk. A step with `derive` has one more
+    press, which shows the derivation. If it `closes`, the end of a countdown closes the vote. `variants` are cards of
+    its question with other numbers, for the seeds from 1 on.
     """
 
     id: str
@@ -48,7 +48,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
 
 
 class WalkSheet(Struct, frozen=True, kw_only=True):
-    """A walk from its first step to its last, and the sentences on what it has shown."""
+    """A walk from its first step to its last, and the sentences of its summary."""
 
     name: str
     title: str
@@ -75,12 +75,12 @@ class Finding(Struct, frozen=True, kw_only=True):
 
 
 class Lesson(Struct, frozen=True, kw_only=True):
-    """The lesson of a step, told once it has been answered.
+    """The lesson of a step, sent after its answer.
 
-    `right` is None where nothing was answered; `reply` is the sentence of the answer given, `where` the state of a case
-    of which it speaks; `verdicts` are those of the options, `findings` those of a sketch, `truth` the right number or
-    places; `places` has them in the unit of the
-    number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`.
+    `right` is None if no answer was given. `reply` is the sentence for the answer, `where` the state of a case that it
+    mentions; `verdicts` are the comments on the options, `findings` those on a sketch, `truth` the right number or
+    places; `places` has them in the unit of the number, or on the axis of the point. `shows` is the state of the answer
+    if it is not the card's `reveals`.
     """
 
     title: Html

@@ -11,7 +11,7 @@ export class Clock {
     this.t = 0 // in the unit of the time axis
     this.end = 1
     this.unit = 1 // seconds in that unit
-    this.places = 2 // decimals of an instant as it is told
+    this.places = 2 // decimals of the time in messages
     this.pace = 1 // simulated over real seconds that 'auto' plays at
     this.limit = Infinity // the fastest at which the fastest motion can still be seen
     /** @type {number | "auto"} */
@@ -97,7 +97,7 @@ export class Clock {
     this.touch()
   }
 
-  /** Another clock leads, which plays or stands. @param {boolean} playing @param {() => number} lead */
+  /** Follows another clock. @param {boolean} playing @param {() => number} lead */
   follow(playing, lead) {
     this.playing = playing
     this.lead = lead
@@ -113,7 +113,7 @@ export class Clock {
       this.dirty ||= t !== this.t
       this.t = t
     } else if (this.playing && this.last !== null) {
-      // A tab that was hidden goes on from where it stood.
+      // A tab that was hidden continues from the instant at which it was hidden.
       const seconds = Math.min((now - this.last) / 1000, 0.1)
       this.t += (seconds * this.factor) / this.unit
       // A window far shorter than what the speed is made for passes in less than a frame.

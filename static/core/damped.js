@@ -30,7 +30,7 @@ function over(a, [c, d]) {
 }
 
 /**
- * The free motion from 0 with the velocity 1, without its decay: t at critical damping.
+ * The free motion from 0 with velocity 1, but with no decay factor: t at critical damping.
  * @param {number} apart @param {number} swing @param {number} t
  */
 function grown(apart, swing, t) {
@@ -53,7 +53,7 @@ export function driven(signal, t) {
 }
 
 /**
- * From rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t): by the one of four forms that keeps the digits.
+ * The motion from rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t), by the one of four formulas that loses no digits.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function fromRest(signal, t) {

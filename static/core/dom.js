@@ -29,7 +29,7 @@ export function svg(tag, attributes = {}, ...children) {
   return made
 }
 
-/** A button and what it does. @param {Attributes} look @param {() => void} act @param {...(Node | string)} children */
+/** A button with its action. @param {Attributes} look @param {() => void} act @param {...(Node | string)} children */
 export function button(look, act, ...children) {
   const made = element("button", {type: "button", ...look}, ...children)
   made.addEventListener("click", () => act())
@@ -129,7 +129,7 @@ export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
 /** The next frame; a page in a tab that nobody sees is not waited for. */
 export const frame = () => Promise.race([new Promise(requestAnimationFrame), new Promise(done => setTimeout(done, 50))])
 
-/** The box of the surface that a part stands on: paper or panel, and on a phone, where these have none, the page. */
+/** The box of the surface behind a part: paper or panel, or the whole page on a phone. */
 export const surface = (/** @type {Element} */ part) =>
   [".paper, .panel", ".page"].map(kind => part.closest(kind)?.getBoundingClientRect()).find(box => box?.width)
 

@@ -7,7 +7,7 @@ const logged = new Set()
 
 let told = false
 
-/** Logs a fault once, and tells the visitor of the first one. @param {unknown} reason */
+/** Logs each fault once, and notifies the visitor of the first one. @param {unknown} reason */
 export function report(reason) {
   if (!logged.has(String(reason))) console.error(reason)
   logged.add(String(reason))
@@ -31,9 +31,9 @@ export function guarded(act) {
   }
 }
 
-/** Tells of faults that nothing catches, as in what a button does; the browser logs these itself. */
+/** Reports uncaught faults, for example in the action of a button; the browser logs these already. */
 export function watch() {
-  // Without an error it is the browser's own notice, such as that of a ResizeObserver that had to wait.
+  // An event that has no error is a notice of the browser, for example about a delayed ResizeObserver.
   addEventListener("error", ({error}) => error && tell(error))
   addEventListener("unhandledrejection", ({reason}) => tell(reason))
 }

@@ -1,4 +1,4 @@
-// Sentences that the visitor should know: at the foot of the page, where what is seen stays as it is, and over a scene.
+// Notices for the visitor: at the foot of the page, where they do not move the visible part, and over a scene.
 
 import {button, element} from "./dom.js"
 
@@ -13,7 +13,7 @@ export function note(sentence, ...parts) {
   const close = button({"aria-label": "Close"}, () => said.remove(), "×")
   const said = element("div", {class: "remark", role: "status"}, close)
   document.body.append(said)
-  said.prepend(element("span", {}, sentence), ...parts) // what comes into a status that is there is read out
+  said.prepend(element("span", {}, sentence), ...parts) // announced, since the status exists already
   return () => said.remove()
 }
 

@@ -63,10 +63,10 @@ export function grouped(count) {
 /** A number and its unit, which is close to it where it is a degree. @param {string} number @param {string} unit */
 export const withUnit = (number, unit) => `${number}${unit === "°" || unit.startsWith("·") ? "" : " "}${unit}`.trim()
 
-/** A typed text as it is shown. @param {string} text */
+/** A typed text in the notation of the page. @param {string} text */
 export const withTrueMinus = text => text.replaceAll("-", MINUS)
 
-/** An exponent as it stands over the line. @param {number} exponent */
+/** An exponent in superscript digits. @param {number} exponent */
 function raised(exponent) {
   return [...String(exponent)].map(sign => SUPERSCRIPTS[Number(sign)] ?? "⁻").join("")
 }
@@ -77,7 +77,7 @@ function parts(text) {
   return [mantissa.replace(".", ""), Number(exponent)]
 }
 
-/** As Python rounds: what lies in the middle goes to the even digit. @param {number} size @param {number} count */
+/** Rounds as Python does, half to even. @param {number} size @param {number} count */
 function rounded(size, count) {
   // oxlint-disable-next-line number-arg-out-of-range -- 100 digits are allowed, and no tie has more than 60
   const [digits, exponent] = parts(size.toExponential(60))
@@ -89,7 +89,7 @@ function rounded(size, count) {
 }
 
 /**
- * Digits with the point where the first of them stands for 10^exponent.
+ * Digits with a decimal point, if the first digit is worth 10^exponent.
  * @param {string} digits @param {number} exponent
  */
 function pointed(digits, exponent) {

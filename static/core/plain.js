@@ -41,7 +41,7 @@ const MATH = {
   sub: parts => shifted(parts.join(""), LOW, "_"),
 }
 
-/** The text of an element, as far as it is seen. @param {Node} node @returns {string} */
+/** The visible text of an element. @param {Node} node @returns {string} */
 export function plain(node) {
   if (node.nodeType === Node.TEXT_NODE) return (node.textContent ?? "").replace(/\s+/g, " ")
   if (!(node instanceof Element) || isHidden(node)) return ""

@@ -1,4 +1,4 @@
-// Places on an axis and what they stand for.
+// Conversion between coordinates of an axis and values in SI units.
 
 /** The axis of a quantity that is drawn on none. @type {page.Ruler} */
 export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
@@ -17,7 +17,7 @@ export function toSI({log, power, exponent, factor}, place) {
   return (log ? 10 ** place : place ** (1 / power) * 10 ** (exponent / power)) * factor
 }
 
-/** Where a quantity in SI stands on the axis. @param {page.Ruler} ruler @param {number} value */
+/** The coordinate of an SI value on the axis. @param {page.Ruler} ruler @param {number} value */
 export function toPlace({log, power, exponent, factor}, value) {
   return log ? Math.log10(value / factor) : (value / factor / 10 ** (exponent / power)) ** power
 }

@@ -15,7 +15,7 @@ const cos = phase => Math.cos(circled(phase))
 const sinc = (rate, t) => (Math.abs(rate * t) < 1e-4 ? t * (1 - (rate * t) ** 2 / 6) : sin(rate * t) / rate)
 
 /**
- * From rest, x'' + n² x = sin(w t); regular at w = n and at n = 0.
+ * The response from rest, x'' + n² x = sin(w t); regular at w = n and at n = 0.
  * @param {number} w @param {number} n @param {number} t
  */
 function response(w, n, t) {
@@ -27,8 +27,8 @@ function response(w, n, t) {
 }
 
 /**
- * From rest, by powers of t: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all products of k
- * factors that are each (w t)² or (n t)².
+ * The response from rest as a power series: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all
+ * products of k factors, each (w t)² or (n t)².
  * @param {number} w @param {number} n @param {number} t
  */
 function fromRest(w, n, t) {
@@ -127,7 +127,7 @@ const spokenOf = signal =>
   signal.kind === "derived" ? signal.value.terms.flatMap(([, names]) => names) : "of" in signal ? [signal.of] : []
 
 /**
- * Signals of these names at many instants, in columns: what they are made of is evaluated with them, and no more.
+ * The named signals at many instants, in columns. Only the signals that they depend on are evaluated too.
  * @param {Record<string, page.AnySignal>} signals @param {Named} scalars @param {Float64Array} times
  * @param {Set<string>} names
  */

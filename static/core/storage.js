@@ -1,5 +1,5 @@
-// Storage: texts and JSON that the browser, or a tab, keeps by name. Nothing here throws: a browser that keeps nothing
-// has nothing to read, and where somebody would miss what was to be kept, that is said once.
+// Storage: texts and JSON by name, in the browser or in one tab. Nothing here throws. If storage is disabled, reads are
+// empty, and a visitor who would lose something gets one notice.
 
 import {note} from "./notes.js"
 
@@ -23,7 +23,7 @@ class Shelf {
     return this.#tried(storage => JSON.parse(storage.getItem(name) ?? "null")) ?? null
   }
 
-  /** Whether it could be kept: a text, or a value as JSON. @param {string} name @param {unknown} value */
+  /** Stores a text, or a value as JSON; returns true on success. @param {string} name @param {unknown} value */
   keep(name, value) {
     const text = typeof value === "string" ? value : JSON.stringify(value)
     return Boolean(this.#tried(storage => (storage.setItem(name, text), true)))
@@ -70,7 +70,7 @@ const own = apart && {
 export const browserStorage = new Shelf(() => localStorage)
 export const tabStorage = new Shelf(() => /** @type {Storage} */ (own ?? sessionStorage))
 
-// Names of what one module keeps in a tab and another looks for.
+// Names in a tab's storage that several modules use.
 export const LED = "class-room" // that the tab leads a class
 export const LEFT = "class-left" // the code of the class from which a follower looks around alone
 export const SOUGHT = "class-sought" // the case that they look for

@@ -1,7 +1,7 @@
 // The address of a page: a link says all of its state, as long as a server takes a link of that length.
 
 const REST = 350 // ms from one writing of it to the next, in the long run: Safari allows 100 in 30 s
-const AHEAD = 10 // so many more are free at once: a page loaded anew right after a change has that in its address
+const AHEAD = 10 // changes written at once, for a reload right after a change
 const LONGEST = 8000 // of a query, in characters: components/serving/pages.py
 
 /** @param {string} query */
@@ -21,7 +21,7 @@ export const written = ({query, state}, ending) =>
     ? {address: plainLink(state.scene) + ending, entry: {...state, waiting: []}}
     : {address: `?${query}${ending}`, entry: state}
 
-/** The address bar, and beside it the entries of the browser's history. */
+/** The address bar and the entries of the browser's history. */
 export class Address {
   /** @type {(() => void) | null} writes what is not written yet */
   #late = null
@@ -32,12 +32,12 @@ export class Address {
   #timer
 
   constructor() {
-    addEventListener("pagehide", () => this.settle()) // for the way back; what loads anew has taken the address by then
+    addEventListener("pagehide", () => this.settle()) // for the back button; a reload has read the address before this
     addEventListener("popstate", () => (this.#late = null)) // it was for the entry that has been left
   }
 
   /**
-   * Into the entry that stands: at once where nothing more is coming and not much was written just before.
+   * Writes to the current entry, at once if no more changes are expected and few were written recently.
    * @param {{address: string, entry: unknown}} what @param {boolean} more
    */
   write({address, entry}, more) {

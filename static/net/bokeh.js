@@ -5,7 +5,7 @@ import {element} from "../core/dom.js"
 /** @type {Promise<unknown> | undefined} */
 let fetched
 
-/** Settled once it is there; what could not be fetched is asked for anew. */
+/** Resolves when BokehJS is loaded; failed requests are repeated. */
 export function bokeh() {
   fetched ??= new Promise((done, failed) => {
     const script = element("script", {src: document.documentElement.dataset.bokeh})

@@ -1,5 +1,5 @@
-// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read, its signals
-// over time as columns beside those that were sent (the browser's half of wire.py and encoding.py in components/state).
+// Unpacks messages: inflates them with the preset dictionary, reads their numbers, and samples the signals that are
+// drawn over time (the browser's half of wire.py and encoding.py in components/state).
 
 import {COLUMN_STEPS} from "../core/ruler.js"
 import {over} from "../core/signals.js"
@@ -8,7 +8,7 @@ const FINE = 2 ** 24 - 1
 const ORDER = 4
 const LINE_FEED = 10
 
-/** @param {ArrayBuffer} data @param {string} usual the sheet's @returns {Promise<Told>} */
+/** @param {ArrayBuffer} data @param {string} usual the sheet's dictionary @returns {Promise<Told>} */
 export async function unpacked(data, usual) {
   const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(usual))
   const end = bytes.indexOf(LINE_FEED)
@@ -18,7 +18,8 @@ export async function unpacked(data, usual) {
 }
 
 /**
- * A message inflated after the text that it refers to, which is a block stored as it is: so any inflate knows it.
+ * Inflates a message with a preset dictionary. The dictionary is put in front as a stored block, so that
+ * DecompressionStream, which has no parameter for it, can be used.
  * @param {Uint8Array<ArrayBuffer>} data @param {Uint8Array} before
  */
 async function inflated(data, before) {
@@ -34,7 +35,7 @@ async function inflated(data, before) {
 }
 
 /**
- * Puts numbers in place of what is said of columns and samples: of the view, then of what is held beside it.
+ * Replaces the descriptions of columns and samples by their numbers: first of the view, then of the compared picture.
  * @param {any} told @param {Uint8Array} data
  */
 function fill({view, held}, data) {

@@ -1,4 +1,4 @@
-// The connection to the server: what is lost is said, and taken up again with a new token and the state that stands.
+// The connection to the server. If it is lost, it says so and reconnects with a new token and the current state.
 
 import {bokeh} from "./bokeh.js"
 import {Status} from "./status.js"
@@ -10,8 +10,8 @@ const STEADY = 10000 // ms after which a connection that is lost is taken up aga
 const PATIENCE = 15000 // ms for a try
 
 /**
- * `link` is where the page is fetched anew, the state that stands being told then; `changed` is called when the
- * connection comes or goes, `outdated` where the server has another version of the page.
+ * `link` returns the address from which the page is fetched again. `changed` is called when the
+ * connection is lost or restored, `outdated` when the server has another version of the page.
  * @typedef {{link: () => string, changed: () => void, outdated: () => void}} Options
  */
 
@@ -48,7 +48,7 @@ export class Connection {
     await this.#try(() => this.#open(token, false))
   }
 
-  /** @param {string} token @param {boolean} anew */
+  /** @param {string} token @param {boolean} anew for a new session */
   async #open(token, anew) {
     this.token = token
     await bokeh()
@@ -103,7 +103,7 @@ export class Connection {
     this.timer = setTimeout(() => this.#again(), pause)
   }
 
-  /** The page is in sight again. */
+  /** Reconnects when the page becomes visible again. */
   #wake() {
     this.messages.probe()
     this.#again()

@@ -5,9 +5,9 @@ const PROBE = 2500 // ms without an answer until the wire of a page that comes b
 const AGAIN = 1000 // ms until what a new session had no time for is sent again
 
 /**
- * All that is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
- * starts anew with its answer, the values that it `sets` if it is made later, whether it is there for one session
- * alone, who waits for its answer, and what undo makes of it.
+ * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
+ * restarts with its answer; `sets`: the values that it sets if it is built later; `anew`: it must be sent to each new
+ * session; `answered`: callback for its answer; `way` and `deed`: for undo.
  * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
  *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
  * @typedef {Envelope & {message: page.Said}} Asked
@@ -24,7 +24,7 @@ export class Messages {
   /** @type {import("./wire.js").Wire | null} */
   wire = null
 
-  /** @type {page.State} what the page stands for, as it was told last */
+  /** @type {page.State} the last state that the server sent */
   state
 
   behind = true // until what waited for a wire has been answered
@@ -42,12 +42,12 @@ export class Messages {
   /** @type {number | undefined} */
   reminder
 
-  /** @type {Promise<unknown>} what has come is heard in its order */
+  /** @type {Promise<unknown>} messages are handled in the order of their arrival */
   heard = Promise.resolve()
 
   /**
-   * `unpack` reads a packet. `hear` takes a message and, if it is an answer, what it answers. `fail` is called with the
-   * reason why a packet cannot be read, `report` with an exception of `hear`: the connection is not to blame for that.
+   * `unpack` reads a packet. `hear` handles a message and, if it is an answer, the message that it answers. `fail` is
+   * called if a packet cannot be read, `report` with exceptions of `hear`, which say nothing about the connection.
    * @param {(packet: Packet) => Promise<Told>} unpack
    * @param {(told: Told, asked: Asked | null) => void} hear
    * @param {(error: unknown) => void} fail @param {(error: unknown) => void} report
@@ -60,9 +60,9 @@ export class Messages {
   }
 
   /**
-   * A wire to the session that the page was served with; or to a new one, which is put into the state that stands
-   * before it hears the message that was in flight once more.
-   * @param {import("./wire.js").Wire} wire @param {boolean} anew
+   * Takes a connection to the original session, or to a new one. A new session is put into the current state before the
+   * message that was in flight is repeated.
+   * @param {import("./wire.js").Wire} wire @param {boolean} anew for a new session
    */
   attach(wire, anew) {
     this.wire = wire
@@ -102,7 +102,7 @@ export class Messages {
     this.#flush()
   }
 
-  /** The answer to a message, whatever else is told meanwhile. @param {page.Said} message @returns {Promise<Told>} */
+  /** Sends a message and resolves with its answer. @param {page.Said} message @returns {Promise<Told>} */
   ask(message) {
     return new Promise(answered => this.send(message, {answered}))
   }
@@ -115,22 +115,22 @@ export class Messages {
     this.reminder = setTimeout(() => this.overdue(), PROBE)
   }
 
-  /** Of what waits, the newest value of each parameter wins. @param {string[]} names */
+  /** Removes unsent values of these parameters, because newer ones replace them. @param {string[]} names */
   #supersede(names) {
     for (let i = this.outbox.length - 1; i >= 0; i--) {
       const {message} = this.outbox[i]
-      if (!namesIn(message).length) return // it may depend on what stands before it
+      if (!namesIn(message).length) return // it may depend on the messages before it
       for (const name of names) delete valuesOf(message)?.[name]
       if (namesIn(message).every(name => names.includes(name))) this.outbox.splice(i, 1)
     }
   }
 
-  /** The number that what was said last has, or will have. */
+  /** The number of the last message, also if it has not been sent yet. */
   get last() {
     return this.number + this.outbox.length
   }
 
-  /** Whether all has been answered. */
+  /** True if every message has been answered. */
   get rests() {
     return !this.#queue.length
   }
@@ -140,7 +140,7 @@ export class Messages {
     return new Map(this.#late.flatMap(({message, sets}) => Object.entries(sets ?? givenIn(message))))
   }
 
-  /** The number of changes that wait for a wire: what one message changes is one. */
+  /** The number of unsent changes; one message counts once. */
   get changes() {
     return this.#late.length
   }
@@ -191,7 +191,7 @@ export class Messages {
     this.#ask(() => this.#ask(() => this.overdue()))
   }
 
-  // What is lost on the way is sent once more: the server applies a number once, however often it comes.
+  // A lost message is repeated. The server applies each number only once.
   #ask(/** @type {() => void} */ otherwise) {
     if (this.asked) this.wire?.send(this.asked.message)
     this.reminder = setTimeout(otherwise, this.patience)
@@ -212,7 +212,8 @@ export class Messages {
   }
 
   /**
-   * Answers but for the one awaited have been heard before; what has no number the server tells of itself.
+   * Handles a message of the server. Answers to other than the awaited message are repetitions and are dropped;
+   * messages that have no number are not answers.
    * @param {Told} told
    */
   #hear(told) {
@@ -221,7 +222,7 @@ export class Messages {
     if (told.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
     if (asked.anew && "is_busy" in told && told.is_busy) {
-      this.reminder = setTimeout(() => this.#say(), AGAIN) // what follows depends on it
+      this.reminder = setTimeout(() => this.#say(), AGAIN) // later messages depend on it
       return
     }
     this.asked = null
@@ -230,7 +231,7 @@ export class Messages {
     if (!this.asked) this.behind = false
   }
 
-  /** @param {Told} told @param {Asked | null} asked */
+  /** @param {Told} told @param {Asked | null} asked the message that it answers */
   #take(told, asked) {
     if (told.type === "shown") this.state = told.state
     try {

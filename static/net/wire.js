@@ -35,7 +35,7 @@ function define() {
 }
 
 /**
- * A wire to the session that the token opens; `receive` takes what comes, `lost` is called when it breaks.
+ * Opens a connection to the session of a token. `receive` gets its messages; `lost` is called when it breaks.
  * @param {string} token @param {(packet: Packet) => void} receive @param {() => void} lost @returns {Promise<Wire>}
  */
 export async function connect(token, receive, lost) {
@@ -49,7 +49,7 @@ export async function connect(token, receive, lost) {
   const hear = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
   shared.on_message(TOLD, hear)
   shared.on_event("connection_lost", lost)
-  shared.notify_idle(wire) // Panel tells nothing before it has heard of this
+  shared.notify_idle(wire) // Panel sends nothing before it has received this
   return {send: message => wire.send(message), close: () => close(session, hear)}
 }
 
@@ -61,7 +61,7 @@ function packetIn(message) {
 }
 
 /**
- * Closes a session. Bokeh keeps every document in a list of its own.
+ * Closes a session, and removes it from Bokeh's list of all documents, which would keep it in memory.
  * @param {BokehModel} session @param {(message: ArrayBuffer) => void} hear
  */
 function close(session, hear) {

@@ -41,7 +41,7 @@ export class About {
     this.send({type: "about"})
   }
 
-  /** @param {page.AboutNumbers} told */
+  /** @param {page.AboutNumbers} told the server's message */
   show({reading, tables, notes}) {
     this.body.replaceChildren(
       ...(reading ? [marked("p", {}, reading)] : []),
@@ -56,7 +56,7 @@ export class About {
     this.arriving = false
   }
 
-  // What has just been unfolded starts at the top of the panel, as far as the panel scrolls.
+  // Scroll the unfolded part to the top of the panel, as far as the panel scrolls.
   #reveal() {
     const panel = this.element.parentElement
     if (!panel) return

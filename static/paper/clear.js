@@ -1,5 +1,5 @@
-// Clearance of texts in a picture: of two that would overlap the later one moves up or down, or leaves. What stands
-// beside a point of a plot keeps off its lines too, if it can.
+// Label collisions on a stage: of two overlapping texts the later one moves up or down, or is hidden. A text next to a
+// point of a plot also avoids the plot's lines, if possible.
 
 import {surface, unitSize} from "../core/dom.js"
 import {EVERYWHERE, meet, moved, places} from "./places.js"
@@ -8,19 +8,19 @@ import {EVERYWHERE, meet, moved, places} from "./places.js"
  * @typedef {import("./places.js").Box} Box in units
  * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} DrawnShape
  * @typedef {{text: SVGTextElement, group: SVGElement, fixed: boolean, beside?: boolean, wishes?: () => Box[]}} Label
- * a text; whether it belongs beside the place where it is; and the boxes in which it would stand, if not there
+ * a text; its own position has priority if `fixed`; the preferred boxes, if not at its own position
  */
 
-const AIR = 2 // units between texts that stand side by side
+const AIR = 2 // units between neighbouring texts
 const FAR = 2.5 // lines that a text may move
-const EDGE = 4 // units that it keeps from the edges of the paper, and may stand out of the picture
+const EDGE = 4 // units to the edges of the paper, and units by which it may leave the picture
 const NEAR = 0.001 // units that are no way
-const POINT = 9 // units from a point to the text beside it
+const POINT = 9 // units from a point to its text
 const DROP = 0.37 // of its line, by which its middle comes to the point's height
-const OUT = 2.5 // and from the height of a point beside which it stands
+const OUT = 2.5 // units from the height of a point to its text
 const STEPS = [0, 1, -1, 2, -2] // lines that it moves where it cannot be clear of all
 const PIECE = 8 // units of a line, which a text keeps off
-const MOST = 500 // pieces between two points, however far out one of them lies
+const MOST = 500 // pieces between two points, also if one is far outside
 const OFF = 3 // units that it keeps from there
 const BASE = 0.2 // of a text's size under its base line
 
@@ -66,13 +66,13 @@ export class Clear {
     })
   }
 
-  /** Sizes of texts are taken anew: their type may be another one. */
+  /** Measures the texts again, because their font may have changed. */
   forget() {
     this.#sizes.clear()
   }
 
   /**
-   * Where texts may stand, when the page has changed: on the paper, and clear of those of `under`, a plot of the same
+   * The free area for texts after a change of the page: on the paper, without the labels of `under`, a plot of the same
    * size.
    * @param {Element} host @param {DOMRect} picture @param {Canvas} [under]
    */
@@ -92,7 +92,7 @@ export class Clear {
     this.room = {left, right, bottom: picture.height / unitSize()}
   }
 
-  /** Once a frame. What stands in a box stays there. */
+  /** Runs once per frame. A text that has a box keeps it. */
   place() {
     const shown = this.labels.filter(({group}) => group.style.display === "")
     const boxed = shown.filter(({fixed, text}) => fixed && text.style.display === "")
@@ -118,8 +118,8 @@ export class Clear {
   }
 
   /**
-   * Beside a point: clear of all lines and dots, else of as many as can be.
-   * @param {Box} after it @param {Box[]} standing
+   * Finds a place next to a point that avoids all lines and dots, or as many as possible.
+   * @param {Box} after it @param {Box[]} standing placed texts
    */
   #beside(after, standing) {
     const {frame} = this
@@ -151,7 +151,7 @@ export class Clear {
     }
   }
 
-  /** Where a text stands. @param {SVGTextElement} text @returns {Box} */
+  /** The box of a text. @param {SVGTextElement} text @returns {Box} */
   box(text) {
     const {width, size} = this.#sizeOf(text)
     const [x, y] = ["x", "y"].map(name => Number(text.getAttribute(name)))
@@ -178,13 +178,13 @@ export class Clear {
   }
 }
 
-/** The share of a text's width that stands left of its x. @param {SVGTextElement} text */
+/** The share of a text's width to the left of its x. @param {SVGTextElement} text */
 const anchored = text => ({middle: 0.5, end: 1})[text.getAttribute("text-anchor") ?? ""] ?? 0
 
 /** @param {Box} box @returns {Box} */
 const aired = ({left, right, top, bottom}) => ({left: left - AIR / 2, right: right + AIR / 2, top, bottom})
 
-/** The lines of a plot, as far as they lie in its frame, and its points. @param {Canvas} plot @returns {Box[]} */
+/** The lines of a plot inside its frame, and its points. @param {Canvas} plot @returns {Box[]} */
 function piecesOf(plot) {
   const {left, top, width, height} = plot.frame
   const isIn = (/** @type {Point} */ {x, y}) => x >= left && x <= left + width && y >= top && y <= top + height

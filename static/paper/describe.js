@@ -1,4 +1,4 @@
-// The description of a plot as it is now, in words and as a table: from the numbers that it is drawn with.
+// The description of a plot in words and as a table, from the numbers that it is drawn with.
 
 import {isCovered} from "../compare/cover.js"
 import {element} from "../core/dom.js"
@@ -14,12 +14,12 @@ const ROWS = 25 // of a table: enough to follow a curve by ear
 
 /** @typedef {import("./plots.js").Plot} Plot */
 /**
- * A curve: its points within the window, all of its pieces, and how many lines lie side by side.
+ * A curve: its points within the window, all of its pieces, and the number of its lines.
  * @typedef {{name: string, xs: number[], ys: number[], pieces: Piece[], lines: number,
  *   motion: ((t: number) => number) | null}} Trace
  */
 /**
- * A connected piece of a curve; as cut to the frame it says whether it goes on above or below at its ends.
+ * A connected piece of a curve; if it is cut to the frame, it says if it continues above or below at its ends.
  * @typedef {{xs: number[], ys: number[], cutStart?: boolean, cutEnd?: boolean}} Piece
  */
 
@@ -30,7 +30,7 @@ const ROWS = 25 // of a table: enough to follow a curve by ear
 export const measured = (ruler, place) => withUnit(digits(ruler, place), ruler.unit)
 
 /**
- * No digit that a column does not have; what cannot be told from 0 is 0.
+ * Rounds to the digits that a column has; numbers that cannot be distinguished from 0 become 0.
  * @param {page.Ruler} ruler @param {number} place
  */
 function digits(ruler, place) {
@@ -40,7 +40,7 @@ function digits(ruler, place) {
 }
 
 /**
- * Whether a place is in the frame: what is far outside is not sent.
+ * True if a coordinate is in the frame; points far outside are not sent.
  * @param {page.Ruler} ruler @param {number} place
  */
 function isWithin({start, end}, place) {
@@ -48,7 +48,7 @@ function isWithin({start, end}, place) {
   return place >= Math.min(start, end) - room && place <= Math.max(start, end) + room
 }
 
-/** The axes as they were told: those of a square plot show more. @param {Plot} plot */
+/** The axes as the server sent them; a square plot shows a larger range. @param {Plot} plot */
 export const axes = ({block, view}) => ({x: view.axes[block.x], y: view.axes[block.y]})
 
 /** @param {page.Ruler} axis */
@@ -96,7 +96,7 @@ export function motionOf({signal, signal_x: across}, {block, view}) {
 }
 
 /**
- * Where a curve truly turns next to its highest point that is drawn, or its lowest: between the points beside it.
+ * The exact extremum of a curve near its highest or lowest drawn point, between the neighbouring points.
  * @param {{xs: ArrayLike<number>, ys: ArrayLike<number>, motion: Trace["motion"]}} trace
  * @param {number} i @param {number} sign @returns {[number, number]}
  */
@@ -115,7 +115,7 @@ export function turned({xs, ys, motion}, i, sign) {
 const extremes = ({ys}) => [Math.min, Math.max].map(most => ys.indexOf(ys.reduce((a, b) => most(a, b))))
 
 /**
- * A curve is called as it is read out, else as its label or its switch in the heading.
+ * The name of a curve: the name for the tooltip, else its label, else its switch in the heading.
  * @param {page.Curve} curve @param {Plot} plot
  */
 function nameOf({read, label, group}, {block, host}) {
@@ -186,7 +186,7 @@ function inside({xs, ys}, x, y) {
 const between = (all, i, share) => (share === 1 ? all[i] : all[i - 1] + share * (all[i] - all[i - 1]))
 
 /**
- * Whether a line that leads to an end outside the frame is cut at its upper or lower edge, at a height.
+ * True if a line to an end outside the frame is cut at a height, its upper or lower edge.
  * @param {page.Ruler} y @param {number} end @param {number} height
  */
 function isCut(y, end, height) {
@@ -248,11 +248,11 @@ function placed(one, motion, x, y) {
   return `from ${first} to ${last} it ${told.startsWith("from ") ? "goes " : ""}${told}`
 }
 
-/** Whether a piece is a point or an upright line. @param {Piece} piece */
+/** True if a piece is a point or a vertical line. @param {Piece} piece */
 const isUpright = ({xs}) => xs.every(place => place === xs[0])
 
 /**
- * Whether the only piece inside the frame is all that the curve has within the window.
+ * True if the only piece inside the frame is the whole curve within the window.
  * @param {Piece} one @param {Piece[]} pieces @param {page.Ruler} x
  */
 function isAlone({cutStart, cutEnd}, pieces, x) {
@@ -261,7 +261,7 @@ function isAlone({cutStart, cutEnd}, pieces, x) {
 }
 
 /**
- * Lowest and highest points of pieces; where one is cut they lie outside.
+ * Lowest and highest points of pieces; if a piece is cut, they are outside the frame.
  * @param {Piece[]} seen @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
  */
 function extent(seen, motion, x, y) {
@@ -276,7 +276,7 @@ function extent(seen, motion, x, y) {
 }
 
 /**
- * Where a piece is lowest (sign −1) or highest (1); beyond every number where it is cut there.
+ * The lowest (sign −1) or highest (1) point of a piece; infinite if it is cut there.
  * @param {Piece} one @param {Trace["motion"]} motion @param {number} sign @returns {[number, number]}
  */
 function extreme(one, motion, sign) {
@@ -365,7 +365,7 @@ export function table(plot) {
 /** @param {string} name @param {page.Ruler} ruler */
 const unit = (name, {unit: sign}) => (sign ? `${name}, ${sign}` : name)
 
-/** Places spread evenly over those of the longest curve. @param {Trace[]} all */
+/** Coordinates evenly spread over the longest curve's. @param {Trace[]} all */
 function spread(all) {
   const {xs} = all.toSorted((a, b) => b.xs.length - a.xs.length)[0] ?? {xs: []}
   const step = Math.max((xs.length - 1) / (ROWS - 1), 1)
@@ -380,7 +380,7 @@ function turns(trace) {
 }
 
 /**
- * The number of a curve at a place of its own, or of its motion at any; else none.
+ * The value of a curve at one of its points, or of its motion at any time; else none.
  * @param {Trace} trace @param {number} place @param {page.Ruler} y
  */
 function near({xs, ys, motion}, place, y) {

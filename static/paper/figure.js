@@ -51,7 +51,7 @@ export class Figure {
     this.element.after(this.lack)
   }
 
-  /** To be called while the element is on the page. */
+  /** Call this while the element is in the document. */
   async mount() {
     this.lack?.remove()
     this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
@@ -68,7 +68,7 @@ export class Figure {
     return {left: l, right: r, top: t, bottom: b}
   }
 
-  /** As large as its text. */
+  /** Fits the width to the text. */
   fit() {
     if (!this.model) return
     this.model.below[0].visible = this.numbered
@@ -96,7 +96,7 @@ export class Figure {
     if (token) renderer.glyph.setv({line_width: grown(units(token))})
   }
 
-  // Bokeh keeps every document that it has shown in a list of its own.
+  // Bokeh keeps all documents in a list, so that they would stay in memory.
   leave() {
     this.left = true
     if (!this.manager) return
@@ -107,7 +107,7 @@ export class Figure {
   }
 
   /**
-   * Only what has its columns and is not switched off is drawn.
+   * Draws the curves that have columns and are not switched off.
    * @param {Columns} columns @param {Set<string>} hidden
    */
   fill(columns, hidden) {
@@ -172,7 +172,7 @@ export class Figure {
 }
 
 /**
- * Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
+ * Fills up columns that the picture lacks to the common length; their renderers are not drawn.
  * @param {BokehModel} source @param {Record<string, Float64Array>} given
  */
 function fill(source, given) {

@@ -1,17 +1,17 @@
-// Labels over a plot, which stand still between changes: numbers beside it, names of curves and bands, flags at marks.
+// Labels over a plot that move only with a change: numbers at the axes, names of curves and bands, flags at marks.
 
 import {toSI} from "../core/ruler.js"
 import {long, marked, set, svg, textWidth, units, unitSize, words} from "../core/dom.js"
 import {everyWhich, inLine, places} from "./places.js"
 
 const LINE = 1.1 // of the size of a text, from one to the next
-const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
+const OVERHANG = 6 // units by which a number with its unit may exceed the left margin, before the unit goes below it
 
 const LEAST = 20 // units of a band's thickness at its name
 const ALIKE = 0.02 // the share by which a band is no thicker
 const HALF = 7 // of a line of a band's name
 const WIDER = 1.2 // its bold type, over a small text's
-const LIFT = 44 // units that a flag stands over the frame; one over another stands higher
+const LIFT = 44 // units from a flag to the frame; stacked flags are higher
 
 export class Labels {
   /** @param {Canvas} plot */
@@ -39,8 +39,8 @@ export class Labels {
     }
   }
 
-  // Numbers beside the vertical axis. They are not Bokeh's, which would move the frame, and stacked plots share a time
-  // axis. The lowest stands on the floor, where the handle of the time does not cover it.
+  // Numbers at the vertical axis. Bokeh's own would move the frame, and stacked plots share a time axis. The lowest
+  // number is above the lower edge, so that the handle of the time does not cover it.
   #numbers() {
     const {left, top, height} = this.plot.frame
     const {ticks, labels} = this.plot.y
@@ -50,7 +50,7 @@ export class Labels {
     const [size, more] = [units("t0"), LINE * units("t0")]
     const feet = ticks.map(tick => {
       const y = this.plot.py(tick)
-      return Math.min(y + 4.5, Math.max(y - 3, top + height - 2)) // those below the floor stay apart
+      return Math.min(y + 4.5, Math.max(y - 3, top + height - 2)) // keep numbers below the lower edge separate
     })
     const spans = feet.map((foot, i) => {
       const under = (lines[i].length - 1) * more
@@ -86,7 +86,7 @@ export class Labels {
     for (const [i, {text}] of shown.entries()) set(text, {x: left + width + 7, y: heights[i] + 4})
   }
 
-  /** Where a curve is drawn as its band, its name stands at the band's middle. @param {string} name */
+  /** The name of a curve that is drawn as a band is at the band's middle. @param {string} name */
   #middle(name) {
     const band = this.plot.block.regions.find(({of}) => of === name)
     if (!band) return undefined
@@ -94,7 +94,7 @@ export class Labels {
     return low?.length ? [(low[low.length - 1] + high[high.length - 1]) / 2] : undefined
   }
 
-  /** Where the name of a band would stand: where it is thickest, and thick enough. @param {page.Region} band */
+  /** The position for the name of a band: where the band is thickest, and thick enough. @param {page.Region} band */
   #thickest({source, x, high: upper, low: lower, label}) {
     const {[upper]: high, [lower]: low, [x]: xs} = this.plot.view.columns[source] ?? {}
     const count = Math.min(high?.length ?? 0, low?.length ?? 0)
@@ -167,7 +167,7 @@ export class Flags {
     flag.hidden = flag.innerHTML === ""
   }
 
-  // Flags that would overlap stand side by side, within the plot; their lines tell where they belong.
+  // Flags that would overlap are moved to the side, within the plot; their lines stay in place.
   #spread() {
     const flags = this.marks
       .filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)

@@ -30,13 +30,13 @@ export class Page {
   /** @type {import("./about.js").About | undefined} */
   about
 
-  /** @type {import("./voice.js").Voice | undefined} for those who do not see it; it comes when all is drawn */
+  /** @type {import("./voice.js").Voice | undefined} for screen readers; loaded when everything is drawn */
   voice
 
   /** @type {import("../export/print.js").Print | undefined} */
   print
 
-  /** @type {Waits} what has been set and waits for the server */
+  /** @type {Waits} values that wait to be sent */
   waiting = new Map()
 
   /** @type {Promise<void> | null} until every plot that is seen has its figure */
@@ -104,7 +104,7 @@ export class Page {
     this.host.send(message)
   }
 
-  /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} [asked] what it is the answer to */
+  /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} [asked] the message that it answers */
   apply(shown, asked = null) {
     this.shown = shown
     unitSize() // and with it all that the style sheet is asked for, before anything is written
@@ -116,7 +116,7 @@ export class Page {
   }
 
   /**
-   * Takes the answer to letting go where the picture stays: only those that wait for it are told.
+   * Handles `Kept`, the answer if the picture does not change: only the parts that wait for it get it.
    * @param {Drawn["answer"]} answer @param {import("../net/messages.js").Asked | null} asked
    */
   keep(answer, asked) {
@@ -139,7 +139,7 @@ export class Page {
     this.clock.dirty = true
   }
 
-  /** @param {number} at an instant, which passes unless all stands still */
+  /** @param {number} at an instant; ignored if nothing moves */
   draw(at) {
     if (!this.shown) return
     unitSize() // as above: asked for once numbers are written, it would lay out the page twice in a frame
@@ -171,7 +171,7 @@ export class Page {
     this.redraw()
   }
 
-  /** Each plot that is seen gets its figure, one a frame, so that what moves goes on moving. */
+  /** Creates the figures of visible plots, one per frame, so that the animation does not stop. */
   join() {
     this.joining ??= this.#joinNext().finally(() => {
       this.joining = null

@@ -3,7 +3,7 @@
 import {element} from "../core/dom.js"
 import {Stage} from "./stage.js"
 
-/** Draws what stands on the button of an option; the stages are those drawn so far. @param {page.ChoiceRow} row */
+/** Draws the picture on the button of an option; returns the stages drawn so far. @param {page.ChoiceRow} row */
 export function pictured({pictures}) {
   /** @type {Stage[]} */
   const stages = []

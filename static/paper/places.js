@@ -1,4 +1,4 @@
-// Places for texts in a picture, so that none lies on another: pure functions of boxes and lengths in one unit.
+// Placement of texts that must not overlap: pure functions of boxes and lengths in one unit.
 
 import {clamp} from "../core/ruler.js"
 
@@ -7,12 +7,12 @@ import {clamp} from "../core/ruler.js"
  * @typedef {{at: number, size: number}} Extent the middle of something on a line, and how long it is
  */
 /**
- * A text: the boxes in which it would stand, the better ones first; how far it may move from there, sideways and up or
- * down; and the room that it does not leave.
+ * A text: its preferred boxes, best first; its largest shift from there, sideways and up or
+ * down; and the room that it must not leave.
  * @typedef {{wishes: Box[], across?: number, down?: number, room?: Box}} Text
  */
 
-const TOUCH = 0.01 // what meets by less lies side by side
+const TOUCH = 0.01 // a smaller overlap counts as none
 export const EVERYWHERE = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
 
 /**
@@ -49,8 +49,8 @@ function placeOf({wishes, across = 0, down = 0, room = EVERYWHERE}, others) {
 }
 
 /**
- * The shortest way on which a box comes clear of all others, if it is shorter than `limit`. It ends beside one of them,
- * or over or under it, or both.
+ * The shortest shift by which a box avoids all others, if it is shorter than `limit`. The box then touches one of them
+ * from the side, from above or from below, or two of them.
  * @param {Box} box @param {Box[]} others @param {[number, number]} wide @param {[number, number]} high
  * @param {number} limit @returns {[number, number] | null}
  */
@@ -78,7 +78,7 @@ function shortest(box, others, wide, [least, most], limit) {
 }
 
 /**
- * The least step within reach that lies in none of these gaps; null where there is none.
+ * The smallest step in range that is in none of these gaps, or null.
  * @param {[number, number][]} gaps @param {[number, number]} reach
  */
 function step(gaps, [least, most]) {
@@ -94,7 +94,7 @@ function step(gaps, [least, most]) {
 /** @param {number} start @param {number} end @param {number} from @param {number} to */
 const overlap = (start, end, from, to) => start < to - TOUCH && from < end - TOUCH
 
-/** Whether two boxes overlap. @param {Box} one @param {Box} other */
+/** True if two boxes overlap. @param {Box} one @param {Box} other */
 export const meet = (one, other) =>
   overlap(one.left, one.right, other.left, other.right) && overlap(one.top, one.bottom, other.top, other.bottom)
 
@@ -151,7 +151,8 @@ export function inLine(spans, least = -Infinity, most = Infinity) {
 /** @param {Extent} one @param {Extent} next */
 const touch = (one, next) => Math.abs(next.at - one.at) < (one.size + next.size) / 2
 
-/** Every which of some spans stands, counted from the last, so that none touches the next. @param {Extent[]} spans */
+/** The smallest n such that every n-th span, counted from the last, is clear of the next one. @param {Extent[]} spans
+ */
 export function everyWhich(spans) {
   const last = spans.length - 1
   let which = 1

@@ -1,5 +1,5 @@
-// A plot: a figure, and over it what stands still between changes (names, marks) and what moves: the time cursor, the
-// dots and the handles.
+// A plot: a figure with an overlay. Names and marks change only with a message; the time cursor, the dots and the
+// handles move.
 
 import {Cover} from "../compare/cover.js"
 import {element, inUnits, set, svg, textWidth, unitSize} from "../core/dom.js"
@@ -21,10 +21,10 @@ export class Plot {
   /** @type {Drawn["view"]} */
   view
 
-  /** @type {Frame | undefined} where the frame stands, once it is laid out */
+  /** @type {Frame | undefined} the frame, after layout */
   box
 
-  /** @type {import("../compare/ghosts.js").PlotGhost | undefined} other curves under those of the figure */
+  /** @type {import("../compare/ghosts.js").PlotGhost | undefined} curves drawn under those of the figure */
   ghost
 
   /** @param {page.PlotBlock} block @param {HTMLElement} host @param {PartHost} page */
@@ -63,7 +63,7 @@ export class Plot {
     return {curve, dot, covers: [curve.y, curve.group].map(name => `curve:${this.block.name}.${name}`)}
   }
 
-  /** The figure joins what stands: its names, marks and handles have their places already. */
+  /** Adds the figure; names, marks and handles have their positions already. */
   async mount() {
     this.mounted = true
     this.figure.make()
@@ -93,8 +93,8 @@ export class Plot {
   }
 
   /**
-   * The frame and the axes as named quantities for a stage whose upper left corner is at `origin` on the page; none of
-   * a plot that does not stand.
+   * The frame and the axes as named quantities, for a stage whose upper left corner is at `origin` on the page. Empty
+   * if the plot is not visible.
    * @param {DOMRect} origin @returns {Named}
    */
   geometry(origin) {
@@ -103,7 +103,7 @@ export class Plot {
     return geometry(this, this.block.name, (box.left - origin.left) / unitSize(), (box.top - origin.top) / unitSize())
   }
 
-  /** Whether it is seen and has no figure yet. */
+  /** True if it is visible and has no figure yet. */
   get waits() {
     return !this.mounted && !this.absent && this.box && this.host.offsetParent !== null
   }
@@ -170,8 +170,8 @@ export class Plot {
     this.figure.setLabels(this.abscissae)
   }
 
-  // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays. So is
-  // what a handle would cut.
+  // If numbers would touch, only every second one or fewer are drawn, always with the last, which carries the unit.
+  // Numbers that a handle would cut are not drawn either.
   get abscissae() {
     const {ticks, labels} = this.x
     const last = ticks.length - 1
@@ -184,7 +184,7 @@ export class Plot {
     if (this.block.square && this.box && this.asked) [this.x, this.y] = toOneScale(this.asked.x, this.asked.y, this.box)
   }
 
-  /** A plot that a step lists has numbers under it, whatever stands below. @param {readonly string[]} listed */
+  /** A plot that a step lists always has numbers below it. @param {readonly string[]} listed */
   #number({length}) {
     const isNumbered = this.block.x_labels || (length > 0 && !this.block.plain)
     if (isNumbered === this.figure.numbered) return
@@ -196,7 +196,7 @@ export class Plot {
     this.figure.theme()
   }
 
-  // What stands still between changes: end labels, band labels, marks.
+  // Parts that change only with a message: end labels, band labels, marks.
   still() {
     if (!this.box || !this.shown || this.absent) return
     this.ghost?.place()
@@ -298,7 +298,7 @@ export function geometry(plot, name, dx = 0, dy = 0) {
 }
 
 /**
- * False also where x or y is no number: of a signal that the picture does without.
+ * Also false if x or y is NaN, because the picture has no such signal.
  * @param {Frame} frame @param {number} x @param {number} y @param {number} wide @param {number} high
  */
 function isWithin({left, top, width, height}, x, y, wide, high) {

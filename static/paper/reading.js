@@ -92,7 +92,7 @@ export class Reading {
   }
 }
 
-/** Whether the pointer is on something over a plot that is pressed for itself. @param {PointerEvent} event */
+/** True if the pointer is on a part of the overlay that has its own action. @param {PointerEvent} event */
 export const isOnControl = ({target}) => target instanceof Element && Boolean(target.closest(PRESSED))
 
 /** The last point but one, or the last before x. @param {Float64Array} xs in order @param {number} x */
@@ -108,7 +108,7 @@ function before(xs, x) {
 }
 
 /**
- * As many digits as are known of a number, three at most: it is given in steps, 0 where all of its digits are known.
+ * The number of known digits, at most three. Numbers are multiples of the step; 0 means that all digits are known.
  * @param {number} value @param {number} step
  */
 export function honest(value, step) {
@@ -118,7 +118,7 @@ export function honest(value, step) {
 }
 
 /**
- * The number that a place on an axis stands for, in words.
+ * The value at a coordinate of an axis, in words.
  * @param {number} place @param {page.Ruler} ruler @param {number} step
  */
 function measured(place, {unit, log}, step) {

@@ -1,5 +1,5 @@
-// The page of a scene as the server describes it: rows and columns of stages, plots, sentences, tables and choices, and
-// which of their forms stands.
+// Builds the page of a scene from its sheet: rows and columns of stages, plots, sentences, tables and choices. Selects
+// the visible forms.
 
 import {buildChoice} from "../input/controls.js"
 import {element, long, marked, set} from "../core/dom.js"
@@ -7,7 +7,7 @@ import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
 import {viewOf} from "./views.js"
 
-/** @typedef {{name: string, text: HTMLElement}} Variant a form and what then stands */
+/** @typedef {{name: string, text: HTMLElement}} Variant a form and its content */
 
 export class Sheet {
   /** @type {Plot[]} */
@@ -28,7 +28,7 @@ export class Sheet {
   /** @type {Map<page.Block, HTMLElement>} */
   hosts = new Map()
 
-  /** @type {{host: HTMLElement, height: number | null}[]} stages that stay in sight on a phone */
+  /** @type {{host: HTMLElement, height: number | null}[]} stages that stay visible on a phone while it scrolls */
   sticky = []
 
   /** @param {page.Block} block @param {PartHost} page */
@@ -167,7 +167,7 @@ export class Sheet {
       stands = block.blocks.map(child => this.#stand(child, shown)).includes(true)
     else if (parts.length) stands &&= parts.includes(block.part)
     const host = /** @type {HTMLElement} */ (this.hosts.get(block))
-    host.classList.toggle("at-desk", !block.hall && !parts.length) // what a step lists stands in a hall too
+    host.classList.toggle("at-desk", !block.hall && !parts.length) // visible in hall mode too if a step lists it
     host.hidden = !stands
     host.classList.toggle("listed", stands && parts.includes(block.part))
     return stands
@@ -205,13 +205,13 @@ export class Sheet {
     const {root} = this.page
     root.classList.toggle("at-rest", covered.includes("stage") && !before)
     root.classList.toggle("without-table", covered.includes("table"))
-    // On a phone the transport stays right under the stage that stays in sight, if the view has one.
+    // On a phone the transport is right under the stage that stays visible, if the view has one.
     const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
     root.style.setProperty("--stage-height", long(stage?.height ?? 0))
   }
 }
 
-// What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
+// The accessible name of a switch whose formula a screen reader may not read: "Height against time: exact".
 /** @param {page.PlotBlock} block @param {string} group */
 function curveName({brief, curves, regions}, group) {
   const labels = [...curves, ...regions]
@@ -221,7 +221,7 @@ function curveName({brief, curves, regions}, group) {
   return `${brief}: ${[...new Set(labels)].join(", ") || group}`
 }
 
-// A block's share of the height or the width: rows and columns shrink, a sentence takes what it needs.
+// A block's share of the height or the width. Rows and columns shrink; a sentence keeps its height.
 /** @param {page.Block} block */
 function flex({kind, grow, basis}) {
   const shrink = kind === "row" || kind === "column" || grow ? 1 : 0

@@ -154,7 +154,7 @@ const KINDS = {
 export const kindOf = shape => /** @type {Kind} */ (KINDS[shape.kind])
 
 /**
- * A shape with its numbers worked out: `moving` are those that are none yet.
+ * A shape with its numbers evaluated; `moving` are the expressions among them.
  * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
  */
 export function atInstant({spec, moving}, all) {
@@ -164,13 +164,13 @@ export function atInstant({spec, moving}, all) {
 }
 
 export class Stage {
-  /** @type {Canvas | undefined} a plot of the same size, whose texts stand already */
+  /** @type {Canvas | undefined} a plot of the same size whose texts are placed already */
   under
 
   /** @type {Named} whether lines of plots go on in it */
   join = {}
 
-  /** @type {Set<string>} the plots beside it */
+  /** @type {Set<string>} the plots next to it */
   beside = new Set()
 
   /** @type {Named} */
@@ -180,7 +180,7 @@ export class Stage {
   resized
 
   /**
-   * Where there is a `page`, its shapes can be grabbed.
+   * If `page` is given, its shapes can be dragged.
    * @param {Pick<page.StageBlock, "shapes" | "label">} block @param {HTMLElement} host
    * @param {PartHost} [page]
    */
@@ -209,7 +209,7 @@ export class Stage {
         moving.flatMap(([, {terms}]) => terms.flatMap((/** @type {page.Product} */ term) => term[1])),
       )
       const places = [...needs].filter(name => name.includes("."))
-      const plots = new Set(places.map(name => name.split(".")[0])) // that it lies over
+      const plots = new Set(places.map(name => name.split(".")[0])) // the plot under it
       return {spec, kind, parts, group, moving, needs, places, plots, covered: false}
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
@@ -224,11 +224,11 @@ export class Stage {
     this.observer.observe(host)
   }
 
-  /** Finds the plots that stand beside it on a wide screen, whose lines go on in it. */
+  /** Finds the plots next to it on a wide screen, whose lines continue on the stage. */
   #joins() {
     const joined = this.shapes.filter(({needs}) => needs.has("wide"))
     this.beside = new Set(joined.flatMap(({plots}) => [...plots]))
-    // What their places count as while they stand elsewhere or not at all.
+    // The values of their coordinates while they are elsewhere or hidden.
     this.nowhere = Object.fromEntries(joined.flatMap(({places}) => places.map(name => [name, 0])))
   }
 
@@ -238,7 +238,7 @@ export class Stage {
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
     inUnits(this.svg, W, H)
     this.clear.forget()
-    // Whether blocks stand one under the other, are seen in a hall, or a stage is low, is the style sheets' to say.
+    // The style sheets decide if blocks are stacked, visible in hall mode, or if a stage is low.
     const style = getComputedStyle(this.svg)
     const [narrow, hall, low] = ["--stacked", "--hall", "--low"].map(name => Number(style.getPropertyValue(name)))
     this.size = {W, H, narrow, wide: 1 - narrow, stacked: narrow, hall, desk: 1 - hall, low}
@@ -249,7 +249,7 @@ export class Stage {
   }
 
   /**
-   * Where the plots stand, seen from this stage; measured anew only when the page has changed.
+   * The positions of the plots relative to this stage; measured again only if the page has changed.
    * @param {{host: HTMLElement, geometry(origin: DOMRect): Named}[]} plots
    */
   measure(plots) {
@@ -258,7 +258,7 @@ export class Stage {
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     const isJoined = !this.size.narrow && [...this.beside].every(name => `${name}.left` in this.plots)
     this.join = {wide: Number(isJoined), narrow: Number(!isJoined)}
-    // On a phone the plot that is asked about stands apart: what joins it to others would lie over the card.
+    // On a phone the plot of a question is moved, so lines that join it to others would cross the card.
     this.apart = this.size.narrow > 0 && plots.some(({host}) => host.matches(".sketched, .marked"))
     for (const [plot, {rect}] of this.frames) {
       if (!(`${plot}.left` in this.plots)) continue
@@ -286,7 +286,7 @@ export class Stage {
     this.grips?.update()
   }
 
-  /** Leaves out shapes that would tell of what is covered. @param {string[]} leftOut @param {string[]} covered plots */
+  /** Hides shapes that would reveal hidden quantities. @param {string[]} leftOut @param {string[]} covered plots */
   cover(leftOut, covered) {
     for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
   }
@@ -298,7 +298,7 @@ export class Stage {
     for (const shape of this.shapes) {
       const {spec, kind, parts, group, needs, places, plots, covered} = shape
       const away = covered || (this.apart && plots.size > 1)
-      // What lies over a plot does not stand without it; what only goes on from it on a wide screen does.
+      // Shapes over a plot are hidden with it; shapes that only continue it on a wide screen are not.
       const stands = (!all.wide && needs.has("wide")) || places.every(name => name in this.plots)
       const shown = !away && stands && spec.show.every(name => all[name])
       group.style.display = shown ? "" : "none"

@@ -17,7 +17,7 @@ export const viewOf = settings => String(settings.view?.value ?? "")
 
 /** @implements {Part} */
 export class Views {
-  moves = false // whether the focus goes along with the choice
+  moves = false // true if the choice also moves the focus
 
   /** @param {page.ViewTab[]} views @param {Send} send */
   constructor(views, send) {
@@ -38,7 +38,7 @@ export class Views {
     this.send({type: "choose", name: "view", value: word})
   }
 
-  /** To the next view, or the one before: -1. @param {1 | -1} by */
+  /** Shows the next view, or for -1 the previous one. @param {1 | -1} by */
   turn(by) {
     if (this.views.length && !this.row.hidden) this.choose(this.chosen + by)
   }

@@ -1,4 +1,4 @@
-// Announcements to those who do not see the page: a plot as it is now, and the effect of a change, in one sentence.
+// Announcements for screen readers: the description of a plot, and the effect of a change, in one sentence.
 
 import {element} from "../core/dom.js"
 import {description} from "./describe.js"
@@ -43,7 +43,7 @@ export class Voice {
     this.told = now
   }
 
-  /** The numbers that are spoken of, by what they are called; without those that are covered. */
+  /** The numbers to announce, by name, without hidden ones. */
   #numbers() {
     const {values} = this.page.shown.view
     /** @type {Map<string, string>} */

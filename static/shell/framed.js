@@ -1,4 +1,4 @@
-// A lecture in a frame of another page: that page is told how high it is, and a link leads out, into a tab of its own.
+// A lecture in a frame on another page: reports its height to that page, and has a link that opens it in a new tab.
 
 import {element} from "../core/dom.js"
 

@@ -43,26 +43,26 @@ export class Hall {
     this.shown(this.lecture.page)
   }
 
-  /** A walk has smaller type, beside its card. @param {page.State} state */
+  /** A walk has smaller text, because its card needs room. @param {page.State} state */
   stand({step}) {
     if (root.hasAttribute(WALK) === Boolean(step)) return
     root.toggleAttribute(WALK, Boolean(step))
     if (this.on) this.lecture.page?.place()
   }
 
-  /** Its values stand in one line while the panel is folded away. @param {PartHost} page */
+  /** Shows the values in one line while the panel is folded away. @param {PartHost} page */
   async shown(page) {
     if (!this.on) return
     const {values} = await later("shell/values")
     values(page)
   }
 
-  /** The tab that stands for the panel while it is folded away. */
+  /** The tab that opens the folded panel. */
   tab() {
     return button({class: "tab"}, () => this.fold(), "Controls, key C")
   }
 
-  /** The panel, behind its tab or beside the paper. */
+  /** Opens the panel, or folds it behind its tab. */
   fold() {
     const {panel} = this.lecture.page
     root.dataset.panel = panel.classList.contains("folded") || isFolded(panel) ? "open" : "folded"
@@ -75,7 +75,8 @@ export class Hall {
     else await root.requestFullscreen?.().catch(() => {})
   }
 
-  /** Only a key or a press may fill the screen: after a page is loaded anew, as some clickers have it, the next one. */
+  /** Browsers enter full screen only after a key or a press. After a reload, which some clickers cause, the next one
+   * does it. */
   #offer() {
     this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
     document.body.append(this.offer)

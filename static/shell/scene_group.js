@@ -36,7 +36,7 @@ export class Group {
     this.#open(false)
   }
 
-  /** Whether the scene that is shown is one of these. */
+  /** True if the current scene is one of these. */
   turned() {
     this.element.classList.toggle(
       "here",

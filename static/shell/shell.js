@@ -45,7 +45,7 @@ export class Shell {
     return this.links.find(link => link.dataset.scene === slug)?.textContent ?? ""
   }
 
-  /** Where in the lecture a scene is. @param {string} slug */
+  /** The position of a scene in the lecture. @param {string} slug */
   #place(slug) {
     const place = this.links.findIndex(link => link.dataset.scene === slug)
     const lecture = this.links[place]?.closest(".scene-group")?.querySelector(".lecture")
@@ -53,7 +53,7 @@ export class Shell {
   }
 
   /**
-   * `moved` where the visitor came from another scene: the screen reader is told by the focus.
+   * `moved`: the visitor came from another scene, so the focus moves for screen readers.
    * @param {page.SceneSheet} sheet @param {boolean} moved
    */
   turned({slug, title, headline}, moved) {
@@ -73,7 +73,7 @@ export class Shell {
     this.lecture.page.root.querySelector("h1")?.focus({preventScroll: true})
   }
 
-  /** The Tab key goes on from there. @param {Event} event */
+  /** Continues the tab order from there. @param {Event} event */
   #skip(event) {
     event.preventDefault()
     const link = /** @type {HTMLElement} */ (event.currentTarget)

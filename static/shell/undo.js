@@ -45,7 +45,7 @@ export class Undo {
     return made
   }
 
-  /** A field that is typed in has an undo of its own. @param {KeyboardEvent} event */
+  /** A text field has its own undo. @param {KeyboardEvent} event */
   #key(event) {
     if (!event.repeat) this.#press("key")
     const isOurs = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "z"
@@ -73,7 +73,7 @@ export class Undo {
   }
 
   /**
-   * Takes down a state that was told, and of what it is the answer.
+   * Records a state from the server, with the data of the message that it answers.
    * @param {page.State} state @param {{way?: Direction, deed?: string}} asked
    */
   record(state, {way, deed = ""}) {
