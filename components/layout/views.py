@@ -14,14 +14,17 @@ from components.layout.sheet import blocks
 from components.layout.text import rich
 from components.quantities.parameters import AnyParameter, names_of
 
+KEYS = "keys"
+"""The name of the key controls among the parts that a task speaks of."""
+
 
 @dataclass(frozen=True)
 class View:
     """A view of a scene: the name on its tab, and a task.
 
     `keys` are the parameters that the task names: their controls are the first of the panel. `names` are the parts that
-    the task speaks of, such as "stage" and "plot:x": a phone's first screen has all of them. `word` is its name in
-    links, by default the first word of its name.
+    the task speaks of, such as "stage", "plot:x" and "keys": a phone's first screen has all of them. `word` is its name
+    in links, by default the first word of its name.
     """
 
     name: str
@@ -51,7 +54,7 @@ def check_views(sheet: Block, views: Sequence[View]) -> None:
         if unknown := set(block.views) - known:
             raise ValueError(f"{block.part or 'A block'} is in {', '.join(unknown)}, which is not a view.")
     for view in views:
-        shown = {block.part for block in shown_blocks(sheet, view.slug)}
+        shown = {KEYS, *(block.part for block in shown_blocks(sheet, view.slug))}
         if missing := [name for name in view.names if name not in shown]:
             raise ValueError(f"The view {view.name} does not show {', '.join(missing)}, which its task names.")
 

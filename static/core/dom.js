@@ -70,6 +70,11 @@ export function marked(tag, attributes, html) {
   return made
 }
 
+/** Scroll a row of buttons that is wider than the screen to one of them. @param {HTMLElement} one */
+export function intoView({offsetLeft, offsetWidth, parentElement: row}) {
+  if (row) row.scrollLeft = offsetLeft + offsetWidth / 2 - row.clientWidth / 2
+}
+
 /** @type {Map<string, string>} */
 const tokens = new Map()
 

@@ -1,7 +1,7 @@
 // The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
 // sends what the visitor does; it never decides what is possible.
 
-import {button, chip, element, marked, svg} from "../core/dom.js"
+import {button, chip, element, intoView, marked, svg} from "../core/dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 import {viewOf} from "../paper/views.js"
 
@@ -88,7 +88,11 @@ export function buildChoice(host, spec, send, draw) {
     /** @param {Record<string, page.Setting>} settings */
     update(settings) {
       const now = settings[spec.name].value
-      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.option === now))
+      for (const one of buttons) {
+        const isChosen = one.dataset.option === now
+        if (draw && isChosen && one.getAttribute("aria-pressed") !== "true") intoView(one)
+        one.setAttribute("aria-pressed", String(isChosen))
+      }
     },
   }
 }
@@ -109,7 +113,7 @@ export class Controls {
   /** @type {ReturnType<typeof buildChoice>[]} */
   choices = []
 
-  /** @type {Map<string, {row: Element, place: Comment}>} the rows, each with its place in its group */
+  /** @type {Map<string, {row: HTMLElement, place: Comment, form: string}>} the rows, and place and form of each */
   rows = new Map()
 
   /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
@@ -138,7 +142,8 @@ export class Controls {
     this.host = host
     this.spec = spec
     this.views = views
-    this.keys = element("section", {class: "group keys-of-view", hidden: ""}, element("h2", {}, "Move this"))
+    this.keysTitle = element("h2")
+    this.keys = element("section", {class: "group keys-of-view", hidden: ""}, this.keysTitle)
     this.send = send
     this.pictured = pictured
     // What is said is about the control that has the focus; without one nothing is.
@@ -164,7 +169,7 @@ export class Controls {
     else section.classList.add("on")
     const rows = group.folded ? this.#fold(group) : section
     this.hints[this.hints.length - 1]?.names.push(...group.rows.map(row => row.name))
-    for (const row of group.rows) this.#placed(rows, row)
+    for (const row of group.rows) this.#placed(rows, row, group.form)
     const actions = group.title ? section : rows
     if (group.actions.length) actions.append(this.#actions(group.actions))
     if (group.facts.length) section.append(factTable(group.facts))
@@ -199,22 +204,26 @@ export class Controls {
     return rows
   }
 
-  /** @param {HTMLElement} host @param {page.ControlRow} row */
-  #placed(host, row) {
+  /** @param {HTMLElement} host @param {page.ControlRow} row @param {string} form */
+  #placed(host, row, form) {
     const place = document.createComment(row.name)
     host.append(place)
     this.#row(host, row)
-    this.rows.set(row.name, {row: /** @type {Element} */ (host.lastElementChild), place})
+    this.rows.set(row.name, {row: /** @type {HTMLElement} */ (host.lastElementChild), place, form})
   }
 
-  /** The controls of the view's task stand first; the others are in their groups. @param {string} view */
+  /** Move the controls of the view's task to the top; the others are in their groups. @param {string} view */
   #arrange(view) {
     if (this.view === view) return
     this.view = view
-    for (const {row, place} of this.rows.values()) place.after(row)
+    for (const {row, place} of this.rows.values()) {
+      place.after(row)
+      row.hidden = false
+    }
     const keys = this.views.find(({word}) => word === view)?.keys ?? []
-    for (const name of keys) this.keys.append(/** @type {{row: Element}} */ (this.rows.get(name)).row)
+    for (const name of keys) this.keys.append(/** @type {{row: HTMLElement}} */ (this.rows.get(name)).row)
     this.keys.hidden = !keys.length
+    this.keysTitle.textContent = this.keys.querySelector(".tiles")?.getAttribute("aria-label") ?? "Move this"
     this.bare = this.spec.groups.map(
       ({rows, actions, facts}) => rows.every(({name}) => keys.includes(name)) && !actions.length && !facts.length,
     )
@@ -272,6 +281,8 @@ export class Controls {
     this.#arrange(viewOf(settings))
     for (const [i, {form}] of this.spec.groups.entries())
       this.sections[i].hidden = this.bare[i] || (Boolean(form) && !forms[form])
+    for (const {row, form} of this.rows.values())
+      if (row.parentElement === this.keys) row.hidden = Boolean(form) && !forms[form]
     for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
     for (const choice of this.choices) choice.update(settings)
     this.presets.update(preset)

@@ -1,6 +1,6 @@
 // The views of a scene: the tabs that choose one, and the task of the one that is shown.
 
-import {button, element, marked, set} from "../core/dom.js"
+import {button, element, intoView, marked, set} from "../core/dom.js"
 
 export const PAPER = "view" // the id of what a tab shows
 
@@ -76,10 +76,9 @@ export class Views {
     this.moves = false
   }
 
-  /** A row of tabs that is wider than a phone moves along. @param {HTMLElement} tab */
+  /** @param {HTMLElement} tab */
   #enter(tab) {
     if (this.moves) tab.focus({preventScroll: true})
-    const {offsetLeft, offsetWidth, parentElement: row} = tab
-    if (row) row.scrollLeft = offsetLeft + offsetWidth / 2 - row.clientWidth / 2
+    intoView(tab)
   }
 }

@@ -132,7 +132,7 @@ def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
     [
         ("oscillator", "speed", "v", r"^v −?\d[\d.]* m/s$"),
         ("energy", "well", "well", r"^V \d[\d.]* J$"),
-        ("analogues", "", "late", r"^longer by \d[\d.]* %$"),
+        ("analogues", "large", "late", r"^longer by \d[\d.]* %$"),
         ("phugoid", "", "period", r"^τ \d[\d.]* s$"),
     ],
 )

@@ -219,7 +219,7 @@ def test_many_half_waves_are_drawn_as_twelve_and_it_is_said() -> None:
 
 def test_link_carries_the_system_and_its_parameters() -> None:
     scene = Analogues(system="shaft", shaft_J=12.5, theta_0=100.0)
-    assert fitted(scene.value).query == "scene=analogues&system=shaft&theta_0=100&shaft_J=12.5"
+    assert fitted(scene.value).query == "scene=analogues&system=shaft&theta_0=100&view=roles&shaft_J=12.5"
     link = read_query({"scene": [b"analogues"], "system": [b"balloon"], "shaft_J": [b"2"]}, SCENES)
     assert link.values == {"shaft_J": 2.0}
     assert "balloon" in link.problems[0]

@@ -57,6 +57,8 @@ OLD = [
     ("scene=forced&view=amplitudes", "response"),
     ("scene=forced&view=forces", "forces"),
     ("scene=forced&view=work", "work"),
+    ("scene=analogues&system=circuit", "roles"),
+    ("scene=analogues&theta_0=10", "roles"),
     ("scene=phugoid&excess=0.1", "period"),
     ("scene=phugoid&show=period", "period"),
     ("scene=phugoid&show=lift", "lift"),

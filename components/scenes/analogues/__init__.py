@@ -7,6 +7,7 @@ import math
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.layout.controls import Group
+from components.layout.views import View
 from components.quantities.motion import pace
 from components.quantities.parameters import one_of
 from components.quantities.readouts import Readout
@@ -81,6 +82,24 @@ class Analogues(Scene):
     system = one_of("pendulum", SHORT, "System", "The system shown.")
 
     theta_0 = start_angle()
+    views = (
+        View(
+            "Roles", "Choose a system: what has the role of the mass, and what that of the spring?",
+            keys=(system,), names=("stage", "keys", "table"),
+        ),
+        View(
+            "Motion", "Pull the system and let go: does it keep step with the spring next to it?",
+            keys=(system,), names=("stage", "keys", "plot:motion"),
+        ),
+        View(
+            "Large swings", "Drag *θ*_0: from which angle on does one swing take 1 % longer?",
+            keys=(system, theta_0), names=("stage", "keys", "plot:late"),
+        ),
+        View(
+            "Formula", "Choose a system: what of it sets the frequency, and what drops out?",
+            keys=(system,), names=("keys", "words:formula"),
+        ),
+    )  # fmt: skip
     groups = (Group("System", (system,), pictures=tiles()), *groups(QUANTITIES, theta_0))
 
     sheet = staticmethod(analogue_sheet)

@@ -160,8 +160,8 @@ def columns_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, Columns]:
 class Hung(Declared[AnalogueCase]):
     """The places of what swings, lower and shorter where it is over its pivot, of its ends, and of its lateness."""
 
-    pivot = scalar(lambda c, a: 0.14 if abs(c.q_0) <= 91 * DEGREE else 0.46)
-    rod = scalar(lambda c, a: 0.5 if abs(c.q_0) < 61 * DEGREE else 0.43 if abs(c.q_0) <= 91 * DEGREE else 0.3)
+    pivot = scalar(lambda c, a: 0.2 if abs(c.q_0) <= 91 * DEGREE else 0.48)
+    rod = scalar(lambda c, a: 0.45 if abs(c.q_0) <= 91 * DEGREE else 0.24)
     theta_0 = scalar(lambda c, a: abs(c.q_0))
     ends_seen = scalar(lambda c, a: abs(c.q_0) < 150 * DEGREE)
     end_sine = scalar(lambda c, a: math.sin(abs(c.q_0)))

@@ -56,6 +56,4 @@ class Forms(Declared[AnalogueCase]):
     swinging = form(lambda c: bool(c.pendulum))
     linear = form(lambda c: not c.pendulum)
     reach = form(lambda c: c.system.slug if c.q_0 else "rest")
-    q = form(lambda c: c.system.slug)
-    x = form(lambda c: c.system.slug if c.pendulum else "linear")
     note = form(lambda c: c.system.slug if c.system.slug in REMARKS else "")

@@ -1,4 +1,4 @@
-"""The sheet of the analogues: stage, motion, table of roles, lateness or formula."""
+"""The sheet of the analogues: the stage, and next to it the roles, the motion, the lateness or the formula."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from functools import cache
 from components.language.blocks import Block
 from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, mark, plot
-from components.layout.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
+from components.layout.sheet import Paragraph, column, either, phrase, row, stage, table, term, when, words
+from components.layout.views import in_views
 from components.quantities.numbers import three
 from components.scene.traces import traced
 from components.scenes.analogues.controls import SWINGING
@@ -18,10 +19,9 @@ from components.scenes.analogues.numbers import GAP
 from components.scenes.analogues.numbers import Forms as F
 from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.reach import IN_TRUTH, REMARKS
-from components.scenes.analogues.stage import LATE, MOTION, over_lateness, over_motion, shapes
+from components.scenes.analogues.stage import LATE, MOTION, WIDEST, over_lateness, over_motion, shapes
 from physics.analogues import ANALOGUES
 
-TASK = "Choose a system: what has the role of the mass, and what that of the spring?"
 AIRCRAFT: list[Paragraph] = [
     "compare",
     r"$\omega_n = \sqrt{2} \, g / v_0$ of",
@@ -45,21 +45,23 @@ _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in
 
 @cache
 def analogue_sheet() -> Block:
-    return column(
-        desk(words(TASK, style="task", phone=0)),
-        row(
-            stage(
-                *shapes(),
-                label="The chosen system, and the spring and mass of equal frequency, in motion",
-                grow=430,
-                height=190,
-                widest=1.75,
-            ),
-            _motion(),
-            grow=288,
-            gap=0,
+    return row(
+        stage(
+            *shapes(),
+            label="The chosen system, and the spring and mass of equal frequency, in motion",
+            grow=400,
+            height=140,
+            widest=WIDEST,
         ),
-        row(column(_roles(), desk(_equation()), grow=436), column(_lateness(), _formula(), grow=452), grow=285),
+        column(
+            in_views(_roles(), "roles"),
+            in_views(_motion(), "motion"),
+            in_views(_lateness(), "large"),
+            in_views(_linear(), "large"),
+            in_views(_formula(), "formula"),
+            grow=512,
+        ),
+        gap=16,
     )
 
 
@@ -68,13 +70,6 @@ def _motion() -> Block:
         traced(S.x, tint="m1", width="dash", read="spring"),
         traced(S.q, tint="m1", width="sum", read="exact", signal=S.level),
     )
-    exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
-    cosine = {
-        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos({N.omega} t)"
-        for slug, system in ANALOGUES.items()
-        if slug not in SWINGING
-    }
-    rules = {slug: rf"{_STARTS[slug]} \cos({N.omega} t) \text{{ spring}}" for slug in SWINGING}
     return plot(
         MOTION,
         x=Axes.t,
@@ -83,14 +78,13 @@ def _motion() -> Block:
         curves=(rule, swing),
         bands=(rule_band, swing_band),
         heading=(
-            term(S.q, "sum", "m1", form=F.q, **exact, **cosine),
-            term(S.x, "dash", "m1", form=F.x, **rules, linear=r"\text{spring}"),
+            term(S.q, "sum", "m1", form=F.system, **{slug: s.coordinate for slug, s in ANALOGUES.items()}),
+            phrase(S.x, "dash", "m1", formula="spring"),
             term("", "none", "mute", formula=r"\val{speed}"),
         ),
         cursor="time",
         shapes=over_motion(),
         room=Room(58, 52, top=34),
-        grow=470,
         phone=10,
         height=210,
     )
@@ -112,7 +106,7 @@ def _roles() -> Block:
     omega = {slug: f"${s.omega_formula} = {N.omega}$ rad/s" for slug, s in systems}
     rows.append(["natural frequency", rf"$\sqrt{{k/m}} = {N.omega}$ rad/s", either(F.system, **omega)])
     rows.append(AIRCRAFT)
-    return table(*rows, head=["", "Spring and mass", f"{N.system_name}"], phone=30, style="roles")
+    return table(*rows, head=["", "Spring and mass", f"{N.system_name}"], phone=10, style="roles")
 
 
 def _role(tint: str, symbol: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
@@ -121,8 +115,17 @@ def _role(tint: str, symbol: str, formula: str, value: str, formulas: dict[str, 
     return [f"role of ${symbol}$", f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
 
 
-def _equation() -> Block:
-    """The equation of motion in the names of the chosen system."""
+def _motions() -> dict[str, str]:
+    """The motion of each system from rest."""
+    return {
+        slug: rf"**{'Small swings' if slug in SWINGING else 'Let go at rest'}:** "
+        rf"${s.coordinate} = {_STARTS[slug]} \cos({N.omega} t)$"
+        for slug, s in ANALOGUES.items()
+    }
+
+
+def _equations() -> dict[str, str]:
+    """The equation of motion of each system, in its own names."""
     equations = {
         slug: EQUATIONS.get(
             slug,
@@ -130,19 +133,12 @@ def _equation() -> Block:
         )
         for slug, s in ANALOGUES.items()
     }
-    return words(
-        either(
-            F.system,
-            **{
-                slug: rf"**Exactly** ${equation}$; **for small angles** $\sin \theta \approx \theta$"
-                if slug in SWINGING
-                else f"**Equation:** ${equation}$"
-                for slug, equation in equations.items()
-            },
-        ),
-        style="equation",
-        phone=31,
-    )
+    return {
+        slug: rf"**Exactly** ${equation}$; **for small angles** $\sin \theta \approx \theta$"
+        if slug in SWINGING
+        else f"**Equation:** ${equation}$"
+        for slug, equation in equations.items()
+    }
 
 
 def _lateness() -> Block:
@@ -169,7 +165,7 @@ def _lateness() -> Block:
         marks=tuple(map(_flag, LIMITS)),
         shapes=over_lateness(),
         room=Room(48, 30, top=46),
-        phone=20,
+        phone=10,
         height=240,
         form=F.swinging,
     )
@@ -188,13 +184,9 @@ def _flag(key: str) -> Mark:
     )
 
 
-def _formula() -> Block:
-    """The formula of a system that is linear at any size: its frequency, large, and what there is to say of it."""
-    omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
+def _linear() -> Block:
+    """The sentence on large swings of a linear system, in place of the plot."""
     block = words(
-        either(F.system, **omega),
-        f"$= {N.omega}$ rad/s",
-        f"{N.frequency} Hz, one swing takes {N.period} s",
         either(
             F.reach,
             rest="**Nothing moves:** it is let go where it rests.",
@@ -204,9 +196,26 @@ def _formula() -> Block:
                 for slug, reason in IN_TRUTH.items()
             },
         ),
-        either(F.note, **REMARKS),
+        "Choose the pendulum or the rocking body: their large swings take longer.",
+        name="linear",
         style="omega",
         grow=1,
-        phone=20,
+        phone=10,
     )
     return when(F.linear, block)
+
+
+def _formula() -> Block:
+    """The frequency as a formula, large, the equation of motion, and what there is to say of a system."""
+    return words(
+        either(F.system, **{slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items()}),
+        f"$= {N.omega}$ rad/s",
+        f"{N.frequency} Hz, one swing takes {N.period} s",
+        either(F.system, **_equations()),
+        either(F.system, **_motions()),
+        either(F.note, **REMARKS),
+        name="formula",
+        style="omega",
+        grow=1,
+        phone=10,
+    )

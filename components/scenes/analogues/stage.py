@@ -36,7 +36,12 @@ from physics.analogues import ANALOGUES
 MOTION, LATE = PlotFrame("motion"), PlotFrame("late")
 TWIN = W - 46
 """Where the spring and mass stands."""
-SIDE = 0.112 * H
+WIDEST = 1.75
+"""The largest ratio of its width to its height."""
+HIGH = W / WIDEST
+"""The height of what is drawn, in the middle of a stage that is higher."""
+TOP = 0.5 * (H - HIGH)
+SIDE = 0.16 * HIGH
 UNIT = W / 112
 CENTRE = 0.5 * (W - 92)
 """The middle of what is left to the chosen system."""
@@ -65,7 +70,7 @@ def shapes() -> list[Shape]:
 def coordinates() -> list[Shape]:
     """The coordinate as a number, where nothing moves."""
     look = {"tint": "m1", "style": "t2 b halo"}
-    over = {"pendulum": 14, "rocking": 14}
+    over = {"pendulum": TOP + 14, "rocking": TOP + 14}
     return [
         text(
             CENTRE,
@@ -80,7 +85,7 @@ def coordinates() -> list[Shape]:
 
 def pendulum() -> list[Shape]:
     """Pivot, arc of travel, the bob, and in outline, a ring around it, where the small-angle rule would have it."""
-    x, y, rod, radius = CENTRE, var(Hung.pivot) * H, var(Hung.rod) * H, 0.066 * H
+    x, y, rod, radius = CENTRE, TOP + var(Hung.pivot) * HIGH, var(Hung.rod) * HIGH, 0.066 * HIGH
     bob = (x + rod * var(S.angle_sine), y + rod * var(S.angle_cosine))
     rule = (x + rod * var(S.rule_sine), y + rod * var(S.rule_cosine))
     end, near, ends = var(Hung.theta_0), rod - 7, []
@@ -102,10 +107,10 @@ def pendulum() -> list[Shape]:
         text(rule[0], rule[1] - radius - 10, "spring", tint="m1", style="t0 halo", show=ON_WIDE),
         line(x, y, *bob, style="rod"),
         arc(x, y, 0.42 * rod, 0, var(S.angle), style="sum", tint="m1"),
-        arrow(*bob, bob[0], bob[1] + 0.17 * H, tint="k", style="thick", head=17),
+        arrow(*bob, bob[0], bob[1] + 0.17 * HIGH, tint="k", style="thick", head=17),
         circle(*bob, radius, style="body", tint="m1", grab=swing),
         text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
-        text(bob[0] + 12, bob[1] + 0.16 * H, "*m g*", anchor="start", tint="k", style="t2 b halo"),
+        text(bob[0] + 12, bob[1] + 0.16 * HIGH, "*m g*", anchor="start", tint="k", style="t2 b halo"),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
     return shown_by(P.of["pendulum"], *found)
@@ -113,18 +118,18 @@ def pendulum() -> list[Shape]:
 
 def height(q: Number) -> Expression:
     """The height of a coordinate: on the axis of the plot beside it; on a phone, on one like it."""
-    return WIDE * MOTION.y(q) + NARROW * (0.45 * H - 0.24 * H * var(P.per_q) * q)
+    return WIDE * MOTION.y(q) + NARROW * (TOP + 0.45 * HIGH - 0.24 * HIGH * var(P.per_q) * q)
 
 
 def twin() -> list[Shape]:
     """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
     level = height(0)
-    foot = WIDE * (MOTION.bottom + 16) + NARROW * (H - 10)
+    foot = WIDE * (MOTION.bottom + 16) + NARROW * (TOP + HIGH - 10)
     y = height(var(S.rule))
     return [
         wall(TWIN - 36, foot, 72, side="bottom"),
         line(TWIN - 36, level, WIDE * MOTION.left + NARROW * W, level, style="eq", tint="mute"),
-        spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
+        spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * HIGH),
         line(TWIN + SIDE / 2, y, MOTION.x(T), y, style="level", tint="m1", show=ON_WIDE),
         box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1", held=True),
         *(held_spring(slug, TWIN, height) for slug in ANALOGUES),
