@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
-from components.scenes.accuracy.data import Known, Series, picked_run, reached_text, setting_text
+from components.scenes.accuracy.data import Known, Series, compiled_only, picked_run, reached_text, setting_text
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.measuring import LIVE, Job, queue
-from components.scenes.accuracy.prices import price_list, time_text
+from components.scenes.accuracy.prices import price_list, time_text, unreached
 from components.scenes.accuracy.recorded import recorded
 from components.scenes.accuracy.studies import LASTING, step_explosion
 from physics.accuracy import MARKS, SYSTEMS, Run, entered
@@ -79,42 +80,50 @@ def test_dots_are_measured_here_and_lines_recorded() -> None:
 
 
 def test_rows_of_prices() -> None:
-    rows = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
-    assert rows["closed"] == ("Closed form", "outputs", "1.00", "1", "", "")
-    assert rows["verlet"] == ("Verlet", "4000", "31.6", "31.6", "", "")
-    assert rows["rk4"] == ("RK4", "1000", "4.00", "2", "", ""), "recorded with recorded"
-    fine = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
-    assert fine["verlet"] == ("Verlet", "", "over 1 s", "≥ 1·10⁻⁴", "", "")
-    assert fine["rk4"] == ("RK4", "", "not yet", "≥ 1·10⁻⁴", "", "")
-    assert fine["bdf"] == ("BDF", "", "never", "≥ 1·10⁻⁹", "", "")
+    found = Known(Series(HERE), Series(BEFORE))
+    rows = dict(price_list(found, ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
+    assert rows["closed"] == ("Closed form", "outputs", "1.00", "1")
+    assert rows["verlet"] == ("Verlet", "4000", "31.6", "31.6")
+    assert rows["rk4"] == ("RK4", "1000", "4.00", "2"), "recorded with recorded"
+    fine = ("verlet", "rk4", "bdf")
+    assert price_list(found, fine, 1e-10) == []
+    assert unreached(found, fine, 1e-10) == (
+        "Not there: BDF (1·10⁻⁹ at best, no finer), Verlet (1·10⁻⁴ at best, over 1 s), "
+        "RK4 (1·10⁻⁴ at best, not refined so far)."
+    )
+    assert unreached(found, fine, 1e-3) == ""
 
 
-def test_compiled_steps_are_priced_beside_those_in_python() -> None:
-    """Against the closed form of the record, be it in doubles; also where Python does not get there."""
+def test_compiled_steps_are_priced_against_the_closed_form_of_the_record() -> None:
     fast = Series(
         tuple(replace(run, compiled=True) for run in (a_run("rk4", 3, 1e-3, 1e-4), a_run("rk4", 9, 1e-2, 1e-9)))
     )
     before = Series((*BEFORE, a_run("eigh", 0, 1e-4, 1e-13)))
     found = Known(Series(HERE), before, compiled=fast)
-    assert dict(price_list(found, ("rk4",), 1e-4))["rk4"][2:] == ("4.00", "2", "1.00", "0.5")
-    assert dict(price_list(found, ("rk4",), 1e-4, "doubles"))["rk4"][2:] == ("4.00", "40", "1.00", "10")
-    assert dict(price_list(found, ("rk4",), 1e-9))["rk4"][1:] == ("1000", "not yet", "≥ 1·10⁻⁴", "10.0", "5")
+    assert dict(price_list(found, ("rk4",), 1e-4))["rk4"][2:] == ("4.00", "2")
+    assert dict(price_list(found, ("rk4",), 1e-4, "doubles"))["rk4"][2:] == ("4.00", "40")
+    compiled = compiled_only(found)
+    assert dict(price_list(compiled, ("rk4",), 1e-4))["rk4"][2:] == ("1.00", "0.5")
+    assert dict(price_list(compiled, ("rk4",), 1e-9, "doubles"))["rk4"][1:] == ("1000", "10.0", "100")
     assert dict(price_list(found, ("verlet",), 1e-3, "doubles"))["verlet"][3] == "", (
         "no closed form in doubles ran here"
     )
 
 
-def test_a_method_without_a_result_is_a_row_with_its_reason() -> None:
+def test_a_method_without_a_result_is_named_with_its_reason() -> None:
     failed = (a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit"),)
-    rows = price_list(Known(Series(failed), Series()), ("rk4", "bdf"), 1e-3)
-    assert rows == [("rk4", ("RK4", "", "no result", "unstable step", "", ""))]
+    assert unreached(Known(Series(failed), Series()), ("rk4", "bdf"), 1e-3) == "Not there: RK4 (unstable step)."
 
 
 def test_rows_from_records_are_told_apart() -> None:
-    scene = measured()
-    forms = {scene.shown.values[f"price{i}_name"]: scene.shown.forms[f"price{i}"] for i in range(len(LIVE))}
+    scene = measured(wanted=1e-3)
+    forms = {
+        scene.shown.values[f"price{i}_name"]: scene.shown.forms[f"price{i}"]
+        for i in range(len(LIVE))
+        if scene.shown.forms[f"price{i}"]
+    }
     assert forms["Verlet"] == "here" and forms["RK4"] == "before"
-    assert {Accuracy().shown.forms[f"price{i}"] for i in range(len(LIVE))} == {"here"}
+    assert {Accuracy().shown.forms[f"price{i}"] for i in range(len(LIVE))} == {"here", ""}
 
 
 def test_a_time_that_does_not_repeat_is_marked() -> None:
@@ -192,7 +201,7 @@ def test_results_of_another_system_or_limit_are_not_shown() -> None:
     assert not any(scene.sources[slug].data for slug in METHODS)
 
 
-@pytest.mark.parametrize("view", ["time", "growth", "length", "digits", "stability"])
+@pytest.mark.parametrize("view", ["drift", "time", "growth", "length", "digits", "stability"])
 @pytest.mark.parametrize("system", [*SYSTEMS, "own"])
 def test_every_view_of_every_system(view: str, system: str) -> None:
     check_picture(measured(view=view, system=system))
@@ -249,10 +258,12 @@ def test_doubles_do_up_to_the_named_place() -> None:
 
 
 def test_names_belong_to_the_ends_of_their_lines() -> None:
-    shown = Accuracy().shown
-    columns, ends = {slug: line for slug in LIVE if (line := shown.columns[f"rec_{slug}"])}, shown.scalars
-    assert {"closed"} < set(columns) == {slug for slug in METHODS if ends[f"{slug}_named"]}
-    for slug, line in columns.items():
+    shown = Accuracy(picked=["rec_bdf", "0"]).shown
+    ends = shown.scalars
+    named = {slug for slug in METHODS if ends[f"{slug}_named"]}
+    assert {"closed", "verlet", "rk4"} < named and len(named) == 8 and "bdf" not in named
+    assert ends["picked_named"] and shown.values["picked_method"] == "BDF"
+    for slug, line in ((slug, shown.columns[f"rec_{slug}"]) for slug in named):
         assert ends[f"{slug}_at"] == pytest.approx(math.log10(line["time"][-1]))
         assert ends[f"{slug}_error"] == pytest.approx(math.log10(line["error"][-1]))
 
@@ -264,3 +275,24 @@ def test_what_the_run_bar_says() -> None:
     assert work.progress(Accuracy(system="dashpot")).text == "Run measures 12 methods here."
     told = work.progress(measured())
     assert (told.done, told.total, told.unit) == (3, 3, "methods measured here")
+
+
+def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> None:
+    scene = Accuracy()
+    drawn = {slug: scene.sources[f"drift_{slug}"].data for slug in ("exact", "euler", "verlet", "rk4")}
+    assert all(data["drift_x"][0] == 1.0 for data in drawn.values())
+    assert drawn["exact"]["drift_t"][-1] == drawn["rk4"]["drift_t"][-1] == 4 > drawn["euler"]["drift_t"][-1]
+    assert re.fullmatch(
+        r"With 30 steps a period, at worst: Explicit Euler explodes, Verlet is \d+ % off, RK4 is \d+ % off\.",
+        scene.shown.values["drifted"],
+    )
+    scene.steps = 300.0
+    assert len(scene.sources["drift_rk4"].data["drift_t"]) <= 202
+    scene.set({"steps": 8.0, "system": "wide"})
+    assert "more steps a period are needed: Verlet 6350, RK4 4490." in scene.shown.values["drifted"]
+
+
+@pytest.mark.parametrize("steps", [3.0, 501.0, 10.5])
+def test_a_number_of_steps_has_its_bounds(steps: float) -> None:
+    with pytest.raises(ValueError, match="whole number from 4 to 500"):
+        Accuracy(steps=steps)

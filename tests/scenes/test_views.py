@@ -68,6 +68,9 @@ OLD = [
     ("scene=absorber&played=particular", "goals"),
     ("scene=absorber&played=rest&x1_0=0.01", "rest"),
     ("scene=absorber&x1_0=0.01", "rest"),
+    ("scene=accuracy", "drift"),
+    ("scene=accuracy&system=wide", "time"),
+    *((f"scene=accuracy&view={view}", view) for view in ("time", "growth", "length", "digits", "stability")),
 ]
 """Links from before there were views, and the view that each opens: also those that name none."""
 

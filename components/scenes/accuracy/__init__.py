@@ -1,4 +1,4 @@
-"""Accuracy: the scene of error against run time, method by method, measured on the server as the visitor looks on."""
+"""Accuracy: the scene of methods in steps: how they drift, what each digit costs, measured as the visitor looks on."""
 
 from __future__ import annotations
 
@@ -10,16 +10,18 @@ from components import chain
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.quantities.parameters import angular_frequency, force, one_of, positive
+from components.layout.views import View
+from components.quantities.parameters import angular_frequency, count, force, one_of, positive
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED, framed
 from components.scenes.accuracy.axes import axes_of
 from components.scenes.accuracy.case import AccuracyCase
 from components.scenes.accuracy.data import MORE, Kept, work
+from components.scenes.accuracy.drift import drift_columns
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.plots import Places
-from components.scenes.accuracy.sheet import VIEW, paper
-from components.scenes.accuracy.studies import STUDIES, Digits
+from components.scenes.accuracy.sheet import paper
+from components.scenes.accuracy.studies import Digits, studies
 from components.scenes.accuracy.watch import WATCH
 from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
@@ -48,6 +50,11 @@ class Accuracy(Scene):
 
     system = one_of("benign", [*SYSTEMS, OWN], "System")
     physical = (system,)
+    steps = count(
+        30.0, symbol="n", label="number of steps a period", softbounds=(8.0, 300.0), bounds=(4.0, 500.0),
+        allowed="the number of steps a period is a whole number from 4 to 500",
+        says="is the number of steps in one slow period. More of them are shorter.",
+    )  # fmt: skip
     wanted = positive(
         1e-6, symbol="error", unit="", label="error", softbounds=(1e-15, 1.0), scale="log",
         says="is the accepted error. The list says what it costs.",
@@ -65,7 +72,6 @@ class Accuracy(Scene):
     equal = one_of("error", {"error": "Equal error", "cost": "Equal cost"}, "Compared at")
     clock = one_of("python", {"python": "In Python", "compiled": "Compiled"}, "Time of the steps")
     unit = one_of("app", {"app": "As the app runs it", "doubles": "In doubles"}, "Closed form compared with")
-    view = VIEW
     picked = param.List(
         default=["rec_verlet", "5"], item_type=str, doc="The run picked: source and place among its points."
     )
@@ -76,8 +82,36 @@ class Accuracy(Scene):
     F_0 = force(0.0)
     omega = angular_frequency(1.0)
     measured = param.Parameter(default=None, doc="The measurement that the page has asked for, as far as it has come.")
+    views = (
+        View(
+            "Drift", "Take fewer steps a period: which method leaves the exact motion first, and how?",
+            keys=(steps,), names=("plot:drift", "keys"),
+        ),
+        View(
+            "Run time", "Drag the line of the error down: which methods pay for more digits, and which do not?",
+            keys=(wanted,), names=("plot:work",), word="time",
+        ),
+        View(
+            "Growth", "Compare the methods at equal error, then at equal cost: whose error grows fastest?",
+            keys=(equal, cost), names=("plot:error_growth", "keys"),
+        ),
+        View(
+            "Length", "Follow each line to the right: what does a longer motion cost, in time and in error?",
+            names=("plot:span_time",),
+        ),
+        View(
+            "Digits", "Drag the accepted error down: how far do the 16 digits of a double reach?",
+            keys=(wanted,), names=("plot:digits_ratio",),
+        ),
+        View(
+            "Stability", "Follow a line until it leaves 1: how long may a step of that method be?",
+            names=("plot:stability",),
+        ),
+    )  # fmt: skip
+    old_view = "time"
     groups = (
-        Group("Run", (wanted, limit)),
+        Group("Steps", (steps,), form=F.view["drift"]),
+        Group("Run", (wanted, limit), form=F.races),
         Group("Time of the steps", (clock,), form=F.view["time"]),
         Group("× closed form", (unit,), form=F.view["time"]),
         Group("Compared at", (equal,), form=F.view["growth"]),
@@ -100,18 +134,17 @@ class Accuracy(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case()
-        axes = framed(frame, axes_of(self.limit, case.run, case.system.unit))
+        axes = framed(frame, axes_of(self.limit, case.run, case.system.unit, case.size))
         kept = Kept.columns(case.run) if case.run and case.run.error_growth else {}
-        digits = Digits.texts(case, axes) if self.view == "digits" else {}
         return Picture(
-            columns={**work(case.drawn), **kept, **STUDIES[self.view](case)},
+            columns={**work(case.drawn), **kept, **drift_columns(case), **studies(case)},
             axes=axes,
             scalars=Places.scalars(case, axes),
-            values={**N.texts(case, axes), **cell_texts(case), **digits},
+            values={**N.texts(case, axes), **cell_texts(case), **Digits.texts(case, axes)},
             forms=F.forms(case),
         )
 
     def _case(self) -> AccuracyCase:
-        names = ("wanted", "limit", "cost", "equal", "clock", "unit", "view", "picked", "hidden")
+        names = ("steps", "wanted", "limit", "cost", "equal", "clock", "unit", "view", "picked", "hidden")
         chosen = {name: getattr(self, name) for name in names}
         return AccuracyCase(system=self.shown_system(), known=known(self), **chosen)

@@ -6,12 +6,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from components.scenes.accuracy.data import MORE, Known, compiled_only, picked_run
 from components.scenes.accuracy.measuring import LIVE
-from components.scenes.accuracy.prices import PriceRow, price_list
+from components.scenes.accuracy.prices import PriceRow, price_list, unreached
 from physics.accuracy import Run, System, entered
+from physics.drift import Drift, drifts, exact
 from physics.price import at_cost, at_error
 from physics.solvers import METHODS
+
+DRIFTING = ("euler", "verlet", "rk4")
+"""The methods whose motion is drawn."""
+NAMED = (
+    "closed", "verlet", "rk4", "gauss4", "nystrom6", "dop853", "radau", "eigh",
+    "lsoda", "bdf", "newmark", "yoshida6", "expm", "adams", "fortran", "slides",
+)  # fmt: skip
+"""The methods, those first whose names stand in a plot that has no room for all."""
+MOST_NAMES = 8
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,11 +34,12 @@ class AccuracyCase:
     known: Known
     wanted: float
     limit: float
+    steps: float
+    view: str
     cost: float
     equal: str
     clock: str
     unit: str
-    view: str
     picked: Sequence[str]
     hidden: Sequence[str]
 
@@ -56,8 +69,32 @@ class AccuracyCase:
         return {slug: good[-1] for slug in self.methods if (good := self.drawn.good(slug))}
 
     @cached_property
+    def named(self) -> dict[str, Run]:
+        """The ends of those methods whose names are written."""
+        return {slug: self.ends[slug] for slug in [one for one in NAMED if one in self.ends][:MOST_NAMES]}
+
+    @property
+    def exact(self) -> Drift:
+        """The motion that the first view compares with."""
+        return exact(self.system)
+
+    @property
+    def size(self) -> float:
+        """The largest displacement of it, in m."""
+        return float(np.max(np.abs(self.exact.x))) or 1.0
+
+    @property
+    def drifts(self) -> dict[str, Drift]:
+        """The same motion by each method, in the chosen number of steps."""
+        return drifts(self.system, int(self.steps), DRIFTING)
+
+    @cached_property
     def rows(self) -> list[PriceRow]:
-        return price_list(self.known, self.methods, self.wanted, self.unit)
+        return price_list(self.drawn, self.methods, self.wanted, self.unit)
+
+    @property
+    def unreached(self) -> str:
+        return unreached(self.drawn, self.methods, self.wanted)
 
     @cached_property
     def racing(self) -> tuple[str, ...]:

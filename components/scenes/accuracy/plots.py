@@ -65,13 +65,14 @@ class Places(Declared[AccuracyCase]):
     limit_at = scalar(lambda c, a: Axes.time(a).place(c.limit))
     empty = scalar(lambda c, a: not c.known.here.every and not c.known.before.every)
     # The ends of the lines, beside which the names of the methods stand.
-    named = Family(METHODS, lambda slug: scalar(lambda c, a: slug in c.ends), "{}_named")
-    at = Family(METHODS, lambda slug: scalar(lambda c, a: _time(c.ends.get(slug), a)), "{}_at")
-    error = Family(METHODS, lambda slug: scalar(lambda c, a: _error(c.ends.get(slug), a)), "{}_error")
+    named = Family(METHODS, lambda slug: scalar(lambda c, a: slug in c.named), "{}_named")
+    at = Family(METHODS, lambda slug: scalar(lambda c, a: _time(c.named.get(slug), a)), "{}_at")
+    error = Family(METHODS, lambda slug: scalar(lambda c, a: _error(c.named.get(slug), a)), "{}_error")
     stiff = scalar(lambda c, a: c.stiff is not None)
     stiff_at = scalar(lambda c, a: _time(c.stiff, a))
     stiff_error = scalar(lambda c, a: _error(c.stiff, a))
     picked = scalar(lambda c, a: c.run is not None)
+    picked_named = scalar(lambda c, a: c.run is not None and c.run.method not in c.named)
     picked_at = scalar(lambda c, a: _time(c.run, a))
     picked_error = scalar(lambda c, a: _error(c.run, a))
     step_at = scalar(lambda c, a: _step(c))
@@ -93,7 +94,7 @@ def work_plot() -> Block:
             mark(Places.rounding_at, tint="mute", label="one rounding", axis="y", style="dashed"),
             mark(Places.limit_at, tint="mute", label="time limit", style="dashed"),
         ),
-        shapes=(*_meanings(), *_names(), _ring()),
+        shapes=(*_meanings(), *_names(), *_ring()),
         pick="picked",
         room=Room(54, 12),
         phone=10,
@@ -143,9 +144,11 @@ def _meanings() -> Iterable[AnyShape]:
     )
 
 
-def _ring() -> AnyShape:
+def _ring() -> Iterable[AnyShape]:
+    """The ring about the picked run, with its method where that has no name yet."""
     x, y = WORK.x(var(Places.picked_at)), WORK.y(var(Places.picked_error))
-    return circle(x, y, 9, tint="ink", style="pick", show=Places.picked)
+    yield circle(x, y, 9, tint="ink", style="pick", show=Places.picked)
+    yield text(x, y - 14, f"{N.picked_method}", style="halo", show=Places.picked_named)
 
 
 def growth_plot(of: DrawnAxis, title: str) -> Block:
@@ -173,7 +176,6 @@ def growth_plot(of: DrawnAxis, title: str) -> Block:
         room=Room(54, 140),
         phone=10,
         height=300,
-        form=Forms.view["growth"],
     )
 
 

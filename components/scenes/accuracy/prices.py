@@ -1,4 +1,4 @@
-"""The list of prices: what the wanted error costs with each method, and why it has no price with the others."""
+"""The list of prices: what the wanted error costs with each method, and which of them do not get there."""
 
 from __future__ import annotations
 
@@ -18,35 +18,37 @@ NEVER = ("floor", "finest", "spacing")
 
 
 def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str = "app") -> list[PriceRow]:
-    """Rows (method, cells), cheapest first, then what does not get there, then what has no result.
+    """Rows (method, cells) of those that get there, cheapest first.
 
     Ratios are to the closed form, of the same machine: as the app runs it, or in doubles with the `unit` "doubles".
     """
-    found = {method: runs for method in methods if (runs := measured.of(method))}
-    here, before, compiled = (
-        {price.method: price for price in prices(series.by_method.values(), wanted)}
-        for series in (measured.here, measured.before, measured.compiled)
-    )
-    units = {True: _unit(here, unit), False: _unit(before, unit)}
-    quoted = ((here if measured.is_here(slug) else before).get(slug) for slug in found)
-    rows = []
-    for price in sorted(filter(None, quoted), key=dearness):
-        slug = price.method
-        own = price_cells(price, units[measured.is_here(slug)], found[slug][-1])
-        other = compiled.get(slug)
-        name, evaluations = own[0], evaluations_text(slug, _evaluations(price, other))
-        rows.append((slug, (name, evaluations, *own[1:], *_timed(other, units[False]))))
-    known = {method for method, _ in rows}
-    return rows + [
-        (method, (METHODS[method].mark, "", "no result", _why(runs[-1]), *_timed(compiled.get(method), units[False])))
-        for method, runs in found.items()
-        if method not in known
+    units = {
+        here: _unit({price.method: price for price in prices(series.by_method.values(), wanted)}, unit)
+        for here, series in ((True, measured.here), (False, measured.before))
+    }
+    quoted = (one for one in _quoted(measured, methods, wanted) if one.time is not None)
+    return [(one.method, price_cells(one, units[measured.is_here(one.method)])) for one in sorted(quoted, key=dearness)]
+
+
+def _quoted(measured: Known, methods: Sequence[str], wanted: float) -> list[Price]:
+    return prices((runs for method in methods if (runs := measured.of(method))), wanted)
+
+
+def unreached(measured: Known, methods: Sequence[str], wanted: float) -> str:
+    """The methods that do not get there: how near each comes, and why not nearer."""
+    quoted = _quoted(measured, methods, wanted)
+    told = [
+        f"{METHODS[one.method].mark} ({_best(one.best)}, {_not_reached(one, measured.of(one.method)[-1])})"
+        for one in quoted
+        if one.time is None
     ]
-
-
-def _evaluations(*prices: Price | None) -> float | None:
-    """Of the first that has them: they are the same in Python and compiled."""
-    return next((price.evaluations for price in prices if price and price.evaluations is not None), None)
+    known = {one.method for one in quoted}
+    told += [
+        f"{METHODS[slug].mark} ({_why(runs[-1])})"
+        for slug in methods
+        if slug not in known and (runs := measured.of(slug))
+    ]
+    return f"Not there: {', '.join(told)}." if told else ""
 
 
 def _unit(quoted: Mapping[str, Price], unit: str) -> float | None:
@@ -64,26 +66,22 @@ def evaluations_text(method: str, evaluations: float | None) -> str:
     return short(float(f"{evaluations:.1e}"))
 
 
-def _timed(price: Price | None, unit: float | None) -> tuple[str, str]:
-    """A run time and its ratio, where there is one."""
-    if price is None or price.time is None:
-        return "", ""
-    unsteady = "" if price.repeats is not False else " ±"
-    return f"{three(1e3 * price.time)}{unsteady}", short(price.time / unit) if unit else ""
+def price_cells(price: Price, unit: float | None) -> tuple[str, ...]:
+    """Name, evaluations, run time in ms, and its ratio to the closed form's where there is one."""
+    time, unsteady = price.time or 0.0, "" if price.repeats is not False else " ±"
+    ratio = short(time / unit) if unit else ""
+    name, evaluations = METHODS[price.method].mark, evaluations_text(price.method, price.evaluations)
+    return name, evaluations, f"{three(1e3 * time)}{unsteady}", ratio
 
 
-def price_cells(price: Price, unit: float | None, last: Run) -> tuple[str, ...]:
-    """Name, run time and its ratio to the closed form's; or why not, by the method's last run, and the least error."""
-    name = METHODS[price.method].mark
-    if price.time is None:
-        return name, _not_reached(price, last), f"≥ {short(float(f'{price.best:.0e}'))}"
-    return name, *_timed(price, unit)
+def _best(best: float) -> str:
+    return f"{short(float(f'{best:.0e}'))} at best"
 
 
 def _not_reached(price: Price, last: Run) -> str:
     if price.end in NEVER:
-        return "never"
-    return _in_words(last.failure) if price.end == "time limit" and last.failure else "not yet"
+        return "no finer"
+    return _in_words(last.failure) if price.end == "time limit" and last.failure else "not refined so far"
 
 
 def _why(last: Run) -> str:

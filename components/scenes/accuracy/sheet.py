@@ -3,31 +3,37 @@
 from __future__ import annotations
 
 from components.language.blocks import Block
-from components.layout.sheet import Paragraph, choice, column, desk, either, row, table, when, words
-from components.quantities.parameters import one_of
+from components.layout.sheet import Paragraph, column, desk, either, row, table, words
+from components.layout.views import in_views
 from components.scenes.accuracy.axes import Axes
+from components.scenes.accuracy.drift import drift_view
 from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
 from components.scenes.accuracy.studies import digits_view, length_view, stability_view
-from components.scenes.accuracy.words import CELLS, ROWS, VIEWS, Cells
+from components.scenes.accuracy.words import CELLS, ROWS, Cells
 from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
 
-VIEW = one_of("time", VIEWS, "View")
-
 
 def paper() -> Block:
-    """The five views, of which one stands."""
-    return column(
-        choice(VIEW, basis=0, style="views"),
-        when(F.view["time"], row(column(desk(_system_words()), work_plot()), _price_column())),
-        when(F.view["growth"], words(f"{N.compared} [mute|{N.missing}]", style="plain", phone=9)),
+    """The six views, each a column of its own."""
+    growth = (
         growth_plot(Axes.error_growth, "Error of the motion, worst so far"),
-        growth_plot(
-            Axes.energy_growth, "Error of the energy, worst so far: a small one does not prove the phase right"
+        growth_plot(Axes.energy_growth, "Error of the energy, worst so far"),
+        words(
+            "Errors grow with time. A small error of the energy does not prove the phase right.",
+            f"{N.compared} [mute|{N.missing}]",
+            name="growth",
+            style="plain",
+            phone=16,
         ),
-        length_view(),
-        digits_view(),
-        stability_view(),
+    )
+    return column(
+        in_views(drift_view(), "drift"),
+        in_views(row(work_plot(), _price_column()), "time"),
+        in_views(column(*growth), "growth"),
+        in_views(length_view(), "length"),
+        in_views(digits_view(), "digits"),
+        in_views(stability_view(), "stability"),
     )
 
 
@@ -45,33 +51,24 @@ def _system_words() -> Block:
             f"recorded {N.origin}.",
         ),
         either(F.compiled, shown="Only fixed steps are compiled; what takes no steps is shown in Python."),
+        either(F.costs, shown="Newmark, midpoint and Gauss 4 have their linear systems solved in advance."),
+        name="origin",
         style="plain",
-        phone=9,
+        phone=18,
     )
 
 
 def _price_column() -> Block:
     return column(
-        words(
-            either(
-                F.costs,
-                shown=f"**An error of {N.wanted} costs** "
-                "[mute|evaluations; ms and × closed form, in Python and compiled]",
-            ),
-            style="plain",
-            phone=11,
-        ),
+        words("A method in steps takes longer for every digit; a formula does not.", style="plain", phone=11),
+        words(either(F.costs, shown=f"**An error of {N.wanted} costs**"), style="plain", phone=11),
         _price_rows(),
-        desk(
-            words(
-                either(
-                    F.costs, shown="[mute|Newmark, midpoint and Gauss 4 have their linear systems solved in advance.]"
-                ),
-                style="plain",
-                phone=12,
-            )
+        words(
+            either(F.unreached, shown=f"{N.unreached}"),
+            either(F.unsteady, shown="[mute|± does not repeat within 20 %]"),
+            style="plain",
+            phone=12,
         ),
-        words(either(F.unsteady, shown="[mute|± does not repeat within 20 %]"), style="plain", phone=12),
         desk(
             words(
                 either(
@@ -83,14 +80,15 @@ def _price_column() -> Block:
             )
         ),
         desk(picked_plot()),
-        basis=400,
+        _system_words(),
+        basis=370,
         grow=0,
     )
 
 
 def _price_rows() -> Block:
     """The methods in the order of what the wanted error costs with each."""
-    head = [either(F.costs, shown=f"[mute|{name}]") for name in ("method", "eval.", "Python", "×", "compiled", "×")]
+    head = [either(F.costs, shown=f"[mute|{name}]") for name in ("method", "evaluations", "ms", "× closed form")]
     return table(head, *([_cell(i, cell) for cell in CELLS] for i in range(ROWS)), style="tight", phone=11)
 
 

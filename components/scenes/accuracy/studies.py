@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cache, lru_cache
 
 import numpy as np
 
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, mark, plot
-from components.layout.sheet import column, phrase, row, when, words
+from components.layout.sheet import column, phrase, row, words
 from components.layout.stage import PlotFrame, text
 from components.quantities.declared import Column, Declared, DrawnAxis, by_name
 from components.scene.traces import Columns
@@ -20,8 +19,8 @@ from components.scenes.accuracy.data import growth
 from components.scenes.accuracy.plots import LOOK, Places
 from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import digits, recorded
-from components.scenes.accuracy.words import Forms, number
 from components.scenes.accuracy.words import Numbers as N
+from components.scenes.accuracy.words import number
 from physics.coupled import TwoMassChain
 from physics.integrators import FIXED_STEP
 from physics.price import LEAST
@@ -66,14 +65,15 @@ class Studied(Declared[object]):
 def length_view() -> Block:
     """Run time and error against the length of the run."""
     told = words(
-        "Benign, 100 outputs, in Python; with fixed steps 2,800 evaluations a slow period for each, else rtol 10⁻⁶. "
-        f"Recorded {N.length_origin}. "
-        "The formula is flat, stepping grows with the length, and so does the error of its phase.",
+        "A longer motion takes a method in steps more time, and its error grows; the formula stays as it is.",
+        "[mute|Benign, 100 outputs, in Python; with fixed steps 2,800 evaluations a slow period for each, else "
+        f"rtol 10⁻⁶. Recorded {N.length_origin}.]",
+        name="length",
         style="plain",
-        phone=9,
+        phone=16,
     )
     plots = [_length_plot(Axes.span_time, "Run time"), _length_plot(Axes.span_error, "Largest error of the motion")]
-    return when(Forms.view["length"], column(told, *plots))
+    return column(told, *plots)
 
 
 def _length_plot(of: DrawnAxis, title: str) -> Block:
@@ -114,13 +114,15 @@ def length_columns() -> dict[str, Columns]:
 def digits_view() -> Block:
     """The view of where doubles begin to fail."""
     told = words(
-        "Thick: the closed form. Line: modes by eigh, dashed: the same, naive, thin: the slides' formulas. Doubles do "
-        f"for an error of {N.wanted} up to {Digits.digits_ratio} and {Digits.digits_periods}; near resonance always, "
-        f"if no difference cancels. 80 digits take {Digits.digits_cost}.",
+        "A double has 16 digits; some of them are lost where numbers of different size meet.",
+        "[mute|Thick: the closed form. Line: modes by eigh, dashed: the same, naive, thin: the slides' formulas. "
+        f"Doubles do for an error of {N.wanted} up to {Digits.digits_ratio} and {Digits.digits_periods}; near "
+        f"resonance always, if no difference cancels. 80 digits take {Digits.digits_cost}.]",
+        name="digits",
         style="plain",
-        phone=9,
+        phone=16,
     )
-    return when(Forms.view["digits"], column(told, row(*map(_digits_plot, SWEEPS))))
+    return column(told, row(*map(_digits_plot, SWEEPS)))
 
 
 def _digits_plot(sweep: str) -> Block:
@@ -186,7 +188,14 @@ class Digits(Declared[AccuracyCase]):
 
 def stability_view() -> Block:
     """Amplification a step, and how many steps stability asks for."""
-    return when(Forms.view["stability"], column(_stability_plot(), _steps_plot()))
+    told = words(
+        "A step that is too long explodes. Above 1 an oscillation grows in every step; below 1, as with RK4, it loses "
+        "energy.",
+        name="stability",
+        style="plain",
+        phone=16,
+    )
+    return column(told, _stability_plot(), _steps_plot())
 
 
 @cache
@@ -261,11 +270,7 @@ def _steps_plot() -> Block:
     )
 
 
-STUDIES: dict[str, Callable[[AccuracyCase], dict[str, Columns]]] = {
-    "time": lambda case: {},
-    "growth": lambda case: growth(case.compared),
-    "length": lambda case: length_columns(),
-    "digits": lambda case: digits_columns(),
-    "stability": lambda case: {"stability": stability(), "explosion": step_explosion(case.system.chain)},
-}
-"""The columns of each view, while it is seen."""
+def studies(case: AccuracyCase) -> dict[str, Columns]:
+    """The columns of the views after the race."""
+    stable = {"stability": stability(), "explosion": step_explosion(case.system.chain)}
+    return growth(case.compared) | length_columns() | digits_columns() | stable

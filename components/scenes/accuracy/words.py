@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import product
 
 from components.quantities.declared import Declared, Family, Form, LiveNumber, by_name
@@ -13,10 +14,14 @@ from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import Recorded, recorded, records
 from physics.accuracy import System
 from physics.solvers import METHODS
+from physics.stability import stable_count
 
-VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
+CONTROLLED = ("drift", "time", "growth")
+"""The views that have controls of their own."""
+RACING = ("time", "growth", "digits")
+"""The views that the accepted error has a part in."""
 ROWS = len(METHODS)
-CELLS = ("name", "evaluations", "time", "ratio", "compiled", "compiled_ratio")
+CELLS = ("name", "evaluations", "time", "ratio")
 
 number, form = LiveNumber[AccuracyCase], Form[AccuracyCase]
 
@@ -56,11 +61,28 @@ def _missing(case: AccuracyCase) -> str:
     return f"Not so far: {', '.join(missing)}." if missing else ""
 
 
+def _drift_text(case: AccuracyCase) -> str:
+    """How far each method strays, and the least steps of those that need more."""
+    told = [f"{METHODS[slug].mark} {_strayed(drift.error)}" for slug, drift in case.drifts.items()]
+    period = case.system.problem(1, 1)
+    least = {slug: count for slug in case.drifts if (count := stable_count(slug, period)) > case.steps}
+    needs = [f"{METHODS[slug].mark} {short(count)}" for slug, count in least.items()]
+    more = f" Not to explode, more steps a period are needed: {', '.join(needs)}." if needs else ""
+    return f"With {case.steps:.0f} steps a period, at worst: {', '.join(told)}.{more}"
+
+
+def _strayed(error: float) -> str:
+    if math.isinf(error):
+        return "explodes"
+    return f"is {short(float(f'{100 * error:.1g}'))} % off"
+
+
 def _record(case: AccuracyCase) -> Recorded:
     return records(case.system.slug) or recorded(SCALE)
 
 
 class Numbers(Declared[AccuracyCase]):
+    drifted = number(_drift_text)
     wanted = number(lambda c: power(c.wanted))
     limit = number(lambda c: time_text(c.limit))
     system = number(lambda c: _system_text(c.system))
@@ -69,7 +91,9 @@ class Numbers(Declared[AccuracyCase]):
     length_origin = number(lambda c: recorded("length").origin)
     compared = number(_compared_text)
     missing = number(_missing)
+    unreached = number(lambda c: c.unreached)
     picked = number(lambda c: reached_text(c.run) if c.run else "")
+    picked_method = number(lambda c: METHODS[c.run.method].mark if c.run else "")
 
 
 class Cells(Declared[AccuracyCase]):
@@ -95,9 +119,11 @@ _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before"
 
 
 class Forms(Declared[AccuracyCase]):
-    view = Family(VIEWS, lambda one: form(lambda c: c.view == one), "{}")
+    view = Family(CONTROLLED, lambda one: form(lambda c: c.view == one), "{}")
     cost = form(lambda c: (c.view, c.equal) == ("growth", "cost"))
     compiled = form(lambda c: c.clock == "compiled")
+    races = form(lambda c: c.view in RACING)
+    unreached = form(lambda c: bool(c.unreached))
     costs = form(lambda c: bool(c.rows))
     unsteady = form(lambda c: any("±" in cell for _, cells in c.rows for cell in cells))
     kept = form(lambda c: c.run is not None and bool(c.run.error_growth))

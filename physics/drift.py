@@ -1,0 +1,73 @@
+"""Drift: a motion in steps next to the exact one, over the first few periods.
+
+The steps of a method are those of physics.integrators; each of them is followed, not only the state at output times.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import copysign, inf
+
+import numpy as np
+
+from physics.accuracy import System, entered
+from physics.exact import Array
+from physics.integrators import STEPPING, advance_of, begun, constants, right_hand_side
+from physics.problem import Problem, Watch
+from physics.solvers import closed_form
+
+PERIODS = 4
+SMOOTH = 100
+"""Points of the exact curve in a period."""
+EXPLODED = 100.0
+"""A displacement so many times the largest exact one ends a motion: the method is unstable."""
+
+
+@dataclass(frozen=True)
+class Drift:
+    """The displacement of mass 1, x (n,) in m, after each step at the times t (n,).
+
+    `error` is its largest distance from the exact motion over the largest exact displacement, inf if it explodes.
+    """
+
+    t: Array
+    x: Array
+    error: float = 0.0
+
+
+@lru_cache(maxsize=64)
+def exact(system: System) -> Drift:
+    """Return the exact motion, by the closed form."""
+    problem = system.problem(PERIODS, PERIODS * SMOOTH)
+    return Drift(problem.t, _exact(problem))
+
+
+@lru_cache(maxsize=256)
+def drifts(system: System, steps: int, methods: Sequence[str]) -> dict[str, Drift]:
+    """Return the motion of each method that can compute the system, in so many steps a period."""
+    problem, size = system.problem(PERIODS, PERIODS * steps), float(np.max(np.abs(exact(system).x)))
+    true, found = _exact(problem), {}
+    for method in entered(system, methods):
+        x = _stepped(method, problem, EXPLODED * size)
+        exploded = bool(abs(x[-1]) == EXPLODED * size)
+        error = inf if exploded or not size else float(np.max(np.abs(x - true))) / size
+        found[method] = Drift(problem.t[: x.size], x, error)
+    return found
+
+
+def _exact(problem: Problem) -> Array:
+    x: Array = closed_form(problem, 0, Watch()).x[0]
+    return x
+
+
+def _stepped(method: str, problem: Problem, bound: float) -> Array:
+    """The displacement after each step, the spacing of the problem, up to the first that reaches the bound."""
+    h, state = begun(problem, 1)
+    fixed = constants(problem), STEPPING[method].numbers(problem, h), h
+    advance, x = advance_of(method, right_hand_side(problem)), [state[0]]
+    for n in range(problem.t.size - 1):
+        state = advance(*fixed, n, 1, *state)
+        if not abs(state[0]) < bound:
+            return np.array([*x, copysign(bound, state[0])])
+        x.append(state[0])
+    return np.array(x)

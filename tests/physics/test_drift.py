@@ -1,0 +1,40 @@
+"""Motions in steps over a few periods."""
+
+from math import inf, isinf
+
+import numpy as np
+import pytest
+
+from physics.accuracy import SYSTEMS
+from physics.drift import PERIODS, drifts, exact
+from physics.integrators import STEPPING
+from physics.stability import stable_count
+
+THREE = ("euler", "verlet", "rk4")
+
+
+@pytest.mark.parametrize("method", THREE)
+def test_an_error_shrinks_as_the_order_of_the_method_says(method: str) -> None:
+    coarse, fine = (drifts(SYSTEMS["near"], steps, THREE)[method].error for steps in (200, 400))
+    assert np.log2(coarse / fine) == pytest.approx(STEPPING[method].order, abs=0.3)
+
+
+@pytest.mark.parametrize("slug", ["benign", "wide", "light", "dashpot"])
+def test_a_method_explodes_below_its_least_steps_and_ends_there(slug: str) -> None:
+    system, period = SYSTEMS[slug], SYSTEMS[slug].problem(1, 1)
+    size = float(np.max(np.abs(exact(system).x)))
+    for steps in (6, 60):
+        for method, drift in drifts(system, steps, THREE).items():
+            least = stable_count(method, period)
+            if method != "euler" or least > 1:
+                assert isinf(drift.error) == (steps < least), (method, steps)
+            assert (drift.t.size == PERIODS * steps + 1) or drift.error == inf
+            assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
+
+
+def test_all_motions_begin_at_the_start_and_a_fine_one_is_exact() -> None:
+    system = SYSTEMS["benign"]
+    true = exact(system)
+    for drift in drifts(system, 100, THREE).values():
+        assert drift.x[0] == true.x[0] == system.x_0[0]
+    assert drifts(system, 500, ("nystrom6",))["nystrom6"].error < 1e-7
