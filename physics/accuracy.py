@@ -169,6 +169,7 @@ SYSTEMS: Mapping[str, System] = MappingProxyType(
         )
     }
 )
-"""Wide apart are natural frequencies 2e3 and 2e5 to one, which is stiff too: with 1e6 both modes swing, by equal
-parts, and none may be stepped over; with 1e10 only the slow one does. Of Light mass 2 both swing. The dashpot's rates
-are 1 and 1e6 in a second; it starts at rest, off the motion that is left when the fast part is gone."""
+"""Wide apart are natural frequencies 2e3 and 2e5 to one. With 1e6 both modes swing, by equal parts, and none may be
+stepped over: that is highly oscillatory, as is Light mass 2. With 1e10 only the slow one swings: that is stiff, as is
+the dashpot, by physics.stiffness. The dashpot's rates are 1 and 1e6 in a second; it starts at rest, off the motion that
+is left when the fast part is gone."""

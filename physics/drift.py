@@ -12,9 +12,9 @@ import numpy as np
 
 from physics.accuracy import System, entered
 from physics.exact import Array
+from physics.formulas import closed_form
 from physics.integrators import STEPPING, advance_of, begun, constants, right_hand_side
 from physics.problem import Problem, Watch
-from physics.solvers import closed_form
 
 PERIODS = 4
 SMOOTH = 100

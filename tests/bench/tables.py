@@ -11,6 +11,7 @@ from pathlib import Path
 from physics.accuracy import SYSTEMS, Run, System
 from physics.price import Price, at_error, grouped, in_doubles, prices
 from physics.solvers import METHODS
+from physics.stiffness import stiffness
 from tests.bench.findings import findings
 from tests.bench.record import Report
 
@@ -49,11 +50,12 @@ velocity. What runs reach beside that, under each system: the error at the last 
 is left; a phase error may happen to be small there; and the parts of the error in the slow and in the fast mode.
 Asked stands the tolerance, which a solver keeps in each step, not at the end.
 
-"Wide apart" and "Light mass 2" are stiff in the sense of Hairer and Wanner, Solving Ordinary Differential Equations
-II: explicit methods need steps far shorter than the accuracy of the slow mode asks for. With 1e10 the fast mode is at
-rest and can be stepped over by a method that stays stable; where it swings nothing damps it, and every method must
-follow it. "Stiff: a dashpot" is stiff by decay. It starts off the slow motion, at rest, so that the velocity jumps at
-once.
+A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
+Ordinary Differential Equations II, IV.1). It is highly oscillatory if accuracy limits the step because a fast
+oscillation, which nothing damps, carries part of the motion: no method can step over it. The measure is |λ| h, the
+fast rate times the step: at the limit of accuracy that at which Gauss 4, which is stable at every step, has an error of
+1e-3; at the limit of stability that of RK4, of the same order. Where accuracy allows more than stability, the motion is
+stiff. It stands under each system. "Stiff: a dashpot" starts off the slow motion, at rest: its velocity jumps at once.
 
 Not in the race: extrapolation methods, Taylor series, Gauss 6, Tsit5, Vern9.
 """
@@ -83,7 +85,16 @@ def markdown(report: Report) -> str:
     lines = ["# Error against run time", "", *(f"- {value}" for value in report.about.values()), ""]
     lines += ["## Found", "", *(f"- {each}" for each in findings(report.runs)), RULES]
     for slug, many in report.runs.items():
-        lines += [f"## {SYSTEMS[slug].name}", "", described(SYSTEMS[slug]), "", f"![]({slug}.png)", ""]
+        lines += [
+            f"## {SYSTEMS[slug].name}",
+            "",
+            described(SYSTEMS[slug]),
+            "",
+            limits(SYSTEMS[slug], many),
+            "",
+            f"![]({slug}.png)",
+            "",
+        ]
         for wanted in WANTED:
             lines += [f"An error of {wanted:g} costs:", "", *_price_table(many, wanted)]
         lines += ["What runs reach:", "", *_reached_table(many)]
@@ -225,6 +236,15 @@ def setting_text(run: Run) -> str:
 
 def time_text(seconds: float | None) -> str:
     return f"{1e3 * (seconds or 0):.3g} ms" if (seconds or 0) < 1 else f"{seconds:.3g} s"
+
+
+def limits(system: System, runs: list[Run]) -> str:
+    """The name of a motion, with |lambda| h at the limits of accuracy and of stability."""
+    found = stiffness(system, runs)
+    if found is None:
+        return ""
+    name = "Neither stiff nor highly oscillatory" if found.kind == "neither" else found.kind.capitalize()
+    return f"{name}: accuracy allows |λ| h = {found.accurate:.2g}, stability {found.stable:.3g}."
 
 
 def described(system: System) -> str:

@@ -69,9 +69,9 @@ def test_names_stand_beside_the_ends_of_their_lines(
     new_page: Callable[..., Page], open_scene: Open, size: tuple[int, int]
 ) -> None:
     width, height = size
-    page = open_scene(new_page(width, height), scene="accuracy")
+    page = open_scene(new_page(width, height), scene="accuracy", view="time")
     names = page.evaluate(NAMES)
-    assert {"verlet", "bdf", "closed"} <= {name["slug"] for name in names}
+    assert {"verlet", "radau", "closed"} <= {name["slug"] for name in names}
     for i, one in enumerate(names):
         assert one["stands"] and one["beside"] < 12 and one["off"] < 3, one
         for other in names[:i]:

@@ -138,7 +138,7 @@ def test_arming_a_prediction_is_said_and_its_list_is_walked_by_keys(page: Page, 
 def test_what_is_offered_to_be_covered_can_be_and_what_it_begins_cannot_be_taken_in_hand(
     page: Page, open_scene: Open
 ) -> None:
-    open_scene(page, scene="accuracy")
+    open_scene(page, scene="accuracy", view="time")
     button = page.get_by_role("button", name="Predict")
     button.click()
     expect(page.get_by_role("menuitem")).to_have_count(3)  # the next change and two plots: no apparatus moves

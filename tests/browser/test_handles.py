@@ -45,7 +45,7 @@ def top(block: Locator) -> float:
         ({"scene": "modes", "view": "guess"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
         ({"scene": "modes", "view": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
         ({"scene": "modes", "view": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
-        ({"scene": "accuracy"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
+        ({"scene": "accuracy", "view": "time"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
     ],
 )
 def test_a_finger_drags_a_handle_from_where_it_has_taken_it_and_not_the_page(

@@ -183,6 +183,13 @@ def test_the_facts_of_a_case_name_its_drive() -> None:
     assert [slug for slug, text in said.items() if "driven" in text] == ["dashpot", "near", "resonance"]
 
 
+def test_a_system_on_record_says_what_limits_its_step() -> None:
+    said = {slug: Accuracy(system=slug).shown.values["kind"] for slug in (*SYSTEMS, "own")}
+    assert said["wide"] == "Highly oscillatory: accuracy allows |λ| h = 0.0625, stability 2.83."
+    assert said["wider"].startswith("Stiff: accuracy allows |λ| h = 43900")
+    assert said["benign"].startswith("Neither stiff nor highly oscillatory") and said["own"] == ""
+
+
 def test_growth_at_equal_error_and_at_equal_cost() -> None:
     scene = measured(view="growth", wanted=1e-3)
     assert scene.sources["error_growth_verlet"].data["error_growth"][-1] == pytest.approx(1e-4)
@@ -260,7 +267,7 @@ def test_doubles_do_up_to_the_named_place() -> None:
 def test_names_belong_to_the_ends_of_their_lines() -> None:
     shown = Accuracy(picked=["rec_bdf", "0"]).shown
     ends = shown.scalars
-    named = {slug for slug in METHODS if ends[f"{slug}_named"]}
+    named = {slug for slug in METHODS if ends.get(f"{slug}_named")}
     assert {"closed", "verlet", "rk4"} < named and len(named) == 8 and "bdf" not in named
     assert ends["picked_named"] and shown.values["picked_method"] == "BDF"
     for slug, line in ((slug, shown.columns[f"rec_{slug}"]) for slug in named):
@@ -281,7 +288,8 @@ def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> Non
     scene = Accuracy()
     drawn = {slug: scene.sources[f"drift_{slug}"].data for slug in ("exact", "euler", "verlet", "rk4")}
     assert all(data["drift_x"][0] == 1.0 for data in drawn.values())
-    assert drawn["exact"]["drift_t"][-1] == drawn["rk4"]["drift_t"][-1] == 4 > drawn["euler"]["drift_t"][-1]
+    ends = {slug: data["drift_t"][-1] for slug, data in drawn.items()}
+    assert ends["exact"] == pytest.approx(4) == ends["rk4"] and ends["euler"] < 4
     assert re.fullmatch(
         r"With 30 steps a period, at worst: Explicit Euler explodes, Verlet is \d+ % off, RK4 is \d+ % off\.",
         scene.shown.values["drifted"],

@@ -24,7 +24,7 @@ FREE = {
     "modes": {"omega", "ratio", "x1_0", "x2_0"},
     "coupled": {"X_slow", "X_fast", "phi_slow", "phi_fast"},
     "absorber": {"_valley", "c", "lightest", "lightest_k2", "m2", "x1_0", "x2_0", "v1_0", "v2_0"},
-    "accuracy": {"F_0", "cost", "limit", "omega", "wanted", *(f"{q}{i}" for q in "mk" for i in (1, 2))}
+    "accuracy": {"F_0", "cost", "limit", "omega", "steps", "wanted", *(f"{q}{i}" for q in "mk" for i in (1, 2))}
     | {f"{q}{i}_0" for q in "xv" for i in (1, 2)},
 }
 """Quantities that no preset of a scene has to state: its sentences hold for each value, or they follow from a start."""

@@ -19,10 +19,9 @@ from physics.solvers import METHODS
 DRIFTING = ("euler", "verlet", "rk4")
 """The methods whose motion is drawn."""
 NAMED = (
-    "closed", "verlet", "rk4", "gauss4", "nystrom6", "dop853", "radau", "eigh",
-    "lsoda", "bdf", "newmark", "yoshida6", "expm", "adams", "fortran", "slides",
+    "closed", "verlet", "rk4", "gauss4", "nystrom6", "dop853", "radau", "eigh", "lsoda", "bdf", "newmark", "expm",
 )  # fmt: skip
-"""The methods, those first whose names stand in a plot that has no room for all."""
+"""The methods whose names stand in a plot that has no room for all, the first of those that have a result."""
 MOST_NAMES = 8
 
 
@@ -85,7 +84,7 @@ class AccuracyCase:
 
     @property
     def drifts(self) -> dict[str, Drift]:
-        """The same motion by each method, in the chosen number of steps."""
+        """The motion by each method, in the chosen number of steps."""
         return drifts(self.system, int(self.steps), DRIFTING)
 
     @cached_property

@@ -18,7 +18,7 @@ from components.scenes.accuracy.words import Numbers as N
 from physics.drift import PERIODS, Drift
 from physics.solvers import METHODS
 
-LOOKS = {"euler": ("T", "dots"), "verlet": ("m1", "line"), "rk4": ("V", "dash")}
+LOOKS = {"euler": ("T", "dash"), "verlet": ("m1", "line"), "rk4": ("V", "dash")}
 """Tint and line of each method."""
 MOST = 200
 """Points of a line; of a finer motion every so many steps are drawn."""

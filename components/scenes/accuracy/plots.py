@@ -17,7 +17,7 @@ from components.layout.sheet import phrase
 from components.layout.stage import ON_NARROW, ON_WIDE, Looks, PlotFrame, circle, shown_by, text
 from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar
 from components.scenes.accuracy.axes import Axes
-from components.scenes.accuracy.case import AccuracyCase
+from components.scenes.accuracy.case import NAMED, AccuracyCase
 from components.scenes.accuracy.data import ALONE, BEHIND, MORE, Kept
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.words import Forms
@@ -65,9 +65,9 @@ class Places(Declared[AccuracyCase]):
     limit_at = scalar(lambda c, a: Axes.time(a).place(c.limit))
     empty = scalar(lambda c, a: not c.known.here.every and not c.known.before.every)
     # The ends of the lines, beside which the names of the methods stand.
-    named = Family(METHODS, lambda slug: scalar(lambda c, a: slug in c.named), "{}_named")
-    at = Family(METHODS, lambda slug: scalar(lambda c, a: _time(c.named.get(slug), a)), "{}_at")
-    error = Family(METHODS, lambda slug: scalar(lambda c, a: _error(c.named.get(slug), a)), "{}_error")
+    named = Family(NAMED, lambda slug: scalar(lambda c, a: slug in c.named), "{}_named")
+    at = Family(NAMED, lambda slug: scalar(lambda c, a: _time(c.named.get(slug), a)), "{}_at")
+    error = Family(NAMED, lambda slug: scalar(lambda c, a: _error(c.named.get(slug), a)), "{}_error")
     stiff = scalar(lambda c, a: c.stiff is not None)
     stiff_at = scalar(lambda c, a: _time(c.stiff, a))
     stiff_error = scalar(lambda c, a: _error(c.stiff, a))
@@ -118,10 +118,10 @@ def _recorded() -> Iterable[Curve]:
 
 
 def _names() -> Iterable[AnyShape]:
-    for slug, method in METHODS.items():
+    for slug in NAMED:
         x, y = WORK.x(var(Places.at[slug])), WORK.y(var(Places.error[slug]))
-        look = {"anchor": "beside", "tint": LOOK[method.family]["tint"], "style": "halo"}
-        yield text(x, y, method.mark, show=Places.named[slug], **look)
+        look = {"anchor": "beside", "tint": LOOK[METHODS[slug].family]["tint"], "style": "halo"}
+        yield text(x, y, METHODS[slug].mark, show=Places.named[slug], **look)
 
 
 def _meanings() -> Iterable[AnyShape]:
@@ -151,7 +151,7 @@ def _ring() -> Iterable[AnyShape]:
     yield text(x, y - 14, f"{N.picked_method}", style="halo", show=Places.picked_named)
 
 
-def growth_plot(of: DrawnAxis, title: str) -> Block:
+def growth_plot(of: DrawnAxis, title: str, *, phone: int) -> Block:
     """The worst error so far against simulated time, one run of each method."""
     curves = tuple(
         curve(
@@ -174,7 +174,7 @@ def growth_plot(of: DrawnAxis, title: str) -> Block:
         x_column=Axes.period,
         heading=(phrase("", "none", "ink", formula=f"**{title}**{', steps' if keys else ''}"), *keys),
         room=Room(54, 140),
-        phone=10,
+        phone=phone,
         height=300,
     )
 
@@ -192,7 +192,7 @@ def picked_plot() -> Block:
         ),
         x_column=Kept.period,
         room=Room(44, 60),
-        phone=13,
+        phone=17,
         height=150,
         form=Forms.kept,
     )

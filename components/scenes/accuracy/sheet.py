@@ -17,8 +17,8 @@ from components.scenes.accuracy.words import Numbers as N
 def paper() -> Block:
     """The six views, each a column of its own."""
     growth = (
-        growth_plot(Axes.error_growth, "Error of the motion, worst so far"),
-        growth_plot(Axes.energy_growth, "Error of the energy, worst so far"),
+        growth_plot(Axes.error_growth, "Error of the motion, worst so far", phone=10),
+        growth_plot(Axes.energy_growth, "Error of the energy, worst so far", phone=17),
         words(
             "Errors grow with time. A small error of the energy does not prove the phase right.",
             f"{N.compared} [mute|{N.missing}]",
@@ -40,7 +40,7 @@ def paper() -> Block:
 def _system_words() -> Block:
     """The motion in numbers, and which curves were measured where."""
     return words(
-        f"{N.system}",
+        f"{N.system} {N.kind}",
         either(
             F.origin,
             before=f"All recorded, {N.origin}, each run for {N.recorded_limit} at the most.",
@@ -60,14 +60,14 @@ def _system_words() -> Block:
 
 def _price_column() -> Block:
     return column(
-        words("A method in steps takes longer for every digit; a formula does not.", style="plain", phone=11),
-        words(either(F.costs, shown=f"**An error of {N.wanted} costs**"), style="plain", phone=11),
+        words("A method in steps takes longer for every digit; a formula does not.", style="plain", phone=15),
+        words(either(F.costs, shown=f"**An error of {N.wanted} costs**"), style="plain", phone=15),
         _price_rows(),
         words(
             either(F.unreached, shown=f"{N.unreached}"),
             either(F.unsteady, shown="[mute|± does not repeat within 20 %]"),
             style="plain",
-            phone=12,
+            phone=16,
         ),
         desk(
             words(
@@ -76,7 +76,7 @@ def _price_column() -> Block:
                     shown=f"**Energy kept, phase lost?** {N.picked}. Drawn: worst so far. Click a line to pick a run.",
                 ),
                 style="plain",
-                phone=13,
+                phone=17,
             )
         ),
         desk(picked_plot()),
@@ -89,7 +89,7 @@ def _price_column() -> Block:
 def _price_rows() -> Block:
     """The methods in the order of what the wanted error costs with each."""
     head = [either(F.costs, shown=f"[mute|{name}]") for name in ("method", "evaluations", "ms", "× closed form")]
-    return table(head, *([_cell(i, cell) for cell in CELLS] for i in range(ROWS)), style="tight", phone=11)
+    return table(head, *([_cell(i, cell) for cell in CELLS] for i in range(ROWS)), style="tight", phone=15)
 
 
 def _cell(row: int, name: str) -> Paragraph:

@@ -146,7 +146,7 @@ def _digits_plot(sweep: str) -> Block:
         heading=(phrase("", "none", "ink", formula=f"**{title}**"),),
         marks=(mark(Places.wanted_at, tint="mute", label="accepted error", axis="y", style="dashed"),),
         room=Room(54, 12),
-        phone=10,
+        phone=10 if sweep == "ratio" else 17,
         height=300,
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import product
 
 from components.quantities.declared import Declared, Family, Form, LiveNumber, by_name
@@ -12,9 +13,10 @@ from components.scenes.accuracy.data import reached_text
 from components.scenes.accuracy.measurement import SCALE
 from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import Recorded, recorded, records
-from physics.accuracy import System
+from physics.accuracy import SYSTEMS, System
 from physics.solvers import METHODS
 from physics.stability import stable_count
+from physics.stiffness import Stiffness, stiffness
 
 CONTROLLED = ("drift", "time", "growth")
 """The views that have controls of their own."""
@@ -37,6 +39,21 @@ def _system_text(system: System) -> str:
         text = ", ".join(f"{name} = {short(getattr(chain, name))}" for name in names)
         text += f"{_drive_text(system)}. Fast over slow frequency {three(fast / slow) if slow else '∞'}"
     return f"{text}. 50 {system.unit}, 1000 outputs."
+
+
+def _kind_text(case: AccuracyCase) -> str:
+    """The sentence on what limits the step of a system that is on record."""
+    found = _measure(case.system.slug)
+    if found is None:
+        return ""
+    name = "Neither stiff nor highly oscillatory" if found.kind == "neither" else found.kind.capitalize()
+    return f"{name}: accuracy allows |λ| h = {short(found.accurate)}, stability {short(found.stable)}."
+
+
+@cache
+def _measure(slug: str) -> Stiffness | None:
+    record = records(slug)
+    return stiffness(SYSTEMS[slug], (*record.runs.every, *record.compiled.every)) if record else None
 
 
 def _drive_text(system: System) -> str:
@@ -62,7 +79,7 @@ def _missing(case: AccuracyCase) -> str:
 
 
 def _drift_text(case: AccuracyCase) -> str:
-    """How far each method strays, and the least steps of those that need more."""
+    """A sentence on how far each method strays, and on the least steps of those that need more."""
     told = [f"{METHODS[slug].mark} {_strayed(drift.error)}" for slug, drift in case.drifts.items()]
     period = case.system.problem(1, 1)
     least = {slug: count for slug in case.drifts if (count := stable_count(slug, period)) > case.steps}
@@ -86,6 +103,7 @@ class Numbers(Declared[AccuracyCase]):
     wanted = number(lambda c: power(c.wanted))
     limit = number(lambda c: time_text(c.limit))
     system = number(lambda c: _system_text(c.system))
+    kind = number(_kind_text)
     origin = number(lambda c: _record(c).origin)
     recorded_limit = number(lambda c: time_text(_record(c).seconds))
     length_origin = number(lambda c: recorded("length").origin)

@@ -1,0 +1,64 @@
+"""Stiff and highly oscillatory motions, told apart by what limits the step.
+
+- A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
+  Ordinary Differential Equations II, IV.1).
+- It is highly oscillatory if accuracy limits the step because a fast oscillation, which nothing damps, carries part
+  of the motion: no method can step over it.
+
+The measure is |lambda| h, with the fast rate |lambda| and the step h in s: at the limit of stability it is that of RK4,
+at the limit of accuracy that at which Gauss 4, of the same order but stable at every step, has the accepted error.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import exp, log
+from typing import Literal
+
+from physics.accuracy import Run, System
+from physics.stability import stability_limit
+
+WANTED = 1e-3
+FAR = 100.0
+"""A fast rate so many times the slow one is far from it."""
+MotionKind = Literal["stiff", "highly oscillatory", "neither"]
+
+
+@dataclass(frozen=True)
+class Stiffness:
+    """|lambda| h at the limits of accuracy and of stability, and the fast rate over the slow one."""
+
+    accurate: float
+    stable: float
+    spread: float
+
+    @property
+    def kind(self) -> MotionKind:
+        """The name of the motion."""
+        if self.accurate > self.stable:
+            return "stiff"
+        return "highly oscillatory" if self.spread > FAR else "neither"
+
+
+def stiffness(system: System, runs: Iterable[Run], wanted: float = WANTED) -> Stiffness | None:
+    """Return the measure of a system, by its runs of Gauss 4; None where none of them has the wanted error."""
+    problem = system.problem()
+    slow, fast = problem.rates
+    steps = _steps([run for run in runs if run.method == "gauss4" and run.error], wanted)
+    if steps is None:
+        return None
+    stable = stability_limit("rk4", slow / fast if problem.c else None)
+    return Stiffness(fast * problem.spacing / steps, stable, fast / slow if slow else float("inf"))
+
+
+def _steps(runs: list[Run], wanted: float) -> float | None:
+    """Steps an output with this error, on the line from run to run, both axes logarithmic."""
+    before = None
+    for run in sorted(runs, key=lambda run: run.setting):
+        error = run.error or 0.0
+        if error <= wanted:
+            if before is None:
+                return run.setting
+            share = log((before.error or 0.0) / wanted) / log((before.error or 0.0) / error)
+            return before.setting * exp(share * log(run.setting / before.setting))
+        before = run
+    return None
