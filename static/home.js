@@ -1,36 +1,9 @@
 // The start page in the browser: pictures in motion, the theme, and the code of a live class.
 
 import {inWords} from "./core/notes.js"
+import {play} from "./core/moving.js"
 import {ask} from "./live_class/requests.js"
 import {turnTheme} from "./shell/theme.js"
-
-const still = matchMedia("(prefers-reduced-motion: reduce)")
-
-/** Plays the pictures in view, unless the visitor asks for less motion. @param {SVGSVGElement[]} pictures */
-function play(pictures) {
-  /** @type {Set<Element>} */
-  const seen = new Set()
-  const update = () => {
-    for (const picture of pictures) {
-      if (still.matches || !seen.has(picture)) picture.pauseAnimations()
-      else begin(picture)
-    }
-  }
-  const observer = new IntersectionObserver(entries => {
-    for (const {target, isIntersecting} of entries) seen[isIntersecting ? "add" : "delete"](target)
-    update()
-  })
-  for (const picture of pictures) observer.observe(picture)
-  still.addEventListener("change", update)
-}
-
-/** @param {SVGSVGElement} picture */
-function begin(picture) {
-  picture.unpauseAnimations()
-  if (picture.hasAttribute("data-begun")) return
-  picture.setAttribute("data-begun", "")
-  for (const part of picture.querySelectorAll("animateTransform")) part.beginElement()
-}
 
 /** Fetches all that a scene needs before it is pressed. @param {HTMLAnchorElement} link */
 function ahead({dataset}) {

@@ -87,6 +87,7 @@ interface WalkHost {
   readonly place: number
   readonly step: page.StepCard
   readonly where: string
+  readonly isTour: boolean
   readonly answers: {of(step: string): unknown}
   readonly before: Pick<page.Given, "curves"> | null
   lesson: page.Lesson | null
@@ -95,6 +96,7 @@ interface WalkHost {
   show(always: boolean): void
   forward(): void
   back(): void
+  next(): void
   again(): void
   open(): void
 }

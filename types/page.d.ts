@@ -302,12 +302,20 @@ declare namespace page {
     variants: StepCard[]
   }
 
-  /** A walk from its first step to its last, and the sentences of its summary. */
+  /** A scene to try after the last step: its slug, what to do there, and a sentence. */
+  interface WalkTrial {
+    scene: string
+    title: Html
+    text: Html
+  }
+
+  /** A walk from its first step to its last, the sentences of its summary, and the scenes to try after it. */
   interface WalkSheet {
     name: string
     title: string
     steps: StepCard[]
     end: Html[]
+    trials: WalkTrial[]
   }
 
   /** The verdict on one answer of a choice: its sentence, and the state of a case of which that speaks, if any. */

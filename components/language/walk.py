@@ -47,13 +47,22 @@ class StepCard(Struct, frozen=True, kw_only=True):
     variants: tuple[StepCard, ...] = ()
 
 
+class WalkTrial(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A scene to try after the last step: its slug, what to do there, and a sentence."""
+
+    scene: str
+    title: Html
+    text: Html
+
+
 class WalkSheet(Struct, frozen=True, kw_only=True):
-    """A walk from its first step to its last, and the sentences of its summary."""
+    """A walk from its first step to its last, the sentences of its summary, and the scenes to try after it."""
 
     name: str
     title: str
     steps: tuple[StepCard, ...]
     end: tuple[Html, ...] = ()
+    trials: tuple[WalkTrial, ...] = ()
 
 
 class Verdict(Struct, frozen=True, kw_only=True):

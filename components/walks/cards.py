@@ -8,7 +8,7 @@ from hashlib import sha256
 import msgspec
 from msgspec.structs import replace
 
-from components.language.walk import StepCard, WalkSheet
+from components.language.walk import StepCard, WalkSheet, WalkTrial
 from components.layout.text import rich
 from components.walks.links import Scenes
 from components.walks.subject import Subject
@@ -22,7 +22,8 @@ ASKS = re.compile(r"[?？]$|^(Sketch|Mark)\b")
 
 def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
     steps = tuple(_card_with_variants(walk.name, step, scenes) for step in walk.steps)
-    return WalkSheet(name=walk.name, title=walk.title, steps=steps, end=tuple(map(rich, walk.end)))
+    trials = tuple(WalkTrial(scene=one.scene, title=rich(one.title), text=rich(one.text)) for one in walk.trials)
+    return WalkSheet(name=walk.name, title=walk.title, steps=steps, end=tuple(map(rich, walk.end)), trials=trials)
 
 
 def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:

@@ -31,6 +31,9 @@ def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
     """The problems of a walk: sentences that name its step and field."""
     for i, sentence in enumerate(walk.end):
         yield from (f"{walk.name}, {problem}" for problem in refused(f"end[{i}]", partial(rich, sentence)))
+    for trial in walk.trials:
+        if trial.scene not in scenes:
+            yield f"{walk.name}, trial: “{excerpt(trial.scene)}” is not a scene: choose one of {', '.join(scenes)}."
     for i, step in enumerate(walk.steps, 1):
         yield from problems_of(walk.name, i, step, scenes)
 

@@ -10,16 +10,18 @@ from typing import Any
 
 import msgspec
 
+from components.language.walk import WalkTrial
 from components.quantities.numbers import excerpt
 from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"
 """The walks that the lecture brings along."""
-ORDER = ("d31", "d32-33", "d34", "tour")
+ORDER = ("tour", "d31", "d32-33", "d34")
 LARGEST = 48_000
 """Bytes of a file."""
 MOST_STEPS = MOST_LINKS = 60
 MOST_AT_END = 5
+MOST_TRIALS = 3
 PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
 DEEP = re.compile(r"""^[ \t\[{]*(?:[\w"'-]+[ \t]*\.[ \t]*){8}""", re.MULTILINE)
 """A dotted key takes the square of its length to be read."""
@@ -64,8 +66,9 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise WalkError(f"{name}: this is not TOML: {error}.") from error
     title, entries, end = data.pop("title", None), data.pop("step", None), data.pop("end", [])
+    trials = _trials(data.pop("trial", []), name)
     if data:
-        raise WalkError(f"{name}: “{excerpt(next(iter(data)))}” is no field of a walk; title, end and step are.")
+        raise WalkError(f"{name}: “{excerpt(next(iter(data)))}” is no field of a walk; title, end, trial and step are.")
     if not isinstance(title, str) or not title:
         raise WalkError(f'{name}: the title is missing: title = "..." in the file\'s first line.')
     if not (isinstance(end, list) and len(end) <= MOST_AT_END and all(isinstance(one, str) for one in end)):
@@ -75,7 +78,17 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     steps = _steps(entries, name, known or {})
     if len({link for step in steps for link in step.links()}) > MOST_LINKS:
         raise WalkError(f"{name}: a walk has at most {MOST_LINKS} different links.")
-    return Walk(name=name, title=title, steps=tuple(steps), end=tuple(end))
+    return Walk(name=name, title=title, steps=tuple(steps), end=tuple(end), trials=trials)
+
+
+def _trials(entries: Any, name: str) -> tuple[WalkTrial, ...]:
+    try:
+        trials = msgspec.convert(entries, tuple[WalkTrial, ...])
+    except msgspec.ValidationError as error:
+        raise WalkError(f"{name}, trial: {_told(str(error))}") from error
+    if len(trials) > MOST_TRIALS:
+        raise WalkError(f"{name}: a walk has at most {MOST_TRIALS} scenes to try, each under [[trial]].")
+    return trials
 
 
 def _steps(entries: list[Any], name: str, known: KnownSteps) -> list[Step]:

@@ -6,6 +6,7 @@ from typing import TypeAlias
 
 from msgspec import Struct
 
+from components.language.walk import WalkTrial
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
 from components.walks.questions.point import PointStep
@@ -16,12 +17,13 @@ Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep
 
 
 class Walk(Struct, frozen=True, kw_only=True):
-    """Steps in their order, under the name by which a link asks for them, and the sentences that say what they were."""
+    """Steps in their order, under the name in a link, the sentences on what they showed, and the scenes to try then."""
 
     name: str
     title: str
     steps: tuple[Step, ...]
     end: tuple[Sentence, ...] = ()
+    trials: tuple[WalkTrial, ...] = ()
 
     def place(self, asked: str) -> int | None:
         """The place of a step by its id, or by its number from 1 on."""

@@ -142,10 +142,12 @@ export class ClassQuestion {
     return {
       ...own,
       unfolded: false,
+      isTour: false,
       press: NONE,
       show: () => this.#give(),
       forward: none,
       back: none,
+      next: none,
       again: none,
       open: none,
     }

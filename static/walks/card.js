@@ -33,19 +33,23 @@ export class Card {
     this.back = button({class: "act", "data-key": "PageUp"}, () => walk.back(), "Back")
     this.back.disabled = walk.place === 0
     this.forward = button({class: "act filled"}, () => walk.forward())
+    this.skip = button({class: "act"}, () => walk.next(), "Skip")
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
-    this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
-    this.body.append(this.after)
+    const parts = [...given(step), asks, this.question.element, this.after]
+    this.body = element("div", {class: "card-body"}, ...parts)
+    this.body[walk.isTour ? "append" : "prepend"](this.#head())
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
-    this.element.append(element("div", {class: "foot"}, this.refusal, this.back, this.forward)) // stays in sight
+    const foot = element("div", {class: "foot"}, this.refusal, this.back, this.skip, this.forward)
+    this.element.append(foot) // stays in sight
     this.question.changed = () => this.ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
+    page.root.classList.toggle("tour", walk.isTour)
     // On a phone it stands among the plots: what is drawn over them moves along.
     this.observer = new ResizeObserver(() => page.redraw())
     this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
-    page.heading.after(this.line)
+    page.heading[walk.isTour ? "before" : "after"](this.line)
     this.#ask()
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
@@ -76,6 +80,7 @@ export class Card {
   /** The filled button says what the next press does. */
   ready() {
     const {words, needsAnswer} = this.walk.press
+    this.skip.hidden = !needsAnswer
     const isReady = !needsAnswer || this.question.given() !== null
     this.forward.textContent = words
     this.forward.classList.toggle("waiting", !isReady)
@@ -96,6 +101,7 @@ export class Card {
     claim(page, lesson.title)
     this.question.teach(lesson)
     this.after.replaceChildren(...this.#meaning(lesson))
+    if (this.walk.isTour) this.after.after(this.question.element)
     page.live.find(this.after)
     page.redraw()
     this.ready()
@@ -207,7 +213,7 @@ export class Card {
     this.observer.disconnect()
     this.element.remove()
     this.line.remove()
-    this.page.root.classList.remove("walked")
+    this.page.root.classList.remove("walked", "tour")
     claim(this.page)
   }
 }

@@ -4,6 +4,7 @@ import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
 import {ANSWER_FIRST, Card, FOLLOWS} from "./card.js"
 import {Contents} from "./contents.js"
 import {ALOUD} from "./draft.js"
+import {Finish} from "./finish.js"
 import {tabStorage} from "../core/storage.js"
 import {ownSeed, seedOf, variant} from "./variants.js"
 
@@ -25,6 +26,9 @@ export class Walk {
 
   /** @type {Contents | null} */
   contents = null
+
+  /** @type {Finish | null} */
+  finish = null
 
   /** @type {page.State | undefined} of the step, as it was told last */
   state
@@ -203,8 +207,16 @@ export class Walk {
 
   /** To the next step. @returns {Press} */
   #leading() {
-    const isLast = this.#towards(1) >= this.sheet.steps.length
-    return {words: isLast ? "Contents" : "Next", act: () => this.next()}
+    return {words: this.#isLast ? (this.isTour ? "Finish" : "Contents") : "Next", act: () => this.next()}
+  }
+
+  get #isLast() {
+    return this.#towards(1) >= this.sheet.steps.length
+  }
+
+  /** Whether the walk ends with scenes to try: then its pictures come before its answers. */
+  get isTour() {
+    return this.sheet.trials.length > 0
   }
 
   /** Whether it stands at a vote on what was asked aloud. */
@@ -243,8 +255,8 @@ export class Walk {
   }
 
   next() {
-    const place = this.#towards(1)
-    if (place < this.sheet.steps.length) this.go(place)
+    if (!this.#isLast) this.go(this.#towards(1))
+    else if (this.isTour) (this.finish ??= new Finish(this)).open()
     else this.open(true)
   }
 
@@ -289,7 +301,8 @@ export class Walk {
 
   leave() {
     this.contents?.leave()
-    this.contents = null
+    this.finish?.leave()
+    this.contents = this.finish = null
     this.#putAway()
     this.place = -1
     this.lecture.classes.led?.walked(null)

@@ -86,4 +86,4 @@ def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
         pad, shown = subject.pad(step.plot).y, subject.standing.shown.axes
         if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
             wide.append(step.id)
-    assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15", "tour-04"} <= set(wide)
+    assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15"} <= set(wide)

@@ -113,4 +113,4 @@ def test_after_the_last_step_it_stops_at_the_last_slide(page: Page, open_scene: 
     page.wait_for_function(TAUGHT)
     for _ in range(3):
         clicked(page)
-        expect(page.locator("dialog.contents")).to_be_visible()
+        expect(page.locator("dialog.finish")).to_be_visible()

@@ -157,7 +157,7 @@ def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) 
     assert page.evaluate(CLEAR)
 
 
-@pytest.mark.parametrize("step", ["d31-12", "d34-08", "d34-16", "tour-05"])
+@pytest.mark.parametrize("step", ["d31-12", "d34-08", "d34-16"])
 def test_a_point_and_its_question_share_the_first_screen_of_a_phone(walk: Callable[..., Page], step: str) -> None:
     page = walk(step, width=360, height=740)
     for width, height in ((360, 740), (390, 844)):

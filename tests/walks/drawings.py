@@ -59,4 +59,3 @@ WRONG: dict[str, list[Callable[[Any], Any]]] = {
         lambda t: -1.0 * (1 - np.exp(-t / 4)) * np.cos(t),
     ],
 }
-WRONG["tour-04"] = WRONG["d34-10"]

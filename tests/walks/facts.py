@@ -98,7 +98,6 @@ ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "d34-13": ([pushed[1]], [-pushed[1], 0, 1 / slowly.k1 + 0.5, 1 / (slowly.k1 + slowly.k2)]),
     "d34-16": ([48.0], [math.sqrt(250e3 / 100), 60, 24]),
 }
-ANSWERS["tour-03"], ANSWERS["tour-05"] = ANSWERS["d34-08"], ANSWERS["d34-16"]
 
 # The periods of sketched curves; of a beat, or of a swing that grows, that of what swings.
 slow, fast = free_modes(beats, (0.2, 0.0), (0.0, 0.0)).omega.tolist()
@@ -110,7 +109,6 @@ PERIODS: dict[str, float] = {
     "d34-10": 4 * math.pi / (slow + fast),
     "d34-15": 2 * math.pi / 1.0,
 }
-PERIODS["tour-04"] = PERIODS["d34-10"]
 
 # Numbers in the texts that are no parameter and no live value of the step's scene.
 STATED: dict[str, dict[str, float]] = {
@@ -215,7 +213,6 @@ STATED: dict[str, dict[str, float]] = {
     "d34-14": {"0.618": equal.modes().omega[0], "1.618": equal.modes().omega[1], "2.5": 2.5, "5": 5, "−5": -5},
     "d34-15": {"25": end_of("?scene=forced&m1=2&k1=4&k2=2&omega=1"), "12": 1 / growth, "0.95": 0.95, "1": 1},
     "d34-16": {"50": math.sqrt(250e3 / 100)},
+    "tour-03": {"6.28": bob.omega_n},
+    "tour-05": {"50": math.sqrt(250e3 / 100)},
 }
-BASE = {"tour-01": "d31-03", "tour-02": "d31-16", "tour-03": "d34-08", "tour-04": "d34-10", "tour-05": "d34-16"}
-for tour, step in BASE.items():
-    STATED[tour] = STATED[step]

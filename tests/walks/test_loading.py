@@ -69,7 +69,7 @@ def test_a_good_walk_is_read_and_has_no_problems() -> None:
         ('explain = "Both', 'explian = "Both', "mine, step 1 (first), its fields: object"),
         ("right = true", "right = 1", "mine, step 1 (first), options[0].right: expected `bool`, got `int`."),
         ('"k2"]', '"a", "b", "c", "k2"]', "mine, step 1 (first), controls: expected `array` of length <= 3."),
-        ("[[step]]", "[[stepp]]", "mine: “stepp” is no field of a walk; title, end and step are."),
+        ("[[step]]", "[[stepp]]", "mine: “stepp” is no field of a walk; title, end, trial and step are."),
         ('title = "A walk of one\'s own"', "", "mine: the title is missing"),
         ("id =", "id ==", "mine: this is not TOML: "),
         ('id = "first"', 'from = "d31-99"', "mine, step 1, from: “d31-99” is no step that is known."),
@@ -312,9 +312,21 @@ def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
             changed(old, new)
 
 
+def test_a_walk_may_end_with_scenes_to_try() -> None:
+    trial = '[[trial]]\nscene = "modes"\ntitle = "Find them"\ntext = "Drag the *ring*."\n\n'
+    walk = changed("[[step]]", trial + "[[step]]")
+    assert not list(problems(walk, SCENES))
+    assert walk_sheet(walk, SCENES).trials[0].scene == "modes"
+    assert found("[[step]]", trial.replace("modes", "mode") + "[[step]]")[0].startswith("mine, trial: “mode” is not a")
+    with pytest.raises(WalkError, match="at most 3 scenes to try"):
+        changed("[[step]]", trial * 4 + "[[step]]")
+    with pytest.raises(WalkError, match="mine, trial: "):
+        changed("[[step]]", trial.replace("scene", "sceen") + "[[step]]")
+
+
 def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8-sig")  # as Notepad may save it
-    assert list(all_walks([tmp_path], SCENES)) == ["d31", "d32-33", "d34", "tour", "mine"]
+    assert list(all_walks([tmp_path], SCENES)) == ["tour", "d31", "d32-33", "d34", "mine"]
     (tmp_path / "mine.toml").write_text(GOOD.replace("k2=3", "k2=-3"), encoding="utf-8")
     with pytest.raises(WalkError, match=r"mine, step 1 \(first\), state"):
         all_walks([tmp_path], SCENES)

@@ -1,0 +1,67 @@
+// The end of a walk with scenes to try: how many answers were right, and these scenes in motion.
+
+import {chip, element, marked} from "../core/dom.js"
+import {play} from "../core/moving.js"
+
+export class Finish {
+  /** @param {import("./walk.js").Walk} walk */
+  constructor(walk) {
+    this.walk = walk
+    this.element = element("dialog", {class: "finish", "aria-labelledby": "finish-title"})
+    document.body.append(this.element)
+    this.element.addEventListener("keydown", ({key}) => key === "PageUp" && this.element.close())
+  }
+
+  open() {
+    const {end, trials} = this.walk.sheet
+    const cards = trials.map(card)
+    const sentences = [this.#score(), ...end].filter(Boolean)
+    this.element.replaceChildren(
+      element("h1", {id: "finish-title"}, "Done. Now with your own hands:"),
+      marked("p", {}, sentences.join(" ")),
+      ...cards,
+      element(
+        "div",
+        {class: "chips"},
+        element("a", {class: "chip", href: "./"}, "All scenes"),
+        chip("Back to the questions", () => this.element.close()),
+      ),
+    )
+    if (!this.element.open) this.element.showModal()
+    this.element.scrollTop = 0
+    this.#draw(cards)
+  }
+
+  #score() {
+    const {steps} = this.walk.sheet
+    const answered = steps.map(step => this.walk.answers.of(step.id)).filter(Boolean)
+    const right = answered.filter(answer => answer?.right).length
+    return answered.length ? `${right} of your ${answered.length} answers ${right === 1 ? "was" : "were"} right.` : ""
+  }
+
+  /** Takes the pictures from the start page. @param {HTMLElement[]} cards */
+  async #draw(cards) {
+    const text = await fetch("./").then(answer => answer.text())
+    const start = new DOMParser().parseFromString(text, "text/html")
+    const pictures = cards.flatMap(one => {
+      const picture = start.querySelector(`[href="${one.getAttribute("href")}"] svg`)
+      if (!(picture instanceof SVGSVGElement)) return []
+      one.prepend(picture)
+      return [picture]
+    })
+    play(pictures)
+  }
+
+  leave() {
+    this.element.remove()
+  }
+}
+
+/** @param {page.WalkTrial} trial */
+const card = ({scene, title, text}) =>
+  element(
+    "a",
+    {class: "scene-card", href: `?scene=${scene}`},
+    marked("span", {class: "name"}, title),
+    marked("span", {class: "claim"}, text),
+  )

@@ -1,0 +1,74 @@
+"""The tour on a phone: each question on one screen, walked with wrong answers, right ones and none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.walks.loading import load_walks
+from components.walks.questions.choice import ChoiceStep
+from tests.browser.fixtures import READY
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+STEPS = [step for step in load_walks(())["tour"].steps if isinstance(step, ChoiceStep)]
+AT = "id => oscillations?.walks?.walk?.step?.id === id && document.querySelector('.asked')"
+MARKED = ".answers button:has-text('your answer') .judged"
+
+
+@pytest.fixture
+def tour(new_page: Callable[..., Page], server: Server) -> Page:
+    page = new_page(390, 844, fresh=True, has_touch=True)
+    page.goto(f"{server.url}?walk=tour")
+    page.wait_for_function(READY)
+    return page
+
+
+def bottom(page: Page, selector: str) -> float:
+    return float(page.locator(selector).last.evaluate("one => one.getBoundingClientRect().bottom"))
+
+
+def test_all_of_a_question_is_on_the_first_screen(tour: Page) -> None:
+    for step in STEPS:
+        tour.wait_for_function(AT, arg=step.id)
+        expect(tour.locator(".answers button")).to_have_count(3)
+        parts = (".asked-line", "h1", ".block.plot:visible", ".answers button")
+        places = [bottom(tour, part) for part in parts]
+        assert places == sorted(places), (step.id, places)
+        foot = tour.locator(".foot").evaluate("one => one.getBoundingClientRect().top")
+        assert places[-1] <= foot, (step.id, places, foot)
+        tour.get_by_role("button", name="Skip").click()
+
+
+@pytest.mark.parametrize("how", ["right", "wrong", "nothing"])
+def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
+    for step in STEPS:
+        tour.wait_for_function(AT, arg=step.id)
+        forward = tour.locator(".foot .filled")
+        if how == "nothing":
+            forward.click()
+            expect(tour.get_by_role("alert").filter(has_text="Answer first: a guess is fine.")).to_be_visible()
+            tour.get_by_role("button", name="Skip").click()
+            continue
+        i = next(i for i, option in enumerate(step.options) if option.right == (how == "right"))
+        tour.locator(f".answers [data-option='{i}']").tap()
+        forward.click()
+        expect(tour.get_by_role("heading", level=1)).to_have_text(step.title)
+        reply = tour.locator(f".answers [data-option='{i}'] .line")
+        expect(reply).to_have_text(step.options[i].reply.replace("*", ""))
+        expect(tour.get_by_role("button", name="Skip")).to_have_count(0)
+        order = [
+            bottom(tour, part) for part in (".block.plot:visible", ".transport", ".card .why", ".tries", ".answers")
+        ]
+        assert order == sorted(order), (step.id, order)
+        forward.click()
+    end = tour.get_by_role("dialog", name="Done. Now with your own hands:")
+    expect(end).to_be_visible()
+    counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
+    expect(end.locator("p")).to_contain_text(counts[how])
+    expect(end.locator("a.scene-card svg")).to_have_count(3)
+    expect(end.get_by_role("link", name="All scenes")).to_be_visible()
+    end.get_by_role("link", name="Still a machine").click()
+    tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
