@@ -96,6 +96,7 @@ def open_page(
     document.template_variables.update(
         headline=kind.headline,
         slug=kind.slug,
+        step=session.now.step,
         opening=on_page(session.first or session.opening()),
         scene_title=kind.title,
         navigation=navigation(SCENES, kind.slug),

@@ -227,7 +227,7 @@ export class Lecture {
   /** Replaces the page by another scene's; its figures are added later. @param {Drawn} shown */
   async #turn(shown) {
     document.documentElement.dataset.ready = "false"
-    const fetched = await this.#fetched(shown.sheet)
+    const [fetched] = await Promise.all([this.#fetched(shown.sheet), this.walks.prepare(shown.state)])
     const page = fetched && this.#built(fetched, shown)
     if (!page) document.documentElement.dataset.ready = "true" // the page before stays
     return Boolean(page)

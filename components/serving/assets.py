@@ -60,10 +60,15 @@ def written_files() -> dict[str, bytes]:
     return {path.relative_to(STATIC).as_posix(): path.read_bytes() for path in paths}
 
 
+def written_scripts() -> dict[str, str]:
+    """Our own scripts as they were written."""
+    return {name: content.decode() for name, content in written_files().items() if name.endswith(".js")}
+
+
 @cache
 def static_files() -> dict[str, bytes]:
     """Our own files as they are sent: the style sheet in one, and the scripts that every page needs."""
-    scripts = {name: content.decode() for name, content in written_files().items() if name.endswith(".js")}
+    scripts = written_scripts()
     others = {name: content for name, content in written_files().items() if name not in scripts}
     linked = {name: text.encode() for name, text in sent(scripts).items()}
     return {**others, **linked, "style.css": style_sheet()}

@@ -37,6 +37,12 @@ def sent(modules: Mapping[str, str]) -> dict[str, str]:
     }
 
 
+def needed_later(path: str, modules: Mapping[str, str]) -> list[str]:
+    """The modules that a later one needs besides those of the first page, and itself."""
+    first = _in_order(FIRST, modules, ())
+    return [name for name in _in_order(path, modules, ()) if name not in first]
+
+
 def joined(modules: Mapping[str, str], paths: Sequence[str]) -> str:
     """One module of several, in this order."""
     parts = (_enclosed(path, modules[path]) for path in paths)

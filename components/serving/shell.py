@@ -11,8 +11,9 @@ from bokeh.document import Document
 from jinja2 import Template
 
 from components.scene import Scene
-from components.serving.assets import folder_of, library_files, static_files
+from components.serving.assets import folder_of, library_files, static_files, written_scripts
 from components.serving.handlers import templates
+from components.serving.scripts import needed_later
 from components.state.scene_sheet import sheet_address
 
 
@@ -32,7 +33,8 @@ def library() -> str:
 @cache
 def page_template() -> Template:
     """page.html, to which everything that is the same for every visitor is already known."""
-    files = {"version": version(), "library": library()}
+    modules = needed_later("walks/walk.js", written_scripts())
+    files = {"version": version(), "library": library(), "walk_modules": modules}
     return templates().get_template("page.html", globals=files)
 
 

@@ -131,7 +131,11 @@ export class Walk {
     const {page} = this.lecture
     const isAsked = this.#isAsked(place, shown)
     const step = this.sheet.steps[place]
-    if (step && isAsked && !numbers && this.numbered(step) !== step) return this.go(place)
+    if (step && isAsked && !numbers && this.numbered(step) !== step) {
+      page.root.classList.add("walked", "asked") // until the same step comes with other numbers
+      page.heading.textContent = ""
+      return this.go(place)
+    }
     const isAnother =
       place !== this.place || numbers !== this.numbers || page !== this.card?.page || this.seed !== this.card?.seed
     this.numbers = numbers

@@ -7,6 +7,7 @@ import {tabStorage} from "../core/storage.js"
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const OWN = "own-walks"
+const PATIENCE = 4000 // ms that a picture waits for the card of its step
 const AGAIN = 1000 // ms until a question that has to wait is asked again
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
@@ -83,6 +84,14 @@ export class Walks {
     if (this.#isWalked(name)) return
     this.walk?.leave()
     this.walk = new Kind(this, sheet)
+  }
+
+  /** Fetches what the card of a step needs, so that it comes with the first picture. @param {page.State} state */
+  async prepare({step}) {
+    const [name] = step.split("/")
+    if (!this.menu.sheets.has(name)) return
+    const late = new Promise(done => setTimeout(done, PATIENCE))
+    await Promise.race([Promise.all([later("walks/walk"), this.sheet(name)]), late])
   }
 
   /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */

@@ -10,6 +10,7 @@ from itertools import pairwise
 import pytest
 from playwright.sync_api import Page, expect
 
+from components.scenes import SCENES
 from tests.browser.halls import TAUGHT
 from tests.browser.waiting import QUIET, passed, played
 from tests.grids import spread
@@ -429,3 +430,31 @@ def test_a_walk_that_is_left_leaves_no_dialog_and_no_listener(walk: Callable[...
     session.detach()
     assert [dialogs for _, dialogs in found] == [0] * len(found)
     assert found[-1][0] - found[1][0] < len(found), "no listener for each walk"
+
+
+SEEN = """globalThis.frames_seen = []
+const look = () => {
+  const [stage, presets] = [".paper .mass", ".panel .chips button"].map(one => document.querySelector(one))
+  const isThere = one => Boolean(one?.checkVisibility())
+  const headline = document.querySelector("h1")?.textContent ?? ""
+  const card = isThere(document.querySelector(".card"))
+  frames_seen.push({headline, stage: isThere(stage), presets: isThere(presets), card})
+  requestAnimationFrame(look)
+}
+requestAnimationFrame(look)"""
+"""Notes at each frame what is on the page."""
+
+
+@pytest.mark.parametrize("step", ["d34-02", "d31-02"])
+def test_a_link_to_a_step_never_shows_the_scene_alone(new_page: Callable[..., Page], server: Server, step: str) -> None:
+    """The second one waits for the visitor's own numbers: its stage is there before its card."""
+    page = new_page(fresh=True)
+    page.add_init_script(SEEN)
+    page.goto(f"{server.url}?walk={step[:3]}&step={step}")
+    page.wait_for_function("oscillations.walks.walk?.card && oscillations.connection.wire")
+    seen = page.evaluate("frames_seen")
+    assert any(one["card"] for one in seen)
+    assert not [one for one in seen if one["presets"]]
+    assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
+    headlines = {scene.headline for scene in SCENES.values()}
+    assert not [one for one in seen if one["headline"] in headlines]
