@@ -22,7 +22,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
-WORST = ("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16", "tour-03")
+WORST = ("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16", "tour-04")
 """The steps that need the most room of their kind, and the one that leaves the most."""
 ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
 UNFOLD = """open => {
@@ -73,9 +73,10 @@ def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server
         page.evaluate("oscillations.walks.walk.show(true)")
         page.wait_for_function(TAUGHT)
         found += seen(page, height, f"{step.id}, after")
-        page.evaluate(UNFOLD, True)
-        found += seen(page, height, f"{step.id}, how it follows, after")
-        page.evaluate(UNFOLD, False)
+        if step.follows:
+            page.evaluate(UNFOLD, True)
+            found += seen(page, height, f"{step.id}, how it follows, after")
+            page.evaluate(UNFOLD, False)
         page.get_by_role("button", name="Try", exact=True).click()
         found += seen(page, height, f"{step.id}, trying, after")
     assert not found, "\n".join(found)
@@ -99,7 +100,7 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
         if step.derive:
             clicked(page)
         clicked(page)
-    contents = page.get_by_role("dialog", name="Steps of this lecture")
+    contents = page.locator("dialog:is(.contents, .finish)")
     expect(contents).to_be_visible()
     clicked(page)
     expect(contents).to_be_visible()  # after the last step it stops
