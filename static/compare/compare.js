@@ -1,12 +1,12 @@
-// Comparison: the picture held beside the one that stands, the curves from before a drag, and what is covered
-// until a prediction has been made. The modules that draw them are fetched when there is something to draw.
+// Comparison: the held picture next to the current one, the curves from before a drag, and the parts that are hidden
+// until the visitor has predicted them. The drawing modules are loaded when they are needed.
 
 import {chip} from "../core/dom.js"
 import {later, using} from "../later.js"
 import {toSI} from "../core/ruler.js"
 import {evaluate, roots} from "../core/signals.js"
 
-const LINGER = 1500 // ms for which the curves from before a drag lie there when the server has heard of letting go
+const LINGER = 1500 // ms for which earlier curves stay after the end of a drag
 const LAST = 500 // ms after a key until it is taken for the last one
 
 export class Compare {
@@ -24,7 +24,7 @@ export class Compare {
 
   pressed = false
 
-  /** @type {Named | null} the instant and the signals that stand still until a prediction is revealed */
+  /** @type {Named | null} the frozen instant and signals, until a prediction is revealed */
   still = null
 
   /** @type {number | undefined} */
@@ -70,14 +70,14 @@ export class Compare {
     this.page.host.change(({covered}) => ({covered: [...covered, cover]}))
   }
 
-  /** Uncovers a part, and the stage, which moves as it tells. @param {string} cover */
+  /** Uncovers a part, and also the stage, because its motion shows the answer. @param {string} cover */
   reveal(cover) {
     const open = new Set([cover, "next", "stage"])
     this.page.host.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
   }
 
   /**
-   * A value is set by a press of a pointer or a key: what was drawn before it is remembered.
+   * Remembers the current curves at the first change of a press of a pointer or key.
    * @param {string} press @param {string} deed of undo; one of several messages @param {page.Said} message
    */
   set(press, deed, message) {
@@ -100,7 +100,7 @@ export class Compare {
     this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
   }
 
-  /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
+  /** Ends a change by a slider or key; a refit of the frame then belongs to the same undo step. */
   #letGo() {
     const {deed} = this
     if (deed) this.page.host.messages.send({type: "set", values: {}, holding: false, along: this.along}, {deed})
@@ -120,7 +120,7 @@ export class Compare {
   }
 
   /**
-   * As soon as there is something to predict, all stands still as it was drawn; what is revealed plays from its start.
+   * Freezes the drawing as soon as there is something to predict; a revealed part plays from its start.
    * @param {Drawn} shown
    */
   stand({state, view: {signals, scalars}}) {
@@ -204,7 +204,7 @@ export class Compare {
 /** @param {page.Said | undefined} message */
 const hasLetGo = message => message?.type === "set" && message.holding === false
 
-/** Whether an axis shows less than it did: it has been fitted anew. @param {Drawn} shown @param {Drawn} before */
+/** True if an axis shows a smaller range, because it was fitted again. @param {Drawn} shown @param {Drawn} before */
 function isCloser({view: {axes}}, {view: {axes: old}}) {
   return Object.keys(axes).some(name => name in old && size(axes[name]) < 0.999 * size(old[name]))
 }

@@ -13,7 +13,7 @@ export function coverNumber(number) {
   number.textContent = `${side}?${side}`
 }
 
-/** The parts of a drawing that tell while the stage is covered: sketch.css hides them on the page. */
+/** The parts of a drawing that reveal the answer while the stage is covered: sketch.css hides them on the page. */
 export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
 
 const NAMED = new Set(["text", "circle", "wave"])
@@ -26,8 +26,8 @@ export const coveredPlots = ({covered}) =>
 export const isCovered = ({block, shown}) => coveredPlots(shown.state).includes(block.name)
 
 /**
- * Whether a shape would tell of what is covered: what needs it, texts, dots and waves on a plot's scale that do not
- * say what is given, what lies inside a plot.
+ * True if a shape would reveal a hidden quantity: if it uses one, if it is a text, dot or wave on a plot's scale that
+ * does not show given values, or if it is inside a plot.
  * @param {{spec: page.AnyShape, needs: Set<string>, plots: Set<string>}} shape
  * @param {string[]} leftOut @param {string[]} covered plots
  */
@@ -58,7 +58,7 @@ export class Cover {
     this.place()
   }
 
-  /** It lies on the frame alone: predicting needs the axes. */
+  /** Covers only the frame, because predicting needs the axes. */
   place() {
     const {left, top, width, height} = this.plot.frame
     for (const [side, size] of Object.entries({left, top, width, height})) {

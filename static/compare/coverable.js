@@ -2,10 +2,10 @@
 
 import {plain} from "../core/plain.js"
 
-const LONGEST = 48 // signs of a sentence that stands for itself
+const LONGEST = 48 // number of characters from which a text is a sentence
 
 /**
- * A part that waits for an answer, as covers name it and as it is called in a list.
+ * A part that can be covered: its name in covers and its name in a list.
  * @typedef {{cover: string, text: string}} Coverable
  */
 

@@ -1,5 +1,5 @@
-// Curves of another picture under the live ones, dotted; of one that is held also what moves on the stage, as outlines,
-// where the sliders stood, and the ledger of numbers.
+// Curves of another picture, dotted, under the current ones. For the held picture also the moving shapes on the stage,
+// as outlines, the old positions of the sliders, and the ledger of numbers.
 
 import {element, long, marked, set, svg} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
@@ -13,11 +13,11 @@ const NEAR = 0.05 // pixels between what is the same
 const RING = 5.5 // radius around what is the same
 
 /**
- * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
+ * Columns drawn under the current ones, with their own axes and a name.
  * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
  * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean,
  *   above: boolean}} GhostLine
- * a path, its ends, and whether it starts where the live one does
+ * a path, its ends, and `same` if it starts at the same point as the current one
  */
 
 export class Ghosts {
@@ -74,7 +74,7 @@ function table(rows) {
   return element("table", {}, head, ...lines)
 }
 
-/** Where a slider stood. */
+/** The old position of a slider. */
 class Thumb {
   /** @param {import("../input/slider.js").Slider} slider */
   constructor(slider) {
@@ -94,9 +94,9 @@ class Thumb {
   }
 }
 
-/** Which lines of a plot are those of a picture held: their name, and a ring where they start as the live ones do. */
+/** Labels the held lines of a plot, and draws a ring if they start at the same point as the current ones. */
 export class HeldName {
-  /** @type {number | null} where the name wants to stand */
+  /** @type {number | null} the preferred height of the label */
   end = null
 
   /** @param {SVGElement} over what is drawn over the plot */
@@ -106,7 +106,7 @@ export class HeldName {
     over.append(this.name, this.same)
   }
 
-  /** @param {GhostLine[]} lines @param {string} name of what they are of, if it has one @param {boolean} isTime */
+  /** @param {GhostLine[]} lines @param {string} name of their picture, or "" @param {boolean} isTime */
   tell(lines, name, isTime) {
     const named = lines.find(line => line.named)
     this.same.replaceChildren(...(name && isTime ? starts(lines) : []))
@@ -139,7 +139,7 @@ export class PlotGhost extends HeldName {
     if (!isPlaced) this.plot.still()
   }
 
-  /** With the names of curves that they stand beside. */
+  /** Avoids the names of nearby curves. */
   place() {
     const {left, top, width, height} = this.plot.frame
     const lines = this.under ? linesOf(this.plot, this.under) : []
@@ -200,7 +200,7 @@ export function linesOf(plot, {columns, axes}) {
 const isOne = far => Math.abs(far) < NEAR
 
 /**
- * A ring where a curve and the one held start alike: what is the same is as visible as what is not.
+ * Draws a ring where a curve and the held one have the same start, so that equal parts are as visible as differences.
  * @param {GhostLine[]} lines
  */
 function starts(lines) {
@@ -213,14 +213,14 @@ function starts(lines) {
   return first ? [...rings, svg("text", {x: first.x + RING + 5, y: first.y - RING - 2}, "same start")] : []
 }
 
-/** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float64Array} xs */
+/** True if a curve oscillates so often that its dots would fill an area. @param {Float64Array} xs */
 function isRetraced(xs) {
   let turns = 0
   for (let i = 2; i < xs.length; i++) if ((xs[i] - xs[i - 1]) * (xs[i - 1] - xs[i - 2]) < 0) turns++
   return turns > 3
 }
 
-/** From the places of one axis to those of another. @param {page.Ruler | undefined} from @param {page.Ruler} to */
+/** Converts coordinates of one axis to another. @param {page.Ruler | undefined} from @param {page.Ruler} to */
 function translated(from, to) {
   const isSame =
     !from ||
@@ -244,7 +244,7 @@ function path(points) {
   return d
 }
 
-/** The shapes that move on a stage: those that a hand can take to begin a motion, and others that say so. */
+/** The moving shapes of a stage: shapes that begin a motion when dragged, and others marked `held`. */
 export class StageGhost {
   /** @param {import("../paper/stage.js").Stage} stage */
   constructor(stage) {

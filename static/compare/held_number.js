@@ -1,4 +1,4 @@
-// The number that a label of a stage would show of the picture held, beside it.
+// The held picture's number, next to each label of a stage with a live number.
 
 import {set, svg} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
@@ -10,7 +10,7 @@ export class HeldNumber {
   /**
    * @param {import("../paper/stage.js").Stage} stage @param {SVGTextElement} label
    * @param {page.TextRun[]} words its number,
-   * and what follows that @param {string} tint
+   * with the words after it @param {string} tint
    */
   constructor(stage, label, [{text: name}, ...rest], tint) {
     this.stage = stage
@@ -38,7 +38,7 @@ export class HeldNumber {
     this.text.textContent = `held ${held}${after}`
   }
 
-  /** To the right of the label, or under or over it where the stage ends or another label stands. */
+  /** To the right of the label, or above or below it if there is no room. */
   #wishes() {
     const {clear, size} = this.stage
     const {left, right, top, bottom} = clear.box(this.label)
@@ -46,12 +46,12 @@ export class HeldNumber {
     const beside = clear.box(this.text)
     const line = bottom - top + 3
     const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)
-    const edge = size.narrow ? clear.room.right : size.W // nothing stands beside a stage on a phone
+    const edge = size.narrow ? clear.room.right : size.W // a stage on a phone has plots below it, not at its side
     return beside.right <= edge ? [beside, below] : [below]
   }
 }
 
-/** Of each label of a stage whose number moves. @param {import("../paper/stage.js").Stage} stage */
+/** For each label of a stage with a moving number. @param {import("../paper/stage.js").Stage} stage */
 export function heldNumbers(stage) {
   return stage.shapes.flatMap(({spec, parts: [label]}) => {
     if (spec.kind !== "text" || !(label instanceof SVGTextElement)) return []

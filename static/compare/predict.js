@@ -3,7 +3,7 @@
 import {button, element} from "../core/dom.js"
 import {parts} from "./coverable.js"
 
-/** The list, beside its button; a second press, Escape or a press elsewhere closes it. */
+/** The list next to its button. A second press, Escape or a press outside closes it. */
 class CoverMenu {
   /** @param {PartHost} page @param {HTMLElement} opener */
   constructor(page, opener) {

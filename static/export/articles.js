@@ -1,5 +1,5 @@
-// The steps of a walk as articles for paper: its questions with space for the answers, or what each of them means. The
-// walk is gone through once, as a visitor would; the articles are made of what it shows.
+// The steps of a walk as articles for paper: the questions with space for the answers, or the explanations. The module
+// goes through the walk once, as a visitor would, and copies the page at each step.
 
 import {element, frame, marked} from "../core/dom.js"
 import {plotPicture, stagePicture} from "./picture.js"
@@ -41,7 +41,7 @@ async function go(walk, i, isAnswered, begin) {
   walk.go(i)
   const isAsked = () => walk.place === i && !walk.lesson && walk.card?.page === lecture.page
   await until(() => isAsked() && stands(lecture, step.opens))
-  // What another view of a scene has brought takes its place first.
+  // Wait for the layout of another view of the scene.
   await frame()
   await frame()
   if (!isAnswered) section.append(question(walk, i + 1))

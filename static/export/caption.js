@@ -5,7 +5,7 @@ import {brief} from "../input/handles.js"
 import {withTrueMinus, withUnit} from "../core/numbers.js"
 import {indexed, plain} from "../core/plain.js"
 
-/** The parameters in the panel, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
+/** The parameters of the panel, as "m₁ = 2.00 kg", then those of tables. @param {PartHost} page */
 export function parameters({spec, panel, shown: {settings, view}}) {
   const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")

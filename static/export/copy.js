@@ -5,7 +5,7 @@ import {chip, element} from "../core/dom.js"
 import {note} from "../core/notes.js"
 
 const NAME = "Copy link"
-const MOMENT = 1500 // ms for which a button says what it has done
+const MOMENT = 1500 // ms for which a button shows its result
 
 /** @param {() => string} link */
 export function copyButton(link) {

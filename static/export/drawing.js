@@ -1,4 +1,4 @@
-// A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
+// A plot as a standalone SVG: the content of the figure, in a frame of any size, with its names, flags and shapes.
 
 import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
 import {set, svg, unitSize} from "../core/dom.js"
@@ -22,8 +22,8 @@ let clips = 0
 /** @implements {Canvas} */
 export class Drawing {
   /**
-   * `host` is an element of the page as large as the plot with its margins; `frame` lies in it. `alone`, it has the
-   * numbers that on the page stand beside other plots.
+   * `host` is an element of the page with the size of the plot and its margins; `frame` is inside it. If `alone`, the
+   * drawing has the numbers that the page shows only at a neighbouring plot.
    * @param {import("../paper/plots.js").Plot} plot @param {HTMLElement} host
    * @param {Frame} frame @param {boolean} [alone]
    */
@@ -148,7 +148,7 @@ export class Drawing {
     this.inside.append(svg("g", {class: tint}, ...(width === "none" ? [] : [line]), ...dots))
   }
 
-  /** The points and lines that a stage of the page draws over this plot alone, and that stand still. */
+  /** The points and lines that a stage of the page draws over this plot only, and that do not move. */
   #ofStages() {
     const own = `${this.block.name}.`
     const isOwn = (/** @type {Set<string>} */ needs) =>
@@ -184,7 +184,7 @@ export class Drawing {
   }
 
   /**
-   * Beside the shapes those of the picture held, whose numbers keep clear of what stands.
+   * Adds the shapes of the held picture; their numbers avoid the current labels.
    * @param {Stage} stage @param {Named} named
    */
   #held(stage, named) {
@@ -219,7 +219,7 @@ export class Drawing {
 }
 
 /**
- * Live numbers as they stand at the instant shown.
+ * Fills in the live numbers of the displayed instant.
  * @param {Element} root @param {Drawn["view"]} view @param {Named} named
  */
 export function fill(root, view, named) {
@@ -239,7 +239,7 @@ function dotAt(point, marker) {
 }
 
 /**
- * The axes of a plot with the numbers and the unit that on the page stand beside another.
+ * The axes of a plot with the numbers and the unit that the page shows only at a neighbouring plot.
  * @param {import("../paper/plots.js").Plot} plot
  */
 export function numbered(plot) {

@@ -1,5 +1,5 @@
-// A walk on paper: its steps with their pictures and space for the answers; and, printed separately, what each of them
-// means. A second page in a hidden frame goes through the walk: what is shown here, and to a class, stays as it is.
+// A walk on paper: its steps with their pictures and space for the answers, and separately the explanations. A second
+// page in a hidden frame goes through the walk, so that this page and a class do not change.
 
 import {element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
@@ -9,7 +9,7 @@ import {paged} from "./pages.js"
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 
-const DESK = {width: 1280, height: 800} // px: the pictures are those of a desk, whatever screen this is
+const DESK = {width: 1280, height: 800} // px: a desktop layout, for any screen
 
 /** Print a walk with the numbers of its file. @param {Walk} walk @param {boolean} isAnswered */
 export async function handout(walk, isAnswered) {

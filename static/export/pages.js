@@ -1,4 +1,4 @@
-// The pages of a handout: each step whole, on as few pages as they need, all of them used; what stands alone on a page
+// The pages of a handout. No step is split; the pages are as few and as full as possible. A step that has a page alone
 // is drawn larger.
 
 import {element, unitSize} from "../core/dom.js"
@@ -34,7 +34,7 @@ function fill(sheet) {
 const high = part => part.getBoundingClientRect().height / unitSize()
 
 /**
- * The first and the end of what stands on each page: on as few as there can be, as evenly as they can be filled.
+ * The first and the end index of the steps on each page: as few pages as possible, evenly filled.
  * @param {number[]} heights @param {number} most of a page @returns {[number, number][]}
  */
 export function packed(heights, most) {

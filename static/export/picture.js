@@ -7,11 +7,11 @@ import {held, instant, link, parameters} from "./caption.js"
 import {isSeen} from "./things.js"
 import {plain} from "../core/plain.js"
 
-const WIDE = 560 // of a picture; its type is that of the page, so large beside it
+const WIDE = 560 // width of a picture; the text has the size of the page's
 const HIGH = 300 // of the frame of a plot
 const EDGE = 14
 const LINE = 20
-const UNIT = 4 // signs at the end of a formula, no more than this, are the unit of what they follow
+const UNIT = 4 // characters at the end of a formula: at most so many are taken for a unit
 /** Properties that an element is drawn with, and their values where none is said. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
@@ -46,7 +46,7 @@ class Easel {
   }
 
   /**
-   * Words from the left, on as many lines as they need; then what follows stands lower.
+   * Draws words on as many lines as they need; later content moves down.
    * @param {string} text @param {string} style @param {RegExp} [gaps] where a line may end
    */
   write(text, style, gaps = /(?<= )/) {
@@ -122,8 +122,8 @@ class Easel {
 }
 
 /**
- * A plot, without a caption where the parameters and the link stand next to it. `wide` is the width of the picture,
- * `high` the height of the frame in it, both in units.
+ * A plot; `captioned` adds the parameters and the link. `wide` is the width of the picture, `high` the height of the
+ * frame in it, both in units.
  * @param {Plot} plot @param {boolean} [captioned] @param {number} [wide] @param {number} [high] @returns {Picture}
  */
 export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * wide) / WIDE) {
@@ -148,7 +148,7 @@ export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * 
 }
 
 /**
- * The room around the frame: for its numbers, names and flags, which on the page may stand out of it.
+ * The margins of the frame: for its numbers, names and flags, which on the page may leave the plot's box.
  * @param {Plot} plot @param {number} wide @param {number} high
  */
 function frameFor(plot, wide, high) {
@@ -161,7 +161,7 @@ function frameFor(plot, wide, high) {
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
 }
 
-/** The terms over a plot, but for those that the title begins with. @param {Plot} plot */
+/** The terms in the heading, without those that the title repeats. @param {Plot} plot */
 function legend({block, host}) {
   const parts = [...(host.parentElement?.querySelectorAll(".head .part") ?? [])]
   const seen = parts.map(part => getComputedStyle(part).visibility === "visible")
@@ -185,7 +185,7 @@ function sample(key) {
 }
 
 /**
- * The stage as it stands, with the plots that it is drawn over.
+ * The current stage, with the plots under it.
  * @param {Stage} stage @param {PartHost} page @param {boolean} [captioned] @returns {Picture}
  */
 export function stagePicture(stage, page, captioned = true) {
@@ -233,7 +233,7 @@ function plotAt(plot, easel, named) {
 /** @param {Plot} plot @param {Stage} stage */
 const beside = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement
 
-/** Whether a stage writes into the frame of a plot. @param {Stage} stage @param {Plot} plot */
+/** True if a stage draws into the frame of a plot. @param {Stage} stage @param {Plot} plot */
 const writesInto = (stage, {block}) =>
   stage.shapes.some(({spec, group, needs}) => {
     const isShown = spec.kind === "text" && group.style.display === ""

@@ -1,4 +1,4 @@
-// Scroll anchoring where the browser has none, as Safari: what comes and goes above does not move what is in sight.
+// Scroll anchoring for browsers that have none, such as Safari: changes above the visible part do not move it.
 
 import {steady} from "./held.js"
 
@@ -8,11 +8,11 @@ let free = () => {}
 let isHeld = false
 let isDue = false
 
-/** Keeps the topmost part in sight where it stands, from scroll to scroll. */
+/** Keeps the topmost visible part at its position, from scroll to scroll. */
 export function anchor() {
   if (CSS.supports("overflow-anchor", "auto")) return
   addEventListener("scroll", renew, {passive: true})
-  addEventListener("pointerdown", () => hold(true), true) // now the part under the hand stands still
+  addEventListener("pointerdown", () => hold(true), true) // the part under the hand stays instead
   for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => hold(false), true)
 }
 
@@ -35,7 +35,7 @@ function renew() {
   })
 }
 
-/** The topmost part in sight that scrolls with the page. */
+/** The topmost visible part that scrolls with the page. */
 function topmost() {
   for (let y = 0; y < innerHeight; y += STEP) {
     const found = document.elementFromPoint(innerWidth / 4, y)

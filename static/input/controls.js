@@ -72,7 +72,7 @@ function presetButton({name, label, outline: drawing}, take) {
 }
 
 /**
- * Joined buttons for a parameter with a few values; tiles where what stands on them is drawn.
+ * Joined buttons for a parameter with a few values; tiles if the options have pictures.
  * @param {HTMLElement} host @param {Pick<page.ChoiceRow, "name" | "label" | "options">} spec @param {Send} send
  * @param {ReturnType<Pictured>["draw"]} [draw]
  */
@@ -125,13 +125,13 @@ export class Controls {
   /** @type {HTMLElement[]} */
   actionProblems = []
 
-  /** @type {string | undefined} the view whose controls stand first */
+  /** @type {string | undefined} the view whose controls are first */
   view
 
   /** @type {boolean[]} of each group, whether all of its controls are elsewhere */
   bare = []
 
-  /** @type {{span: HTMLElement, hint: string, names: string[]}[]} what stands beside the titles of groups */
+  /** @type {{span: HTMLElement, hint: string, names: string[]}[]} hints next to the titles of groups */
   hints = []
 
   /**
@@ -146,7 +146,7 @@ export class Controls {
     this.keys = element("section", {class: "group keys-of-view", hidden: ""}, this.keysTitle)
     this.send = send
     this.pictured = pictured
-    // What is said is about the control that has the focus; without one nothing is.
+    // Help is only for the control in focus.
     this.says = element("p", {class: "says", id: "controls-says"})
     this.sections = spec.groups.map(group => this.#section(group))
     this.presets = new Presets(spec, take)
@@ -156,7 +156,7 @@ export class Controls {
     host.append(...this.sections, this.says)
   }
 
-  /** Another state speaks for every control: what was typed or refused before it is over. */
+  /** Another state resets every control: typed and rejected texts disappear. */
   release() {
     for (const slider of this.sliders.values()) slider.release()
   }
@@ -212,7 +212,7 @@ export class Controls {
     this.rows.set(row.name, {row: /** @type {HTMLElement} */ (host.lastElementChild), place, form})
   }
 
-  /** Move the controls of the view's task to the top; the others are in their groups. @param {string} view */
+  /** Puts the controls of the view's task first; the others stay in their groups. @param {string} view */
   #arrange(view) {
     if (this.view === view) return
     this.view = view
@@ -276,7 +276,7 @@ export class Controls {
     return element("div", {class: "chips"}, ...buttons, problem)
   }
 
-  /** @param {PanelState} told */
+  /** @param {PanelState} told the state from the server */
   update({settings, errors, preset, here, view: {forms}}) {
     this.#arrange(viewOf(settings))
     for (const [i, {form}] of this.spec.groups.entries())
@@ -299,5 +299,5 @@ export class Controls {
   }
 }
 
-/** Whether a row is a choice of small pictures. @param {page.ControlRow} row */
+/** True if a row is a choice of small pictures. @param {page.ControlRow} row */
 export const isPicker = row => row.kind === "choice" && Object.keys(row.pictures).length > 0

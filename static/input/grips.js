@@ -12,7 +12,7 @@ const STEP = 4 // pixels that an arrow key moves; with Shift it is one
 const LEAP = 40 // pixels that Page Up and Page Down move
 const REACH = 60 // pixels, the least that a finger moves for all of a range that has an end
 
-/** Where keys lead on the screen, to the right and up. @type {Record<string, [number, number]>} */
+/** Directions of the arrow keys on the screen, to the right and up. @type {Record<string, [number, number]>} */
 const KEYS = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -88,7 +88,7 @@ export class Grips {
     if (isHeld) this.#say(found, wide)
   }
 
-  /** Why a value cannot be, beside the hand. @param {Grip} grip @param {number} wide */
+  /** Shows next to the hand why a value is rejected. @param {Grip} grip @param {number} wide */
   #say({x, y}, wide) {
     reword(this.why, this.page.hand.grab?.refusal ?? "")
     this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
@@ -120,7 +120,7 @@ export class Grips {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
-  /** Of grips that lie on each other the nearest is meant. @param {PointerEvent} event @param {Grip} hit */
+  /** Chooses the nearest of overlapping grips. @param {PointerEvent} event @param {Grip} hit */
   #drag(event, hit) {
     if (event.button) return
     event.preventDefault()
@@ -157,7 +157,7 @@ export class Grips {
       this.page.hand.grab?.move({x: grip.x, y: grip.y}, this.all)
   }
 
-  /** Where the hand is, no further than the paper or the frame of a plot. @param {Point} at */
+  /** The position of the hand, limited to the paper or the frame of a plot. @param {Point} at */
   #move({x, y}) {
     const {grab} = this.page.hand
     const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
@@ -179,8 +179,8 @@ export class Grips {
   }
 
   /**
-   * Arrows and Page keys move what has the focus, Home and End take its first value to an end of the slider; all hold
-   * it still until Enter or Space lets it go.
+   * Arrows and Page keys move the shape in focus; Home and End set its first value to an end of the slider. The motion
+   * is paused until Enter or Space releases the shape.
    * @param {KeyboardEvent} event @param {Grip} grip
    */
   #key(event, grip) {
@@ -235,7 +235,7 @@ const needed = grab =>
 const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)
 
 /**
- * Where a key leads: what has but one way goes along that with each of them, up and to the right alike.
+ * The direction of a key. A shape with one way moves along it with each key; up and right are the same.
  * @param {Grip} grip @param {[number, number]} way @param {number} far @param {Named} all
  */
 function stepped({grab, x, y}, [across, up], far, all) {

@@ -1,4 +1,4 @@
-// The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
+// Dragging on a page: the dragged shape follows the pointer at once; the server gets the values and answers later.
 
 import {polynomial, roots} from "../core/signals.js"
 import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
@@ -45,10 +45,10 @@ class Grab {
   /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
   moved = {}
 
-  /** @type {Named} the same as it was last drawn without a refusal */
+  /** @type {Named} the last values that were drawn and not rejected */
   good = {}
 
-  /** @type {Named} what stands still until the first answer */
+  /** @type {Named} values that are frozen until the first answer */
   frozen = {}
 
   /** @type {Named} what the motion has begun with */
@@ -68,7 +68,7 @@ class Grab {
     this.page = page
   }
 
-  /** The numbers that are drawn in place of those of the picture. @returns {Named} */
+  /** The numbers that replace the picture's while dragging. @returns {Named} */
   get named() {
     /** @type {Named} */
     const named = {...this.frozen}
@@ -83,7 +83,7 @@ class Grab {
     return this.page.shown.view.axes[axis] ?? PLAIN
   }
 
-  /** A motion is to begin with what stands at an instant. @param {Named} now */
+  /** Starts a motion with the values at an instant as initial conditions. @param {Named} now */
   begin(now) {
     const {start} = this.spec
     const {clock, shown} = this.page
@@ -132,14 +132,14 @@ class Grab {
     this.#send({[way.parameter]: value})
   }
 
-  /** The hand stands still: letting go is no flick. */
+  /** The hand has stopped, so letting go is no flick. */
   rest() {
     this.trail = []
   }
 
   /**
-   * Letting go: the motion starts as soon as all is answered, with the velocity of the hand. Axes of a plot stay where
-   * a pointer has let go of what it moved along them.
+   * Ends the drag. The motion starts with the velocity of the hand as soon as all messages are answered. Axes along
+   * which a pointer has moved are not fitted again.
    * @param {Named} all @param {boolean} isPointer
    */
   release(all, isPointer) {
@@ -209,8 +209,8 @@ class Grab {
 }
 
 /**
- * The value at the place of a hand: in SI as it is drawn; as it is set, and how much of that a pixel is, or null where
- * every digit counts; and what a flick gives a velocity, where that is not the value.
+ * The value at the position of the hand: `si` in SI as drawn; `value` as it is set; `pixel`, the change per pixel, or
+ * null if every digit counts; `goes`, the velocity that a flick gives, if that is not the value.
  * @typedef {{si: number, value: number, pixel: number | null, goes?: number}} Placed
  */
 
@@ -256,14 +256,14 @@ function onLine(way, place, pixel, all, ruler) {
   return {si: part, value: Math.abs(goes), pixel: Math.abs(near - goes), goes}
 }
 
-/** A value to the digits that a hand can tell apart. @param {number} value @param {number} pixel */
+/** Rounds a value to the resolution of a pixel. @param {number} value @param {number} pixel */
 function rounded(value, pixel) {
   if (!pixel) return digits(value)
   const step = 10 ** Math.floor(Math.log10(pixel))
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }
 
-/** Whether a way is along an axis of a plot, which then must not be fitted again. @param {page.AnyWay} way */
+/** True if a way is along an axis of a plot, which then must not be fitted again. @param {page.AnyWay} way */
 const isOnPlot = way =>
   "zero" in way && typeof way.zero !== "number" && way.zero.terms.some(([, names]) => names.some(isOfPlot))
 

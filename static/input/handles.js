@@ -12,7 +12,7 @@ const STEPS = 200 // arrow keys that cross an axis
 const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}
 
 /**
- * A pill; without a handle it is that of the time.
+ * A pill; if `handle` is null, it is the time cursor's.
  * @typedef {{element: HTMLElement, handle: page.Handle | null, off: boolean}} Pill
  * @typedef {Pill & {handle: page.Handle}} Setter
  */
@@ -28,7 +28,7 @@ export class Handles {
     this.held = null
   }
 
-  /** An axis stands still while a handle is dragged along it: what moves the value must not move the scale. */
+  /** An axis is frozen while a handle is dragged along it, because otherwise the value would change the scale. */
   ruler(/** @type {string} */ name) {
     const now = this.plot.view.axes[name]
     const held = this.held?.[name]
@@ -160,7 +160,7 @@ export class Handles {
   }
 
   /**
-   * Whether a handle with this text hides the last number of the axis, with which the unit stands.
+   * True if a handle with this text covers the last number of the axis, which carries the unit.
    * @param {string} text @param {number} at
    */
   #hidesUnit(text, at) {
@@ -168,7 +168,7 @@ export class Handles {
   }
 
   /**
-   * Whether but a part of a number of the axis could be read, because a handle stands on it.
+   * True if a handle covers a part of a number of the axis.
    * @param {number} i its place @param {"x" | "y"} name of the axis
    */
   cuts(i, name) {
@@ -194,7 +194,7 @@ export class Handles {
     return toPlace(this.#axis(pill), Number(typeof waits === "number" ? waits : value))
   }
 
-  /** Where a pill stands on its axis. @param {Pill} pill */
+  /** The position of a pill on its axis. @param {Pill} pill */
   #here(pill) {
     return isSetter(pill) ? this.#value(pill) : this.plot.page.clock.t
   }
@@ -205,7 +205,7 @@ export class Handles {
     const inside = onAxis(place, axis)
     const {page, block} = this.plot
     if (!pill.handle) return page.clock.seek(inside)
-    page.compare.along = [block.x, block.y] // what has been moved stays where it was let go
+    page.compare.along = [block.x, block.y] // a moved pill stays in place when it is released
     page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
   }
 

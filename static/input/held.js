@@ -1,4 +1,4 @@
-// A pointer that holds something: followed until it lets go, while the page stands still under it.
+// A pointer that drags: followed until it is released; the page does not scroll under it.
 
 const BY_HAND = "by-hand" // has the focus from a pointer: no ring until a key is pressed
 
@@ -34,14 +34,14 @@ export function whileHeld(host, move, end) {
 }
 
 /**
- * Keeps a part where it stands in the window, whatever lines come and go above it: the page scrolls by as much.
- * @param {Element} part @returns {() => void} what ends it
+ * Keeps a part at its position in the window by scrolling when lines appear or disappear above it.
+ * @param {Element} part @returns {() => void} ends it
  */
 export function steady(part) {
   const top = () => part.getBoundingClientRect().top
   const stood = top()
   const observer = new ResizeObserver(() => part.getClientRects().length && scrollBy(0, top() - stood))
-  // The page is as tall as before where one line comes above and another goes below: each part beside it is asked.
+  // If a line appears above and another disappears below, the page keeps its height, so each part is measured.
   for (let inner = part; inner.parentElement && inner !== document.body; inner = inner.parentElement)
     for (const beside of inner.parentElement.children) observer.observe(beside)
   return () => observer.disconnect()

@@ -1,4 +1,4 @@
-// The list of the keys: beside the paper, so that each can be tried while it is read, and pressed as a button.
+// The list of keys next to the paper. You can try each key while you read it, or press it as a button.
 
 import {button, chip, element} from "../core/dom.js"
 
@@ -27,7 +27,7 @@ function row({shown, does}, press) {
   return element("li", {}, button({}, press, element("kbd", {}, shown), element("span", {}, does)))
 }
 
-/** They have no deed of their own. */
+/** Keys that have no action here. */
 const arrows = () =>
   element(
     "li",

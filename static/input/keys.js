@@ -1,5 +1,5 @@
-// Keys that act wherever the focus is, but while something is typed. Each stands in the list that `?` opens, where it
-// is a button too; those of a single letter can be switched off.
+// Keys that work everywhere except in text fields. `?` opens a list of them, with buttons. Keys of a single letter can
+// be switched off.
 
 import {browserStorage} from "../core/storage.js"
 import {using} from "../later.js"
@@ -7,8 +7,8 @@ import {blank} from "../shell/blank.js"
 import {BEGINS_NUMBER} from "../core/numbers.js"
 
 /**
- * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
- * focus keeps it for itself; one that is `shared` is heard by others too.
+ * A key: its names in events, its label, its description, and its action. If the focused element matches `own`, it
+ * handles the key itself; a `shared` key is passed on to other listeners too.
  * @typedef {(lecture: LectureHost) => void} Act
  * @typedef {{keys: string[], shown: string, does: string, act: Act, own?: string, shared?: boolean}} Key
  */
@@ -98,7 +98,7 @@ export const KEYS = [
 
 const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
 
-/** Whether keys of a single letter act, as long as the browser remembers. */
+/** True if keys of a single letter are on; the browser stores the choice. */
 export const singles = {
   off: false,
   read() {
@@ -119,7 +119,7 @@ export function listen(lecture) {
 }
 
 /**
- * Page Down and Page Up belong to a walk, and without one to what has the focus.
+ * Page Down and Page Up are for a walk; if there is none, for the element in focus.
  * @param {KeyboardEvent} event @param {LectureHost} lecture
  */
 function hear(event, lecture) {
@@ -152,7 +152,7 @@ function isBounced({timeStamp}) {
   return since < BOUNCE
 }
 
-/** Whether something lies over the page: a clicker closes that first. */
+/** True if something covers the page; a clicker closes it first. */
 const lies = () => document.querySelector(LIES) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */

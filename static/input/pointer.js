@@ -12,7 +12,7 @@ let disc = null
 /** @type {number | undefined} */
 let timer
 
-/** To be asked for as often as one likes. */
+/** Idempotent. */
 export function pointer() {
   if (disc) return
   disc = element("i", {class: "pointer", "aria-hidden": "true", hidden: ""})

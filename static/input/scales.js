@@ -4,7 +4,8 @@ import {MINUS} from "../core/numbers.js"
 import {clamp} from "../core/ruler.js"
 
 /**
- * Where a value stands on its slider, from 0 to 1, and back; `finest` is the finest step, 0 for three digits.
+ * Conversion between a value and its position on a slider, from 0 to 1; `finest` is the smallest step, 0 for three
+ * digits.
  * @typedef {(number: number, low: number, high: number) => number} Mapping
  * @typedef {{value: Mapping, place: Mapping, finest: (low: number, high: number) => number}} Scale
  */

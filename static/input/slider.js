@@ -28,16 +28,16 @@ export function problemElement(id) {
 
 // One slider with its typed field.
 export class Slider {
-  /** @type {page.Setting} the last that was told */
+  /** @type {page.Setting} the last one from the server */
   state
 
-  /** @type {{value: number | null, since: number} | null} what was sent, unanswered; null of what was typed */
+  /** @type {{value: number | null, since: number} | null} sent but not answered; its value is null for a typed text */
   asked = null
 
   /** @type {Finger} */
   finger
 
-  waits = false // what was set waits for the server
+  waits = false // the value waits to be sent
 
   unsent = false // typed, and not yet sent
   held = false // by a pointer
@@ -84,10 +84,10 @@ export class Slider {
     this.#describe()
     this.#listenToSlider()
     this.#listenToField()
-    this.write = fitting(this.field) // after the field is listened to: what was typed is sent before it is shortened
+    this.write = fitting(this.field) // after the field's listener, which sends the full text
   }
 
-  /** Named values under the slider, which then has a row of its own. @param {page.NamedValue[]} marks */
+  /** Named values below the slider, in an additional row. @param {page.NamedValue[]} marks */
   #mark(marks) {
     this.element.classList.add("marked")
     const rule = element(
@@ -196,7 +196,7 @@ export class Slider {
     this.#accept()
   }
 
-  // Another state is on its way: what was typed or refused before it is over.
+  // Another state resets the field: typed and rejected texts disappear.
   release() {
     this.unsent = false
     this.asked = TYPED
@@ -290,7 +290,7 @@ export class Slider {
     return this.size === 1 ? value : Number((value / this.size).toPrecision(12))
   }
 
-  /** A slider that already stands for the value stays where it is. @param {page.Setting["value"]} value */
+  /** Moves the slider, unless its position already means this value. @param {page.Setting["value"]} value */
   #place(value) {
     if (typeof value !== "number") return
     if (this.#atSlider() !== value) this.slider.value = String(sliderPlace(this.spec.scale, value, this.soft))

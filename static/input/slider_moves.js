@@ -1,4 +1,4 @@
-// Ways to move a slider: a finger by going sideways, keys by steps that mean something where it stands.
+// Moves of a slider: sideways moves of a finger, and keys with steps that suit the value.
 
 import {atTwoDigits, leapt} from "./scales.js"
 
@@ -31,7 +31,7 @@ export class Finger {
     })
   }
 
-  /** Whether what the slider was just moved by is no more than a touch; it is then put back. */
+  /** True if the last move was only a touch; the slider is then reset. */
   onlyTouched() {
     if (!this.swipe || this.swipe.sideways) return false
     this.slider.value = this.swipe.stood
@@ -40,7 +40,7 @@ export class Finger {
 }
 
 /**
- * Where a key takes a slider that stands at `value`: null for another key, or where `next` says so.
+ * The value to which a key moves a slider from `value`: null for other keys, or the result of `next`.
  * @param {string} key @param {page.SliderRow["scale"]} scale @param {number} value @param {[number, number]} soft
  * @param {(direction: 1 | -1) => number} next the value after it on the slider
  */

@@ -111,7 +111,7 @@ export class Transport {
     const {settings, errors} = shown
     this.fit.update(shown)
     const axis = axes[time]
-    // Where nothing moves there is nothing to play.
+    // If nothing moves, there is nothing to play.
     this.element.classList.toggle("idle", !axis)
     this.notes = [this.page.compare.says(shown.state), this.page.controls.presets.watch(shown.preset), ...notes]
     const error = errors.window
@@ -145,7 +145,7 @@ export class Transport {
       ...this.notes,
     ]
     if (!reword(this.note, lines.filter(Boolean).join(" "))) return
-    // What scrolls must be reached by keys.
+    // A scrollable area must be reachable by keys.
     if (this.note.scrollHeight > this.note.clientHeight) this.note.tabIndex = 0
     else this.note.removeAttribute("tabindex")
   }

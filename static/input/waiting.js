@@ -1,4 +1,4 @@
-// Values that wait for the server: each is shown as it was set, with a dotted line.
+// Values that are not sent yet: each is shown as it was set, with a dotted line.
 
 /** @param {PartHost} page @param {Waits} waiting */
 export function showWaiting(page, waiting) {

@@ -1,4 +1,4 @@
-// The question with answers to press, each with its own sentence; a class's votes are bars beside them.
+// The choice question: buttons for the answers, each with a comment; a class's votes are bars next to them.
 
 import {button, element, marked} from "../core/dom.js"
 import {box, text} from "./fields.js"
@@ -41,7 +41,7 @@ export class Choice extends Question {
     return {row, line, yours, name, where: /** @type {page.State | null} */ (null)}
   }
 
-  /** @param {number} place as it is shown */
+  /** @param {number} place in the shown order */
   choose(place) {
     this.#choose(this.order[place])
   }

@@ -1,4 +1,4 @@
-// The numbers that a class has given, each a dot: for a point on the axis itself, for a typed number on its own line.
+// The numbers of a class as dots: for a point on the axis itself, for a typed number on a separate line.
 
 import {short, withUnit} from "../core/numbers.js"
 import {inUnits, set, svg, unitSize} from "../core/dom.js"
@@ -72,8 +72,8 @@ export class Dots {
   }
 
   /**
-   * Puts the numbers on the line. Those far off the others are counted at its end, but never the truth; values that
-   * were given most often stand under it with their counts.
+   * Draws the numbers on the line. Outliers are counted at its end, except the right value; the most frequent values
+   * are written below with their counts.
    * @param {readonly number[]} now @param {readonly number[]} before
    */
   #onLine(now, before) {
@@ -109,7 +109,7 @@ export class Dots {
   }
 
   /**
-   * Values with how often each was given, the most frequent first, as many as stand in a row: each near its bar.
+   * The most frequent values with their counts, as many as fit in a row, each near its column.
    * @param {readonly number[]} numbers @param {number} low @param {number} high @param {(value: number) => number} at
    */
   #counted(numbers, low, high, at) {
@@ -196,7 +196,7 @@ export function reach(numbers, truths) {
 }
 
 /**
- * Dots of one place lie on each other; where they are too many, closer. `zero` is where one column stands.
+ * Stacks the dots of equal values, closer if there are many. `zero` is the position if there is one column.
  * @typedef {{at: (value: number) => number, across: boolean, base: number, way: number, room: number,
  *   zero: number}} Place
  * @param {readonly number[]} numbers @param {Place} place @param {string} name

@@ -8,7 +8,7 @@ const HIGH = 0.15 // and of its height
 const AROUND = 2.5 // a turning point is looked for so many times as far: components/walks/features.py
 const STANDS_OUT = 0.12 // of the height, over what is around it
 
-/** The number that stands at a place of an axis. @param {page.Ruler} ruler @param {number} place */
+/** The value at a coordinate of an axis. @param {page.Ruler} ruler @param {number} place */
 function number({log, exponent, start, end}, place) {
   if (log) return Number((10 ** place).toPrecision(4))
   const least = 1e-9 * Math.abs(end - start) // what is less than that is 0
@@ -20,7 +20,7 @@ const off = (ruler, share) =>
   Number((Math.abs(number(ruler, ruler.end) - number(ruler, ruler.start)) * share).toPrecision(2))
 
 /**
- * Features in the numbers that stand at the axes, as a walk's file has them.
+ * Features in the units of the axes, as in a walk's file.
  * @param {import("../paper/plots.js").Plot} plot @param {page.Curve} curve
  */
 export function features(plot, curve) {
@@ -49,7 +49,7 @@ export function features(plot, curve) {
 const after = (ys, i) => Array.prototype.find.call(ys, (height, j) => j > i && height !== ys[i]) ?? ys[i]
 
 /**
- * Whether a turning point is the highest (lowest) of its surroundings, which reach `far`.
+ * True if a turning point is the highest (lowest) within the distance `far`.
  * @param {ArrayLike<number>} xs @param {ArrayLike<number>} ys @param {number} i @param {number} sign
  * @param {number} far @param {number} tall
  */

@@ -23,11 +23,11 @@ export function box(name, value, label, isSet = false) {
   return element("label", {class: "ask-box"}, input, ` ${label}`)
 }
 
-/** The fields of a right answer, as a number or told by those of the scene. @param {string} label */
+/** The fields of a right answer, as a number or as an expression in the scene's numbers. @param {string} label */
 export const answerFields = label => [labelled(label, "is"), labelled("or an expression, such as 2 * tau", "of")]
 
 /**
- * Its numbers as they are typed: the session reads them as it reads a field. An expression is what it says.
+ * The typed numbers as text; the session parses them like a field's. An expression stays as it is typed.
  * @param {HTMLFormElement} form @param {string} unit
  */
 export function answerIn(form, unit) {

@@ -38,7 +38,7 @@ export class Marker {
     return this.plot[this.which === "x" ? "x" : "y"]
   }
 
-  /** The number at the mark, to three digits, as it is written at the axis. */
+  /** The number at the mark, to three digits, in the unit of the axis. */
   get number() {
     return this.value === null ? "" : this.#number(this.value)
   }
@@ -84,7 +84,7 @@ export class Marker {
     this.moved()
   }
 
-  /** Where the axis now is. */
+  /** The current position of the axis. */
   place() {
     const {start, end} = this.ruler
     this.#put(this.pill, this.value ?? (start + end) / 2)
@@ -95,7 +95,7 @@ export class Marker {
     set(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
-    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's, when all stands
+    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's listener
   }
 
   /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */
@@ -103,7 +103,7 @@ export class Marker {
     const {left, top, height} = this.plot.frame
     const isX = this.which === "x"
     const low = isX ? top + height : left
-    this.pill.style.setProperty("--low", long(low)) // from where it stands on its axis
+    this.pill.style.setProperty("--low", long(low)) // from its position on the axis
     const own = this.pill.getBoundingClientRect()
     const standing = this.plot.host.querySelectorAll(".handles > *, text")
     const others = [...standing].map(one => one.getBoundingClientRect()).filter(({width}) => width)
@@ -124,7 +124,7 @@ export class Marker {
     part.style.setProperty("--high", long(this.which === "x" ? top : left + width))
   }
 
-  /** The right places stand beside the one marked. @param {number[]} truths */
+  /** Shows the right places next to the marked one. @param {number[]} truths */
   teach(truths) {
     this.truths = truths
     this.layer.classList.add("taught")

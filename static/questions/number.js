@@ -1,4 +1,4 @@
-// The question for a number to type; a class's answers are dots on a line of their own.
+// The number question: a field to type in; a class's answers are dots on a separate line.
 
 import {button, element} from "../core/dom.js"
 import {withUnit} from "../core/numbers.js"

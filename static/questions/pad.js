@@ -1,5 +1,5 @@
-// Empty axes to draw on, with mouse, pen, finger or keys: one height for each abscissa, so that drawing over a part
-// replaces it. What leaves the frame runs along its edge; gaps stay gaps.
+// Empty axes to draw on, with mouse, pen, finger or keys. There is one height for each abscissa, so drawing over a part
+// replaces it. A stroke outside the frame follows its edge; gaps stay gaps.
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
@@ -10,7 +10,7 @@ import {mark} from "./question.js"
 const COLUMNS = 200 // across the frame
 const SLACK = 12 // units around the frame in which a hand is felt
 const STEP = 0.02 // of the frame, by an arrow key with Shift
-const SENT = 101 // heights of a curve, as it is sent: components/language/messages.py
+const SENT = 101 // heights of a curve in a message: components/language/messages.py
 
 export class Pad {
   /** @type {Map<string, (number | null)[]>} heights by curve */
@@ -25,7 +25,7 @@ export class Pad {
   findings = []
 
   /**
-   * `drawn` is called after every stroke; what was sent `before` stays, dotted.
+   * `drawn` is called after every stroke; the earlier sketch `before` stays, dotted.
    * @param {import("../paper/plots.js").Plot} plot
    * @param {page.StepCard} step @param {page.Given["curves"]} before @param {() => void} drawn
    */
@@ -96,12 +96,12 @@ export class Pad {
     const box = this.plot.host.getBoundingClientRect()
     const share = (this.plot.valueAt(event) - this.span.start) / (this.span.end - this.span.start)
     const column = Math.round(clamp(share, 0, 1) * COLUMNS)
-    if (this.last === column && (share < 0 || share > 1)) return // beside the frame its edge stays as it was drawn
+    if (this.last === column && (share < 0 || share > 1)) return // outside the frame, the edge keeps its height
     const y = clamp((event.clientY - box.top) / unitSize(), top, top + height)
     this.#reach(column, this.plot.y.end - ((y - top) / height) * (this.plot.y.end - this.plot.y.start))
   }
 
-  /** From the last place to this one. @param {number} column @param {number} height */
+  /** Fills the columns from the last position to this one. @param {number} column @param {number} height */
   #reach(column, height) {
     const from = this.last ?? column
     const start = this.last === null ? height : (this.current[from] ?? height)
@@ -173,7 +173,7 @@ export class Pad {
     return Object.fromEntries(drawn.map(([name, heights]) => [name, columns.map(column => share(heights[column]))]))
   }
 
-  /** Where a share of the width of the frame that all share is in this one. @param {number} share */
+  /** Converts a fraction of the shared frame's width to this frame. @param {number} share */
   #column(share) {
     const {start, end} = this.across
     const place = toPlace(this.plot.x, toSI(this.across, start + share * (end - start)))
@@ -214,7 +214,7 @@ export class Pad {
     for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
   }
 
-  /** Numbers of an axis whose own stand under another plot: the pad may be seen without it. */
+  /** Numbers at an axis that are otherwise under another plot, because the pad may be visible alone. */
   #numbers() {
     const {figure, abscissae, frame} = this.plot
     const y = frame.top + frame.height - 4
@@ -257,7 +257,7 @@ export class Pad {
 
   taught = false
 
-  /** The true curve lies under it now; what was found is marked where it is. @param {page.Finding[]} findings */
+  /** Shows the true curve below, and marks the findings. @param {page.Finding[]} findings */
   teach(findings) {
     this.taught = true
     this.findings = findings

@@ -9,7 +9,7 @@ import {element, svg} from "../core/dom.js"
  */
 
 /**
- * The answers of a class, over or beside the question until they are hidden; a headline says them in words.
+ * The answers of a class, over or next to the question until they are hidden; a headline summarises them.
  * @typedef {{update: (tally: page.Tally, lesson: page.Lesson | null) => void,
  *   headline: (tally: page.Tally) => string, leave: () => void}} Tallied
  */
@@ -62,7 +62,7 @@ export class Question {
   /** An option by its place on the screen. @param {number} _place */
   choose(_place) {}
 
-  /** The answer as it is sent; null where there is none. @returns {Answer | null} */
+  /** The answer for the message, or null. @returns {Answer | null} */
   given() {
     return null
   }
@@ -78,7 +78,7 @@ export class Question {
 
   leave() {}
 
-  /** The answers of a class. @param {HTMLElement} _chips that stand under them @returns {Tallied} */
+  /** The answers of a class. @param {HTMLElement} _chips below them @returns {Tallied} */
   tally(_chips) {
     throw new Error(`No answers to a ${this.step.kind} can be shown.`)
   }

@@ -1,4 +1,4 @@
-// The question for a curve to draw on the empty axes of a plot; a class's sketches lie over each other.
+// The sketch question: a curve to draw on the empty axes of a plot; a class's sketches are drawn over each other.
 
 import {chip, element, marked} from "../core/dom.js"
 import {features} from "./features.js"
@@ -114,7 +114,7 @@ function seen(plots, named = "") {
   return curve ? features(plot, curve) : []
 }
 
-/** Where a feature is, and how high. @param {{f: string, at: number, is: number}} feature @param {number} i */
+/** The position of a feature, and its height. @param {{f: string, at: number, is: number}} feature @param {number} i */
 const featureFields = ({f, at, is}, i) => [
   labelled(
     `${f === "value" ? "Height" : f === "peak" ? "Peak" : "Trough"} at, or an expression`,

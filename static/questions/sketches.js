@@ -1,11 +1,11 @@
-// The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
+// The sketches of a class over each other, in faint ink, so that agreement is dark; the true curve is on top.
 
 import {chip, element, unitSize, units} from "../core/dom.js"
 import {bare} from "../core/plain.js"
 import {toPlace, toSI} from "../core/ruler.js"
 
 const FAINT = 0.1
-const PASSED = 0.03 // what the chip in force leaves out
+const PASSED = 0.03 // sketches that the pressed chip leaves out
 
 export class Sketches {
   /** @type {page.Tally | null} */
@@ -148,7 +148,7 @@ export class Sketches {
   }
 }
 
-/** A chip that is in force or not. @param {string} words @param {boolean} pressed @param {() => void} act */
+/** A chip that is pressed or not. @param {string} words @param {boolean} pressed @param {() => void} act */
 export const toggle = (words, pressed, act) => chip(words, act, {"aria-pressed": pressed})
 
 /** The quantity in SI at a share of an axis. @param {page.Ruler} ruler @param {number} share */

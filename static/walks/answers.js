@@ -1,5 +1,5 @@
-// The visitor's answers: kept by this browser alone, for as long as it keeps anything. The answer to the step that
-// stands is kept by this tab too: a page that is loaded anew shows what it has shown.
+// The visitor's answers, stored only in this browser. The tab also stores the answer to the current step, so that it is
+// visible after a reload.
 
 import {browserStorage, tabStorage} from "../core/storage.js"
 import {bare} from "../core/plain.js"

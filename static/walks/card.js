@@ -1,4 +1,4 @@
-// The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
+// The card of a step, in the panel's place: a text, the question, the answer, the explanation, things to try.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
@@ -12,7 +12,7 @@ const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what w
 const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
 
 export class Card {
-  /** @type {{part: Element, place: Comment}[]} controls that stand on the card, and where they come from */
+  /** @type {{part: Element, place: Comment}[]} controls that are now on the card, and their old places */
   borrowed = []
 
   /** @type {HTMLDetailsElement | null} the formulas of the step, once it has been answered */
@@ -40,12 +40,12 @@ export class Card {
     this.body[walk.isTour ? "append" : "prepend"](this.#head())
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
     const foot = element("div", {class: "foot"}, this.refusal, this.back, this.skip, this.forward)
-    this.element.append(foot) // stays in sight
+    this.element.append(foot) // stays visible
     this.question.changed = () => this.ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
     page.root.classList.toggle("tour", walk.isTour)
-    // On a phone it stands among the plots: what is drawn over them moves along.
+    // On a phone the card is between the plots, so the drawings over them move with it.
     this.observer = new ResizeObserver(() => page.redraw())
     this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
@@ -164,14 +164,14 @@ export class Card {
     return [this.#opener(), parts]
   }
 
-  /** A hall has no room for what to try beside what it means: it takes the place of the answers. */
+  /** In a hall there is no room for things to try next to the explanation, so they replace the answers. */
   #opener() {
     const toggle = () => opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
     const opener = button({class: "chip opens-tries", "aria-expanded": "false"}, toggle, "Try")
     return opener
   }
 
-  /** The controls that the step names stand on the card while it does, wherever else they stand. */
+  /** Moves the controls that the step names to the card for the time of the step. */
   #borrow() {
     const {controls, root, spec} = this.page
     const parts = this.walk.step.controls.map(
@@ -218,7 +218,7 @@ export class Card {
   }
 }
 
-/** Under the headline: what is given, and once the claim stands there the question. @param {page.StepCard} step */
+/** Below the headline: the given text and, when the headline is the claim, the question. @param {page.StepCard} step */
 const asked = step => [
   ...(step.given ? [marked("span", {}, `${step.given} `)] : []),
   marked("span", {class: "asks-again"}, step.question),

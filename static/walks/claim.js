@@ -7,7 +7,7 @@ export function claim({heading, spec}, html) {
   else heading.textContent = spec.headline
 }
 
-/** The question stands in the claim's place. @param {PartHost} page @param {page.Html} html */
+/** Shows the question in the claim's place. @param {PartHost} page @param {page.Html} html */
 export function ask({heading}, html) {
   heading.classList.add("waits")
   heading.innerHTML = html

@@ -1,4 +1,4 @@
-// The contents of all walks on the paper: a step that was answered stands as its claim, one to come as its question.
+// The contents of all walks on the paper: an answered step shows its claim, a later one its question.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {mark} from "../questions/question.js"
@@ -60,7 +60,7 @@ export class Contents {
     )
   }
 
-  /** Where the hall reads this page, questions still to be asked are read elsewhere. */
+  /** If the hall sees this page, the contents open in another window, because they list later questions. */
   #apart() {
     const {sheet, walks, lecture} = this.walk
     if (!lecture.hall.on) return []
@@ -102,7 +102,7 @@ export class Contents {
     const said = kept ? `${where}, your answer: ${kept.said}` : `${where}, ${minutes([step])}`
     const {given, question} = this.walk.numbered(step)
     const words = kept ? kept.title : this.walk.lecture.hall.on ? "" : `${given} ${question}`.trim()
-    const claim = marked("span", {class: "claim"}, words) // a hall does not read what it will be asked
+    const claim = marked("span", {class: "claim"}, words) // the hall must not see later questions
     const number = element("span", {class: "number-of-step"}, String(i + 1))
     const parts = [number, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
     const row = button({}, () => this.walk.walks.choose(sheet.name, i), ...parts)

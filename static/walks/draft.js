@@ -42,7 +42,7 @@ export const walkText = (title, steps) => [`${line(["title", title])}\n`, ...ste
 /** A step in such a file. @param {Fields} step */
 export const stepText = step => ["\n[[step]]", ...Object.entries(step).map(line), ""].join("\n")
 
-/** The link of what a step shows: covers are a field of their own. @param {string} query */
+/** The link to the picture of a step. Its covers are in a separate field. @param {string} query */
 export const shownBy = query =>
   `?${query
     .split("&")

@@ -1,4 +1,4 @@
-// The menu of the walks: those that there are, one from a file, and what an instructor does with them.
+// The menu of the walks: the built-in ones, one from a file, and the instructor's actions.
 
 import {element} from "../core/dom.js"
 import {browserStorage} from "../core/storage.js"
@@ -12,10 +12,10 @@ export class Menu {
   /** @type {Map<string, string>} the addresses of the sheets by name */
   sheets = new Map()
 
-  /** @type {HTMLElement | null} the link that offers it beside the menu */
+  /** @type {HTMLElement | null} the link next to the menu that offers the tour */
   tour = document.querySelector(".new-here")
 
-  purpose = location.hash // the address is written anew with the first picture
+  purpose = location.hash // the first picture writes the address again
 
   /** @param {import("./walks.js").Walks} walks */
   constructor(walks) {
@@ -107,7 +107,7 @@ export class Menu {
     if (isWalked && this.tour) this.tour.hidden = true
   }
 
-  /** Begins what a window was opened for, once its first picture stands. */
+  /** Starts the action for which a window was opened, after its first picture. */
   begin() {
     const {purpose} = this
     this.purpose = ""

@@ -1,4 +1,4 @@
-// A walk of one's own: a file that is dropped onto the page or chosen, checked and run by one's own session alone.
+// A walk from the visitor's own file, dropped onto the page or chosen. Only this visitor's session checks and runs it.
 
 const LARGEST = 48_000 // bytes of a file: components/walks/loading.py
 const SENT = 60_000 // bytes of a message that carries it

@@ -1,4 +1,4 @@
-// The contents in a window of its own: a step that is chosen there is opened on the page that the hall reads.
+// The contents in a separate window. A step that is chosen there opens on the page in the hall.
 
 /* oxlint-disable unicorn/require-post-message-target-origin -- a channel is one origin's */
 
@@ -6,7 +6,7 @@ const NAME = "steps-of-the-lecture" // what windows of one browser say to each o
 export const STEPS = "#steps" // of the address of such a window
 
 /**
- * The page that the hall reads tells of its walks from files, and goes where it is sent.
+ * On the page in the hall: reports its walks from files, and opens the chosen step.
  * @param {LectureHost} lecture
  */
 export function follow(lecture) {

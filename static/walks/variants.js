@@ -7,14 +7,15 @@ import {browserStorage} from "../core/storage.js"
 const KEY = "seed"
 let own = ""
 
-/** The seed of this browser, kept, so that a page loaded anew is as it was. */
+/** The seed of this browser, stored so that a reload shows the same numbers. */
 export function ownSeed() {
   own ||= browserStorage.text(KEY) ?? String(crypto.getRandomValues(new Uint32Array(1))[0])
   browserStorage.keep(KEY, own)
   return own
 }
 
-/** The card with the numbers of a seed; 0 are those of the file. @param {page.StepCard} step @param {number} seed */
+/** The card with the numbers of a seed; 0 means the numbers of the file. @param {page.StepCard} step @param {number}
+ * seed */
 export const variant = (step, seed) => step.variants[seed - 1] ?? step
 
 /** The seed of this visitor's numbers, 0 where all have the same. @param {page.StepCard} step */

@@ -1,4 +1,4 @@
-// A guided walk: from step to step, from the question to what it means.
+// A guided walk: from step to step, from the question to its explanation.
 
 import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
 import {ANSWER_FIRST, Card, FOLLOWS} from "./card.js"
@@ -30,16 +30,16 @@ export class Walk {
   /** @type {Finish | null} */
   finish = null
 
-  /** @type {page.State | undefined} of the step, as it was told last */
+  /** @type {page.State | undefined} the last state from the server in this step */
   state
 
-  numbers = 0 // the seed of those that the step has, 0 where they are those of its file
+  numbers = 0 // the seed of the step's numbers, 0 for the numbers of its file
 
   unfolded = false
 
-  known = answered() // of the step that stood when the page was loaded anew
+  known = answered() // the step that was open before the reload
 
-  /** @type {import("../questions/question.js").Answer | null} what was answered before, when one answers again */
+  /** @type {import("../questions/question.js").Answer | null} the earlier answer, if the visitor answers again */
   before = null
 
   /** @param {LectureHost["walks"]} walks @param {page.WalkSheet} sheet */
@@ -98,7 +98,7 @@ export class Walk {
     return place
   }
 
-  /** To a step, which opens covered and at t = 0. @param {number} place */
+  /** Opens a step with its hidden parts, at t = 0. @param {number} place */
   go(place) {
     const step = this.sheet.steps[place]
     if (!step) return
@@ -107,7 +107,7 @@ export class Walk {
     this.lecture.open(this.numbered(step).opens)
   }
 
-  /** Asks the question once more; what was drawn stays, dotted. */
+  /** Asks the question again; the earlier sketch stays, dotted. */
   again() {
     const before = this.card?.question.given() ?? null
     this.go(this.place)
@@ -145,7 +145,7 @@ export class Walk {
     this.lecture.classes.led?.walked(this)
   }
 
-  /** Whether more is covered than the answer leaves covered. @param {number} place @param {Drawn} shown */
+  /** True if more is hidden now than after the answer. @param {number} place @param {Drawn} shown */
   #isAsked(place, {state}) {
     return state.covered.length > (this.sheet.steps[place]?.reveals.covered.length ?? 0)
   }
@@ -164,7 +164,7 @@ export class Walk {
   }
 
   /**
-   * Shows an answer from before the page was loaded anew.
+   * Shows an answer from before the reload.
    * @param {import("./answers.js").Answered} known
    */
   #restore({step, given}) {
@@ -177,7 +177,7 @@ export class Walk {
     return `${this.sheet.name}/${this.step.id}`
   }
 
-  /** Nothing moves before the answer. */
+  /** Stops the clock until the answer. */
   #hold() {
     const {clock} = this.lecture.page
     clock.playing = false
@@ -209,7 +209,7 @@ export class Walk {
     return this.#leading()
   }
 
-  /** To the next step. @returns {Press} */
+  /** Opens the next step. @returns {Press} */
   #leading() {
     return {words: this.#isLast ? (this.isTour ? "Finish" : "Contents") : "Next", act: () => this.next()}
   }
@@ -223,7 +223,7 @@ export class Walk {
     return this.sheet.trials.length > 0
   }
 
-  /** Whether it stands at a vote on what was asked aloud. */
+  /** True during a vote on a question asked aloud. */
   get isAloud() {
     return Boolean(this.step?.poll) && this.sheet.name === ALOUD
   }
@@ -273,7 +273,7 @@ export class Walk {
     else this.again()
   }
 
-  /** The step as it stands, to come back to. */
+  /** The current step, to return to later. */
   get bookmark() {
     if (!this.step || !this.state || this.isAloud) return null
     const given = this.card?.question.given() ?? {}
@@ -281,7 +281,7 @@ export class Walk {
     return {walk: this.sheet.name, place: this.place, state: this.state, known}
   }
 
-  /** @param {page.Taught} told */
+  /** @param {page.Taught} told the server's message */
   #taught({step, lesson, refused}) {
     if (!this.card || this.lesson || step !== this.step.id) return
     if (!lesson) return this.card.refuse(refused)

@@ -1,4 +1,4 @@
-// The guided walks: which there are, and when one begins and ends. What a walk is made of is fetched when one begins.
+// The list of guided walks; starts and ends them. The modules of a walk are loaded when one starts.
 
 import {insisting, later} from "../later.js"
 import {Menu} from "./menu.js"
@@ -16,12 +16,12 @@ export class Walks {
   walk = null
 
   /**
-   * The step that was left for a scene, as it was left.
+   * The step that was left for a scene.
    * @type {{walk: string, place: number, state: page.State, known: import("./answers.js").Answered | null} | null}
    */
   left = null
 
-  /** @type {Promise<void> | null} until the step of one's own that the address names stands */
+  /** @type {Promise<void> | null} until the step in the address is shown, if its walk is from a file */
   coming = null
 
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
@@ -33,7 +33,7 @@ export class Walks {
     /** @type {Record<string, string>} by name */
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
-    // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
+    // A new session does not know these walks, so it gets them before any request.
     lecture.messages.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
     if (walk in this.texts) this.coming = this.#rejoin(walk, step)
@@ -72,7 +72,7 @@ export class Walks {
     this.enter(name, place)
   }
 
-  /** Whether it is the one: a file that is taken anew is another. @param {string} name */
+  /** True if it is this walk; after another choice of a file it is a different one. @param {string} name */
   #isWalked(name) {
     return this.walk?.sheet.name === name && this.walk.sheet === (this.own.get(name) ?? this.walk.sheet)
   }
@@ -94,7 +94,7 @@ export class Walks {
     await Promise.race([Promise.all([later("walks/walk"), this.sheet(name)]), late])
   }
 
-  /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */
+  /** After every picture: opens the step of its state, if it has one. @param {Drawn} shown */
   async shown(shown) {
     this.latest = shown
     const [asked, step, seed] = shown.state.step.split("/")
@@ -121,7 +121,7 @@ export class Walks {
     if (state.step) this.lecture.open({...state, covered: this.walk?.lesson ? [] : state.covered, step: ""})
   }
 
-  /** Back to the step that was left, as it was left. */
+  /** Returns to the step that was left. */
   async comeBack() {
     const {left} = this
     if (!left) return
@@ -131,7 +131,7 @@ export class Walks {
     this.lecture.open(left.state)
   }
 
-  /** After a vote on what was asked aloud. */
+  /** Ends a vote on a question asked aloud. */
   goOn() {
     return this.left ? this.comeBack() : this.leave()
   }
@@ -143,7 +143,7 @@ export class Walks {
     else this.menu.toggle()
   }
 
-  /** Whether the keys of a clicker have something to turn. */
+  /** True if the keys of a clicker have an effect. */
   get turns() {
     return Boolean(this.walk ?? this.left)
   }
@@ -156,14 +156,14 @@ export class Walks {
     else walk.forward(true)
   }
 
-  /** Shows all that is covered: by the question of a step, or by a choice of one's own. */
+  /** Uncovers everything that a step or the visitor has hidden. */
   reveal() {
     if (this.walk && !this.walk.lesson) this.walk.show(false)
     if (!this.walk && this.lecture.kept.covered.length) this.lecture.change(() => ({covered: []}))
   }
 
   /**
-   * The answer of the session, asked again while others come first.
+   * Requests an answer of the session; repeats the request while the server is busy.
    * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<Told>}
    */
   async ask(message) {
@@ -188,7 +188,7 @@ export class Walks {
     return ""
   }
 
-  /** One's own walk is not known to a page that is loaded anew. @param {string} name */
+  /** True if a walk is known; after a reload, a walk from a file is first checked again. @param {string} name */
   async #isKnown(name) {
     if (name in this.texts && !this.own.has(name)) await this.check(name, this.texts[name])
     return this.own.has(name) || this.menu.sheets.has(name)
@@ -201,7 +201,7 @@ export class Walks {
     return refused
   }
 
-  /** A page that is loaded anew has a session that knows no walk of its own. @param {string} name @param {string} id */
+  /** A reloaded page has a new session that knows no walks from files. @param {string} name @param {string} id */
   async #rejoin(name, id) {
     const refused = await this.check(name, this.texts[name])
     if (refused) return this.lecture.page.notice.tell(refused)
@@ -223,8 +223,8 @@ export class Walks {
   }
 
   /**
-   * A page that knew nothing of it leads a class: it has the class's walks from files, and stands at the step that is
-   * asked.
+   * Prepares a page that has just begun to lead a class: adds the class's walks from files, and opens the step of the
+   * current question.
    * @param {Map<string, string>} texts by name @param {page.PutTo | null | undefined} question
    */
   async lead(texts, question) {
