@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
 
 import msgspec
 
@@ -19,6 +18,8 @@ from components.state.encoding import ColumnAxes
 from components.state.scene_sheet import LIVE, column_axes, scene_sheet
 from components.state.standing import Standing
 
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
+"""A string in JSON, and the colon after it if it is a key."""
 MOST_LISTS = 300
 """Views, and lists of parts, that a process remembers."""
 
@@ -44,8 +45,10 @@ def sent_parts(now: Standing) -> SentParts | None:
 @lru_cache(MOST_LISTS)
 def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentParts:
     blocks, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
-    names = frozenset(_strings(msgspec.to_builtins([*blocks, sheet.panel, sheet.spoken])))
-    return SentParts(axes_of_columns(Column(blocks=tuple(blocks))), names)
+    text = msgspec.json.encode([*blocks, sheet.panel, sheet.spoken]).decode()
+    strings = {string for string, key in STRING.findall(text) if not key}
+    names = strings.union(LIVE.findall(text.replace(r"\"", '"')))
+    return SentParts(axes_of_columns(Column(blocks=tuple(blocks))), frozenset(names))
 
 
 def drawn_on(now: Standing) -> ColumnAxes:
@@ -74,14 +77,3 @@ def sent_picture(now: Standing, picture: Picture) -> Picture:
         scalars={name: one for name, one in picture.scalars.items() if name in wanted},
         live={name: one for name, one in picture.live.items() if name in wanted},
     )
-
-
-def _strings(part: Any) -> Iterator[str]:
-    if isinstance(part, str):
-        yield part
-        yield from LIVE.findall(part)
-    elif isinstance(part, (list, tuple)):
-        for one in part:
-            yield from _strings(one)
-    elif isinstance(part, dict):
-        yield from _strings(list(part.values()))
