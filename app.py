@@ -32,7 +32,7 @@ from components.walks.cards import walk_file
 from components.walks.registry import all_walks
 
 pn.config.browser_info = False
-# The page has themes of its own; Panel would decode what the link says of one, whatever that is.
+# The page has its own themes; Panel would decode any `theme` of the link.
 pn.config.theme = "default"  # type: ignore[misc]
 
 
@@ -42,7 +42,7 @@ FIGURES = {
         lambda: sum(scene.work.pending() for scene in SCENES.values() if scene.work),
     )
 }
-"""Figures of the scenes that /metrics tells, by name: each with its description and a function that looks it up."""
+"""Functions that look up the scenes' figures for /metrics, by name, with a description."""
 
 
 SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
@@ -69,7 +69,7 @@ class Lectured(NamedTuple):
 
 
 def walked(folders: Iterable[Path]) -> Lectured:
-    """The parts of a server with the lecture's walks and those of folders."""
+    """Return the parts of a server that has the lecture's walks and those in folders."""
     walks = all_walks(folders, SCENES)
     files = [walk_file(walk, SCENES) for walk in walks.values()]
     listed = [
@@ -87,8 +87,8 @@ def open_page(
     lead: Callable[[str, str], Publish] | None = None,
     apart: Apart | None = None,
 ) -> None:
-    """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class, `apart`
-    reads walks from files."""
+    """Fill the document of a new session, the current one. `lead` sends its pictures to a live class, `apart` checks
+    walks from files."""
     session = visited(pn.state.session_args, walks)
     kind = session.now.kind
     document.title = kind.headline

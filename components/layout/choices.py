@@ -34,14 +34,14 @@ def options(parameter: AnyParameter) -> dict[str, object]:
 
 
 def labelled(parameter: AnyParameter) -> tuple[Option, ...]:
-    """The values to choose from, each by its word with what stands for it on the screen."""
+    """The values of the choice, by word, with their labels."""
     labels = getattr(parameter, "names", None) or {}
     by_word = {word(value): label for label, value in labels.items()}
     return tuple(Option(value, by_word.get(value, value)) for value in options(parameter))
 
 
 def chosen(parameter: AnyParameter, given: object) -> object:
-    """The value that `given` stands for; ValueError, in words for a person, where there is none.
+    """Return the value that `given` means. Raises ValueError, with a sentence, if there is none.
 
     `given` is a value or its word; for a list, a list or its words with commas between.
     """

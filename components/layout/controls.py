@@ -1,4 +1,4 @@
-"""The control panel: which controls a scene has, and what they show."""
+"""The control panel: the controls of a scene and their values."""
 
 from __future__ import annotations
 
@@ -36,15 +36,15 @@ Pictures = Mapping[str, list[AnyShape]]
 
 @dataclass(frozen=True)
 class Group:
-    """Parameters that belong together, under a title; the hint names another way to set them.
+    """Parameters under a title; the hint names another way to set them.
 
-    Without a title they go on with the group before; folded, the hint is what opens them, and the actions with them.
+    A group with an empty title continues the one before; if it is folded, the hint is the button that opens it.
 
-    `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
-    asked for and when one of its values is not the default. `form` is the one by which a group stands. `pictures` makes
-    a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`, under
-    the controls. While a `dense` group stands the panel has less room between its groups. What a group `apart` sets
-    counts in its form alone.
+    `actions` are buttons, (name, label): the scene's `action(name)` returns the values that they set. A `folded` group
+    opens on request, or if one of its values is not the default. A group is visible while the picture has `form`.
+    `pictures` makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts
+    for `rich`, under the controls. While a `dense` group is visible, the panel has smaller gaps. Values of a group
+    `apart` have an effect only while its form is visible.
     """
 
     title: str

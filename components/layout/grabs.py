@@ -1,4 +1,4 @@
-"""Grabs: builders of components.language.shapes.Grab, which tells what a hand does with a shape."""
+"""Builders of components.language.shapes.Grab, which describes how a shape responds to dragging."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def linear(
     axis: Name | None = None,
     **more: Any,
 ) -> Along:
-    """A way along which `place` says where a value stands, in proportion; it moves a signal or scalar, counted on an
+    """Return a way along which `place` gives the position of a value, in proportion. It moves a signal or scalar of an
     axis."""
     zero = as_expression(place(0.0))
     unit, moved = place(1.0) - zero, called(moves)

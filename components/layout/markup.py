@@ -1,4 +1,4 @@
-"""Markup: the HTML that a text may have, whoever wrote it: words, symbols and formulas that stay where they are put."""
+"""The HTML that a text may contain: words, symbols and formulas. Other HTML is rejected."""
 
 from __future__ import annotations
 

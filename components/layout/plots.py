@@ -31,24 +31,24 @@ from components.quantities.declared import Column, Named
 TIME = "time"
 """The source of the curves over the time window."""
 BAND = "band"
-"""The source of the bands that stand for curves too fast to be drawn."""
+"""The source of the bands that replace curves too fast to be drawn."""
 RINGING, LATE = "ringing", "late"
 """The sources of bands that end where motions have rung down, and of the lines from there."""
 FLOOR = "zero"
 """The column that a stack of bands begins at; files leave it out."""
 USUAL_ROOM = Room()
 NUMBERS = 30
-"""The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""
+"""Pixels for the numbers under a plot; two plots next to each other need the same number for equal frames."""
 HEADING = 24
 """The height of the heading over a plot; likewise."""
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
 def curve(y: Name, *, source: str = "", x: Name | None = None, label: str = "", read: str = "", **look: Any) -> Curve:
-    """A line of a plot: a column, or a signal over time, over the plot's own abscissae where no `x` is given.
+    """A line of a plot: a column, or a signal over time; `x` defaults to the plot's abscissa.
 
-    `label` stands at its right end and in the read-out at the pointer, `read` there alone; its `group` is `y` where
-    not given. The rest is as in components.language.plots.
+    `label` is at its right end and in the tooltip, `read` only in the tooltip; its `group` defaults to `y`. The other
+    fields are those of components.language.plots.Curve.
     """
     named = {"group": y.name, "label": runs(label), "read": plain_text(read or label)}
     return Curve(y=y.name, source=source or _source(y), x=called(x), **(named | _named(look)))
@@ -70,7 +70,7 @@ def region(
 
 
 def _source(one: Name) -> str:
-    """The source of a column; that of a signal is its curve over time."""
+    """Return the source of a column; for a signal, the source of its curve over time."""
     return one.source if isinstance(one, Column) else "time"
 
 
@@ -233,7 +233,7 @@ def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str
 
 
 def _lines(figure_: BokehPlot, x_labels: bool, plain: bool) -> None:
-    """Axes without lines of their own, a grid at their numbers, and the zeros."""
+    """Axes that have no lines, a grid at their numbers, and lines at zero."""
     for axis in (*figure_.xaxis, *figure_.yaxis):
         axis.ticker = FixedTicker(ticks=[])
         axis.axis_line_color = axis.minor_tick_line_color = axis.major_tick_line_color = None

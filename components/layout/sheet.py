@@ -1,5 +1,5 @@
-"""Builders of the paper's blocks (components.language.blocks), with texts in the language of components.layout.text,
-and what stands in a sheet of them."""
+"""Builders of the paper's blocks (components.language.blocks), with texts in the notation of components.layout.text,
+and functions that look things up in a sheet."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def stage(
     style: str = "",
     name: str = "",
 ) -> Block:
-    """The picture. `label` describes it to those who do not see it; a second one has a `name`."""
+    """The stage. `label` describes it for screen readers; a second one has a `name`."""
     place: dict[str, Any] = {"grow": grow, "basis": basis, "phone": phone, "height": height}
     part = f"stage:{name}" if name else "stage"
     return StageBlock(shapes=shapes, label=label, part=part, widest=widest, style=style, **place)
@@ -69,7 +69,7 @@ def stage(
 def words(
     *paragraphs: Paragraph, name: str = "", style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
 ) -> Block:
-    """Sentences and formulas; a step of a walk can show those that have a `name`."""
+    """Sentences and formulas; a step of a walk can show a block that has a `name`."""
     items, part = tuple(map(_item, paragraphs)), f"words:{name}" if name else ""
     return WordsBlock(items=items, part=part, style=style, grow=grow, basis=basis, phone=phone)
 
@@ -89,7 +89,7 @@ def table(
 
 
 def either(form: Name, /, **variants: str) -> Forms:
-    """A text in several forms: the picture's form of that name says which stands, "" that none does."""
+    """A text in several forms: the picture's form of that name chooses the variant, "" for none."""
     return Forms({name: rich(text) for name, text in variants.items()}, form.name)
 
 
@@ -103,14 +103,14 @@ def when(form: Name, block: Block) -> Block:
 
 
 def desk(block: Block) -> Block:
-    """The block, for a reader at a desk alone: in a hall, with type for the last row, fewer parts stand."""
+    """Return the block for the desktop only; in hall mode, with large text, it is hidden."""
     return replace(block, hall=False)
 
 
 def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, phone: int = 50, style: str = "") -> Block:
-    """A joined segment of the two to four options of a parameter, which a scene has as its own.
+    """Joined buttons for the two to four options of a parameter.
 
-    With the style "views" it stands right of the headline and switches the views of the scene.
+    In the style "views" they are to the right of the headline and switch the views of the scene.
     """
     return ChoiceBlock(
         part=f"choice:{parameter.name}",
@@ -130,7 +130,7 @@ def term(
     """One term of a plot's heading: the formula of a curve, its line sample and its switch.
 
     `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`. `form` names
-    the picture's form that chooses, that of the curve where not given.
+    the picture's form that chooses the variant; it defaults to the curve's.
     """
     return phrase(curve, key, tint, form=form, **{name: f"${latex}$" if latex else "" for name, latex in forms.items()})
 
@@ -154,7 +154,7 @@ def blocks(block: Block) -> Iterator[Block]:
 
 
 def in_force(block: Block, forms: Mapping[str, str]) -> Iterator[Block]:
-    """A block and all that it holds, without what does not stand in these forms."""
+    """Yield a block and all blocks inside it, except those that are hidden in these forms."""
     if not block.form or forms.get(block.form):
         yield block
         if isinstance(block, (Row, Column)):

@@ -1,8 +1,8 @@
-"""The animated picture: shapes declared in Python and drawn by the browser.
+"""The animated drawing: shapes declared in Python and drawn by the browser.
 
-Every number of a shape may be an expression in named quantities: the scene's signals (x1, x2, ... at the instant
-shown, in the unit of their axis), its scalars, and W and H, the size of the stage in pixels; `t` is that instant in the
-unit of the time axis; `wide` is 1 where plots stand beside the stage and 0 on a phone, `narrow` the reverse.
+Every number of a shape may be an expression in named quantities: the scene's signals (x1, x2, ... at the current
+instant, in the unit of their axis), its scalars, and W and H, the size of the stage in pixels; `t` is the instant in
+the unit of the time axis; `wide` is 1 if plots are next to the stage and 0 on a phone, `narrow` the reverse.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ Looks: TypeAlias = dict[str, Any]
 W, H, T = named("W"), named("H"), named("t")
 WIDE, NARROW, LOW, HALL = named("wide"), named("narrow"), named("low"), named("hall")
 STACKED = named("stacked")
-"""1 where blocks are one under the other, also while a stage does without the plots that it continues."""
+"""1 if blocks are stacked, or if the plots that the stage continues are hidden."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class PlotFrame:
 
 
 def wide(on_wide: Number, narrow: Number) -> Expression:
-    """Return a number where plots stand next to the stage, and another one on a phone."""
+    """Return a number for stages next to plots, and another one for phones."""
     return WIDE * on_wide + NARROW * narrow
 
 
@@ -180,7 +180,7 @@ def wall(x: Number, y: Number, length: Number, side: str = "left", **more: Any) 
 
 
 def _common(more: Looks) -> Looks:
-    """Attributes as a shape has them: those not given are left out, what has a name comes as its declaration."""
+    """Return the attributes of a shape: missing ones are dropped, named things are replaced by their declarations."""
     given = {name: value for name, value in more.items() if value is not None}
     if "show" in given:
         given["show"] = _shown(given["show"])

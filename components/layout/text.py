@@ -1,12 +1,12 @@
-r"""The one language of texts: plain words, and in them
+r"""The notation of texts: plain words, and in them
 
-    $formula$              LaTeX, turned into MathML once a process
+$formula$              LaTeX, converted to MathML once per process
     {name}, \val{name}     the live number called `name`
     *x*_1, *x*_{max}       the symbol of a quantity and its index
-    **strong**, [tint|words in the colour of a quantity], [scene:slug|words that lead there]
+    **strong**, [tint|words in the colour of a quantity], [scene:slug|words that link to it]
 
-`rich` makes HTML of it, `runs` the pieces that a drawing sets; there formulas, strong and coloured words have no place.
-In a formula two commands are our own, of which the first stands in plain words too:
+`rich` converts it to HTML, `runs` to the pieces of a drawing, which cannot have formulas, strong or coloured words.
+Formulas have two additional commands; the first one also works in plain words:
 
     \val{name}             the live number called `name`
     \tint{class}{...}      the colour of a quantity: m1, m2, slow, fast, T, V, F, k, ...
@@ -26,7 +26,7 @@ from components.layout.markup import check_markup
 from components.quantities.numbers import excerpt
 
 _SENTENCES = 2048  # kept; those with numbers in them, or from anybody's file, have no end
-_SHORT = 400  # characters of what is kept: a long text is made of its formulas anew
+_SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
@@ -53,7 +53,7 @@ _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
 
 def kept(make: Callable[[str], str]) -> Callable[[str], str]:
-    """Remembers what was made of short texts."""
+    """Cache the results for short texts."""
     remembering = lru_cache(maxsize=_SENTENCES)(make)
     return lambda text: (remembering if len(text) <= _SHORT else make)(text)
 
@@ -80,7 +80,7 @@ def _converted(latex: str) -> str:
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
     markup = _FRACTION.sub(lambda match: f"<mn>{_ONE_OVER[match[1]]}</mn>", markup)
-    # A prime is high enough as it is: as an exponent it would be tiny.
+    # A prime needs no exponent, which would make it tiny.
     markup = _PRIMED.sub(rf"<mrow>\1{_PRIME}</mrow>", markup)
     markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
     for wrong, right in _OPERATORS.items():
@@ -88,7 +88,7 @@ def _converted(latex: str) -> str:
     markup = _INDEX_SIGN.sub(r'\1 lspace="0" rspace="0"\2', markup)
     markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
     markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
-    # Not the minus of a difference, which would stand apart from its number.
+    # Not the minus of a difference, which needs its spaces.
     markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
@@ -101,7 +101,7 @@ _INLINE = re.compile(
 
 _FORMULA = re.compile(r"\$[^$]+\$|\[\w+\|\$[^$]+\$\]")
 _CLOSING = tuple(",.;:!?)")
-"""Signs that stand on the line of the formula before them."""
+"""Punctuation that belongs to the line of the formula before it."""
 _UNIT = re.compile(r"(?<=[\d}]) (?=(?:%|[kmcµ]?(?:m|s|g|N|J|W|V|Hz|rad|ft)(?:[²³]|/\w+²?)?)(?![\w}|]))")
 """The space between a number and its unit, where no line ends."""
 

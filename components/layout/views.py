@@ -1,4 +1,4 @@
-"""Views of a scene: each shows some parts of its sheet, under a task of its own."""
+"""Views of a scene: each shows some parts of its sheet, with a task."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def shown_blocks(block: Block, view: str, show: Sequence[str] = ()) -> Iterator[
 
 
 def known_parts(sheet: Block, names: Sequence[str]) -> tuple[str, ...]:
-    """Return those of the names that are parts of a sheet."""
+    """Return the names that are parts of a sheet."""
     return tuple(name for name in names if name in known) if names and (known := parts(sheet)) else ()
 
 

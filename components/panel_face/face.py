@@ -24,7 +24,7 @@ from components.scene.scene import VIEW
 from components.state.commands import Command, RefusalError, asked_values, refusal
 from components.state.scene_sheet import scene_sheet
 
-NARROWEST = 280  # pixels of a part of a row; where there is less room, parts stand one under the other
+NARROWEST = 280  # pixels of a part of a row; on narrower screens, parts are stacked
 STYLE = "".join(f".sample.{name}, .tint.{name} {{ color: {colour} }} " for name, colour in colours().items())
 
 
@@ -32,7 +32,7 @@ class PanelFace(Viewer):
     """Panel widgets for the parameters of a scene, and Bokeh figures of its plots.
 
     `widgets` has the fields and choices and `sliders` the sliders by parameter, `presets` and `actions` the buttons by
-    name, `figures` the figures by plot; `refused` says why a value was not taken: then all stands as it was.
+    name, `figures` the figures by plot; `refused` says why a value was rejected; the scene is then unchanged.
     """
 
     def __init__(self, scene: SceneFace) -> None:
@@ -61,7 +61,7 @@ class PanelFace(Viewer):
         return pn.Row(self.panel, self.paper)
 
     def _ask(self, command: Command, values: Values | None = None) -> None:
-        """Set what a widget asks for, or say why that cannot be; then all widgets show what stands."""
+        """Set the value of a widget, or show why it is rejected; then update all widgets."""
         errors = {}
         try:
             self.scene.set(asked_values(self.scene.value, command) if values is None else values)
@@ -76,9 +76,9 @@ class PanelFace(Viewer):
         self._tell(self.scene.value.shown)
 
     def _show(self, picture: Picture) -> None:
-        """Follow the scene, whoever has set it."""
+        """Update everything after any change of the scene."""
         self._tell(picture)
-        with pn.io.unlocked():  # Bokeh's models lie outside what Panel sends by itself
+        with pn.io.unlocked():  # Panel does not send these Bokeh models automatically
             for figure in self.figures.values():
                 figure.show(self.scene.value, picture)
         pn.io.push_notebook(self.paper)

@@ -1,4 +1,4 @@
-"""A live figure: the Bokeh figure of a plot, filled anew with the numbers of each picture."""
+"""A live figure: the Bokeh figure of a plot, updated with the numbers of each picture."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class LiveFigure:
         return part
 
     def show(self, scene: Scene, picture: Picture) -> None:
-        """Draw a picture of the scene; one that lacks an axis of the plot leaves it as it is."""
+        """Draw a picture of the scene; if it lacks an axis of the plot, the figure does not change."""
         if not {self.block.x, self.block.y} <= picture.axes.keys():
             return
         x, y = picture.axes[self.block.x], picture.axes[self.block.y]
@@ -82,7 +82,7 @@ class LiveFigure:
 
 
 def _place(one: Mark | Handle, scene: Scene, picture: Picture, axis: Axis) -> float | None:
-    """The place of a mark, or of the value that a handle sets; None where it does not stand."""
+    """Return the position of a mark, or of the value that a handle sets; None if it is hidden."""
     if isinstance(one, Mark):
         return picture.scalars.get(one.at)
     value = scene.values[one.parameter] if not one.form or picture.forms.get(one.form) else None

@@ -1,4 +1,5 @@
-"""Widgets of a scene's controls: a slider with a typed field, or a choice; each asks, and is told what stands."""
+"""Widgets of a scene's controls: a slider with a text field, or a choice. Each requests changes and shows the
+result."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ class QuantityControl:
         self.field.param.watch(self._typed, "value")
 
     def tell(self, setting: Setting) -> None:
-        """Show a setting; a slider that stands for its value stays under the hand."""
+        """Show a setting; a slider whose position already means the value does not move."""
         self.setting, self.soft = setting, setting.soft or self.row.soft
         self.field.param.update(value=setting.text, label=self.row.unit if setting.unit is None else setting.unit)
         if isinstance(setting.value, float) and self._value() != setting.value:

@@ -25,13 +25,13 @@ a kept axis that has become far too large."""
 
 
 class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass
-    """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent.
+    """The range of an axis in SI units, and its labels: in units of `factor` (in SI) times 10**exponent.
 
-    Ticks are labelled by their numbers, or by `labels` where these are given.
-    With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
-    `drawn` is what of the range must be seen, where that is not all of it; `own` is the range that the scene has
-    chosen, where the axis stands in another one. `count` is the most steps between its round numbers. `si` is the unit
-    of `factor`, where what is counted by it has another unit or none. `zero` is False where the scene names its zero.
+    Ticks are labelled by their numbers, or by `labels` if given. With a `power` the axis shows that power of the
+    number: columns and handles have omega, the axis shows omega^2. `drawn` is the part of the range that must be
+    visible, if not all of it; `own` is the range that the scene has chosen, if the frame has another one. `count` is
+    the largest number of steps between round numbers. `si` is the unit of `factor`, if the axis shows another one or
+    none. `zero` is False if the scene labels its zero.
     """
 
     start: float
@@ -87,7 +87,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
         return "" if self.full_unit == "°" else " "
 
     def digits(self, signed: bool = False) -> Digits:
-        """The digits of a moving number on this axis: its decimals, and whether its sign always stands."""
+        """The format of a moving number on this axis: its decimals, and if its sign is always shown."""
         largest = max(LEAST, *(abs(self.place(end)) for end in self.chosen))
         return Digits(max(0, 2 - math.floor(math.log10(largest))), signed)
 
@@ -97,7 +97,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
     @cached_property
     def ruler(self) -> Ruler:
-        """The axis as it is sent."""
+        """The axis for the message."""
         labels = [at_tick(tick) for tick in self.ticks]
         if self.log:
             powers = all(tick.is_integer() for tick in self.ticks)
@@ -156,7 +156,7 @@ def nice_axis(
 
 
 def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
-    """An axis of the squares of numbers from 0 to `end`, whose own range is then twice that of doubles."""
+    """Return an axis of the squares of numbers from 0 to `end`, whose exponents may be twice those of doubles."""
     exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
     bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
     return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count), count=count)

@@ -1,8 +1,8 @@
-r"""Declarations of what a picture has: axes, signals, scalars, columns, forms, texts and live numbers, each once.
+r"""Declarations of the parts of a picture: axes, signals, scalars, columns, forms, texts and live numbers, each once.
 
-A scene has a class of them, or some: `class Numbers(Declared[Case])`. What a case gives follows, `Numbers.texts(case,
-axes)`; a sheet speaks of `Numbers.zeta`, so that mypy finds a name that no picture has. In a text, `f"{Numbers.zeta} is
-small"`, a declaration stands as `\val{zeta}`.
+A scene has one or more classes of them: `class Numbers(Declared[Case])`. `Numbers.texts(case, axes)` computes the
+values of a case. Refer to a number as `Numbers.zeta` everywhere; mypy then catches undefined names. In a text,
+`f"{Numbers.zeta} is small"`, a declaration becomes `\val{zeta}`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Value = TypeVar("Value")
 One = TypeVar("One", bound="Named")
 Key = TypeVar("Key")
 AxesInForce = Mapping[str, Axis]
-"""The axes of a picture, by name, as it is drawn."""
+"""The axes of a picture, by name."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -56,7 +56,7 @@ class Named:
 
 @dataclass(eq=False)
 class DrawnAxis(Named):
-    """An axis of a picture; called with the axes in force it is the one of them."""
+    """An axis of a picture; call it with the current axes to get the actual one."""
 
     def __call__(self, axes: AxesInForce) -> Axis:
         return axes[self.name]
@@ -73,7 +73,7 @@ class Signal(Named, Generic[Case]):
 
 @dataclass(eq=False)
 class Scalar(Named, Generic[Case]):
-    """A number that shapes and marks use, None where there is none; what it shows is drawn unless it is 0."""
+    """A number that shapes and marks use, or None; a shape that needs it for `show` is drawn unless it is 0."""
 
     value: Callable[[Case, AxesInForce], float | None] = lambda case, axes: None
 
@@ -93,7 +93,7 @@ class Column(Named, Generic[Case]):
 
 @dataclass(eq=False)
 class Form(Named, Generic[Case]):
-    """The variant of a formula or sentence that stands; "" hides it. Of what stands or not it is "shown"."""
+    """The current variant of a formula or sentence; "" hides it. A form with one variant is "shown"."""
 
     value: Callable[[Case], str | bool]
 
@@ -104,7 +104,7 @@ class Form(Named, Generic[Case]):
 
 @dataclass(eq=False)
 class Text(Named, Generic[Case]):
-    """A text that stands in other texts; None where there is none, or it is made elsewhere."""
+    """A text that is part of other texts; None if there is none, or if it is made elsewhere."""
 
     value: Callable[[Case, AxesInForce], str | None] = lambda case, axes: None
 
@@ -140,10 +140,10 @@ class AxisUnit(Named):
 
 @dataclass(eq=False)
 class LiveNumber(Named, Generic[Case]):
-    """A number of a case, in SI units: None where there is none, a text where it stands for itself.
+    """A number of a case, in SI units, or None; a text is used directly.
 
-    With a symbol it is compared with that of another picture. `form` writes it, or the axis that it is counted on;
-    its text ends with its unit where it is `whole`; it may be an `angle`, and other numbers may tell it `also`.
+    With a symbol it is compared with the number of another picture. `form` formats it, or the axis to which it belongs;
+    `whole`: its text includes the unit. `angle`: compared modulo a turn. `also`: other names that show the same value.
     """
 
     value: Callable[[Case], float | Decimal | str | None]
@@ -164,7 +164,7 @@ class LiveNumber(Named, Generic[Case]):
 
     @property
     def aloud(self) -> str:
-        """A text with its unit, as it is read aloud."""
+        """Return a text with its unit, for reading aloud."""
         unit = f"{{{self.axis.name}}}" if self.axis else self.unit
         return f"{{{self.name}}}" if self.whole else f"{{{self.name}}} {unit}".rstrip()
 
@@ -185,8 +185,8 @@ class LiveNumber(Named, Generic[Case]):
 
 
 class Declared(Generic[Case]):
-    """The declarations of a scene, or some that scenes share: a class that is read and never made. Signals stand in the
-    order in which they build on each other."""
+    """The declarations of a scene, or some that scenes share. The class is never instantiated. Signals are listed in
+    the order of their dependence."""
 
     def __init_subclass__(cls, **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -198,7 +198,7 @@ class Declared(Generic[Case]):
 
     @classmethod
     def live(cls, axes: AxesInForce) -> dict[str, Digits]:
-        """The digits of the signals that stand in texts."""
+        """Return the formats of the signals that occur in texts."""
         return {one.name: one.on(axes).digits(one.signed) for one in cls._all(Signal) if one.on}
 
     @classmethod
@@ -230,7 +230,7 @@ class Declared(Generic[Case]):
     @classmethod
     @cache
     def _all(cls, *kinds: type[Named]) -> list[Any]:
-        """The declarations of these kinds, in their order: those of its bases first."""
+        """Return the declarations of these kinds, in order, after those of the base classes."""
         known = {name: one for owner in reversed(cls.__mro__) for name, one in vars(owner).items()}
         every = (one.values() if isinstance(one, Family) else (one,) for one in known.values())
         return [one for members in every for one in members if isinstance(one, kinds)]

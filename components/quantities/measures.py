@@ -1,4 +1,4 @@
-"""Units that people type: what one of them is in SI units, and of what kind it is."""
+"""Units that people type: their size in SI units, and their dimension."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Measure(NamedTuple):
         return Measure(size, _add(self.dimension, other.dimension, power))
 
     def is_kind_of(self, own: Measure) -> bool:
-        """Whether a number in this can be given in `own`; radians need not be named."""
+        """Return True if a number in this unit can be converted to `own`; radians are optional."""
         *kind, angle = self.dimension
         *wanted, wanted_angle = own.dimension
         return kind == wanted and angle in (0, wanted_angle)
@@ -81,9 +81,9 @@ _KNOWN = _measures()
 
 
 def measure(text: str) -> Measure:
-    """The measure that N/m, km/h, N s/m, kg·m², s⁻¹ stand for: each / divides by the one unit after it.
+    """Return the measure of N/m, km/h, N s/m, kg·m² or s⁻¹; each / divides by only the next unit.
 
-    ValueError names what is unknown.
+    Raises ValueError with the unknown part.
     """
     plain = unicodedata.normalize("NFKC", raised(text)).replace(MINUS, "-")
     plain = re.sub(r"\s*([/*·×⋅])\s*|\s+", lambda match: match[1] or " ", plain.strip())

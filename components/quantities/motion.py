@@ -1,7 +1,7 @@
-"""Motions as the browser's clock plays them: a few scalars a signal, evaluated sixty times a second without a server.
+"""Builders of signals: a few coefficients for each, which the browser evaluates sixty times a second.
 
-Times are counted in the unit of the time axis (10**exponent seconds), from the start of the window; sizes in the unit
-of the signal's own axis. What is sent is therefore of order one, whatever the parameters.
+Times are in the unit of the time axis (10**exponent seconds), from the start of the window; amplitudes are in the unit
+of the signal's own axis. The coefficients are therefore of order one for all parameters.
 """
 
 from __future__ import annotations
@@ -134,17 +134,17 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
 
 
 def derived(expression: Number) -> Derived:
-    """A signal that is a polynomial in signals that stand before it and in scalars."""
+    """A signal that is a polynomial in earlier signals and in scalars."""
     return Derived(value=as_expression(expression))
 
 
 def sine_of(angle: Name) -> SineOf:
-    """The sine of a signal in rad that stands before it: for what turns."""
+    """The sine of an earlier signal in rad, for rotations."""
     return SineOf(of=angle.name)
 
 
 def cosine_of(angle: Name) -> CosineOf:
-    """The cosine of a signal in rad that stands before it."""
+    """The cosine of an earlier signal in rad."""
     return CosineOf(of=angle.name)
 
 
@@ -169,7 +169,7 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
 
 
 def total(*signals: Name) -> Derived:
-    """The sum of signals that stand before it."""
+    """The sum of earlier signals."""
     return Derived(value=Expression(tuple(Product(1.0, (one.name,)) for one in signals)))
 
 

@@ -148,7 +148,7 @@ def excerpt(text: str, longest: int = 40) -> str:
 
 
 def raised(text: str) -> str:
-    """A text with ^ before what stands over the line: m², 10⁻³."""
+    """Return a text with ^ before superscripts: m², 10⁻³."""
     return re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text)
 
 

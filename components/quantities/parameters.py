@@ -13,7 +13,7 @@ Scale = Literal["linear", "log", "near0", "count"]
 
 
 AnyParameter: TypeAlias = param.Parameter[Any]
-"""A parameter; what it holds is told by its kind alone."""
+"""A parameter; its type decides which values it accepts."""
 
 Values: TypeAlias = Mapping[str, object]
 """Values of parameters, by name."""
@@ -29,7 +29,7 @@ def names_of(parameters: Iterable[AnyParameter]) -> list[str]:
 def one_of(
     default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:
-    """A choice of one among words; a mapping says what stands on the screen for each."""
+    """A choice of one among words; a mapping gives the label of each."""
     options: Any = {text: word for word, text in objects.items()} if isinstance(objects, Mapping) else list(objects)
     return param.Selector(default=default, objects=options, label=label, doc=doc or None)
 
@@ -83,7 +83,7 @@ class Quantity(param.Number[Any]):  # a float, or None where the scene chooses i
         )
 
     def __get__(self, obj: Any, objtype: Any = None) -> Any:
-        """The value as it was set. Number asks twice whether it is one of param's generators of numbers: none is."""
+        """Return the value. Number.__get__ checks twice for generators of numbers, which this project does not use."""
         return param.Parameter.__get__(self, obj, objtype)
 
     def __set__(self, obj: Any, value: Any) -> None:
@@ -91,7 +91,7 @@ class Quantity(param.Number[Any]):  # a float, or None where the scene chooses i
         super().__set__(obj, None if value is None else float(value))
 
     def refusal(self, value: object, given: str | None = None, unit: str | None = None) -> str | None:
-        """Why `value` is not possible, in a sentence that shows it as `given` in `unit`; None where it is possible."""
+        """Return the reason why `value`, shown as `given` in `unit`, is not possible, or None."""
         if self._possible(value):
             return None
         sign = self.unit if unit is None else unit

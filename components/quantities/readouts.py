@@ -1,4 +1,4 @@
-"""Readouts: the numbers of a picture that are compared with those of another one."""
+"""Readouts: the numbers of a picture that are compared with another picture's."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from decimal import Decimal
 from components.quantities.numbers import short, signed
 
 SAME = 1e-12
-"""Relative difference of numbers worked out from the same ones: less is that of roundings."""
+"""Relative difference of equal numbers computed in different ways; smaller differences are rounding errors."""
 PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
 
 
 @dataclass(frozen=True)
 class Readout:
-    """A number of a picture: `name` is that of its live number, for the covers, and `also` are others that tell it; an
-    angle is compared by difference."""
+    """A number of a picture: `name` is the name of its live number, for the covers, and `also` has other names that
+    show the same value. An angle is compared by difference."""
 
     name: str
     symbol: str
@@ -28,12 +28,12 @@ class Readout:
     also: tuple[str, ...] = ()
 
     def is_in(self, covered: Collection[str]) -> bool:
-        """Whether one of these names tells it."""
+        """Return True if one of these names shows its value."""
         return any(name in covered for name in (self.name, *self.also))
 
 
 def is_same(held: float, now: float) -> bool:
-    """Whether two numbers differ by roundings at most."""
+    """Return True if two numbers differ at most by rounding."""
     return held == now or (math.isfinite(held) and math.isfinite(now) and math.isclose(held, now, rel_tol=SAME))
 
 

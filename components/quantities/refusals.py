@@ -1,4 +1,4 @@
-"""Refusals: an arithmetic error becomes a sentence for the visitor, and the log is told of each kind once."""
+"""Refusals: arithmetic errors become sentences for the visitor, and each kind is logged once."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _BELOW = str.maketrans("pnst0123456789+-", "ₚₙₛₜ₀₁₂₃₄₅₆₇
 _SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”:])")
 """A name of the code, but in quotation marks, and before a colon, where it is the name in a link."""
 MOST_KINDS = 500
-"""A log that nobody empties has an end: of so many kinds of fault it tells."""
+"""Number of kinds of fault that are logged, so that the log stays finite."""
 
 
 class Once(logging.Filter):
@@ -57,7 +57,7 @@ def in_words() -> Iterator[None]:
 
 
 def as_on_screen(text: str) -> str:
-    """An error's text with its symbols as they stand beside the sliders: omega_n is ωₙ."""
+    """Return an error's text with the symbols of the sliders: omega_n becomes ωₙ."""
     return _SYMBOL.sub(_symbol, text).replace("sqrt(", "√(").replace("^2", "²")
 
 
@@ -94,7 +94,7 @@ def check_sendable(value: Any) -> None:
 
 
 def report(error: Exception) -> None:
-    """Tell the log of an exception that nobody expected, with its traceback."""
+    """Log an unexpected exception with its traceback."""
     _log.error("%s: a visitor was told that something went wrong", _place(error), exc_info=error)
 
 

@@ -23,7 +23,7 @@ def slider_value(scale: Scale, place: float, soft: Ends) -> float:
 
 
 def slider_place(scale: Scale, value: float, soft: Ends) -> float:
-    """The place of a number; the nearer end for what lies beyond."""
+    """The position of a number; beyond the range, the nearer end."""
     low, high = soft
     value = min(max(value, low), high)
     if scale == "log":

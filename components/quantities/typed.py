@@ -127,7 +127,7 @@ def unit_size(unit: str) -> float:
 
 
 def _own(unit: str) -> Measure | None:
-    """None for a unit of the scene's own, such as v₀."""
+    """None for a unit of the scene, such as v₀."""
     try:
         return measure(unit)
     except ValueError:

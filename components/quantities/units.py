@@ -12,7 +12,7 @@ ROUND = 6
 
 @dataclass(frozen=True)
 class Unit:
-    """`text` is its sign, `size` what one of it is in the quantity's own unit: Unit("ft/s", 0.3048)."""
+    """A unit: `text` is its symbol, `size` its size in the quantity's own unit: Unit("ft/s", 0.3048)."""
 
     text: str
     size: float
@@ -24,7 +24,7 @@ class Unit:
         return tidy(few if abs(few - number) <= 1e-12 * abs(number) else float(f"{number:.4g}"))
 
     def shown(self, value: object) -> str | None:
-        """Any value of a message as its field would show it; None where that is no number of any use."""
+        """Return the value of a message as its field would show it; None if it is no usable number."""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e300:
             return None
         return self.field(value).replace("-", MINUS)

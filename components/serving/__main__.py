@@ -1,4 +1,4 @@
-"""The start command: `python -m components.serving [--port 8000]`, in the folder that app.py lies in."""
+"""The start command: `python -m components.serving [--port 8000]`, in the folder of app.py."""
 
 from __future__ import annotations
 

@@ -23,13 +23,13 @@ ASK_AGAIN = 20
 FORGOTTEN = 2.5 * ASK_AGAIN
 """Seconds without a question, after which a place in the line is given up."""
 LONGEST = 2000
-"""Of a line; who comes after that has no place in it, and may come again."""
+"""Length of the line; later visitors get no place in it and may try again."""
 OF_A_NETWORK = LONGEST // 4
 """Tickets that one network may have of it."""
 IDLE = 600.0
 """Seconds without a word, after which a visitor gives way where all places are taken."""
 SHARE = 0.75
-"""Of the places, that one network keeps where others want some: with more, its quietest visitor gives way."""
+"""Share of the places that a network keeps when others wait; beyond it, its quietest visitor is dropped."""
 RETURNS = 10
 """Times that one page may come back in a minute, not counted among strangers; of a network so many for each arrival."""
 
@@ -68,10 +68,10 @@ class Queue:
         self._make_way = make_way
         self._held = held
         self._line: dict[str, InLine] = {}
-        """By ticket, in the order in which they came."""
+        """Tickets in the order of arrival."""
 
     def __len__(self) -> int:
-        """The number of those who wait, or have left without a word."""
+        """The number of waiting visitors, including some that have left without a message."""
         return len(self._line)
 
     def knock(self, ticket: str, network: str = "") -> tuple[int, str]:
@@ -93,7 +93,8 @@ class Queue:
         return before - free + 1, ticket
 
     def _before(self, ticket: str) -> int:
-        """The number of those who are let in earlier: of networks with fewer places, and of each the first to come."""
+        """Return the number of visitors that are let in earlier. Networks with fewer places come first, in the order of
+        arrival."""
         turns = Counter(self._held())
         order = []
         for place, (other, one) in enumerate(self._line.items()):
@@ -114,7 +115,7 @@ class OpenSocket(Protocol):
 
 
 class Admission:
-    """The visitors who are in, by their sessions and sockets, and the line of those who wait."""
+    """The visitors with a session, by their sessions and sockets, and the line of waiting ones."""
 
     def __init__(self, places: int, arrivals: int, sessions: Callable[[], Collection[ServerSession]]) -> None:
         """`arrivals` are pages that one network may open in a minute; `sessions` says which there are."""
@@ -167,7 +168,7 @@ class Admission:
 
 
 def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
-    """Who is sent away, where all places are taken, for a visitor of a network: who has said nothing for long; else the
+    """Return the visitor to drop for one of a network when the server is full: one who has been idle for long; else the
     quietest of another network that has more than its share."""
     quietest = sorted(guests, key=lambda key: guests[key].heard)
     if quietest and now - guests[quietest[0]].heard >= IDLE:

@@ -1,6 +1,6 @@
-"""The worker process beside the server: one job at a time, with little memory and processor time.
+"""The worker process of the server: one job at a time, with limited memory and processor time.
 
-Networks take turns, so that one with many jobs does not keep another waiting, and each has an allowance a minute.
+Networks take turns, so that one with many jobs does not delay another, and each has an allowance per minute.
 """
 
 from __future__ import annotations
@@ -157,7 +157,7 @@ def _over(job: Errand) -> str:
 
 
 def _answer(process: subprocess.Popen[bytes], asked: bytes | None, patience: float) -> bytes | None:
-    """The answer of a process to a request, or its first word; None where it ends or takes too long."""
+    """Return the answer of a process to a request, or its first message; None if it exits or takes too long."""
     assert process.stdin and process.stdout
     limit = Timer(patience, process.kill)
     limit.daemon = True

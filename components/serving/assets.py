@@ -34,18 +34,18 @@ TYPES = {
     ".woff": "font/woff",
     ".woff2": "font/woff2",
 }
-"""By suffix: what the machine has registered for them differs."""
+"""Media types by suffix; the machine's own table may differ."""
 YEAR = 365 * 86400
 UNIT = re.compile(r"(?<![\w-])(?:stroke[\w-]*|--u|--least): [^;]*;|(?<![\w#.])(?<!\w-)(?P<px>\d*\.?\d+)px\b")
 
 
 class Asset(NamedTuple):
-    """A file as it is sent."""
+    """A file ready to send."""
 
     type: str
     plain: bytes
     packed: dict[str, bytes]
-    """By the name of the coding, the best first."""
+    """Contents by the name of the coding, the best first."""
 
 
 def folder_of(files: Mapping[str, bytes]) -> str:

@@ -16,7 +16,7 @@ from components.serving.visitors import Network
 
 @dataclass(frozen=True, kw_only=True)
 class Context:
-    """The settings of a server, the names it goes by, who is in, and what it counts."""
+    """The settings of a server, its host names, its visitors, and its counters."""
 
     settings: Settings
     hosts: Collection[str]
@@ -31,5 +31,5 @@ class Context:
     """Set as soon as no new visitors are to be sent here."""
 
     def goes_by(self, origin: str) -> bool:
-        """Whether pages of an origin are ours."""
+        """Return True if an origin belongs to this server."""
         return is_named(urlsplit(origin).netloc, self.hosts)

@@ -50,7 +50,7 @@ class LectureHandler(RequestHandler):
     """A handler whose failures are said in a sentence."""
 
     log_level = logging.INFO
-    """Of the line that a request leaves in the log where nothing is wrong."""
+    """Logger for the line of a successful request."""
 
     @property
     def context(self) -> Context:
@@ -69,7 +69,7 @@ class LectureHandler(RequestHandler):
         return address_of(self.request, self.context.trusted)
 
     def log_exception(self, kind: Any, error: Any, trace: Any) -> None:
-        """Once, without the visitor's address and query; what was refused is in the line of the request."""
+        """Log each error once, without address or query; refusals are in the access log."""
         if not isinstance(error, HTTPError):
             log.error("%s %s failed", self.request.method, self.request.path, exc_info=(kind, error, trace))
 

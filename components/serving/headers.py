@@ -1,4 +1,4 @@
-"""The headers that tell a browser what a page of ours may do, and what others may do with it."""
+"""Security headers: limits for our pages, and for other sites that use them."""
 
 from __future__ import annotations
 
@@ -39,5 +39,6 @@ def _with_self(ancestors: str) -> str:
 
 @lru_cache(maxsize=4)
 def scripts_of(template: Template) -> tuple[str, ...]:
-    """The scripts that stand in a template itself: found while it knows of no visitor, so nobody can add to them."""
+    """Hashes of the scripts in a template. They are computed before the template has any data of a visitor, so that
+    nobody can add a script."""
     return tuple(SCRIPT.findall(template.render()))

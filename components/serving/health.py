@@ -43,7 +43,7 @@ class Readiness(Health):
 
 
 class Figures(Health):
-    """The handler of the metrics, for this machine and those that METRICS_FOR names; others find no such page."""
+    """The handler of the metrics, for this machine and METRICS_FOR; others get 404."""
 
     def initialize(self, readers: Sequence[Network]) -> None:
         self._readers = readers
@@ -51,7 +51,7 @@ class Figures(Health):
     def prepare(self) -> None:
         super().prepare()
         asked_by, headers = self.visitor, self.request.headers
-        # Of whom a proxy speaks that is not trusted, nothing is known.
+        # The client of an untrusted proxy is unknown.
         unknown = asked_by == self.request.remote_ip and "X-Forwarded-For" in headers
         if unknown or not any(ip_address(asked_by) in network for network in self._readers):
             raise HTTPError(404)

@@ -1,4 +1,4 @@
-"""Which names a server answers to: a page of another site must not read it under a name of its own (DNS rebinding)."""
+"""The host names of a server. Other names are rejected, so that no other site can read a page by DNS rebinding."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from bokeh.server.util import check_allowlist
 
 
 def answers_to(host: str, allowed: Collection[str]) -> bool:
-    """Whether a page may be asked for under `host`, the request's own header.
+    """Return True if a page may be requested under `host`, the Host header.
 
-    Addresses and this machine's own name cannot be made to point elsewhere, so they need no permission.
+    IP addresses and this machine's own name cannot be made to point elsewhere, so they are always allowed.
     """
     try:
         name = urlsplit(f"//{host}").hostname or ""

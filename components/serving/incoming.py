@@ -16,7 +16,7 @@ from bokeh.protocol.messages.pull_doc_req import pull_doc_req
 from msgspec import Meta, Struct
 
 MOST_BYTES = 64 * 1024
-"""Of one frame, which Tornado holds to, and of one message."""
+"""Size limit of a frame, which Tornado enforces, and of a message."""
 
 T = TypeVar("T")
 
@@ -50,7 +50,7 @@ class Map(Struct, Generic[T], frozen=True, forbid_unknown_fields=True, tag_field
     entries: list[tuple[str, T]] = []
 
 
-# As deep as our messages go. Types without an end would let a few bytes exhaust the stack of who reads them.
+# Maximum nesting of our messages. Without a limit, recursive types would let a few bytes exhaust the stack.
 Level0 = None | bool | int | float | str | NonFinite
 Level1 = Level0 | list[Level0] | Map[Level0]
 Level2 = Level0 | list[Level1] | Map[Level1]
@@ -117,7 +117,7 @@ class Incoming:
 
 
 def read(header_json: str, metadata_json: str, content_json: str) -> Message[Any]:
-    """A message of our page. Bokeh is handed what was decoded here, not the text, which it might read otherwise."""
+    """A message of our page. Bokeh gets the object decoded here, not the text, which it might parse differently."""
     try:
         header = msgspec.json.decode(header_json, type=Header)
         msgspec.json.decode(metadata_json, type=Nothing)

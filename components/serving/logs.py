@@ -1,6 +1,6 @@
-"""The log of a server: a line a request, for people or as JSON, of visitors only what was asked for.
+"""The log of a server: one line per request, as text or JSON.
 
-Unless LOG_VISITORS says so, no line has an address or what stands in a query; a traceback stands there once.
+Unless LOG_VISITORS is set, no line has an address or a query; each traceback is logged once.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def set_up(form: str, visitors: bool) -> None:
     # A warning of NumPy's would otherwise go to stderr, and again after every change of the filters.
     logging.captureWarnings(True)
     logging.getLogger("py.warnings").addFilter(Once())
-    # What they note of every session and socket is noise here, and Tornado's warnings name addresses.
+    # These libraries log every session and socket, and Tornado's warnings contain addresses.
     quiet = {"bokeh": logging.WARNING, "panel": logging.WARNING, "tornado.general": logging.ERROR}
     for name, level in quiet.items():
         logging.getLogger(name).setLevel(logging.INFO if visitors else level)

@@ -15,7 +15,7 @@ BETWEEN = 0.1
 """Seconds between looks at how late the event loop is."""
 
 Looked = Mapping[str, tuple[str, Callable[[], float]]]
-"""Figures that are looked up when they are asked for, by name, each with what it says."""
+"""Functions that look figures up on request, by name, with descriptions."""
 
 
 class Metrics:
@@ -62,7 +62,7 @@ class Metrics:
 
 
 class _Counting(logging.Handler):
-    """Counts what comes to the log as an error."""
+    """Counts log records of level ERROR."""
 
     def __init__(self, counter: Counter) -> None:
         super().__init__(logging.ERROR)

@@ -63,7 +63,7 @@ class NumbersRoute:
         return {}
 
     def start(self) -> None:
-        """Nothing goes on beside it."""
+        """The worker has no time for other jobs."""
 
     async def end(self) -> None:
-        """Nothing is left."""
+        """The allowance is used up."""

@@ -38,7 +38,7 @@ TOO_LONG = f"This link is too long: {LONGEST_LINK} characters are the most after
 TOO_MANY = "Too many pages were opened from this network within a minute. Try again in a moment."
 
 OWN_TOKEN, TICKET = "Page-Token", "Page-Ticket"
-"""Headers of a page that fetches itself anew: the token that it has had, and its place in the line."""
+"""Headers of a page that fetches itself again: its old token, and its place in the line."""
 
 OpenPage = Callable[[Document], None]
 
@@ -52,8 +52,8 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
         self._context = context
 
     def process_request(self, request: HTTPServerRequest) -> dict[str, object]:
-        """Goes into the page's token, by which each replica knows where the visitor comes from and which page it is: it
-        keeps its name where it fetches itself anew."""
+        """Data in the page's token. It identifies the visitor's network and the page for every replica; a page that
+        fetches itself again keeps its name."""
         page = page_name(request.headers.get(OWN_TOKEN, ""), self._context.secret) or token_urlsafe(9)
         return {"network": str(network_of(address_of(request, self._context.trusted))), "page": page}
 
@@ -118,7 +118,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         self.write(page_of(session))
 
     def _write_plain(self, page: str, template: Template) -> None:
-        """A page without a session: that of a phone that follows a class, or the start page."""
+        """A page that has no session: the page of a phone in a class, or the start page."""
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(template)))
         self.set_header("Vary", "Accept-Encoding")
@@ -135,7 +135,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         return self._start.asked(self.request.arguments)
 
     def _wait(self, place: int, ticket: str) -> None:
-        """A page that needs no session, and asks again by itself."""
+        """A page that needs no session, and polls again."""
         parts = [part for part in self.request.query.split("&") if part and not part.startswith("ticket=")]
         page = templates().get_template("waiting.html", globals={"seconds": ASK_AGAIN})
         self.context.metrics.refused.labels("full").inc()

@@ -1,6 +1,6 @@
-"""The scripts as they are sent: those that every page needs in one file, in the order in which they need each other.
+"""Joins the scripts that every page needs into one file, in the order of their imports.
 
-Each module stands in a function of its own, line by line as it was written, but for its imports and exports:
+Each module becomes a function. Its lines do not change, except for imports and exports:
 
     const $input_fitting = (() => {
     const {element} = $core_dom
@@ -8,7 +8,8 @@ Each module stands in a function of its own, line by line as it was written, but
     return {Fit}
     })()
 
-The file exports what each of them does, for those that are fetched later. docs/decisions/no-bundler.md says why.
+The file exports the exports of all modules, for scripts that are fetched later. docs/decisions/no-bundler.md has the
+reasons.
 """
 
 from __future__ import annotations

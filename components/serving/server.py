@@ -39,11 +39,11 @@ ENDING = 9.0
 """Seconds for the end of a server, of which container engines give ten."""
 
 Route = tuple[Any, ...]
-"""A pattern of addresses, a handler, and what it is initialised with."""
+"""An address pattern, a handler, and its arguments."""
 
 
 class Extension(Protocol):
-    """More that a server serves: addresses, figures for Prometheus, and work that goes on beside them."""
+    """An addition to the server: routes, figures for Prometheus, and background work."""
 
     def routes(self) -> list[Route]: ...
 
@@ -55,7 +55,7 @@ class Extension(Protocol):
 
 
 class Server:
-    """The lecture on one port, listening. To be made in a running event loop."""
+    """The lecture on one port, listening. Create it in a running event loop."""
 
     def __init__(
         self,
@@ -81,8 +81,8 @@ class Server:
             metrics=Metrics(version(), **looked),
         )
         self.lecture = _application(open_page, self.context)
-        # What Bokeh and Panel register (autoload.js, metadata, components, extensions, ...) lies behind the last of
-        # these and is never reached.
+        # Routes of Bokeh and Panel (autoload.js, metadata, components, extensions, ...) come after the last of these
+        # and are never reached.
         self.lecture.add_handlers(".*", [*self._routes(start, sheets or {}), (r".*", Missing)])
         self.lecture.initialize(IOLoop.current())
         self._http = HTTPServer(
@@ -148,7 +148,7 @@ class Server:
 
 
 def _application(open_page: OpenPage, context: Context) -> BokehTornado:
-    """Bokeh's application, which has the sessions; what it serves itself is not reached."""
+    """Bokeh's application, which has the sessions; its own routes are not reached."""
     mend()
     settings, secret = context.settings, context.secret
     return BokehTornado(

@@ -154,12 +154,12 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def everywhere(self) -> bool:
-        """Whether the server listens at all addresses of its machine."""
+        """Return True if the server listens at all addresses of its machine."""
         return self.address in ("", "0.0.0.0", "::")
 
 
 def own_address() -> str:
-    """The address of this machine in its network; "" where it has none. Nothing is sent to find it."""
+    """Return the address of this machine in its network, or "". No packet is sent to find it."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.connect(("192.0.2.1", 9))
@@ -196,7 +196,7 @@ def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> S
 
 
 def misspelt(environment: Mapping[str, str]) -> list[str]:
-    """Return a sentence for each variable whose name is nearly that of a setting.
+    """Return a sentence for each variable whose name looks like a misspelt setting.
 
     Other variables belong to other programs: a container engine or a shell sets hundreds.
     """
@@ -257,7 +257,7 @@ def _check_origins(settings: Settings) -> None:
 
 
 def _check_store(url: str) -> None:
-    """Raise ValueError for an address that no store can have. Nothing connects to it."""
+    """Raise ValueError if the address cannot be a store's. Makes no connection."""
     if not url:
         return
     from redis.asyncio import Redis  # takes time, and most servers have no store

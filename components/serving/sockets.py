@@ -1,4 +1,4 @@
-"""The WebSocket of a page: what comes in is checked, waits its turn in a short queue, and is answered one by one."""
+"""The WebSocket of a page: checks each message, queues it, and answers one at a time."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ MOST_WAITING = 8
 CHEAP, SURCHARGE = 0.01, 8
 """Seconds of a processor that an answer may take; of what is more its visitor waits so many times as long as well."""
 MOST_PINGS = 30
-"""Of a visitor, between two of ours."""
+"""Maximum number of messages from a visitor between two of ours."""
 MOST_MISSED = 2
 """Pings that may go without an answer."""
 
@@ -84,7 +84,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
             self._be_the_only_one()
 
     def _be_the_only_one(self) -> None:
-        """A page has one socket; what was told would go to each of its session's."""
+        """A page has one socket; otherwise its messages would go to all sockets of the session."""
         assert self.connection is not None
         for other in list(self.connection.session._subscribed_connections):
             if other is not self.connection:
@@ -159,7 +159,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
     async def _answer(self, message: Message[Any]) -> None:
         try:
             if isinstance(message, patch_doc):
-                # What it does is told by a message of ours; nobody waits for Bokeh's word that it has been done.
+                # Our own message has the result; nobody waits for Bokeh's acknowledgement.
                 await ServerSession.patch(message, self.connection)
             elif document := await ServerSession.pull(message, self.connection):
                 await self.send_message(document)
@@ -172,7 +172,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
 
 @coroutine
 def metered(work: Coroutine[Any, Any, None]) -> Generator[Any, Any, float]:
-    """Await `work`, and give the seconds of a processor that it took itself: not those of what ran while it waited."""
+    """Await `work`, and return the processor seconds that it used itself, excluding other work that ran meanwhile."""
     took, step = 0.0, partial(work.send, None)
     while True:
         begun = thread_time()

@@ -11,7 +11,7 @@ from bokeh.util.token import check_token_signature, get_token_payload
 
 
 def opens_session(token: str, secret: bytes) -> bool:
-    """Whether the token was signed with the secret, for a session of ours, and has not expired."""
+    """Return True if the token is signed with the secret, for one of our sessions, and not expired."""
     expiry = _told(token, secret).get("session_expiry")
     return isinstance(expiry, int | float) and time.time() < expiry
 
@@ -22,10 +22,9 @@ def page_name(token: str, secret: bytes) -> str:
 
 
 def _told(token: str, secret: bytes) -> dict[str, Any]:
-    """The content of a token that was signed with the secret.
+    """Return the content of a token that is signed with the secret.
 
-    Nothing of a token is decoded before its signature is known to be good: what a stranger writes there may be
-    anything.
+    The signature is checked before anything is decoded, because an unsigned token can contain anything.
     """
     text, _, signature = token.partition(".")
     expected = urlsafe_b64encode(hmac.digest(secret, text.encode(), "sha256")).rstrip(b"=")

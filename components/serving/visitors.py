@@ -24,8 +24,8 @@ def networks(names: Sequence[str]) -> tuple[Network, ...]:
 
 
 def visitor(peer: str, forwarded: str, trusted: Sequence[Network]) -> str:
-    """The address that a request comes from: what the nearest proxy that is not trusted says of itself counts for
-    nothing, so that nobody chooses an address."""
+    """Return the address of a request's client. Headers set before the nearest untrusted proxy are ignored, so that
+    nobody can choose an address."""
     found = peer
     for hop in (peer, *(part.strip() for part in reversed(forwarded.split(",")))):
         try:
@@ -44,13 +44,13 @@ def address_of(request: HTTPServerRequest, trusted: Sequence[Network]) -> str:
 
 
 class Rate:
-    """Lets each of those who have a name do something so many times a minute, all at once if they like."""
+    """Lets each name do something so many times a minute, all at once if necessary."""
 
     def __init__(self, most: int, clock: Callable[[], float] = monotonic) -> None:
         self.most = most
         self._clock = clock
         self._left: OrderedDict[str, tuple[float, float]] = OrderedDict()
-        """How many times each name has left, and when that was, the oldest first."""
+        """The remaining count of each name and the time of its last update, oldest first."""
 
     def __len__(self) -> int:
         return len(self._left)
@@ -102,7 +102,7 @@ class Arrivals(Rate):
 
 
 def network_of(address: str) -> Network:
-    """The network of a visitor; a socket of the machine's own has no address and is one of its own."""
+    """Return the network of a visitor; a Unix socket has no address and counts as one network."""
     try:
         version = ip_address(address).version
     except ValueError:

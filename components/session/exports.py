@@ -70,7 +70,7 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
 
 
 def about_page(asked: AboutExport, scenes: Scenes) -> Packet:
-    """Return "About these numbers" as a message; a reason in words stands in for what cannot be recomputed."""
+    """Return "About these numbers" as a message; a sentence replaces numbers that cannot be recomputed."""
     now = standing_in(scenes[asked.state.scene], asked.state)
 
     def ask() -> About | None:

@@ -14,7 +14,7 @@ from components.walks import Walks
 
 
 def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = None, step: str = "") -> Session:
-    """The page of a link: where its values cannot be shown, the scene as it is without them, and why."""
+    """Return the page of a link; if its values are not possible, the scene with its defaults, and the reason."""
     kind, problems = scenes[link.slug], list(link.problems)
     try:
         now, refused = standing_of(kind, link, step)

@@ -36,17 +36,17 @@ class SaidEvent(ModelEvent):  # type: ignore[misc]  # Bokeh's are not looked int
 
 
 class SceneView(Widget):
-    """A session as a Panel widget. The page itself brings the first picture; what follows are messages."""
+    """A session as a Panel widget. The page contains the first picture; later ones are sent as messages."""
 
     _widget_type: ClassVar[type[Model]] = Wire
-    _linked_properties = ()  # the browser sets no properties: what it has to say comes as messages
+    _linked_properties = ()  # the browser sets no properties; it sends messages
 
     def __init__(self, session: Session, **params: Any) -> None:
         self.session = session
         super().__init__(**params)
 
     def _get_properties(self, doc: Document | None) -> dict[str, Any]:  # as Panel declares it
-        """None of Panel's: the wire has no size and no style."""
+        """Removes Panel's properties, because the wire has no size and no style."""
         return {}
 
     def _get_model(self, doc: Document, root: Any = None, parent: Any = None, comm: Any = None) -> Model:

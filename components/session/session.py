@@ -1,4 +1,4 @@
-"""The session of one visitor: it holds what the page stands for, and answers its messages.
+"""The session of one visitor: it has the state of the page and answers its messages.
 
 It knows neither Panel nor sockets.
 """
@@ -69,10 +69,10 @@ class Publish(Protocol):
 
 
 class Session:
-    """One visitor's session: all that a message can change is `now`, one value; the rest is what it is connected to.
+    """One visitor's session. Messages only change `now`, an immutable value.
 
-    `send` takes what the browser is told, packed; `scenes` are those that the session can be put into; `later` runs a
-    function under the page's own lock: for what comes from another thread.
+    `send` gets the packed messages for the browser; `scenes` are the available scenes; `later` runs a function under
+    the page's lock, for calls from another thread.
     """
 
     def __init__(
@@ -97,7 +97,7 @@ class Session:
         self._problems = problems
         self.later: Later = lambda act: act()
         self.network = ""
-        """Where the visitor comes from, if that is known: a network has one measurement waiting, and one walk."""
+        """The visitor's network, if known: each network may have one waiting measurement and one walk."""
         self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
         self._publish: Publish | None = None
         self.running = self._work_for(now)
@@ -116,12 +116,12 @@ class Session:
             self._publish.end()
 
     def opening(self) -> Packet:
-        """The page as it is shown first, with what was refused of its link."""
+        """Return the first page, with the rejected parts of its link."""
         return self._packed(self.now, problems=self._problems)
 
     def hear(self, data: object) -> None:
-        """Do what the visitor asks and answer, whatever happens: the browser waits for it. What comes need not be what
-        our page sends; its number goes back only where it is one."""
+        """Handle a message and always answer, because the browser waits. The message may be malformed; its number is
+        returned only if it is a number."""
         number = data.get("number") if isinstance(data, dict) else None
         answer = number if isinstance(number, int) and 0 <= number < MOST_MESSAGES else None
         before = self.now
@@ -188,7 +188,7 @@ class Session:
         return self.now
 
     def _stand(self, after: Standing, answer: int | None) -> Packet:
-        """From now on the page stands for another value, if it can be told."""
+        """Set the new state of the page, after it has been encoded."""
         running = self.running if after.kind is self.now.kind else self._work_for(after)
         after = with_news(after, running)
         told = self._packed(after, answer, errors={}, running=running)
@@ -206,7 +206,7 @@ class Session:
         return running
 
     def _hear_of(self, running: Running) -> None:
-        """Tell at once of all that work has found, unless the visitor has left its scene."""
+        """Send the results of background work at once, unless the visitor has left the scene."""
         if running is self.running:
             self.now = with_news(self.now, running)
             self.send(self._packed(self.now))
@@ -259,7 +259,7 @@ class Session:
         return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused, is_busy=replied.is_busy))
 
     def _tell_class(self) -> None:
-        """The followers' picture is that of the page, without what was refused."""
+        """Send the page's picture to the followers, with no error messages."""
         if self._publish:
             self._publish(lambda: self._packed(self.now, errors={}))
 
@@ -272,7 +272,7 @@ class Session:
         errors: Errors | None = None,
         running: Running | None = None,
     ) -> Packet:
-        """All that the browser needs to show what stands."""
+        """Return everything that the browser needs to show the current state."""
         shown, left_out = now.told
         view, numbers = view_of(sent_picture(now, shown), drawn_on(now), left_out)
         held, more = told_beside(now, shown)

@@ -1,4 +1,4 @@
-"""The jobs of the worker process beside the server: walks from visitors' files, and files of numbers.
+"""The jobs of the worker process: walks from visitors' files, and files of numbers.
 
 Each may take longer than a visitor's change, so it must not run in the server's event loop.
 """
@@ -32,7 +32,7 @@ from components.walks.walk import Step, Walk
 BUDGET = 1.0
 """Seconds of a processor for one job."""
 LARGEST = 1_000_000
-"""Bytes of a walk's sheet: markup is longer than what it is made of."""
+"""Maximum size of a walk's sheet in bytes; markup is longer than its source."""
 
 
 class Reading(Struct, frozen=True, tag=True):
@@ -154,7 +154,7 @@ def send(stream: BinaryIO, message: bytes) -> None:
 
 
 def receive(stream: BinaryIO) -> bytes | None:
-    """The next message; None where the other side has gone."""
+    """Return the next message; None if the other side has closed."""
     size = stream.read(4)
     if len(size) < 4:
         return None

@@ -1,1 +1,1 @@
-"""All that a page stands for, one value: how a message changes it, what is covered, held and told of it."""
+"""The state of a page as one immutable value: changes by messages, hidden parts, the compared picture, encoding."""

@@ -1,7 +1,7 @@
-"""Hold: another scene of the same kind, drawn under the one that stands, in its frame and its view.
+"""Hold: another scene of the same kind, drawn under the current one, in its frame and its view.
 
-What is held are quantities, and choices that make another system (`Scene.physical`). How things are shown is that of
-the scene that stands: so what is held survives every change of view.
+The held values are quantities, and choices that make another system (`Scene.physical`). The current scene supplies the
+parameters of display, so a held picture survives every change of view.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ AnyScene = TypeVar("AnyScene", bound=Scene)
 
 @cache
 def holdable(scene: type[Scene]) -> dict[str, AnyParameter]:
-    """The parameters that are held; the others say how a picture is shown, or what has been reached."""
+    """Return the parameters to hold; the others only set the display or record progress."""
     known = scene.linked().items()
     return {name: one for name, one in known if one not in scene.reached and not _is_view(scene, name, one)}
 

@@ -33,7 +33,7 @@ class RefusalError(Exception):
 
 
 def asked_values(scene: Scene, command: Command) -> Values:
-    """The values that a message asks for; RefusalError for those that are not possible one by one."""
+    """Return the values that a message asks for. Raises RefusalError if one of them is not possible."""
     match command:
         case SetValues(values=values):
             errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
@@ -112,7 +112,7 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
 
 
 def _parameter(scene: Scene, name: str) -> AnyParameter | None:
-    """A parameter of the scene; None where there is none, and for one that only records what has been reached."""
+    """Return a parameter of the scene; None if there is none, or if it only records progress."""
     known = type(scene).param
     return None if name not in known or known[name] in scene.reached else known[name]
 

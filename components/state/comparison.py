@@ -32,8 +32,8 @@ COVERED = "?"
 
 
 def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
-    """The picture held as it is told, without what is covered, and the numbers that follow; `shown` is the picture that
-    is told of the one that stands."""
+    """Return the message part for the compared picture, without hidden items, and its packed numbers. `shown` is the
+    current picture as it is sent."""
     if now.held is None:
         return None, []
     kind, scene, other, covered = now.kind, now.scene, now.held, now.covered
@@ -67,8 +67,8 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
 
 
 def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns]:
-    """The sources of which some column is another than that of the picture that stands; with the numbers of its traces
-    where these are not told."""
+    """Return the sources with a column that differs from the current picture's, with numbers for the traces that are
+    not sent."""
     ours, theirs = (one.columns if traced else one.sources for one in (held, shown))
     return {
         source: columns
@@ -78,13 +78,13 @@ def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns
 
 
 def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
-    """The units in which numbers count on each axis: scalars and signals are told in these."""
+    """Return the unit of each axis: scalars and signals are sent in these units."""
     return {name: (axis.exponent, axis.factor, axis.power, axis.log) for name, axis in picture.axes.items()}
 
 
 @cache
 def on_stage(scene: type[Scene]) -> frozenset[str]:
-    """The quantities that place what is drawn of a picture held, and those that the labels of a stage tell."""
+    """Return the quantities that position draggable shapes of a held picture, and those in labels of the stage."""
     placed = (name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
     stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
     labels = (shape.words for stage in stages for shape in stage.shapes if isinstance(shape, Label))
@@ -92,7 +92,7 @@ def on_stage(scene: type[Scene]) -> frozenset[str]:
 
 
 def _kept(scene: type[Scene]) -> Iterator[AnyShape]:
-    """The shapes of a scene that begin a motion in a hand, and those that say what is held."""
+    """Return the shapes of a scene that begin a motion when dragged, and the shapes marked `held`."""
     for block in blocks(scene.sheet()):
         if isinstance(block, (StageBlock, PlotBlock)):
             yield from (shape for shape in block.shapes if shape.held or (shape.grab and shape.grab.begins))
@@ -106,7 +106,7 @@ def _quantities(shape: AnyShape) -> Iterator[str]:
 
 
 def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySignal], dict[str, float]]:
-    """The signals and scalars of these names, and those that they are made of."""
+    """Return the named signals and scalars, with all that they depend on."""
     wanted = set(names)
     for name, signal in reversed(list(picture.signals.items())):
         if name in wanted:
@@ -117,7 +117,7 @@ def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySigna
 
 @dataclass(frozen=True)
 class _Pair:
-    """One row: a readout held and the one that stands, written in a unit of so many of its own."""
+    """Return one row: a readout of the held picture and of the current one, in a unit of the given size."""
 
     held: Readout
     now: Readout
@@ -148,7 +148,7 @@ def _italic(symbol: str) -> str:
 
 
 def ledger(now: Standing) -> tuple[LedgerRow, ...]:
-    """At most ten rows: what has been moved, what follows from it, and then what is the same."""
+    """Return at most ten rows: first the changed parameters, then the numbers that depend on them, then equal ones."""
     if now.held is None:
         return ()
     scene, other = now.scene, now.held

@@ -1,15 +1,15 @@
-"""Covers: parts of a page that are not sent until the visitor has made a prediction, so that nobody finds them before.
+"""Covers: parts of a page that are not sent until the visitor has made a prediction, so that nobody can find them.
 
 A cover is named by its kind and its name in the sheet or the picture:
 
     plot:x2, curve:energy.T, band:energy.T_lo, mark:det.w_slow    a plot, or one curve, band, flag in it
     value:tau, form:why                                           a live number, a sentence
-    ticks:x                                                       the numbers at an axis, which round ones replace,
-                                                                  over a wider range that is no hint
-    numbers:x                                                     the same over the range that stands
-    stage, table                                                  the numbers of the apparatus, which rests where it
-                                                                  starts; a table
-    next                                                          all that each change from now on changes
+    ticks:x                                                       the numbers at an axis, replaced by round numbers
+                                                                  over a wider range, which is no hint
+    numbers:x                                                     the same over the current range
+    stage, table                                                  the numbers of the stage, which stops at the initial
+                                                                  positions; a table
+    next                                                          everything that later changes affect
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"
 STAGE, TABLE, NEXT = "stage", "table", "next"
 ROOM = 0.5
-"""By how much the range of an axis without its own numbers is wider, so that it is no hint."""
+"""Factor by which the range of a covered axis is widened, so that it is no hint."""
 _LIVE = re.compile(r'data-value="(\w+)"')
 
 
 def coverable(scene: type[Scene], picture: Picture) -> set[str]:
-    """The names of all that can be covered: parts of the sheet, the numbers that it speaks of, and those of the
+    """Return the names of everything that can be covered: parts of the sheet, the numbers in it, and the parts of the
     picture."""
     found = {VALUE + name for name in (*live_names(scene), *picture.values, *picture.live)}
     found |= {f"form:{name}" for name in picture.forms} | {NEXT}
@@ -112,9 +112,11 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
 def as_it_stood(
     scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
 ) -> tuple[Picture, tuple[str, ...]]:
-    """A picture that has been seen, while the one that follows is to be predicted: its stage stands as it was, but for
-    what was covered even then, and loses the marks alone. The `forms` of the picture that follows say which controls
-    stand."""
+    """Return an earlier picture, shown while the next one is to be predicted.
+
+    Its stage is unchanged, apart from earlier covers, and only the marks are removed. The `forms` of the next picture
+    choose the visible controls.
+    """
     told, left_out = without(scene, before, covered)
     stood, _ = without(scene, before, covered[: covered.index(NEXT)])
     marks = _marks(covered)
@@ -179,7 +181,7 @@ def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
 def _traces_less(
     picture: Picture, signals: set[str], gone: set[tuple[str, str]]
 ) -> tuple[dict[str, Traces], dict[str, Columns]]:
-    """The traces that are left, and the columns, with those of sources in which something is drawn of other signals."""
+    """Return the remaining traces, and the columns, which replace traces of sources that also have hidden signals."""
     left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
     lost = {source for source, one in left.items() if signals & one.needed}
     columns = dict(picture.columns)
@@ -199,8 +201,8 @@ def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
 
 
 def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bool) -> dict[str, AnySignal]:
-    """The signals without those named, of which the ones that a hand sets stand where they begin; where all rest, the
-    others stand at zero, and what is made of them where that puts it."""
+    """Return the signals without the named ones. Signals that a hand sets keep their initial values; if everything is
+    at rest, the others are zero, as far as dependent signals allow."""
     begun = starts(picture.signals, picture.scalars)
     rest = {
         name: derived(begun[name] if name in _held(scene) else 0.0)
@@ -220,7 +222,7 @@ def _held(scene: type[Scene]) -> frozenset[str]:
 
 @cache
 def _still(scene: type[Scene]) -> frozenset[str]:
-    """The scalars by which what is drawn on a stage that stands still comes and goes: none of it is a body."""
+    """Visibility flags used only on static stages, safe to hide."""
     stages = [block for block in blocks(scene.sheet()) if isinstance(block, StageBlock)]
     still, moving = (
         {name for stage in stages if ("still" in stage.style) is rests for shape in stage.shapes for name in shape.show}
@@ -236,7 +238,7 @@ def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:
 
 
 def _rounded(axis: Axis, wider: float) -> Axis:
-    """The axis over a wider range, with round numbers in place of its own."""
+    """Return the axis over a wider range, with round numbers."""
     room = wider * abs(axis.end - axis.start)
     way = 1 if axis.end > axis.start else -1
     start = axis.start if axis.start == 0 else axis.start - way * room / 2

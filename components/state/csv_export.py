@@ -119,7 +119,7 @@ def _home(picture: Picture) -> dict[str, str]:
 
 
 def _layer(picture: Picture, layer: Region, known: set[str]) -> Iterator[str]:
-    """The column of a layer, or the difference of those of its edges."""
+    """Return the column of a layer, or the difference between its edges."""
     trace = picture.traces.get(layer.source)
     own = [name for name, edges in (trace.layers if trace else {}).items() if edges == (layer.low, layer.high)]
     if own:
@@ -129,7 +129,7 @@ def _layer(picture: Picture, layer: Region, known: set[str]) -> Iterator[str]:
 
 
 def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
-    """Return the tables of a picture. Those with the same columns are one, whose first column says which."""
+    """Return the tables of a picture. Tables with the same columns are joined; their first column names the source."""
     pieces: dict[tuple[bool, tuple[str, ...]], dict[str, NumberTable]] = {}
     for name, table in tables_of(picture, column_axes(scene)).items():
         pieces.setdefault((table.plane, tuple(table.columns)), {})[name] = table

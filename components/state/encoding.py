@@ -1,7 +1,7 @@
-"""A picture as it is sent: the signals that the browser draws, and the numbers of what has none.
+"""The encoding of a picture: the signals that the browser draws, and the numbers of curves that have no signal.
 
-What is drawn needs no doubles: the numbers are whole steps of a range, 65535 over three heights of the frame, which are
-70 steps a pixel.
+Drawing does not need doubles. The numbers are integers from 0 to 65535 over three heights of the frame, which is 70
+steps per pixel.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def traces_of(picture: Picture) -> dict[str, Trace]:
 def columns_of(
     given: Mapping[str, Columns], drawn_on: ColumnAxes, axes: Mapping[str, Axis]
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
-    """The columns as they are told, and their numbers: places on the axes that they are drawn on."""
+    """Return the columns of the message, and their numbers: coordinates on their axes."""
     columns: dict[str, dict[str, Drawn]] = {}
     values: list[Floats] = []
     on: dict[str, list[int]] = {}
@@ -83,7 +83,7 @@ def columns_of(
 
 
 def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:
-    """The signals as they are told, and the numbers of those that are sampled."""
+    """Return the signals of the message, and the numbers of the sampled ones."""
     signals: dict[str, AnySignal] = {}
     numbers: list[Steps] = []
     for name, signal in given.items():

@@ -1,9 +1,9 @@
 """Links: the state of a page, written into and read from the query of an address.
 
-It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
-range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
-beside the picture: held.k=20, or held=default where that is how the scene opens. What was before the change that is to
-be predicted stands there in the same way: before.k=20. A list of parts, show=stage,plot:x, replaces those of the view.
+A link has the scene, the parameters that differ from their defaults, the parts of the frame that are not fitted
+(frame.x=-2,2 is a range, frame.window a time window), the curves switched off, the covers (cover=plot:x2,value:tau),
+and the held parameters: held.k=20, or held=default if all have their defaults. The parameters from before a predicted
+change are written the same way: before.k=20. A list of parts, show=stage,plot:x, replaces the parts of the view.
 """
 
 from __future__ import annotations
@@ -36,18 +36,18 @@ FRAME, GIVEN = "frame.", Frame(given=True)
 HELD, BEFORE = "held", "before"
 DEFAULT = "default"
 DIGITS = 4
-"""Of a number of a frame in a link; a range so narrow that these would not tell its ends apart has more."""
+"""Digits of a number of a frame in a link; narrow ranges get more, so that their ends differ."""
 MOST_ROOM = 1.02
-"""By how much a range may be wider in few digits."""
+"""Relative widening of a range that is acceptable for fewer digits."""
 AUTOMATIC = "auto"
 """The word of a quantity that the scene chooses itself."""
 
 
 @dataclass(frozen=True)
 class Link:
-    """A query as it is read: a scene, its values, what is covered, and a sentence for each part that is refused.
+    """A parsed query: a scene, its values, the covers, and a sentence for each rejected part.
 
-    Of the frame it names parts; the others are fitted. Without any there is none.
+    `frame` has only some parts of the frame; the others are fitted. It is None if the link names no part.
     """
 
     slug: str
@@ -60,13 +60,13 @@ class Link:
     show: tuple[str, ...] = ()
 
     def as_opened(self, scenes: Mapping[str, type[Scene]]) -> Link:
-        """The link, or where it has no part of a state, that of the scene as a page of it opens."""
+        """Return the link of a state; for a missing part, the value with which the scene opens."""
         bare = self == Link(self.slug)
         return Link(self.slug, scenes[self.slug].opens) if bare else self
 
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
-    """Read a query key by key: what is good is kept, what is bad is named. Without a scene: the first one."""
+    """Parse a query key by key. Valid keys are used, invalid ones are reported. The default scene is the first one."""
     slug, problems = _read_slug(args.get("scene", ()), scenes)
     kind, known = scenes[slug], scenes[slug].linked()
     values: dict[str, object] = {}

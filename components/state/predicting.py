@@ -1,7 +1,7 @@
-"""Predictions: the covers of all that follows from a change, for those who want to predict it.
+"""Predictions: cover everything that depends on a change, for visitors who want to predict it.
 
-Until it is revealed the picture from before the change is told in its place: so nothing that follows from the change is
-sent, sizes stay, and the stage stands as it was.
+Until they reveal it, the server sends the picture from before the change. So the result is not sent, sizes do not
+change, and the stage is still.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from components.state.scene_sheet import plots
 def told_of(
     scene: type[Scene], shown: Picture, before: Picture | None, covered: tuple[str, ...]
 ) -> tuple[Picture, tuple[str, ...]]:
-    """The picture that is told, and the names of the quantities that are left out of it."""
+    """Return the picture to send, and the names of the quantities that are left out of it."""
     if before is None:
         return without(scene, shown, covered)
     return as_it_stood(scene, before, covered, shown.forms)
 
 
 def covers_after(scene: Scene, after: Picture, before: Picture, covered: tuple[str, ...]) -> tuple[str, ...]:
-    """The covers, and those of all that the change has changed."""
+    """Return the covers, with covers for everything that the change has affected."""
     return tuple(dict.fromkeys((*covered, *_followed(type(scene), before, after))))
 
 
 def put_last(covered: tuple[str, ...]) -> tuple[str, ...]:
-    """The covers before a change: those of what it changes will follow NEXT, so that the others are known."""
+    """Return the covers before a change. The covers for its results will follow NEXT, which separates the two."""
     return (*(name for name in covered if name != NEXT), NEXT)
 
 
@@ -77,6 +77,6 @@ def _columns(plot: PlotBlock) -> Iterator[tuple[str, str]]:
 
 
 def _is_other(before: Picture, after: Picture, source: str, name: str) -> bool:
-    """Where the picture has no such column another one may have taken its place."""
+    """A missing column may have been replaced by another one."""
     now, old = (picture.sources.get(source, {}).get(name) for picture in (after, before))
     return now is not None and (old is None or not np.array_equal(old, now))

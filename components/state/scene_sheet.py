@@ -55,8 +55,8 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 
 @cache
 def usual(scene: type[Scene]) -> bytes:
-    """The usual text of messages about the scene, which they are deflated against: that of its first picture, in six
-    digits, which are the same on every machine that serves it."""
+    """Return the preset dictionary for the compression of messages about the scene: the text of its first picture, in
+    six digits, which are the same on every machine."""
     first = scene.at()
     view, _ = view_of(first.shown, column_axes(scene))
     told = Shown(
@@ -96,13 +96,13 @@ def plots(scene: type[Scene]) -> Iterator[PlotBlock]:
 
 @cache
 def live_names(scene: type[Scene]) -> frozenset[str]:
-    """The live numbers that the sheet speaks of, in whatever form they stand."""
+    """Return the live numbers in the texts of the sheet, in all forms."""
     return frozenset(_named(msgspec.to_builtins(scene_sheet(scene))))
 
 
 @cache
 def heading_names(scene: type[Scene]) -> dict[str, frozenset[str]]:
-    """The live numbers that stand in the heading of a plot and nowhere else but in headings, by plot."""
+    """Return the live numbers that occur only in headings, by plot."""
     sheet = msgspec.to_builtins(scene_sheet(scene))
     headings = {plot.name: frozenset(_named(msgspec.to_builtins(plot.heading))) for plot in plots(scene)}
     elsewhere = frozenset(_named(_without_headings(sheet)))

@@ -36,7 +36,7 @@ class SentParts:
 
 
 def sent_parts(now: Standing) -> SentParts | None:
-    """Return what the shown parts of a page need; None for a scene that shows all of its sheet."""
+    """Return the parts of a picture that the shown parts of a page need; None if the scene shows all of its sheet."""
     if not (now.kind.views or now.show):
         return None
     return _sent_parts(now.kind, now.scene.values.get(VIEW, ""), now.show)

@@ -1,7 +1,7 @@
-"""The shared system: several scenes speak of one, and it goes along from scene to scene by what its parameters mean.
+"""The shared system: several scenes show the same physical system, so its values are kept from scene to scene.
 
-A system goes along whole, from a scene that shows it and where it is not the scene's own, to every scene that shows it
-or a part of it. A scene that shows its own gives up what was taken along before.
+A system is kept whole, from a scene that has changed it, to every scene that shows it or a part of it. A scene that
+shows its default system drops the shared one.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from components.quantities.parameters import Values
 from components.scene import Scene
 
 Shared = Mapping[str, object]
-"""Values by what they mean."""
+"""Values by their physical meaning."""
 
 
 def taken_along(scene: Scene, before: Shared) -> Shared:
@@ -27,6 +27,6 @@ def taken_along(scene: Scene, before: Shared) -> Shared:
 
 
 def brought(scene: type[Scene], shared: Shared) -> Values:
-    """The values that a scene takes of what goes along."""
+    """Return the values that a scene takes over from the shared system."""
     taken = {name: shared[meaning] for meaning, name in scene.shares.items() if meaning in shared}
     return {**scene.sharing, **taken} if taken else {}

@@ -1,4 +1,4 @@
-"""A standing: all that a page stands for, one frozen value, and the one that comes of a message."""
+"""The standing: the complete state of a page as one frozen value, and the new value after a message."""
 
 from __future__ import annotations
 
@@ -32,17 +32,14 @@ Scenes = Mapping[str, type[Scene]]
 
 @dataclass(frozen=True, kw_only=True)
 class Standing:
-    """A scene, its picture, and what else of a page a message can change.
+    """A scene, its picture, and everything else of a page that a message can change.
 
-    `held`     the scene held for comparison, shown as the one that stands is
-    `before`   what stood before the change that is to be predicted: it is told in place of this
-    `covered`  the plots, numbers and sentences that are not told
-    `step`     the step of a walk that it belongs to, "d34/d34-07"; with a seed "d34/d34-07/5"
-    `show`     the parts that are shown in place of those of the view
-    `shared`   the system that goes along to other scenes
-    `in_hand`  whether a hand holds on to what is drawn: then the axes that it moves along stay
-    `number`   of the message that led here: one that comes again is not done again
-    `own`      walks from the visitor's files, by name
+    `held`     the scene held for comparison, drawn like the current one `before`   the standing before a change that is
+    to be predicted; it is sent in place of this one `covered`  the plots, numbers and sentences that are not sent
+    `step`     the current step of a walk, "d34/d34-07"; with a seed "d34/d34-07/5" `show`     the shown parts, in place
+    of those of the view `shared`   the system that other scenes take over `in_hand`  True during a drag; the axes along
+    it then stay `number`   the number of the last message, so that a repeated one is ignored `own`      walks from the
+    visitor's files, by name
     """
 
     scene: Scene
@@ -63,22 +60,22 @@ class Standing:
 
     @property
     def shown(self) -> Picture:
-        """The picture in force."""
+        """The current picture."""
         return self.drawn.picture
 
     @property
     def asked(self) -> Standing:
-        """The standing that is told in its place."""
+        """The standing that is sent in its place."""
         return self.before or self
 
     @cached_property
     def frame(self) -> Frame | None:
-        """The parts of the frame that are not as they would be fitted; None where all are."""
+        """The parts of the frame that differ from the fitted one; None if all are fitted."""
         return unfitted(self.drawn.frame, self.drawn.fitted)
 
     @property
     def told(self) -> tuple[Picture, tuple[str, ...]]:
-        """The picture that is told, and the names of the quantities that are left out of it."""
+        """The picture to send, and the names of the quantities that are left out of it."""
         return told_of(self.kind, self.shown, self.before.shown if self.before else None, self.covered)
 
     @cached_property
@@ -117,7 +114,7 @@ class Standing:
 
 
 def fitted(scene: Scene) -> Standing:
-    """A page on which a scene stands by itself, in the frame that fits it."""
+    """Return the standing of a page that shows only a scene, in the fitted frame."""
     return Standing(scene=scene, drawn=draw(scene))
 
 
@@ -129,11 +126,11 @@ def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
 def with_values(
     now: Standing, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
 ) -> Standing:
-    """The standing with other values: in its frame, which grows where it must, but not for a hand that is `holding`,
-    except for the axes that it does not move `along`.
+    """Return the standing with other values, in its frame, which grows if necessary. During a drag (`holding`), only
+    the axes that the hand does not move `along` grow.
 
-    Another window is chosen by its field; another way of showing things fits anew what it changes. ValueError, in
-    words, for values that the scene cannot have.
+    A field sets the window; a change of display refits what it affects. Raises ValueError, with a sentence, for values
+    that the scene cannot have.
     """
     scene = now.scene.changed(values, in_hand=now.in_hand or holding)
     if scene is now.scene and not released:
@@ -145,7 +142,7 @@ def with_values(
 def _redrawn(
     now: Standing, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
 ) -> Standing:
-    """The standing with another scene of its kind, in its frame; a new way of showing `refits` what it changes."""
+    """Return the standing with another scene of its kind, in its frame; a change of display `refits` axes."""
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
         frame = msgspec.structs.replace(frame, window=None)
@@ -154,8 +151,8 @@ def _redrawn(
 
 
 def _done(now: Standing, command: Command) -> Standing:
-    """When a hand lets go, the frame grows where it must, and what is hardly used of it is fitted again, but not in a
-    step of a walk, while something waits to be predicted, or along the hand's way."""
+    """Return the standing after a drag. The frame grows if necessary, and mostly empty axes are fitted again, but not
+    in a step of a walk, before a prediction is revealed, or along the drag."""
     said, along = (command.holding, command.along) if isinstance(command, SetValues) else (None, ())
     values = asked_values(now.scene, command)
     try:
@@ -195,8 +192,8 @@ def _key(scene: Scene | None) -> object:
 
 
 def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
-    """A scene that is gone to without parameters opens as a page of it does; what goes along is left behind where the
-    scene cannot be shown with it."""
+    """Return the standing after a link to a scene that names no parameters. The shared system is dropped if the scene
+    cannot show it."""
     state = said.state
     if state.scene not in scenes:
         raise RefusalError({"state": f"“{excerpt(state.scene)}” is not a scene. Still drawn as before."})
@@ -216,10 +213,10 @@ def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
 
 
 def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *, keeps: bool = False) -> Standing:
-    """The standing of a page that is put into a state of a scene; ValueError, in words, where it cannot be.
+    """Return the standing for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
 
-    Of a page that stands `now` it goes on with what the state does not tell. A state that `keeps` the frame has that
-    one for other quantities; another scene, window or way of showing is fitted anew.
+    Anything the state omits is taken from `now`. A state that `keeps` the frame shows other quantities in it; another
+    scene, window or display is fitted.
     """
     scene, held = scene_in(kind, state), other_in(kind, state.held)
     held = held and shown_as(held, scene)
@@ -253,15 +250,14 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
 
 
 def _only_quantities(before: Scene, after: Scene) -> bool:
-    """Whether two scenes differ in quantities alone, and not in their window."""
+    """Return True if two scenes differ only in quantities, and not in their window."""
     return after.differing(before.values) - {HIDDEN} <= after.quantities() - {WINDOW}
 
 
 def _before(
     scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: Standing | None
 ) -> Standing | None:
-    """The standing before the change that is to be predicted, as a state tells it: the one that is there already, if it
-    is the same."""
+    """Return the standing before a change to be predicted, from a state; the existing one if it is the same."""
     if scene is None:
         return None
     if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:

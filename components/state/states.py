@@ -1,4 +1,4 @@
-"""States of a page: of a link, and the scenes that they stand for."""
+"""States of a page: conversion from links, and to scenes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from components.state.scene_sheet import plots
 
 
 def state_in(link: Link) -> State:
-    """The state that a link stands for: of an address as of a step of a walk."""
+    """Return the state of a link, in an address or in a step of a walk."""
     values = {**link.values}
     hidden = values.pop(HIDDEN, None)
     held, before = (None if other is None else stated_all(other) for other in (link.held, link.before))
@@ -59,9 +59,10 @@ def scene_in(kind: type[Scene], state: State) -> Scene:
 
 
 def other_in(kind: type[Scene], values: Mapping[str, Value] | None) -> Scene | None:
-    """The scene that a state holds, or that was before the change to be predicted; how things were shown is not told.
+    """Return the held scene of a state, or the one from before a predicted change. Its display is not part of the
+    state.
 
-    ValueError as in `scene_in`.
+    Raises ValueError as `scene_in` does.
     """
     if values is None:
         return None

@@ -1,8 +1,7 @@
-"""The encoding of a message: one block of bytes, deflated once, whoever hears it.
+"""The encoding of a message: one block of bytes, compressed once for all receivers.
 
-Inside stand a line of JSON and, where it shows a picture, the numbers of its columns. A message about a
-scene refers to the scene's `usual` text, which the browser has in its sheet: what it repeats of that costs next to
-nothing.
+It has a line of JSON and, for a picture, the numbers of its columns. A message about a scene is compressed with the
+scene's `usual` text as preset dictionary, which the browser has in its sheet.
 """
 
 from __future__ import annotations
@@ -76,7 +75,7 @@ def in_one(packet: Packet) -> bytes:
 
 
 def on_page(packet: Packet) -> str:
-    """A message as text that can stand in a page."""
+    """Return a message as text for the page's HTML."""
     return b64encode(packet["data"]).decode()
 
 
