@@ -1,4 +1,4 @@
-"""Python processes of our own beside the server, for what takes long: one thread, and no more memory than it needs."""
+"""Python processes for long jobs: one thread each, and limited memory."""
 
 from __future__ import annotations
 

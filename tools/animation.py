@@ -1,4 +1,4 @@
-"""`python -m tools.animation` makes the moving picture of README.md, docs/coupled.webp, of the page as it is."""
+"""`python -m tools.animation` makes the animation of README.md, docs/coupled.webp, from the current page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`make audit` asks whether anything is known against the pinned packages, and says so where it cannot be told."""
+"""`make audit` looks for known vulnerabilities of the pinned packages, and reports if it cannot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`make digests` pins the images of compose.yaml and of the Dockerfile anew: each name gets the digest that its
+"""`make digests` pins the images of compose.yaml and of the Dockerfile again: each name gets the digest that its
 registry has for it today."""
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """`python -m tools.engines FOLDER` shows each scene in Chromium, Safari's engine and Firefox, side by side.
 
-The pictures are of a desk and of a phone, at a fixed clock time: look for what one engine draws in another way.
+The pictures are of a desktop and of a phone, at a fixed clock time. Look for differences between the engines.
 """
 
 from __future__ import annotations

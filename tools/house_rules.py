@@ -26,7 +26,7 @@ VAGUE = re.compile(r"(The same|What|That|How|Those|This)\b")
 """First words of a docstring that name nothing."""
 HEADERS = re.compile(r"(?:^//|^/\*|/\*\*)[\s*]+(.*)")
 DECLARES = re.compile(r"(\w+\.)?(Declared|Named|dict|Has|\w*(Axes|Places|Signals))\b")
-"""Bases of declarations: each scene has its own signals and numbers, called like what they declare."""
+"""Bases of declarations: scenes may reuse the names of signals and numbers, because each has its own."""
 
 
 class Source(NamedTuple):
@@ -114,7 +114,7 @@ def shared_names(sources: Iterable[Source]) -> Iterator[str]:
 
 
 def types_of(source: Source) -> Iterator[tuple[str, int, str]]:
-    """Yield classes and aliases of types at the top of a module, in CapWords: name, line, and what tells two apart."""
+    """Yield classes and type aliases at the top of a module, in CapWords: name, line, and a key of its meaning."""
     for node in source.parsed.body:
         match node:
             case ast.ClassDef(bases=[base, *_]) if DECLARES.match(ast.unparse(base)):

@@ -1,7 +1,8 @@
-"""`python -m tools.mutants [NAME ...]` breaks a copy of the project in some twenty ways, one by one, and says which
-test finds each fault: of what `make test` runs in the files named for it at least one must fail; without it all pass.
+"""`python -m tools.mutants [NAME ...]` breaks a copy of the project in some twenty ways, one by one, and prints the
+test that finds each fault. Of the fast tests in the files named for a fault, at least one must fail; all pass on the
+unbroken copy.
 
-A pattern that does not stand exactly once in its file is an error, so that no fault is passed over.
+A pattern must occur exactly once in its file; otherwise the tool stops, so that no fault is skipped.
 """
 
 from __future__ import annotations
@@ -102,7 +103,7 @@ MUTANTS = (
 
 
 def broken(mutant: Mutant, folder: Path) -> str:
-    """The text of the file with the fault in it; ValueError unless its pattern stands there once."""
+    """Return the text of the file with the fault. Raises ValueError unless its pattern occurs once."""
     text = (folder / mutant.file).read_text(encoding="utf-8")
     if (count := text.count(mutant.old)) != 1:
         raise ValueError(f"{mutant.name}: {mutant.old!r} stands {count} times in {mutant.file}")

@@ -27,12 +27,12 @@ MODULES = (
     "numbers",
     "text",
 )
-"""From the whole to its parts, so that a page of them reads from the top."""
+"""Order from the whole to its parts, so that you can read the page from the top."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """One field; `default` is the JSON that stands for it where it may be left out."""
+    """One field; `default` is its JSON value if it may be left out."""
 
     name: str
     type: ast.expr
@@ -50,9 +50,9 @@ class Alias:
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """A struct: an object with its own `fields` and those of `base`, or an array of them in their order.
+    """A struct: an object with `fields` and the inherited fields of `base`, or an array of them in order.
 
-    The field `tag` (its name and its value) tells it from others; a record without one is told by where it stands.
+    The field `tag` (its name and its value) identifies it; a record that has none is identified by its position.
     """
 
     name: str
@@ -91,7 +91,7 @@ def said() -> frozenset[str]:
 
 
 def only_said() -> frozenset[str]:
-    """The types among these that the server never tells, with all their fields."""
+    """Return the types that the server never sends, with all their fields."""
     return said() - _made_of("ToldAny")
 
 
@@ -120,7 +120,7 @@ def _chapter(module: ModuleType) -> Chapter:
     types: list[Alias | Record] = []
     for statement, following in zip(body, [*body[1:], None], strict=True):
         if isinstance(statement, ast.ClassDef):
-            # What is only asked of a name is not sent.
+            # Types that only look names up are not sent.
             if issubclass(made := getattr(module, statement.name), msgspec.Struct):
                 types.append(_record(made))
         elif isinstance(statement, ast.AnnAssign) and ast.unparse(statement.annotation) == "TypeAlias":

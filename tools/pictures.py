@@ -1,7 +1,7 @@
 """`python -m tools.pictures shoot FOLDER` takes a picture of everything that the lecture shows, at a fixed clock time.
 
-`python -m tools.pictures compare BEFORE AFTER` lists what differs: for a change that is to keep every picture. The
-server is that of the checkout in which it is run.
+`python -m tools.pictures compare BEFORE AFTER` lists differences, for a change that must keep every picture. The server
+is the one in the current checkout.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ from tests.serving.server import serving
 
 SIZES = {"desk": (1280, 720), "phone": (390, 844), "hall": (1920, 1080)}
 INSTANT = 0.3
-"""Of the time window; by then all that moves has left where it started."""
+"""Fraction of the time window at which all motions have left their initial positions."""
 LEVELS = 32
-"""Of 255, by which a pixel has to differ to count."""
+"""Difference, of 255, from which a pixel counts as changed."""
 SHARE = 0.001
-"""Of the pixels, above which a picture is listed."""
+"""Fraction of changed pixels from which a picture is listed."""
 TRIES = 20
 """Pictures, of which the last two have to be the same."""
 BEFORE = "localStorage.setItem('seed', '1')"
@@ -47,7 +47,7 @@ STOP = """share => {
 }"""
 COVERED = "oscillations.shown.state.covered.length"
 ANSWERED = f"before => oscillations.walks.walk?.lesson && (!{COVERED} || {COVERED} < before)"
-"""An answer takes covers away, but for those of what a later step asks."""
+"""An answer removes covers, except covers for the answers of later steps."""
 
 
 class Sight(NamedTuple):
@@ -114,7 +114,7 @@ def _path(folder: Path, name: str, screen: str) -> Path:
 
 
 def _take(page: Page, path: Path, whole: bool = True) -> None:
-    """Keep the picture of a page, or of what is seen of it, as it stands when nothing more is drawn."""
+    """Save a picture of a page, or of its visible part, when nothing more is drawn."""
     page.evaluate(STOP, INSTANT)
     redrawn(page)
     last = b""

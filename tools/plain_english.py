@@ -1,7 +1,7 @@
-"""`python -m tools.plain_english [FILE ...]` counts turns of phrase that plain technical English does without.
+"""`python -m tools.plain_english [FILE ...]` counts archaic or contorted turns of phrase.
 
 It prints them per 1,000 words of documents, of docstrings and comments in Python, and of comments in scripts and
-styles. With files it prints each place in them. CONTRIBUTING.md has the rules that the patterns stand for.
+styles. If you name files, it prints each place in them. CONTRIBUTING.md has the rule.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
-MOST = {"docs": 4.5, "Python": 11.5, "scripts": 5.0}
+MOST = {"docs": 4.5, "Python": 8.5, "scripts": 5.0}
 """Allowed turns of phrase per 1,000 words. Lower a limit when you have rewritten texts: the aim is 5."""
 WORDS = (
     r"stands?|stood", r"tells?|told", r"anew", r"besides?", r"(?:of|on) (?:its|one's|their|his) own", r"in force",

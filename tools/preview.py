@@ -1,4 +1,4 @@
-"""Pictures of the steps of a walk, and one page that has them beside the problems of each step.
+"""Pictures of the steps of a walk, and one page with the pictures and the problems of each step.
 
 `make walk FILE=my-walk.toml ARGS=--pictures` writes them to build/walk/my-walk. With `ARGS=--serve` the walk is also
 served until Ctrl-C, and the page is opened.

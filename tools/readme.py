@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[1]
 
 
 def table() -> str:
-    """The scenes in order: their link, the part of the lecture that they are about, and what they show."""
+    """Return the table of scenes in order: link, part of the lecture, headline."""
     rows = [
         f"| `/?scene={slug}` | {scene.lecture}, {scene.points} | {scene.headline} |" for slug, scene in SCENES.items()
     ]

@@ -1,6 +1,6 @@
-"""`python -m tools.script_types` checks the types of the scripts by TypeScript, where npm's registry can be reached.
+"""`python -m tools.script_types` checks the types of the scripts by TypeScript, if npm's registry can be reached.
 
-TypeScript comes from npm, pinned by hash in package-lock.json; everything else that is checked does without.
+TypeScript comes from npm, pinned by hash in package-lock.json; no other check needs it.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ def _count(file: Path) -> tuple[int, int]:
 
 
 def _docstring_lines(tree: ast.Module) -> set[int]:
-    """The first lines of the texts that stand alone: docstrings, also those of constants."""
+    """Return the first lines of docstrings, including docstrings of constants."""
     alone = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
     return {one.lineno for one in alone if isinstance(one, ast.Constant) and isinstance(one.value, str)}
 

@@ -1,8 +1,9 @@
 """`python -m tools.walk FILE ...` checks walks: every link, name, formula and answer, against the scenes, and that no
 step shows what a later one asks for. It reports all problems, in the order of the file.
 
-With `--look` each step is measured in a browser too: tools/look.py. With `--pictures` each is photographed, and with
-`--serve` it is served, with a page that has the problems and the pictures beside each other: tools/preview.py."""
+With `--look` it also measures each step in a browser: tools/look.py. With `--pictures` it takes a picture of each step,
+and with `--serve` it serves them on a page with the problems next to the pictures: tools/preview.py.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +51,7 @@ def _read(path: Path, known: KnownSteps) -> tuple[Walk | None, list[str]]:
 
 
 def _in_order(sentences: list[str]) -> list[str]:
-    """Sort sentences by the step that they begin with; those of no step come last."""
+    """Sort sentences by the step that they begin with; general ones come last."""
 
     def place(sentence: str) -> float:
         found = PLACE.search(sentence)

@@ -1,4 +1,4 @@
-"""The parameters of the two-mass chain, its groups of controls, and the chain that a scene stands for."""
+"""The parameters of the two-mass chain, its groups of controls, and the chain of a scene."""
 
 from __future__ import annotations
 
@@ -70,12 +70,12 @@ def start_velocities() -> tuple[Quantity, Quantity]:
 
 
 def of_scene(scene: object) -> TwoMassChain:
-    """The chain that the scene's parameters stand for."""
+    """The chain with the scene's parameters."""
     return TwoMassChain(**_values(scene, CHAIN))
 
 
 def damping_of(scene: object) -> Pair:
-    """c1 and c2 of the dashpots beside its springs."""
+    """c1 and c2 of the dashpots parallel to its springs."""
     c1, c2 = _values(scene, DASHPOTS).values()
     return c1, c2
 

@@ -24,7 +24,7 @@ from physics.coupled import TwoMassChain
 Extremes = dict[str, tuple[float, float]]
 
 EQUILIBRIUM = (0.29, 0.73)
-"""Where the masses stand at rest, as fractions of the stage's width."""
+"""The rest positions of the masses, as fractions of the stage's width."""
 WALL = 0.02
 UNIT = 0.185
 """The width that one metre takes at scale 1."""
@@ -33,10 +33,11 @@ MAGNIFIED = 1e308
 STEPS = (1, 2, 3, 5)
 """The digits of drawing scales: a step is seldom more than half as much again."""
 CUP, CUP_AT = 4, 0.27
-"""Half the width of a dashpot in pixels, and its height over the floor, in that of the springs."""
+"""Half the width of a dashpot in pixels, and its height above the floor, relative to the springs' height."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
-"""The width of which sides of blocks are fractions: less on a low stage, where arrows stand close over the blocks."""
+"""The width that the sides of blocks are fractions of; smaller on a low stage, whose arrows are close above the
+blocks."""
 
 
 class Places(Declared[float]):
@@ -166,9 +167,9 @@ class ChainDrawing:
         self, foot: Number, x1: Number, x2: Number, *, small: bool = False, corner: bool = False,
         grabs: tuple[Grab | None, Grab | None] = (None, None),
     ) -> list[Shape]:  # fmt: skip
-        """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines.
+        """The chain on the floor `foot`, with its masses at x1 and x2 (pixels); `small` draws smaller outlines.
 
-        `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses.
+        `corner` moves the symbols aside, for content on the mass; `grabs` make the masses draggable.
         """
         size = 0.42 if small else 1.0
         side1, side2 = self.sides[0] * size, self.sides[1] * size
@@ -220,7 +221,7 @@ class ChainDrawing:
 
 
 def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
-    """Of a dashpot between two places, `long` apart at rest."""
+    """The parts of a dashpot between two places, with the length `long` at rest."""
     near, far, middle = left + 0.14 * long, left + 0.86 * long, left + 0.5 * long + 0.34 * (right - left - long)
     look: Looks = {"tint": "T"}
     return [

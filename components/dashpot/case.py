@@ -30,7 +30,7 @@ class DashpotCase(Case):
 
     @cached_property
     def own_end(self) -> float:
-        """The end of the time window in s, without a frame: by itself a number of two digits."""
+        """The end of the time window in s, if no frame sets it: a number of two digits."""
         return self.window or float(f"{self.lasting:.2g}") or self.lasting
 
     @property

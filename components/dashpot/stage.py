@@ -1,4 +1,4 @@
-"""A mass on a spring and a dashpot as it stands on a wall: the piston never leaves its cup."""
+"""A mass on a spring and a dashpot on a wall: the piston never leaves its cup."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from components.paper.plots import PictureName
 
 SQUARE = "M0 0H1V1H0Z"
 BELOW = 35
-"""Pixels that the wall lies below the lowest place of the block, besides a stroke."""
+"""Pixels from the wall to the lowest position of the block, in addition to a stroke."""
 NARROW_BELOW = 27
-"""Pixels that it lies below it where the dashpot stands beside the block."""
+"""The same pixels if the dashpot is next to the block."""
 CUP = 11
 """Half the width of the cup, in pixels."""
 
@@ -32,10 +32,10 @@ def apparatus(
     *,
     beside: bool = False,
 ) -> list[Shape]:
-    """The block about (x, level), its spring, and its dashpot at the right, from the wall under them.
+    """The block about (x, level), its spring, and its dashpot at the right, on the wall below.
 
-    With `beside` the dashpot stands right of the block, which then needs less room under it. `lowest` is the lowest
-    place of its foot, `stroke` how far it moves, `lift` how far the wall stands up, in pixels.
+    With `beside` the dashpot is to the right of the block, which then needs less room below. `lowest` is the lowest
+    position of its lower edge, `stroke` its range of motion, `lift` the height of the wall, in pixels.
     """
     foot, floor = level + 0.5 * side, lowest + (NARROW_BELOW if beside else stroke + BELOW) - lift
     left, right = (x, x + 0.5 * side + CUP + 5) if beside else (x - 0.27 * side, x + 0.27 * side)

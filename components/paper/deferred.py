@@ -309,7 +309,7 @@ def made(
 
 
 def added(parts: Sequence[ExpressionRecord]) -> Deferred:
-    """Return the sum of motions. None if one of them is None."""
+    """Return the sum of motions, or None if one of them is None."""
 
     def compute(case: Any, axes: Axes) -> Any:
         motions = [one.compute(case, axes) for one in parts]
@@ -321,7 +321,7 @@ def added(parts: Sequence[ExpressionRecord]) -> Deferred:
 
 
 class DeferredCase:
-    """The stand-in for a case of a class. AttributeError for a name that no case has."""
+    """The stand-in for a case of a class. Raises AttributeError for unknown names."""
 
     def __init__(self, kind: type) -> None:
         self._kind = kind

@@ -14,13 +14,12 @@ from components.quantities.axes import TIME_AXIS, Axis, Range, nice_axis, whole_
 
 @dataclass(eq=False)
 class PlotAxis:
-    """An axis of a plot, or of numbers in texts alone.
+    """An axis of a plot, or of numbers in texts only.
 
-    `range` returns both ends in SI units, which are then `room` times as far from 0, or the whole axis. `count` is the
-    largest number of steps between ticks. A `whole` axis has ticks at both ends only, for parts of a total; a `plain`
-    one has no ticks.
-    `seen` is the range that must be in the frame, if that is not the whole range. `name` is used in links and covers.
-    Numbers are counted in the unit of the axis `like`, if there is one: it is that of the same quantity elsewhere.
+    `range` returns both ends in SI units. `room` moves both ends by this factor away from 0, or extends the whole axis.
+    `count` is the largest number of steps between ticks. A `whole` axis has ticks at both ends only, for parts of a
+    total; a `plain` one has no ticks. `seen` is the range that must be in the frame, if not the whole range. `name` is
+    used in links and covers. `like` is an axis of the same quantity; both then have the same unit.
     """
 
     unit: str

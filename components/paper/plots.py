@@ -1,4 +1,4 @@
-"""Plots that own their axes, and what they show: a curve with its legend, its band and its dot; layers; notes."""
+"""Plots that own their axes, and their items: a curve with its legend, its band and its dot; layers; notes."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class Plot(PlotFrame):
     ) -> Block:  # fmt: skip
         """Return the plot as a block of the sheet, with shapes drawn `over` it.
 
-        The first item lies on top and comes first in the heading.
+        The first item is drawn on top and comes first in the heading.
         """
         drawn = next(one.recorded for one in items if isinstance(one, DrawnItem))
         drawn.book.plots[self.name] = BuiltPlot(self, items)
@@ -277,7 +277,7 @@ class PlottedPath(DrawnItem):
 class PlottedLayer(DrawnItem):
     """A layer of a stack, up to `top`, the sum of itself and the layers under it; the lowest is its own sum.
 
-    Its legend is LaTeX, or plain `words`; without a `switch` it cannot be hidden.
+    Its legend is LaTeX, or plain `words`; it can be hidden if it has a `switch`.
     """
 
     tint: str
@@ -325,7 +325,7 @@ curve, layer, note, path = PlottedCurve, PlottedLayer, PlottedNote, PlottedPath
 def stack(*layers: PlottedLayer) -> list[PlottedLayer]:
     """Return layers on top of each other, the lowest first. Layers too fast to draw are drawn as their means.
 
-    One without a `top` reaches up to the sum of itself and the layers under it. Files have no column of that sum.
+    The `top` of a layer defaults to the sum of itself and the layers under it. Files have no column of that sum.
     """
     found: list[PlottedLayer] = []
     under: list[ExpressionRecord] = []
@@ -344,7 +344,7 @@ def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:
 def _term(
     legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRecord | None = None, is_formula: bool = True
 ) -> Term:  # fmt: skip
-    """A term of a heading; that of a curve that may be missing is shown with it."""
+    """A term of a heading; the term of an optional curve is visible with the curve."""
     form, texts = group, {"formula": legend} if isinstance(legend, str) else legend.variants
     if isinstance(legend, EitherText):
         form = legend.recorded.book.form(legend.recorded, legend.variants, group)

@@ -22,7 +22,7 @@ from physics.exact import precise
 from physics.reference import Point
 
 SHARES = (0.21, 0.55, 0.93)
-"""Where in a column the points are taken: no round places."""
+"""Positions of the points in a column: not round numbers."""
 PLACES = 20
 READING = (
     "**Shown**: the computed number that is drawn, a double of about 16 digits, in SI units and radians. **Exact**: "
@@ -35,7 +35,7 @@ One = TypeVar("One", bound=Name)
 
 @dataclass(frozen=True)
 class CheckedPoint:
-    """One number: its name and place (texts for `rich`), as it is drawn, and as it truly is."""
+    """One number: its name and position (texts for `rich`), the drawn value, and the exact one."""
 
     name: str
     place: str
@@ -188,7 +188,7 @@ def reason_of(error: ValueError) -> str:
 
 
 def about_numbers(ask: Callable[[], About | None], answer: int | None = None) -> AboutNumbers:
-    """The message that tells of the errors of a scene's numbers, or the reason why that cannot be done."""
+    """Return the message about the errors of a scene's numbers, or the reason if there is none."""
     try:
         with in_words():
             return _numbers(ask() or About(()), answer)

@@ -33,7 +33,8 @@ from components.scene.traces import Floats, samples
 
 
 class Case(ABC):
-    """The parameters of a scene, which are its fields, and what follows from them in the time window of a frame."""
+    """The parameters of a scene, which are its fields, and the values that depend on them and on the time window of a
+    frame."""
 
     window: float | None
 
@@ -78,7 +79,7 @@ class Case(ABC):
 
     @property
     def fits(self) -> float | None:
-        """The scale of the stage that suits what is drawn; None if the stage has no scale."""
+        """The scale of the stage that suits the motion; None if the stage has no scale."""
         return None
 
     @property
@@ -98,7 +99,7 @@ class Case(ABC):
 
     @property
     def bands(self) -> Mapping[str, BandColumns] | None:
-        """The motions over time that are too fast for a line, with their bands; None if their frequencies say so."""
+        """The motions over time that are too fast for a line, with their bands; None to decide by their frequencies."""
         return None
 
     def notes(self) -> tuple[str, ...]:
@@ -134,9 +135,9 @@ def example(label: str, watch: str, given: Values | None = None, /, **values: An
 
 @dataclass(frozen=True)
 class ComparedNumber:
-    """A number of the case that is compared with that of another picture; none if it is None or a text.
+    """A number of the case that is compared with another picture's; skipped if it is None or a text.
 
-    It has the `name` of a live number; `of` is the attribute, if that has another one. An `angle` is compared by
+    It has the `name` of a live number; `of` is the attribute, if that has another name. An `angle` is compared by
     difference.
     """
 
@@ -191,7 +192,7 @@ class CaseScene(Scene):
 
     @property
     def numbers(self) -> dict[str, CaseNumber]:
-        """The numbers that the scene shows in any of its views, by name; those that have no value now are missing."""
+        """The numbers that the scene shows in any of its views, by name; numbers with no current value are missing."""
         case = self.of()
         known = {one.called: one for one in attributes(self.case) if one.meaning}
         found = {name: (one, one.of(case)) for name, one in known.items()}

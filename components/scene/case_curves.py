@@ -36,9 +36,9 @@ class CaseCurves:
 
     `drawn` are the curves and the edges of stacks, in the order of their columns. `fast` says how each is drawn if it
     is too fast for a line: as its band, as a band that ends in a line, as its mean, or not at all. `stacks` are edges
-    that are averaged together. `motions` are all motions of the picture; `layers` maps those that a stack shows to
-    their lower and upper edge. `given` are the bands if the case knows them, else they follow from the frequencies.
-    Files have those motions that are drawn and `named`.
+    that are averaged together. `motions` are all motions of the picture; `layers` maps motions in a stack to their
+    lower and upper edge. `given` are the bands if the case knows them, else they follow from the frequencies. Files
+    have the motions that are drawn and `named`.
     """
 
     t: Floats
@@ -70,7 +70,7 @@ class CaseCurves:
         return fast.union(*stacked) & self.drawn.keys()
 
     def traces(self, resolved: float) -> Traces:
-        """Return the motions that are drawn as lines, and those of a file that resolves this frequency (rad/s)."""
+        """Return the motions drawn as lines, and the motions of a file with a sampling for this frequency (rad/s)."""
         shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
         return Traces(
             float(self.t[-1]),
@@ -91,7 +91,7 @@ class CaseCurves:
 
     @property
     def _bands(self) -> dict[str, Columns]:
-        """The bands over the whole window, those that end where motions have rung down, and the lines from there."""
+        """The bands over the whole window, the bands that end when motions have decayed, and the lines from there."""
         whole, ringing, late = Columns(), Columns(), Columns()
         for name in self.drawn:
             band = self._band(name) if name in self.too_fast and self.fast.get(name) in (BAND, RINGING) else None

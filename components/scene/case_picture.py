@@ -31,7 +31,7 @@ class CasePaper:
 
     @cached_property
     def axes(self) -> dict[str, PlotAxis]:
-        """The axes of the plots, and those that give the stage its scale, by name."""
+        """The axes of the plots, and the axes that give the stage its scale, by name."""
         plots = [built.plot for built in self.book.plots.values()]
         axes = [axis for plot in plots for axis in (plot.across, plot.up)]
         used = [use.axis for use in self.book.numbers.values() if use.axis and use.axis.share_is_used]

@@ -1,4 +1,4 @@
-"""The signals of a picture, from its motions: each named motion is played by those that it is made of."""
+"""The signals of a picture, from its motions; a motion made of others becomes a signal made of theirs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, Motio
 
 
 def signals_of(moving: Mapping[str, tuple[ExactMotion, Axis]], time: Axis) -> dict[str, AnySignal]:
-    """Return the signals of motions with their axes, by name. Each follows those that it is made of."""
+    """Return the signals of motions with their axes, by name, each after the signals that it needs."""
     return _Signals(moving, time).found
 
 

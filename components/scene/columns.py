@@ -16,7 +16,7 @@ SI = {
     "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
     "F₀/k₁": "m",
 }  # fmt: skip
-"""Of units that axes count in though columns do not, what the columns are in."""
+"""Units of axes whose columns have other units, with the columns' units."""
 
 MEAN = "_mean"
 """The end of the name of a column that is drawn as its mean over a period."""

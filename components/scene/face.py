@@ -55,13 +55,13 @@ class SceneFace(param.Parameterized):
         return {name: ColumnDataSource(data=data) for name, data in self.value.shown.sources.items()}
 
     def set(self, values: Values) -> None:
-        """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
+        """Set parameters in one batch, with one picture; after a ValueError the face is unchanged."""
         if self.value.differing(values):
             self.show(self.value.changed(values))
 
     def panel(self) -> Any:
         """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""
-        from components.panel_face.face import PanelFace  # the server and the physics do without
+        from components.panel_face.face import PanelFace  # the server and the physics do not use it
 
         return PanelFace(self)
 

@@ -1,8 +1,8 @@
-"""The frame that a picture is drawn in: a value, so that a change of parameters need not change it.
+"""The frame that a picture is drawn in: a value, so that a picture can keep it when parameters change.
 
-A scene's `picture(frame)` keeps to the ranges that a frame names and chooses the others; what it chooses without any is
-the fitted frame. A frame grows where what is drawn would leave it, in steps of 1, 2, 5; an axis that is hardly used is
-fitted anew when a hand lets go.
+A scene's `picture(frame)` uses the ranges in a frame and chooses the others; an empty frame gives the fitted one. A
+frame grows if the drawing would leave it, in steps of 1, 2, 5. A mostly empty axis is fitted again at the end of a
+drag.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ from components.quantities.numbers import excerpt, power_unit
 FITTED = Frame()
 """The frame that leaves everything to the scene."""
 SIZES = ("window", "scale", "speed")
-"""The numbers that a frame has beside the ranges of its axes."""
+"""The numbers of a frame in addition to the ranges of its axes."""
 FEW = 0.3
 """Marks that fill less of a frame than this give way to round numbers."""
 USED = 0.25
-"""An axis of which less than this share is used is fitted anew when a hand lets go."""
+"""Used share of an axis below which it is fitted again at the end of a drag."""
 ALIKE, NOISE = 5e-4, 1e-14
-"""Relative difference of numbers in whose place a screen shows the same, and that of roundings, over a range."""
+"""Relative differences that a screen does not show, and that are rounding errors, over a range."""
 LARGEST = 1e307
-"""As far as a frame grows by steps; beyond it the doubles end."""
+"""Limit of growth by steps, near the largest double."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Windowed:
-    """A motion over a window of time in s: the one chosen, or else `lasting`, unless that of the frame stands."""
+    """A motion over a time window in s: the frame's, else the chosen one, else `lasting`."""
 
     window: float | None
     standing: float | None = None
@@ -79,9 +79,9 @@ def _range_in(frame: Frame, name: str, axis: Axis) -> Range:
 
 
 def with_range(axis: Axis, span: Range) -> Axis:
-    """The axis over another range in SI units.
+    """Return the axis over another range in SI units.
 
-    Round numbers are chosen anew; numbers that mark something stay where they are, unless they are crowded.
+    Round numbers are chosen again; numbers that mark something stay, unless they are crowded.
     """
     if span == (axis.start, axis.end):
         return axis
@@ -110,7 +110,7 @@ def _rounded(axis: Axis, named: bool) -> Axis:
 
 
 def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
-    """The parts of a frame that are seen to differ from the fitted ones; None where none does."""
+    """Return the parts of a frame that visibly differ from the fitted ones, or None."""
     known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
     sizes = {name: getattr(frame, name) for name in SIZES}
     rest = Frame(
@@ -121,14 +121,14 @@ def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
 
 
 def _alike(span: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether a screen shows the same in both."""
+    """Return True if a screen shows no difference."""
     noise = NOISE * abs(span[0] - span[-1])
     pairs = zip(span, other, strict=False)
     return len(span) == len(other) and all(math.isclose(*ends, rel_tol=ALIKE, abs_tol=noise) for ends in pairs)
 
 
 def paced(frame: Frame, pace: Pace) -> Pace:
-    """The speed of a frame in place of the one chosen; its limit stands."""
+    """Return the pace with the frame's speed; its limit does not change."""
     return pace if frame.speed is None else Pace(frame.speed, pace.limit)
 
 
@@ -169,7 +169,7 @@ def _is_hardly_used(frame: Frame, fitted: Frame, name: str, drawn: Sequence[Mapp
 
 
 def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Frame:
-    """The frame, wide enough for another picture as well; the time window stands."""
+    """Return the frame, widened for another picture; the time window does not change."""
     others = {name: axis for name, axis in axes.items() if name in frame.ranges and name != TIME_AXIS}
     wide = grown(frame, others, scale)
     return replace(wide, ranges={**frame.ranges, **wide.ranges})
@@ -193,7 +193,7 @@ def _up(value: float) -> float:
 
 
 def refitted(frame: Frame, before: Frame, fitted: Frame) -> Frame:
-    """The frame with what another way of showing changes: what fitted otherwise `before` is `fitted` anew."""
+    """Refit only the axes whose fitted range changed with the view."""
     if before.window != fitted.window:
         frame = replace(frame, window=fitted.window, speed=fitted.speed)
     ranges = {

@@ -18,7 +18,7 @@ _LIVE = re.compile(r'(<(span|mn) class="n" data-value="(\w+)">)(?=</\2>)')
 
 
 def filled(html: Html, picture: Picture) -> Html:
-    """A text with its live numbers in it; those that move as they are at the start."""
+    """Return a text with its live numbers; moving ones have their initial values."""
     begun = starts(picture.signals, picture.scalars) if picture.live else {}
     moving = {
         name: f"{begun[name]:{'+' if digits.signed else ''}.{digits.decimals}f}".replace("-", MINUS)
@@ -28,7 +28,7 @@ def filled(html: Html, picture: Picture) -> Html:
 
 
 def words(block: WordsBlock, forms: Mapping[str, str]) -> Html:
-    """The sentences that stand with the forms of a picture."""
+    """The sentences that are visible with the forms of a picture."""
     return "".join(f"<p>{item.variants.get(forms.get(item.name, ''), '')}</p>" for item in block.items)
 
 

@@ -20,7 +20,7 @@ from components.scene.frames import FITTED, grown, loosened, paced, refitted, to
 from components.scene.traces import Columns, Traces
 
 Framing = Literal["fitted", "kept", "grown"]
-"""Whether a picture chooses its frame, keeps to the one it is given, or widens that where something would leave it."""
+"""Framing of a picture: it chooses its frame, keeps a given one, or widens it if something would leave it."""
 MOST_DRAWN = 64
 """Pictures that a process remembers, for all visitors: those held, undone, opened by many, come again."""
 ROUNDS = 3
@@ -31,19 +31,15 @@ ROUNDS = 3
 class Picture:
     """Everything a scene shows for one set of parameters; data only, in SI units.
 
-    `columns`   numbers of the plots that no signal gives, by source and column
-    `axes`      range and labels of each axis, by name; TIME_AXIS is the time window, which the clock runs through
-    `signals`   what moves, by name: see components.quantities.motion
-    `traces`    the signals that are drawn over time, by source
-    `tables`    the tables that files have in place of some sources, by name
-    `pace`      the speeds of the clock
-    `scalars`   numbers that the stage and the marks use
-    `values`    the texts of the live numbers, by name
-    `live`      how the numbers that change while playing are shown, by signal
-    `forms`     which variant of a formula or sentence stands, by name; "" hides it
-    `notes`     sentences about this picture that the visitor must know (slowed down, drawn to a scale)
-    `scale`     the scale of the stage, where it has one, and `fits` the one that suits what is drawn
-    `spans`     the ends of the sliders that follow the scene, by parameter
+    `columns`   numbers of the plots that no signal gives, by source and column `axes`      range and labels of each
+    axis, by name; TIME_AXIS is the time window of the clock `signals`   the moving numbers, by name: see
+    components.quantities.motion `traces`    the signals that are drawn over time, by source `tables`    the tables that
+    files have in place of some sources, by name `pace`      the speeds of the clock `scalars`   numbers that the stage
+    and the marks use `values`    the texts of the live numbers, by name `live`      the formats of numbers that change
+    while playing, by signal `forms`     the current variant of a formula or sentence, by name; "" hides it `notes`
+    sentences about this picture that the visitor must know (slowed down, drawn to a scale) `scale`     the scale of the
+    stage, if it has one; `fits` is the one that suits the drawing `spans`     the ends of the sliders that follow the
+    scene, by parameter
     """
 
     columns: dict[str, Columns]
@@ -87,7 +83,7 @@ def _frame(ranges: dict[str, tuple[float, float]], scale: float | None, pace: Pa
 
 @dataclass(frozen=True)
 class Framed:
-    """A picture, its frame, and the frame that the scene would choose for it; `beside` is the one held."""
+    """A picture, its frame, and the fitted frame; `beside` is the held picture."""
 
     picture: Picture
     frame: Frame
@@ -95,7 +91,8 @@ class Framed:
     beside: Picture | None = None
 
     def loosened(self, still: Collection[str] = ()) -> Frame:
-        """The frame, fitted again along each axis that is hardly used, except those in `still`; what is held counts."""
+        """Return the frame, fitted again along each mostly empty axis, except those in `still`; the held picture counts
+        too."""
         return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one], still)
 
 
@@ -130,7 +127,7 @@ def _drawn(asked: _Asked) -> Framed:
 
 
 def drawing(scene: Drawable, frame: Frame = FITTED) -> Framed:
-    """The picture of a scene in a frame, of which what it leaves open is fitted; worked out once for all who ask."""
+    """Return the picture of a scene in a frame, whose missing parts are fitted; cached for all visitors."""
     return _drawn(_Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
 
 
@@ -142,10 +139,11 @@ def draw(
     before: Frame | None = None,
     along: Collection[str] = (),
 ) -> Framed:
-    """The picture of a scene, with the one held in the same frame; fitted where nothing can be drawn in the one given.
+    """Return the picture of a scene, with the held one in the same frame; fitted if the given frame is not possible.
 
-    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew. In a frame that
-    is kept for a hand that moves `along` some axes, the others grow. ValueError, in words, where there is no picture.
+    `before` is the fitted frame before a change of display; axes whose fitted range changed are fitted again. In a
+    frame that is kept for a drag `along` some axes, the other axes grow. Raises ValueError, with a sentence, if there
+    is no picture.
     """
     with in_words():
         drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before, along)
@@ -175,9 +173,9 @@ def _grown(drawn: Framed, scene: Drawable, before: Frame | None, along: Collecti
 
 
 def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
-    """The picture with the one held in the same frame, which has room for both and is fitted to both.
+    """Return the picture with the held one in the same frame, which has room for both and is fitted to both.
 
-    Where what is held cannot be drawn in that frame there is none of it.
+    If the held scene cannot be drawn in that frame, it is left out.
     """
     try:
         beside = drawing(held, drawn.frame).picture

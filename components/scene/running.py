@@ -1,4 +1,4 @@
-"""Work that a scene has done for it beside its pictures, such as a measurement: it is started, watched and left."""
+"""Background work of a scene, such as a measurement: it can be started, watched and left."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Running(ABC):
 
     @abstractmethod
     def news(self, scene: Any) -> Values:
-        """The values of parameters by which a scene tells of what has been found."""
+        """Values of parameters with the results so far."""
 
     @abstractmethod
     def obey(self, order: str, scene: Any) -> None:

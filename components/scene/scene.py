@@ -1,4 +1,4 @@
-"""A scene: an immutable set of parameter values, the picture of them, and what follows from a change."""
+"""A scene: an immutable set of parameter values, their picture, and the values that depend on a change."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
         return super().__new__(mcs, name, bases, given, **rest)
 
     def __call__(cls, **values: Any) -> Any:
-        from components.scene.face import face_of  # the server and the physics do without
+        from components.scene.face import face_of  # the server and the physics do not use it
 
         return face_of(cls)(**values)
 
@@ -70,8 +70,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @abstractmethod
     def picture(self, frame: Frame = FITTED) -> Picture:
-        """A pure function of the parameters and the frame, of which what it leaves open is chosen to fit. ValueError
-        where doubles hold no answer."""
+        """Return the picture, a pure function of the parameters and the frame, whose missing parts are fitted. Raises
+        ValueError if doubles cannot represent the result."""
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -92,11 +92,11 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:
-        """The names of `places` whose values are in force."""
+        """The names of `places` whose values the scene has now."""
         return [name for name in self.places if all(getattr(self, p) == v for p, v in self.action(name).items())]
 
     def about(self, shown: Picture) -> About | None:
-        """The errors of all that is drawn, as far as they are known; None where there is nothing to say."""
+        """The known errors of the displayed numbers, or None."""
         return None
 
     @classmethod
@@ -105,11 +105,11 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return cls.about is not Scene.about
 
     def readouts(self) -> tuple[Readout, ...]:
-        """The numbers that are compared with those of another picture."""
+        """The numbers that are compared with another picture's."""
         return ()
 
     def derived(self) -> frozenset[str]:
-        """The parameters that follow from others as things stand, so that no link need tell them."""
+        """The parameters that currently depend on others, so that links can omit them."""
         return frozenset()
 
     def off_default(self) -> Values:
@@ -122,7 +122,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         }
 
     def preset(self) -> str | None:
-        """The label of the preset in force, if any."""
+        """The label of the current preset, if any."""
         now = [self.values[name] for name in self.preset_names()]
         return next((label for label, values in self.preset_values() if values == now), None)
 
@@ -130,13 +130,13 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @classmethod
     def at(cls, values: Values = NONE) -> Self:
-        """The scene with these values, the others at their defaults, and what follows from them; ValueError for values
-        that it cannot have."""
+        """Return the scene with these values, the others at their defaults, and dependent values. Raises ValueError for
+        values that are not possible."""
         cls._check_known(values)
         return cls._settled(values, frozenset(values), None, in_hand=False)
 
     def changed(self, values: Values, *, in_hand: bool = False) -> Self:
-        """The scene with other values and what follows from their change; itself where they are its own."""
+        """Return the scene with other values and the values that depend on them; itself if nothing changes."""
         defaults, changed = self.parameters(), self.differing(values)
         if not changed:
             return self

@@ -31,8 +31,8 @@ class SceneInfo(param.Parameterized):
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     views: ClassVar[tuple[View, ...]] = ()
-    """Its views; the first one opens. The parameter `view` is made from them. Without views all of the sheet is shown.
-    """
+    """Its views; the first one opens. The parameter `view` is made from them. A scene that has none shows all of the
+    sheet."""
     old_view: ClassVar[str] = ""
     """The view of an old link that has values and names no view, if that is not the first."""
     old_views: ClassVar[Mapping[str, Mapping[str, str]]] = {}
@@ -55,13 +55,13 @@ class SceneInfo(param.Parameterized):
     steady: ClassVar[tuple[str, ...]] = ()
     """The axes that are not fitted again when a hand lets go, however little of them is used."""
     work: ClassVar[type[Running] | None] = None
-    """The work of a scene that measures instead of playing: its progress stands in the transport's place."""
+    """The work of a scene that measures instead of playing: its progress replaces the transport."""
     onward: ClassVar[tuple[Onward, ...]] = ()
     """The links to other scenes that take values along."""
     shares: ClassVar[Mapping[str, str]] = {}
     """Its parameters by their meaning in other scenes too: components.state.shared_system takes them along."""
     sharing: ClassVar[Values] = {}
-    """Values that it must have besides, so that the shared parameters are the ones shown."""
+    """Additional values that it must have, so that the shared parameters are visible."""
 
     @classmethod
     @cache
@@ -99,5 +99,5 @@ class SceneInfo(param.Parameterized):
 
     @classmethod
     def preset_value(cls, label: str, name: str) -> Any:
-        """The value a preset stands for: what it does not name is at its default."""
+        """Return the values of a preset; parameters that it does not name have their defaults."""
         return cls.presets[label].get(name, cls.param[name].default)

@@ -34,19 +34,19 @@ def samples(end: float, fastest: float) -> int:
 
 
 def resolved(end: float, fastest: float) -> bool:
-    """Whether these samples show a motion so fast (rad/s) as a line: if not, a band stands for it."""
+    """Return True if these samples resolve a motion of this frequency (rad/s) as a line; if not, a band replaces it."""
     return SAMPLES_PER_CYCLE * end * float(fastest) <= 2 * np.pi * (samples(end, fastest) - 1)
 
 
 @dataclass(frozen=True, eq=False)
 class Traces:
-    """Curves that the browser draws of signals, at `count` instants of [0, end] (s), and the same motions in a file.
+    """Curves that the browser draws from signals, at `count` instants of [0, end] (s), and the same motions in a file.
 
-    `names` are the curves that are drawn. A curve has the name of its signal, or `signals` maps it to that.
-    `exact` gives the physics' numbers at any instants in SI units, when they are read.
-    `fastest` is the frequency (rad/s) that a file has to resolve, `moving` the columns of a file: those that are drawn
-    if it is None. `layers` maps a column of a file to the lower and the upper edge of the band that shows it.
-    `averaged` are columns that the picture itself has, as means over a period.
+    `names` are the drawn curves. A curve has the name of its signal, or `signals` maps it to that. `exact` gives the
+    physics' numbers at any instants in SI units, when they are read. `fastest` is the frequency (rad/s) that a file has
+    to resolve, `moving` the columns of a file; None means the drawn ones. `layers` maps a column of a file to the lower
+    and the upper edge of the band that shows it. `averaged` are columns that the picture itself has, as means over a
+    period.
     """
 
     end: float
@@ -76,7 +76,7 @@ class Traces:
 
     @property
     def whole(self) -> bool:
-        """Whether a file resolves all motions over the whole window."""
+        """True if a file resolves all motions over the whole window."""
         return PER_PERIOD * self.end * self.fastest <= 2 * np.pi * (self.count - 1)
 
     @cached_property
@@ -109,7 +109,7 @@ class Traces:
         return frozenset(self.signals.get(name, name) for name in self.names)
 
     def less(self, names: Iterable[str]) -> Traces:
-        """Without some of the curves, in a file too."""
+        """Return the curves except some, in a file too."""
         gone = frozenset(names)
         moving = self.moving and tuple(name for name in self.moving if not gone.intersection(self.edges(name)))
         return replace(self, names=tuple(name for name in self.names if name not in gone), moving=moving)
@@ -131,11 +131,11 @@ def over_time(
     source: str = TIME, moving: Iterable[Name] | None = None, layers: Mapping[Any, tuple[Name, Name]] | None = None,
     averaged: Iterable[Name] = (), moves: float | None = None,
 ) -> dict[str, Traces]:  # fmt: skip
-    """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
+    """Return the curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
-    `exact` gives the physics' numbers of each signal. `moving` are the motions of a file, among them those too fast to
-    be drawn; `layers` are those that a plot shows between two edges, `averaged` the means. `moves` is the
-    frequency that a file resolves, if that is another.
+    `exact` gives the physics' numbers of each signal. `moving` are the motions of a file, including motions too fast to
+    be drawn; `layers` are motions that a plot shows between two edges, `averaged` the means. `moves` is the frequency
+    that a file resolves, if it is another one.
     """
     between = {one.name: (low.name, high.name) for one, (low, high) in (layers or {}).items()}
     found = Traces(
@@ -185,7 +185,7 @@ def bands_about_zero(t: Floats, reach: Mapping[Any, Floats | float]) -> dict[str
 
 
 def band_columns(name: str) -> tuple[str, str]:
-    """The columns of the band that stands for the curve `name`."""
+    """Return the columns of the band that replaces the curve `name`."""
     return f"{name}_lo", f"{name}_hi"
 
 

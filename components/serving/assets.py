@@ -138,11 +138,11 @@ class AssetFiles(LectureHandler):
     head = get
 
     def compute_etag(self) -> None:
-        """None: the address says it all, and no hash is taken of each answer."""
+        """Disable Tornado's ETag: the address has the hash of the content already."""
 
 
 def takes(accepted: str, coding: str) -> bool:
-    """Whether an Accept-Encoding names a coding, and not to refuse it."""
+    """Return True if an Accept-Encoding header accepts a coding."""
     for part in accepted.lower().split(","):
         name, _, quality = part.replace(" ", "").partition(";q=")
         if name == coding:

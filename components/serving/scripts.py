@@ -39,7 +39,7 @@ def sent(modules: Mapping[str, str]) -> dict[str, str]:
 
 
 def needed_later(path: str, modules: Mapping[str, str]) -> list[str]:
-    """The modules that a later one needs besides those of the first page, and itself."""
+    """Return the module and all modules that it needs in addition to the first page's."""
     first = _in_order(FIRST, modules, ())
     return [name for name in _in_order(path, modules, ()) if name not in first]
 
@@ -55,7 +55,7 @@ def joined(modules: Mapping[str, str], paths: Sequence[str]) -> str:
 
 
 def _linked(path: str, module: str, first: Sequence[str]) -> str:
-    """A module that is fetched later: what it imports of the first ones is in the joined file."""
+    """A module that is fetched later: it imports modules of the joined file from there."""
     start = relpath(FIRST, dirname(path))
 
     def taken(found: re.Match[str]) -> str:

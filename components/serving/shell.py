@@ -82,7 +82,7 @@ class SceneGroup:
 
     @property
     def here(self) -> bool:
-        """Whether the scene that is shown is one of them."""
+        """Return True if the current scene is one of them."""
         return any(scene.here for scene in self.scenes)
 
 

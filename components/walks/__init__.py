@@ -1,4 +1,4 @@
-"""The guided walks, each a data file: questions, what is covered until they are answered, and what it means."""
+"""The guided walks, one data file each: questions, the parts hidden until they are answered, and explanations."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
 
 
 def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
-    """The sheet of a walk as the browser reads it, under an address with the hash of what it says."""
+    """The sheet of a walk for the browser, at an address with the hash of its content."""
     content = msgspec.json.encode(walk_sheet(walk, scenes))
     return f"walks/{walk.name}.{sha256(content).hexdigest()[:16]}.json", content
 

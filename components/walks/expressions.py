@@ -1,7 +1,7 @@
-"""Expressions of a scene's numbers: what an answer of a walk is, told by the quantities that it is made of.
+"""Expressions of a scene's numbers: the right answers in a walk, as formulas of quantities.
 
-An expression has names of quantities and numbers, + - * / ^, brackets, pi, sqrt, exp and abs. It is read by Python's
-own parser, of which these few kinds of nodes are taken; nothing is ever run.
+An expression has names of quantities and numbers, + - * / ^, brackets, pi, sqrt, exp and abs. Python's parser reads it,
+and only these kinds of nodes are accepted. No code is ever run.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _FUNCTIONS: dict[str, Callable[[float], float]] = {"sqrt": math.sqrt, "exp": mat
 
 
 def numbers_of(scene: Scene) -> dict[str, float]:
-    """The numbers of a scene by name, in SI and with every digit: its quantities, and those that it reads out."""
+    """The numbers of a scene by name, in SI and with every digit: its quantities and its readouts."""
     own = {name: value for name, value in scene.values.items() if isinstance(value, float)}
     return own | {name: float(one.value) for one in scene.readouts() for name in (*one.also, one.name)}
 

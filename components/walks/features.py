@@ -1,9 +1,9 @@
-"""Features of a sketch, each a class: its fields in a walk's file, what a curve has of it, and how that is said.
+"""Features of a sketch, one class each: its fields in a walk's file, the measurement on a curve, and the sentence.
 
-Places and values are in the unit written at the axis, without its power of ten, or expressions of the scene's numbers
-in SI, of which `worked_out` makes numbers. A hand is judged by places and heights within tolerances, never by style;
-a part that was not drawn has no feature. Adapted to the hand: slopes over 4 % of the frame's width, turning points
-that stand out by 2 % of its height.
+Positions and values are in the unit of the axis, without its power of ten, or expressions of the scene's numbers in SI,
+which `worked_out` evaluates. A sketch is judged by positions and heights within tolerances, never by style; an undrawn
+part has no feature. Tolerances suit hand drawings: slopes are taken over 4 % of the frame's width, and turning points
+need a prominence of 2 % of its height.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ ZERO = 1e-4  # of an axis: what is nearer to zero is zero
 
 
 class Numbers(NamedTuple):
-    """The numbers of a feature, once they are worked out; where a part has no end it goes on."""
+    """The evaluated numbers of a feature; a missing end of a part means the end of the curve."""
 
     at: float = 0.0
     value: float = 0.0
@@ -51,9 +51,9 @@ class Numbers(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """Whether a curve has a feature, the number that it has in its place, and where in the plot that is.
+    """The result for a curve: if it has a feature, the measured number, and the position in the plot.
 
-    The number is None where nothing was drawn, or where what was drawn has none.
+    The number is None if nothing was drawn, or if the curve has no such number.
     """
 
     has: bool
@@ -66,9 +66,9 @@ NOTHING = Seen(False)
 
 
 class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
-    """A feature that a right sketch has: `says` names it, `on` the curve that is meant where two are drawn.
+    """A feature that a correct sketch has: `says` names it, `on` is the curve if two are drawn.
 
-    Of its numbers those in `across` lie on the horizontal axis, those in `up` on the vertical one.
+    Its numbers in `across` belong to the horizontal axis, those in `up` to the vertical one.
     """
 
     across: ClassVar[tuple[str, ...]] = ()
@@ -107,7 +107,7 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         raise NotImplementedError
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
-        """The number that a curve has in its place, as it is written."""
+        """Return the measured number of a curve as text."""
         return _written(found.number or 0.0, axes.y, digits)
 
     def words(self, yours: Seen, true: Seen, axes: PlotAxes) -> str:
@@ -116,7 +116,7 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return f"{lead}{drawn}true {self.measured(true, axes, FINE)}"
 
     def finding(self, drawn: Sketch, true: Sketch, axes: PlotAxes) -> Finding:
-        """The finding about a sketch. Its mark stands where the feature was drawn, or where it should have been."""
+        """Return the finding about a sketch. Its mark is at the drawn feature, or at its right position."""
         yours, exact = self.seen(drawn), self.exact(true)
         mark = yours if yours.has and yours.x is not None else exact
         at = None if mark.x is None or mark.y is None else (place_of(axes.x, mark.x), place_of(axes.y, mark.y))
@@ -267,7 +267,7 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
         return Seen(abs(mean - self.numbers.value) <= self.numbers.tol, mean)
 
     def exact(self, true: Sketch) -> Seen:
-        """Of a motion that grows or beats, its crossings tell another one."""
+        """Zero crossings do not give the period of a motion that grows or beats."""
         return self.seen(true)._replace(number=self.numbers.value)
 
     def called(self, axes: PlotAxes) -> str:

@@ -69,7 +69,7 @@ def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iter
 
 
 def _telling(step: Step, texts: dict[str, str], subject: Subject) -> Iterator[tuple[str, str, str]]:
-    """The live numbers that tell the answer of a step, with their texts and how."""
+    """Return the live numbers that reveal the answer of a step, with their texts and the relation."""
     right, unit = step.right(subject), step.unit
     given = [*_numbers(asked(step, subject)), *_set_to(subject, unit)]
     for name, text in texts.items():

@@ -30,7 +30,7 @@ ByCover = dict[str, str]
 
 
 class Exhibit(NamedTuple):
-    """A picture of a step: of which scene and chain it is, what it shows, and what it covers of all that it has."""
+    """A picture of a step: its scene and chain, its visible and its hidden quantities."""
 
     chain: object
     shown: ByCover
@@ -38,7 +38,7 @@ class Exhibit(NamedTuple):
 
 
 def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """Sentences, each on a step and a later one that asks for what it shows."""
+    """Return sentences, each on a step that shows the answer of a later one."""
     with in_words():
         exhibits = [(before(step, scenes), after(step, scenes)) for step in walk.steps]
     for (i, early), (j, late) in combinations(enumerate(exhibits), 2):
@@ -151,5 +151,5 @@ def _labelled(shapes: Iterable[AnyShape], picture: Picture) -> Iterator[str]:
 
 
 def _text(item: Forms, picture: Picture) -> str:
-    """The variant that stands."""
+    """The current variant."""
     return item.variants.get(picture.forms.get(item.name, "") if item.name else "", "")

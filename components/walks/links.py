@@ -1,4 +1,4 @@
-"""The states that the links of a step stand for."""
+"""The states of the links of a step."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def name_in_state(walk: str, step: BaseStep, seed: int = 0) -> str:
 
 
 def opening_state(name: str, step: BaseStep, scenes: Scenes) -> State:
-    """The state that a step's question is asked of; `name` is that of the step in a state."""
+    """Return the state for a step's question; `name` is the step's name in a state."""
     return replace(state_of_link(step.state, scenes), covered=step.cover, step=name, show=step.show)
 
 

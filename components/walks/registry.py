@@ -16,12 +16,12 @@ from components.walks.variants import varied
 from components.walks.walk import Step, Walk
 
 MOST_PROBLEMS = 8
-"""The number of problems that are told at once of a visitor's file."""
+"""Number of problems in a visitor's file that are reported at once."""
 
 
 def all_walks(folders: Iterable[Path], scenes: Scenes) -> dict[str, Walk]:
-    """The lecture's own walks, which its tests have checked, and those of folders, checked here; WalkError for the
-    first that is wrong."""
+    """Return the built-in walks, which tests have checked, and the walks of folders, checked here. Raises WalkError for
+    the first invalid one."""
     own = load_walks(())
     walks = load_walks(folders)
     for name, walk in walks.items():

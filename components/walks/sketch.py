@@ -1,4 +1,4 @@
-"""Geometry of a sketch: a curve as it was drawn in the frame of its plot."""
+"""Geometry of a sketch: a drawn curve in the frame of its plot."""
 
 from __future__ import annotations
 
@@ -40,7 +40,8 @@ class Sketch:
     other: Sketch | None = None
 
     def at(self, x: float) -> float | None:
-        """Its height there; None where it was not drawn. At the edges of the frame a hand falls short."""
+        """Return the height at a position, or None if it was not drawn. At the edges of the frame, drawn curves may end
+        early."""
         slack = SLACK * self.frame.width
         if not len(self.x) or not self.x[0] - slack <= x <= self.x[-1] + slack:
             return None
@@ -54,7 +55,7 @@ class Sketch:
         return self.x[inside], self.y[inside]
 
     def covers(self, start: float, end: float) -> bool:
-        """Whether most of that part was drawn."""
+        """Return True if most of that part was drawn."""
         x, _ = self.between(start, end)
         return len(x) >= FEWEST and float(x[-1] - x[0]) >= 0.6 * (end - start)
 
@@ -79,8 +80,8 @@ def crossings(x: Floats, y: Floats) -> Floats:
 
 
 def turns(x: Floats, y: Floats) -> list[tuple[float, float]]:
-    """The points where a curve truly turns, between those that it is drawn through: within 1e-7 of its height for a
-    motion in 32 points a cycle, 1e-4 at its ends."""
+    """Return the exact turning points of a curve, between its drawn points: within 1e-7 of its height for a motion with
+    32 points per cycle, 1e-4 at its ends."""
     found = []
     slopes = np.sign(np.gradient(y, x, edge_order=2))
     for i in np.flatnonzero((slopes[:-1] != 0) & (slopes[:-1] * slopes[1:] <= 0)):

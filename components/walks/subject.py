@@ -25,7 +25,7 @@ Traced = list[tuple[float, float]]
 
 @dataclass(frozen=True)
 class PlotAxes:
-    """The axes of a plot, whose places are read as the numbers that stand at them."""
+    """The axes of a plot, to convert coordinates to the numbers at them."""
 
     x: Axis
     y: Axis
@@ -132,8 +132,8 @@ class Subject:
         raise ValueError(f"the scene shows no plot “{plot}”")
 
     def _points(self, plot: str, name: str) -> Traced:
-        """A curve as it is drawn, all its pieces one after the other; over time with the points where it truly turns,
-        which lie between those drawn."""
+        """Return a drawn curve, all its pieces joined; over time with its exact turning points, which are between the
+        drawn points."""
         block, shown, axes = self._block(plot), self.standing.shown, self.axes(plot)
         places: Traced = []
         for curve in block.curves:

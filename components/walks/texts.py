@@ -19,7 +19,7 @@ _WIDE = {r"\quad", r"\qquad"}
 _ARROW = {r"\Rightarrow", r"\Leftrightarrow"}
 _EQUAL = {"=", r"\approx"}
 _WHOLE = re.compile(r"\\(over|atop|choose|color|(display|text|script)style)\b")
-"""Commands of LaTeX that act on all that follows them, or on what stands before them."""
+"""Commands of LaTeX that apply to everything after them, or to the symbol before them."""
 
 
 def pieces(latex: str) -> list[str]:

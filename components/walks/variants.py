@@ -1,4 +1,4 @@
-"""Variants of a step: its question with other numbers, so that each student has numbers of their own."""
+"""Variants of a step: its question with other numbers, so that students get different numbers."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from components.walks.types import Span
 from components.walks.walk import Step
 
 VARIANTS = 37
-"""Of a step, each under its seed from 1 on: a prime, so that any stride goes through all places of a range."""
+"""Number of variants of a step, with the seeds from 1 on; a prime, so that any stride reaches all values of a range."""
 STRIDES = (1, 8, 14, 5)
-"""Of the quantities in their order: two of them do not grow together."""
+"""Strides of the quantities, in order; different strides make them independent."""
 NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([\w\s.+*/^()-]+)\}")
-"""A formula, which stays as it is, or an expression in braces."""
+"""A formula, which does not change, or an expression in braces."""
 
 
 def varied(step: Step, seed: int) -> Step:
-    """The step with the numbers of a seed, and with those of its file where that is 0; ValueError, in words, for a seed
-    that it does not have. A value that the answer changes stands as it is there."""
+    """Return the step with the numbers of a seed; 0 means the numbers of its file. Raises ValueError, with a sentence,
+    for an unknown seed. A value that the answer changes keeps the number of its file."""
     if seed == 0:
         return step
     if not step.vary:
@@ -46,7 +46,7 @@ def variants_of(step: Step) -> Iterator[tuple[int, Step]]:
 
 
 def numbers_drawn(step: Step, seed: int) -> dict[str, float]:
-    """The numbers of a seed, in SI, in as few digits as tell those of different seeds apart."""
+    """Return the numbers of a seed, in SI, with as few digits as distinguish the seeds."""
     strides = zip(step.vary.items(), STRIDES, strict=False)
     return {name: _at(span, seed * stride % VARIANTS / (VARIANTS - 1)) for (name, span), stride in strides}
 

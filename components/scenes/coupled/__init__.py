@@ -24,7 +24,7 @@ BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
 MOST = 100.0
 """rad; a phase is no further from 0."""
 SAME = 16 * 2.0**-53
-"""Initial values as close as this to those of the modes, over the amplitudes, differ from them by roundings alone."""
+"""Relative tolerance: initial values this close to those of the modes differ from them only by rounding."""
 
 
 def amplitude(mode: str, sign: str, default: float) -> Quantity:
@@ -138,10 +138,10 @@ class Coupled(CaseScene):
     )
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """Return the parameters that follow from a change.
+        """Return the parameters that depend on a change.
 
-        Initial values that are typed give the motion themselves; those that a hand sets have their modes, where these
-        give it.
+        Typed initial values are kept and the modes follow from them; with a drag it is the reverse, if the modes
+        determine the motion.
         """
         if before is None:
             return {} if self.given_by == "values" else self._initial({})

@@ -93,7 +93,7 @@ class CoupledCase(ChainCase):
 
     @cached_property
     def beat(self) -> Literal["rest", "drift", "one", "both", "apart"]:
-        """Whether it beats: both modes move, neither drifts, their frequencies are close. If not, why."""
+        """The word for beats: both modes move, neither drifts, their frequencies are close. Otherwise the reason."""
         if not (np.any(self.free.amplitude) or np.any(self.free.drift_b)):
             return "rest"
         if not self.slow:
@@ -154,7 +154,7 @@ def shape(ratio: float) -> str:
 
 
 class ModeHand(NamedTuple):
-    """A hand on a mass in a mode.
+    """A drag of a mass in a mode.
 
     `other` is the displacement of the other mass over its displacement, `amplitude` that of the mode. Both are 0 if the
     mass rests in the mode.
@@ -165,7 +165,7 @@ class ModeHand(NamedTuple):
 
 
 def _hands(case: CoupledCase, j: int) -> tuple[ModeHand, ModeHand] | None:
-    """The hand on each mass in the mode j; None if nothing oscillates."""
+    """The drag of each mass in the mode j; None if nothing oscillates."""
     one, two = directions(case.chain)[j]
     if not case.highest:
         return None
@@ -200,7 +200,7 @@ class CoupledShown(CoupledCase):
     E_fast = value.optional(lambda c: c.level(c.free.energy[1]))
     total = value.optional(lambda c: c.level(c.free.energy.sum()), called="E_total")
     F1, F2 = value.pair(lambda c: c.pulls)
-    # What a hand on a mode sets or leaves as it is.
+    # Values that a drag of a mode sets or keeps.
     slow_hands = value.optional(lambda c: _hands(c, 0))
     fast_hands = value.optional(lambda c: _hands(c, 1))
     v1_slow = value(lambda c: c.motions.slow.v1)

@@ -49,16 +49,16 @@ from components.scenes.coupled.case import CoupledShown
 from physics.motion import ExactMotion
 
 FEET = (0.56, 0.815, 0.99)
-"""Where the motion, its slow part and its fast part stand, as shares of the stage's height."""
+"""Heights of the motion, its slow part and its fast part, as fractions of the stage's height."""
 NAMED = 0.8
-"""Where the names in the plane stand, as a share of the distance to its edge."""
+"""Position of the names in the plane, as a fraction of the distance to its edge."""
 ENERGY = one_of("parts", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of")
 
 c = deferred(CoupledShown)
 GIVEN_BY_MODES = form_of(c.given_by == "modes")
 X = axis("m", lambda c: both_axis(c), "x")
 X_1 = axis("m", lambda c: own_axis(c), "x1", like=X)
-"""That of both masses, unless mass 1 would use less than a quarter of it."""
+"""The axis of both masses, unless mass 1 would use less than a quarter of it."""
 LEVEL = axis("J", lambda c: whole_axis(c.E_total, "J"), "E")
 FORCE = axis("N", lambda c: nice_axis(0.0, c.strongest or 1.0, "N", exact=True), "force")
 X1, X2, PLANE = Plot("x1", TIME, X_1), Plot("x2", TIME, X), Plot("plane", X, X)
@@ -137,7 +137,7 @@ def fast_mode() -> tuple[EitherText, EitherText]:
 
 
 def constants() -> Block:
-    """From the displacements and velocities at the start to the amplitudes and phases of both modes."""
+    """Conversion of the initial displacements and velocities to the amplitudes and phases of both modes."""
     paragraphs = (
         "**Four constants, four starting values**",
         either(
@@ -178,7 +178,7 @@ def both_axis(case: CoupledShown) -> Axis:
 
 
 def own_axis(case: CoupledShown) -> Axis:
-    """The axis of both masses, or that of mass 1 alone where it would use less than a quarter of the other."""
+    """The axis of both masses, or of mass 1 alone if it would use less than a quarter of the other axis."""
     own, both = nice_axis(*case.extremes["x1"], "m", 3), both_axis(case)
     return own if own.end - own.start < USED * (both.end - both.start) else both
 
@@ -253,7 +253,7 @@ def mode_hands(mode: str, mass: int, at: Number, base: Number) -> list[AnyShape]
 
 
 def mode_hand(mode: str, mass: int) -> Grab:
-    """Return the grab that sets the part of a mode in the start; the other mode goes on as it was."""
+    """Return the grab that sets the part of a mode in the initial conditions; the other mode continues unchanged."""
     ways, start = list[Share](), list[Begin]()
     rests = zip(PARTED[other(mode)], RATES[other(mode)], strict=True)
     for i, x, part, (rest, rate) in zip(chain.BOTH, WHOLE, PARTED[mode], rests, strict=True):
@@ -276,7 +276,7 @@ def swing_hand(mode: str, mass: int) -> Grab:
 
 
 def portion(mode: str, mass: int, i: int) -> Number:
-    """The displacement of mass i over that of the mass that a hand takes."""
+    """The displacement of mass i over the dragged mass's."""
     return 1.0 if i == mass else number(HANDS[mode][mass - 1].other)
 
 
@@ -342,7 +342,7 @@ def mode_energies() -> Block:
 
 
 def plane() -> Block:
-    """The motion in the (x1, x2) plane: along the direction of the slow mode, then along that of the fast one."""
+    """The motion in the (x1, x2) plane: along the direction of the slow mode, then along the fast mode's."""
     zero, lines = (PLANE.x(0), PLANE.y(0)), PLANE.in_frame(c, "modes", _lines)
     slow, here = (PLANE.x(c.x1_slow), PLANE.y(c.x2_slow)), (PLANE.x(c.x1), PLANE.y(c.x2))
     return PLANE.block(

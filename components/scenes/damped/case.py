@@ -279,7 +279,7 @@ class DampedShown(DampedCase):
     wire = value(lambda c: wire(c.k))
     over = value.optional(lambda c: math.copysign(1.0, c.peaks[0].x) if c.peaks else None)
     quickest = value.optional(lambda c: c.free.fastest if c.P_max and 0 < c.free.fastest.t < c.end else None)
-    # The plane of the roots. What a hand moves is counted in natural frequencies.
+    # The plane of the roots. Draggable values are in units of the natural frequency.
     circle = value(lambda c: c.one.omega_n or c.one.rates[1] or 1.0)
     slow_root = value(lambda c: scaled(0, c.one.rates[0], 1 / c.one.omega_n) if c.root_kind == "real" else 1.0)
     bare_root = value(lambda c: -c.one.rates[1])

@@ -104,13 +104,13 @@ MOTION = number(c.view == "motion")
 CENTRE = wide(0.4 * W, 0.2 * W + MOTION * (88 - 0.08 * W))
 """The middle of the mass: where levels have names, it leaves room for them at its left."""
 HALF, ASIDE = wide(62, 30), wide(45, 26)
-"""The reach of the levels to either side of it, and where arrows stand."""
+"""Half the width of the level lines, and the position of the arrows."""
 CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.58 * H)
 """The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
 BAR, BROAD = wide(0.66 * W, 0.4 * W), wide(46, 0.128 * W)
 """The left edge of the bar, and its width: on a phone with large text its names have room next to it."""
 NAME = wide(2, 2 + (1 - MOTION) * (0.4 * W - 10)), wide(H - 6, 0.36 * H - 29 + MOTION * (0.64 * H + 23))
-"""Where x is written: in the lower corner; on a phone, where the mass hangs over that, above the bar."""
+"""The position of the text for x: in the lower corner; on a phone, whose mass hangs over that, above the bar."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
 SQUARE = "M0 0H1V1H0Z"
@@ -306,7 +306,7 @@ def body() -> list[Shape]:
 
 
 def _planets(case: EnergyShown, t: Axis, x: Axis) -> list[Any]:
-    """Where the mass would hang on each planet in m; None unless that is in the frame and apart from what else is."""
+    """The positions of the mass on each planet in m; None if outside the frame or too close to another name."""
     taken, found = [0.0, -case.delta], list[Any]()
     for _, g in PLANETS.values():
         place = case.delta * (g / case.g - 1) if case.g else g * case.m / case.k

@@ -28,7 +28,7 @@ LONGEST = 24
 SMALL = 0.15
 """A leg of the arrow at the start that is shorter than this, in amplitudes, has no name."""
 MIDDLE = 2.6
-"""The name of the phase stands at this part of its angle."""
+"""Position of the name of the phase, as a fraction of its angle."""
 
 
 class OscillatorCase(Case):
@@ -83,7 +83,7 @@ class OscillatorCase(Case):
 
     @property
     def turns(self) -> bool:
-        """Whether there is an arrow to turn: neither a free mass nor one at rest."""
+        """True if there is an arrow to turn: the mass is neither free nor at rest."""
         return self.omega > 0 and self.free.constants.C > 0
 
     @cached_property
@@ -105,7 +105,7 @@ class OscillatorCase(Case):
 
     @cached_property
     def last_peak(self) -> float:
-        """The last peak of x in the window, in periods; 0 where those of v and a before it leave no room for marks."""
+        """The last peak of x in the window, in periods; 0 if the earlier peaks of v and a leave no room for marks."""
         if not (self.turns and self.is_drawn and self.end / self.one.period <= MOST_SWINGS):
             return 0.0
         last = self.free.last_peak(self.end)

@@ -61,8 +61,8 @@ from components.scenes.oscillator.case import OscillatorShown
 c = deferred(OscillatorShown)
 UNITS = ("m", "m/s", "m/s²")
 ROOM = ((1.25, 1.25), (1.15, 1.6), (1.2, 1.75))
-"""The reach of the axes of x, v and a below and above, in amplitudes; over v and a stand the marks of the quarter
-period."""
+"""The reach of the axes of x, v and a below and above, in amplitudes; the marks of the quarter period are above v and
+a."""
 
 
 def _amplitude_axis(case: OscillatorShown, i: int) -> Axis:
@@ -105,12 +105,13 @@ MOTIONS = (c.x, c.v, c.a)
 TITLES = ("Displacement", "Velocity", "Acceleration")
 
 MASS = wide(0.15 * W, 0.1 * W)
-"""Where the mass stands, and below where the arrow turns: across the stage."""
+"""Horizontal positions of the mass and, below it, of the rotating arrow."""
 SWING = 0.27 * H
 """The amplitude on a phone."""
 PIVOT = wide(0.635 * W, 0.395 * W)
 FRAME = wide(X.bottom - X.top, 0.8 * H)
-"""The height of the plot of x, on whose scale all is drawn; on a phone, where it stands elsewhere, one like it."""
+"""The height of the plot of x, whose scale everything has; on a phone, which has that plot elsewhere, a similar
+height."""
 LEVEL = wide(X.y(0), 0.5 * H)
 PER_X = number(X.in_frame(c, "per_x", lambda c, t, x: ROOM[0][0] / x.place(max(abs(x.start), x.end))))
 SCALE = wide(-1 * X.per_y, SWING * PER_X)
@@ -121,12 +122,12 @@ PER_V = number(
 )
 """One of the axis of v on the axis of x, as far as x would be a quarter period later."""
 STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
-"""On a phone the stage has a small x(t) of its own."""
+"""On a phone the stage has a small x(t) inside."""
 NOW = wide(X.x(T), STRIP + STRIP_LENGTH * TIME.share * T)
 MARKED = ("speed", "formulas")
 """The views that show x, v and a, and mark how they lead."""
 FIRST, GAP = 132, 16
-"""Pixels of the words left of the start arrow, which stands under the turning one, and between them."""
+"""Pixels of the words to the left of the initial arrow, which is below the rotating one, and between them."""
 SHARE = 0.75
 """The arrow of the force at the turning point is this long, over the amplitude."""
 
@@ -343,7 +344,7 @@ def height(x: PlotValue) -> Expression:
 
 
 def beside(centre: Number, scale: Number) -> Callable[[PlotValue], Number]:
-    """Return where a velocity stands beside the middle of a circle."""
+    """Return the position of a velocity next to the middle of a circle."""
     return lambda v: centre + scale * PER_V * on_axis(V.up, v)
 
 
@@ -378,7 +379,7 @@ def table(y: Number) -> list[Shape]:
 
 
 def pulled(x: Number, y: Number) -> list[Shape]:
-    """The force of the spring beside the mass, from its middle back towards equilibrium; its name right of it."""
+    """The force of the spring next to the mass, from its middle towards equilibrium; its name is to the right."""
     tip = y + SHARE * (LEVEL - y)
     return shown_by(
         c.forced,

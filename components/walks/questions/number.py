@@ -19,12 +19,12 @@ from components.walks.subject import Subject
 from components.walks.types import Entry, Reply, Sentence
 
 Numeral: TypeAlias = float | str
-"""A number as it stands in a walk's file: a text is read as one that is typed into a field."""
+"""A number in a walk's file; a text is parsed like a typed one."""
 
 
 class AnswerEntry(Entry, frozen=True, kw_only=True):
-    """The right number, or several of which each is right, and how far off still counts: `of` names the quantity of the
-    scene that it is, or tells it by an expression of these; `is` is one that no quantity is."""
+    """The right number, or several right ones, with their tolerance: `of` names the quantity of the scene, or is an
+    expression of these; `is` is a number that no quantity gives."""
 
     of: str | tuple[str, ...] = ()
     given: Numeral | tuple[Numeral, ...] = field(name="is", default=())
@@ -121,7 +121,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
                 yield f"misses[{i}].is: {number:g} is within the tolerance of the right answer."
 
     def doubts(self, subject: Subject) -> Iterator[str]:
-        """A number that is none of the scene's may be a slip; of two misses with one number only the first is told."""
+        """A number that no quantity gives may be a mistake; of two misses with one number, only the first is used."""
         size = unit_size(self.answer.unit)
         known = [number / size for number in subject.numbers.values()]
         for number in () if self.answer.quantities else self.answer.numbers:

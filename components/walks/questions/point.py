@@ -59,7 +59,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         try:
             places = (*self.right(subject), *self.wrong(subject))
         except ValueError:
-            return  # it has been told
+            return  # reported already
         for value in places:
             if not low <= place_of(axis, value) <= high:
                 yield f"answer: {value:g} lies outside the axis."

@@ -1,4 +1,4 @@
-"""A question of any kind: what every kind must know of itself, and how a class keeps an answer."""
+"""The base of all kinds of question, and the form in which a class stores an answer."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ UNFIT = "This answer does not fit the question."
 
 
 class Judgement(NamedTuple):
-    """Whether an answer is right (None where none is), the number that it is, which of the features asked for it has,
-    the sentence that is its own, and the link of a case of which that speaks."""
+    """The judgement of an answer: if it is right (None if none can be), its number, its features, its reply, and the
+    link of a case that the reply mentions."""
 
     right: bool | None
     number: float = 0.0
@@ -32,7 +32,7 @@ class Judgement(NamedTuple):
 
 
 class Written(NamedTuple):
-    """An answer as it stands in a table, and the unit that it is in."""
+    """An answer in a table, and its unit."""
 
     answer: str
     unit: str = ""
@@ -62,7 +62,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
 
     @property
     def judges(self) -> bool:
-        """Whether an answer is right or wrong."""
+        """True if answers can be right or wrong."""
         return True
 
     @property
@@ -84,7 +84,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
         raise NotImplementedError
 
     def doubts(self, subject: Subject) -> Iterator[str]:
-        """Sentences on what is likely to be a slip: `make walk` tells them, and the step works all the same."""
+        """Return sentences on likely mistakes. `make walk` prints them; the step still works."""
         return iter(())
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
@@ -139,7 +139,7 @@ def astray(field: str, replies: Sequence[Reply], subject: Subject) -> Iterator[s
 
 
 def refused(field: str, act: Callable[[], object]) -> Iterator[str]:
-    """A sentence of a field of a walk's file where an act refuses what stands there."""
+    """Prefix the message of a ValueError with the field of the walk's file."""
     try:
         act()
     except ValueError as reason:

@@ -19,7 +19,7 @@ from components.walks.subject import Subject
 from components.walks.types import Reply, Sentence
 
 MOST_SKETCHES = 500
-"""Of one vote, that are told; all are counted."""
+"""Number of sketches of one vote that are sent; all are counted."""
 Curves = Mapping[str, Sketch]
 
 
@@ -95,7 +95,7 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         return Judgement(all(has), has=has, reply=wrong.reply, where=wrong.where)
 
     def told(self, features: Iterable[Feature], subject: Subject) -> tuple[Feature, ...]:
-        """Features in numbers, where expressions of the scene's tell them; ValueError, in words, for what is none."""
+        """Return features with evaluated expressions. Raises ValueError, with a sentence, for other texts."""
         axes = subject.axes(self.plot)
         return tuple(feature.worked_out(subject.numbers_asked, axes) for feature in features)
 
