@@ -107,6 +107,20 @@ class UniformChain:
         """The modes of the motion from displacements in m and velocities in m/s, each (N,)."""
         return ChainModes(self, self._coordinates("x_0", x_0), self._coordinates("v_0", v_0))
 
+    def drawn_modes(self, x_0: Array, v_0: Array) -> "DrawnModes":
+        """Return the modes in float64, as a picture needs them. ArithmeticError if they leave the range of doubles.
+
+        A coordinate is within a few u of the largest one.
+        """
+        q, v = self.shapes @ x_0, self.shapes @ v_0
+        energy = self.m * (v**2 + (self.omega * q) ** 2) / 2
+        rigid = self.shapes[0, 0] if self.ends == "free-free" else 0.0
+        drift = float(q[0] * rigid), float(v[0] * rigid)
+        moving = self.omega > 0
+        late = np.divide(v, self.omega, out=np.zeros_like(v), where=moving)
+        q = np.where(moving, q, 0.0)
+        return DrawnModes(self, np.hypot(q, late), np.arctan2(q, late), energy, drift)
+
     def motion(self, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> ChainMotion:
         """x and v (N, n) from displacements and velocities (N,) at the times t (n,): within 2 u of the amplitude.
 
@@ -181,11 +195,7 @@ class UniformChain:
 
     @cached_property
     def _sines(self) -> list[Decimal]:
-        """sin(pi n/parts) of a whole turn."""
-        ctx, parts = context(_TABLE_DIGITS), self._parts
-        quarter = [Decimal(ctx.nstr(ctx.sinpi(ctx.mpf(n) / parts), _TABLE_DIGITS)) for n in range(parts // 2 + 1)]
-        half = [*quarter, *quarter[(parts - 1) // 2 : 0 : -1]]
-        return [*half, *(-one for one in half)]
+        return _table(self._parts)
 
     @cached_property
     def _scaled_sines(self) -> list[Decimal]:
@@ -201,6 +211,25 @@ class UniformChain:
         """The shape of the drift of a free chain, one for all masses."""
         with precise():
             return (Decimal(1) / self.N).sqrt()
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnModes:
+    """A motion as the sum of its modes in float64: q_j = amplitude sin(omega_j t + phase), and the energy of each.
+
+    A drift of the whole chain is a + b t, with drift = (a, b).
+    """
+
+    chain: UniformChain
+    amplitude: Array
+    phase: Array
+    energy: Array
+    drift: tuple[float, float]
+
+    def x(self, t: Array) -> Array:
+        """The displacements in m (N, n) at the times t (n,) in s, without the drift's b t."""
+        coordinates = self.amplitude[:, None] * np.sin(np.outer(self.chain.omega, t) + self.phase[:, None])
+        return np.asarray(self.chain.shapes.T @ coordinates + self.drift[0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -270,6 +299,15 @@ class ChainModes:
 
     def _each(self) -> list[tuple[Decimal, Decimal, Decimal]]:
         return list(zip(self.coordinates, self.velocities, self.chain.exact_omega, strict=True))
+
+
+@lru_cache(64)
+def _table(parts: int) -> list[Decimal]:
+    """sin(pi n/parts) of a whole turn."""
+    ctx = context(_TABLE_DIGITS)
+    quarter = [Decimal(ctx.nstr(ctx.sinpi(ctx.mpf(n) / parts), _TABLE_DIGITS)) for n in range(parts // 2 + 1)]
+    half = [*quarter, *quarter[(parts - 1) // 2 : 0 : -1]]
+    return [*half, *(-one for one in half)]
 
 
 def _sum(terms: Sequence[Decimal]) -> Decimal:

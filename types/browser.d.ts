@@ -35,7 +35,7 @@ type AtInstant<Shape = page.AnyShape> = {[Key in keyof Shape]: page.Number exten
 /** A kind of shape: its elements are made once and moved at every frame; what a hand takes has a place and a size. */
 interface Kind<Shape = page.AnyShape> {
   make(shape: Shape): SVGElement[]
-  move(parts: SVGElement[], shape: AtInstant<Shape>): void
+  move(parts: SVGElement[], shape: AtInstant<Shape>, all: Named): void
   hold?(shape: AtInstant<Shape>): [x: number, y: number, size: number]
 }
 

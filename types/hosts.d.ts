@@ -57,6 +57,7 @@ interface Canvas {
 /** A plot of the page, for its parts. */
 interface PlotHost extends Canvas {
   readonly shown: Drawn
+  readonly down: boolean
   valueAt(event: PointerEvent, which?: "x" | "y"): number
   isInside(event: PointerEvent): boolean
   update(shown: Drawn): void

@@ -888,12 +888,25 @@ declare namespace page {
     options: Option[]
   }
 
+  /** Buttons with the shapes of the modes of a modal signal `of`, the strongest where they are many: each sets the
+   * parameter `name` to its number, and those of `sets`. `chosen` is the text that is the number of the one that
+   * moves alone. */
+  interface ModesBlock extends Part {
+    kind: "modes"
+    name: string
+    label: string
+    of: string
+    chosen: string
+    sets: Record<string, string>
+  }
+
   /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
    *
    * `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
    * `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
    * list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-   * placed with it before the figure is loaded. */
+   * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, each in a
+   * column with its displacement as colour, with the time downwards; the scalar `full` has the full colour. */
   interface PlotBlock extends Part {
     kind: "plot"
     name: string
@@ -914,10 +927,12 @@ declare namespace page {
     square: boolean
     plain: boolean
     pick: string
+    modal: string
+    full: string
     figure: Record<string, unknown>
   }
 
-  type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock
+  type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | PlotBlock
 
   /** The margins of the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
    * above. */
@@ -1251,7 +1266,32 @@ declare namespace page {
     depth: Number
   }
 
-  type AnyShape = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall
+  /** The masses of a modal signal `of` on their springs: at rest mass p is `first` + p - 1 of `parts` equal parts of
+   * the length from (x, y), and one of its displacement, less that of all, `drift`, is `across` pixels up or `along`
+   * pixels to the right. Their springs go on to the walls `left` and `right`, where these are not 0.
+   *
+   * Of one kind are all that are displaced to one side by more than `least`. The mass at the pointer is the signal `at`,
+   * while `picks` is not 0. */
+  interface Beads extends Look {
+    kind: "beads"
+    of: string
+    count: Number
+    x: Number
+    y: Number
+    length: Number
+    first: Number
+    parts: Number
+    across: Number
+    along: Number
+    left: Number
+    right: Number
+    least: Number
+    drift: Number
+    at: string
+    picks: Number
+  }
+
+  type AnyShape = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall | Beads
 
   /** Base of all signals. */
   interface Signal {
@@ -1307,6 +1347,25 @@ declare namespace page {
     detuning: number
   }
 
+  /** The motion of a chain of equal masses as the sum of its modes; its value is the displacement of the mass `at`, a
+   * signal before it.
+   *
+   * Mode j has sizes[j] sin(omega[j] t + phases[j]) times its orthonormal shape, which follows from the number of modes
+   * and the `ends`; `line` = (a, b) adds a + b t to all. Mass p = 1, 2, ... has the displacement called `name` and its
+   * number, x3. All displacements are in proportion to the scalar `of`, which is `by` in this picture (0: they are not). */
+  interface Modal extends Signal {
+    kind: "modal"
+    name: string
+    ends: "fixed-fixed" | "fixed-free" | "free-free"
+    omega: number[]
+    sizes: number[]
+    phases: number[]
+    at: string
+    of: string
+    by: number
+    line: [number, number]
+  }
+
   /** A polynomial in earlier signals. */
   interface Derived extends Signal {
     kind: "derived"
@@ -1342,7 +1401,7 @@ declare namespace page {
     drift: number
   }
 
-  type AnySignal = Sines | Responses | DampedMass | DrivenMass | Derived | SineOf | CosineOf | Sampled
+  type AnySignal = Sines | Responses | DampedMass | DrivenMass | Modal | Derived | SineOf | CosineOf | Sampled
 
   /** A coefficient times named quantities. */
   type Product = [factor: number, names: string[]]

@@ -83,13 +83,26 @@ class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
     options: tuple[Option, ...]
 
 
+class ModesBlock(Part, frozen=True, kw_only=True, tag="modes"):
+    """Buttons with the shapes of the modes of a modal signal `of`, the strongest where they are many: each sets the
+    parameter `name` to its number, and those of `sets`. `chosen` is the text that is the number of the one that
+    moves alone."""
+
+    name: str
+    label: str
+    of: str
+    chosen: str
+    sets: dict[str, str]
+
+
 class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     """A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
 
     `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
     `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
     list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-    placed with it before the figure is loaded.
+    placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, each in a
+    column with its displacement as colour, with the time downwards; the scalar `full` has the full colour.
     """
 
     name: str
@@ -110,8 +123,10 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     square: bool
     plain: bool
     pick: str
+    modal: str
+    full: str
     figure: dict[str, Any]  # Bokeh's own JSON
     """A Bokeh document, as JSON, with only this figure."""
 
 
-Block: TypeAlias = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock
+Block: TypeAlias = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | PlotBlock

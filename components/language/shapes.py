@@ -258,4 +258,29 @@ class Wall(Look, frozen=True, kw_only=True, tag="wall"):
     depth: Number = 10.0
 
 
-AnyShape: TypeAlias = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall
+class Beads(Look, frozen=True, kw_only=True, tag="beads"):
+    """The masses of a modal signal `of` on their springs: at rest mass p is `first` + p - 1 of `parts` equal parts of
+    the length from (x, y), and one of its displacement, less that of all, `drift`, is `across` pixels up or `along`
+    pixels to the right. Their springs go on to the walls `left` and `right`, where these are not 0.
+
+    Of one kind are all that are displaced to one side by more than `least`. The mass at the pointer is the signal `at`,
+    while `picks` is not 0."""
+
+    of: str
+    count: Number
+    x: Number
+    y: Number
+    length: Number
+    first: Number
+    parts: Number
+    across: Number
+    along: Number
+    left: Number
+    right: Number
+    least: Number
+    drift: Number
+    at: str
+    picks: Number
+
+
+AnyShape: TypeAlias = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall | Beads

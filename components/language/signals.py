@@ -6,7 +6,7 @@ axis. The coefficients are then of order one. A signal can use earlier signals a
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -81,6 +81,26 @@ class DrivenMass(Signal, frozen=True, kw_only=True, tag="driven"):
     detuning: float
 
 
+class Modal(Signal, frozen=True, kw_only=True, tag="modal"):
+    """The motion of a chain of equal masses as the sum of its modes; its value is the displacement of the mass `at`, a
+    signal before it.
+
+    Mode j has sizes[j] sin(omega[j] t + phases[j]) times its orthonormal shape, which follows from the number of modes
+    and the `ends`; `line` = (a, b) adds a + b t to all. Mass p = 1, 2, ... has the displacement called `name` and its
+    number, x3. All displacements are in proportion to the scalar `of`, which is `by` in this picture (0: they are not).
+    """
+
+    name: str
+    ends: Literal["fixed-fixed", "fixed-free", "free-free"]
+    omega: tuple[float, ...]
+    sizes: tuple[float, ...]
+    phases: tuple[float, ...]
+    at: str
+    of: str
+    by: float
+    line: tuple[float, float] = (0.0, 0.0)
+
+
 class Derived(Signal, frozen=True, kw_only=True, tag="derived"):
     """A polynomial in earlier signals."""
 
@@ -117,4 +137,4 @@ class Sampled(Signal, frozen=True, kw_only=True, tag="sampled"):
     drift: float = 0.0
 
 
-AnySignal: TypeAlias = Sines | Responses | DampedMass | DrivenMass | Derived | SineOf | CosineOf | Sampled
+AnySignal: TypeAlias = Sines | Responses | DampedMass | DrivenMass | Modal | Derived | SineOf | CosineOf | Sampled

@@ -94,6 +94,8 @@ class Details(TypedDict, total=False):
     plain: bool
     x_labels: bool
     pick: str
+    modal: str
+    full: str
     form: Name
     style: str
     grow: float
@@ -110,6 +112,8 @@ USUAL: Details = {
     "plain": False,
     "x_labels": True,
     "pick": "",
+    "modal": "",
+    "full": "",
     "grow": 1,
     "basis": 0,
     "phone": 50,

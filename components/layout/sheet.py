@@ -13,6 +13,7 @@ from components.language.blocks import (
     Block,
     ChoiceBlock,
     Column,
+    ModesBlock,
     PlotBlock,
     Row,
     StageBlock,
@@ -122,6 +123,11 @@ def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, pho
         basis=basis,
         phone=phone,
     )
+
+
+def modes(parameter: str, label: str, of: str, chosen: str, sets: dict[str, str], phone: int = 50) -> Block:
+    """Buttons with the shapes of the modes of a modal signal: components.language.blocks.ModesBlock."""
+    return ModesBlock(part="modes", name=parameter, label=label, of=of, chosen=chosen, sets=sets, phone=phone)
 
 
 def term(

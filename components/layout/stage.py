@@ -19,6 +19,7 @@ from components.language.shapes import (
     AnyShape,
     Arc,
     Arrow,
+    Beads,
     Box,
     Circle,
     Label,
@@ -177,6 +178,11 @@ def wall(x: Number, y: Number, length: Number, side: str = "left", **more: Any) 
     `depth` is the size of its hatching, 10 pixels where not given.
     """
     return Wall(x=x, y=y, length=length, side=cast(Side, side), **_common(more))
+
+
+def beads(**given: Any) -> Shape:
+    """The masses of a modal signal on their springs: components.language.shapes.Beads."""
+    return Beads(**_common(given))
 
 
 def _common(more: Looks) -> Looks:

@@ -125,7 +125,7 @@ class Plot(PlotFrame):
             bands=[band for one in _from_below(items) for band in one.bands(self)],
             heading=[term for one in items for term in one.terms()],
             x_column=None if self.across.is_time else self.across,
-            cursor="time" if self.across.is_time else "",
+            cursor="time" if self.across.is_time or self.up.is_time else "",
             room=room,
             **details,
         )
@@ -203,12 +203,13 @@ class PlottedCurve(DrawnItem):
 
     `legend` is LaTeX in the heading, or plain `words`; `label` names it at its right end and `read` at the pointer. A
     motion too `fast` for a line is drawn as its band, as its mean, or as a band that ends in a line where the motion
-    has rung down. `fill` is the opacity of the area down to 0. `dot` moves a dot along the curve; of a table it is the
-    place of the dot. Its `group` is switched off together.
+    has rung down. `fill` is the opacity of the area down to 0, which a table has as its column "zero". `dot` moves a
+    dot along the curve; of a table it is the place of the dot. Its `group` is switched off together.
     """
 
     width: Literal["sum", "line", "dash", "dots", "thin", "none"] = "line"
     tint: str = "ink"
+    marker: Literal["", "disc", "ring"] = ""
     legend: Legend = ""
     words: Legend = ""
     label: str = ""
@@ -225,7 +226,7 @@ class PlottedCurve(DrawnItem):
 
     def lines(self, plot: Plot) -> list[Curve]:
         name = self.recorded.name
-        look: dict[str, Any] = {"group": self.switch, "tint": self.tint, "width": self.width}
+        look: dict[str, Any] = {"group": self.switch, "tint": self.tint, "width": self.width, "marker": self.marker}
         look |= {"label": runs(self.label), "read": plain(self.read or self.label)}
         if self.columns:
             x, y = self.columns
@@ -245,7 +246,8 @@ class PlottedCurve(DrawnItem):
         name, look = self.recorded.name, {"tint": self.tint, "group": self.switch}
         sources = {"band": [BAND], "ringing": [BAND, RINGING]}.get(self.fast, [])
         found = [_region(f"{name}_lo", f"{name}_hi", source, alpha=0.4, of=name, **look) for source in sources]
-        return [*found, *([_region(FLOOR, name, alpha=self.fill, **look)] if self.fill else [])]
+        x, y, source = (*self.columns, name) if self.columns else ("t", name, TIME)
+        return [*found, *([_region(FLOOR, y, source, x=x, alpha=self.fill, **look)] if self.fill else [])]
 
     def terms(self) -> list[Term]:
         key = "line" if self.width == "thin" else self.width
@@ -338,7 +340,7 @@ def stack(*layers: PlottedLayer) -> list[PlottedLayer]:
 
 
 def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:
-    return Region(source=source, x="t", low=low, high=high, **look)
+    return Region(**{"source": source, "x": "t", "low": low, "high": high, **look})
 
 
 def _term(
@@ -371,6 +373,13 @@ def number_name(of: object, on: PlotAxis | None = None) -> str:
     return own.book.number(own, on)
 
 
+def text_name(of: object) -> str:
+    """Return the name of an attribute as a text of the picture."""
+    own = recorded(of)
+    own.book.text(own, FORMATS[""])
+    return own.name
+
+
 def along(
     across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "",
     least: float | None = None, **sets: object,
@@ -397,9 +406,7 @@ def drag(label: str, *ways: Along) -> Grab:
 
 def handle(of: float, **look: Any) -> Handle:
     """Return a pill on an axis that shows a number of the case: see `components.language.plots.Handle`."""
-    own = recorded(of)
-    own.book.text(own, FORMATS[""])
-    return Handle(text=own.name, **look)
+    return Handle(text=text_name(of), **look)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
@@ -21,6 +22,7 @@ from components.language.signals import (
     DampedMass,
     Derived,
     DrivenMass,
+    Modal,
     Response,
     Responses,
     Sampled,
@@ -29,6 +31,7 @@ from components.language.signals import (
     Sines,
 )
 from components.quantities.axes import Axis
+from physics.chain import DrawnModes, UniformChain
 from physics.damped import Decay, Fading
 from physics.driven import Push
 from physics.motion import Harmonic
@@ -36,6 +39,8 @@ from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
 """A quarter turn: the sine so much ahead is the cosine."""
+LEAST_SHARE = 2.0**-53
+"""Of the largest coordinate of a chain: a smaller one is its rounding."""
 
 
 def scaled(exponent: int, *factors: float | Decimal) -> float:
@@ -119,6 +124,34 @@ def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
     )
 
 
+@dataclass(frozen=True, eq=False)
+class ModalPlay:
+    """The modes of a chain as a signal plays them, under the names that the signal uses: see `Modal`.
+
+    `by` is the value in m of the scalar `of`, which all displacements are in proportion to; 0 if they are not.
+    """
+
+    modes: DrawnModes
+    name: str
+    at: str
+    of: str
+    by: float
+
+
+def modal(size: Axis, time: Axis, play: ModalPlay) -> Modal:
+    """The motion of a chain, without what is below a unit of the last place of its largest coordinate."""
+    modes = play.modes
+    sizes = np.where(modes.amplitude > LEAST_SHARE * modes.amplitude.max(), modes.amplitude, 0.0)
+    unit = size.factor * 10.0**size.exponent
+    return Modal(
+        name=play.name, ends=modes.chain.ends, at=play.at, of=play.of, by=play.by / unit,
+        omega=tuple((modes.chain.omega * 10.0**time.exponent).tolist()),
+        sizes=tuple((sizes / unit).tolist()),
+        phases=tuple(np.where(sizes > 0, modes.phase, 0.0).tolist()),
+        line=(modes.drift[0] / unit, modes.drift[1] / unit * 10.0**time.exponent),
+    )  # fmt: skip
+
+
 def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
     """Return the signal of an elementary motion from the numbers by which it is played."""
     match numbers:
@@ -130,6 +163,8 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
             return sines(size, time, *sinusoids, line=line)
         case Push():
             return driven(size, time, numbers)
+        case ModalPlay():
+            return modal(size, time, numbers)
     raise TypeError(f"{type(numbers).__name__} is not played by any signal")
 
 
@@ -157,6 +192,10 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
                 named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
             case DampedMass(start=start):
                 named[name] = start
+            case Modal(sizes=sizes, phases=phases, line=(first, _)):
+                chain = UniformChain(N=len(sizes), m=1.0, k=1.0, ends=signal.ends)
+                shape = chain.shapes[:, round(named[signal.at]) - 1]
+                named[name] = first + float(shape @ (np.array(sizes) * np.sin(phases)))
             case Derived(value=Expression(terms=products)):
                 named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
             case Sampled(y=tuple(values)):

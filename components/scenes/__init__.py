@@ -6,6 +6,7 @@ from components.scene import Scene
 from components.scenes.absorber import Absorber
 from components.scenes.accuracy import Accuracy
 from components.scenes.analogues import Analogues
+from components.scenes.chain import Chain
 from components.scenes.coupled import Coupled
 from components.scenes.damped import Damped
 from components.scenes.driven import DrivenScene
@@ -28,6 +29,7 @@ SCENES: dict[str, type[Scene]] = {
         Coupled,
         Forced,
         Absorber,
+        Chain,
         Accuracy,
     )
 }

@@ -26,7 +26,7 @@ from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsB
 from components.language.numbers import names_in
 from components.language.plots import Curve, Region
 from components.language.shapes import Label
-from components.language.signals import AnySignal, CosineOf, Derived, SineOf
+from components.language.signals import AnySignal, CosineOf, Derived, Modal, SineOf
 from components.layout.sheet import blocks, in_force
 from components.quantities.axes import Axis, round_ticks
 from components.quantities.motion import derived, starts
@@ -141,7 +141,9 @@ class _Drawn:
 
 
 def _drawn(plot: PlotBlock) -> list[_Drawn]:
-    return [*(_curve(plot.name, curve) for curve in plot.curves), *(_band(plot.name, band) for band in plot.regions)]
+    modal = [_Drawn(plot.name, frozenset(), frozenset(), frozenset({plot.modal}))] if plot.modal else []
+    curves = [_curve(plot.name, curve) for curve in plot.curves]
+    return [*modal, *curves, *(_band(plot.name, band) for band in plot.regions)]
 
 
 def _curve(plot: str, curve: Curve) -> _Drawn:
@@ -207,7 +209,8 @@ def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bo
     rest = {
         name: derived(begun[name] if name in _held(scene) else 0.0)
         for name, signal in picture.signals.items()
-        if name in names and (name in _held(scene) or (all_rest and not spoken_of(signal)))
+        if name in names
+        and (name in _held(scene) or (all_rest and (isinstance(signal, Modal) or not spoken_of(signal))))
     }
     return {**(picture.signals if all_rest else _less(picture.signals, names)), **rest}
 
@@ -259,4 +262,6 @@ def spoken_of(signal: AnySignal) -> frozenset[Any]:
     """The signals and scalars that a signal is made of."""
     if isinstance(signal, Derived):
         return names_in(signal.value)
+    if isinstance(signal, Modal):
+        return frozenset((signal.at, signal.of))
     return frozenset((signal.of,)) if isinstance(signal, (SineOf, CosineOf)) else frozenset()

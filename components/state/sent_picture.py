@@ -63,7 +63,8 @@ def sent_picture(now: Standing, picture: Picture) -> Picture:
     if parts is None:
         return picture
     axes = parts.axes
-    traces = {name: one.less(set(one.names) - axes.get(name, {}).keys()) for name, one in picture.traces.items()}
+    drawn = {name: one for name, one in picture.traces.items() if name in axes}
+    traces = {name: one.less(set(one.names) - axes[name].keys()) for name, one in drawn.items()}
     wanted = parts.names.union(*(one.needed for one in traces.values()))
     if now.step:
         wanted = wanted.union(picture.live)  # the texts of a step may have any of them

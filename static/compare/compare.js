@@ -139,7 +139,7 @@ export class Compare {
   named(t) {
     const {hand, shown} = this.page
     const {signals, scalars} = shown.view
-    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.grab?.named})
+    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.pointed, ...hand.grab?.named})
     if (this.still && hand.grab) this.still = {...roots(signals, named), t: named.t}
     return named
   }

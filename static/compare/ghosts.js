@@ -5,8 +5,8 @@ import {element, long, marked, set, svg} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../input/scales.js"
-import {evaluate} from "../core/signals.js"
-import {atInstant, kindOf} from "../paper/stage.js"
+import {atInstant, evaluate} from "../core/signals.js"
+import {kindOf} from "../paper/stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
 const NEAR = 0.05 // pixels between what is the same
@@ -275,7 +275,7 @@ export class StageGhost {
       const {spec, needs, parts, group} = shape
       const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)
       group.style.display = isShown ? "" : "none"
-      if (isShown) kindOf(spec).move(parts, atInstant(shape, all))
+      if (isShown) kindOf(spec).move(parts, atInstant(shape, all), all)
     }
   }
 }

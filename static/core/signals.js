@@ -1,6 +1,7 @@
 // Signals, evaluated from a few scalars at any instant: the browser's half of components/language/signals.py.
 
 import {circled, damped, driven} from "./damped.js"
+import {modal} from "./modal.js"
 
 const SERIES = 1 // below this largest angle the power series has every digit, and the closed forms cancel
 const TERMS = 9
@@ -77,6 +78,16 @@ export function polynomial(number, named) {
   return sum
 }
 
+/**
+ * A shape with its numbers worked out: `moving` are those that are none yet.
+ * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
+ */
+export function atInstant({spec, moving}, all) {
+  const shape = {...spec}
+  for (const [key, value] of moving) Object.assign(shape, {[key]: polynomial(value, all)})
+  return /** @type {AtInstant} */ (shape)
+}
+
 /** @type {Set<string>} */
 const told = new Set()
 
@@ -111,6 +122,8 @@ function valueOf(signal, t, named) {
       return damped(signal, t)
     case "driven":
       return driven(signal, t)
+    case "modal":
+      return modal(signal, t, named)
     case "derived":
       return polynomial(signal.value, named)
     case "sine":
@@ -123,8 +136,13 @@ function valueOf(signal, t, named) {
 }
 
 /** The names that a signal speaks of. @param {page.AnySignal} signal */
-const spokenOf = signal =>
-  signal.kind === "derived" ? signal.value.terms.flatMap(([, names]) => names) : "of" in signal ? [signal.of] : []
+function spokenOf(signal) {
+  if (signal.kind === "derived") return signal.value.terms.flatMap(([, names]) => names)
+  if (signal.kind === "modal") return [signal.at]
+  return "of" in signal ? [signal.of] : []
+}
+
+const MADE = new Set(["derived", "sine", "cosine", "modal"]) // of others, or many at once
 
 /**
  * The named signals at many instants, in columns. Only the signals that they depend on are evaluated too.
@@ -133,8 +151,11 @@ const spokenOf = signal =>
  */
 export function over(signals, scalars, times, names) {
   const needed = new Set(names)
-  for (const [name, signal] of Object.entries(signals).toReversed())
+  const ofMany = [...names].some(name => !(name in signals)) // which one signal gives
+  for (const [name, signal] of Object.entries(signals).toReversed()) {
+    if (ofMany && signal.kind === "modal") needed.add(name)
     if (needed.has(name)) for (const other of spokenOf(signal)) needed.add(other)
+  }
   const wanted = Object.entries(signals).filter(([name]) => needed.has(name))
   const columns = Object.fromEntries([...names].map(name => [name, new Float64Array(times.length)]))
   /** @type {Named} */
@@ -152,7 +173,7 @@ export function over(signals, scalars, times, names) {
  * @param {Record<string, page.AnySignal>} signals @param {Named} named @returns {Named}
  */
 export function roots(signals, named) {
-  const own = Object.entries(signals).filter(([, {kind}]) => kind !== "derived" && kind !== "sine" && kind !== "cosine")
+  const own = Object.entries(signals).filter(([, {kind}]) => !MADE.has(kind))
   return Object.fromEntries(own.map(([name]) => [name, named[name]]))
 }
 

@@ -4,7 +4,7 @@ import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
 import {set, svg, unitSize} from "../core/dom.js"
 import {Flags, Labels} from "../paper/labels.js"
 import {fixed} from "../core/numbers.js"
-import {geometry} from "../paper/plots.js"
+import {geometry, turned} from "../paper/plots.js"
 import {clamp, toOneScale} from "../core/ruler.js"
 import {evaluate} from "../core/signals.js"
 import {Stage} from "../paper/stage.js"
@@ -33,6 +33,7 @@ export class Drawing {
     this.view = plot.view
     this.hidden = plot.hidden
     this.under = plot.ghost?.under
+    this.field = plot.field
     this.page = plot.page
     this.host = host
     this.frame = frame
@@ -72,6 +73,8 @@ export class Drawing {
     const lines = this.under ? linesOf(this, this.under) : []
     const held = (/** @type {boolean} */ over) =>
       lines.filter(({above}) => above === over).map(({look, d}) => svg("path", {class: `held ${look}`, d}))
+    if (this.field && !isCovered({block: this.block, shown: this.page.shown}))
+      this.inside.append(this.field.image(this))
     this.inside.append(...held(false))
     for (const region of this.block.regions) this.#region(region)
     this.inside.append(...held(true))
@@ -244,7 +247,8 @@ function dotAt(point, marker) {
  */
 export function numbered(plot) {
   const {x, y} = axes(plot)
-  return {x: whole(x), y: whole(y)}
+  const up = whole(y)
+  return {x: whole(x), y: plot.down ? turned(up) : up}
 }
 
 /** @param {page.Ruler} ruler */

@@ -120,6 +120,18 @@ export class Grips {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
+  /** A press on what only its first grip can take. @param {PointerEvent} event */
+  press(event) {
+    const [hit] = this.grips.values()
+    if (!hit.grip.hidden && Math.hypot(...this.#from(hit, event)) <= FINGER) this.#drag(event, hit)
+  }
+
+  /** From a grip to a pointer. @param {Grip} grip @param {PointerEvent} event */
+  #from({x, y}, {clientX, clientY}) {
+    const {left, top} = this.element.getBoundingClientRect()
+    return [(clientX - left) / unitSize() - x, (clientY - top) / unitSize() - y]
+  }
+
   /** Chooses the nearest of overlapping grips. @param {PointerEvent} event @param {Grip} hit */
   #drag(event, hit) {
     if (event.button) return

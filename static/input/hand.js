@@ -11,6 +11,9 @@ export class Hand {
   /** @type {Grab | null} what is held */
   grab = null
 
+  /** @type {Named} what is at the pointer and would be taken */
+  pointed = {}
+
   /** @param {PartHost} page */
   constructor(page) {
     this.page = page

@@ -81,7 +81,8 @@ export class Handles {
     const {host, page} = this.plot
     const {clock} = page
     const {playing} = clock
-    const move = (/** @type {PointerEvent} */ moved) => clock.seek(this.plot.valueAt(moved))
+    const side = this.plot.down ? "y" : "x"
+    const move = (/** @type {PointerEvent} */ moved) => clock.seek(this.plot.valueAt(moved, side))
     host.setPointerCapture(event.pointerId)
     clock.playing = false
     move(event)
@@ -93,7 +94,7 @@ export class Handles {
 
   /** @param {string} tint @param {string} label @param {page.Handle | null} handle */
   #pill(tint, label, handle) {
-    const isUpright = handle?.axis === "y"
+    const isUpright = this.#side(handle) === "y"
     const made = element("div", {
       class: `pill ${tint} ${isUpright ? "upright" : ""}`,
       role: "slider",
@@ -123,7 +124,12 @@ export class Handles {
 
   /** @param {Pill} pill */
   #axis({handle}) {
-    return handle?.axis === "y" ? this.plot.y : this.plot.x
+    return this.plot[this.#side(handle)]
+  }
+
+  /** Without a handle it is the time's. @param {page.Handle | null} handle @returns {"x" | "y"} */
+  #side(handle) {
+    return handle?.axis ?? (this.plot.down ? "y" : "x")
   }
 
   /** @param {Pill} pill @param {number} value @param {string} text */
@@ -216,7 +222,7 @@ export class Handles {
     pill.element.setPointerCapture(event.pointerId)
     const {clock} = this.plot.page
     const {playing} = clock
-    const at = (/** @type {PointerEvent} */ hand) => this.plot.valueAt(hand, pill.handle?.axis)
+    const at = (/** @type {PointerEvent} */ hand) => this.plot.valueAt(hand, this.#side(pill.handle))
     const off = at(event) - onAxis(this.#here(pill), this.#axis(pill))
     if (isSetter(pill)) this.#hold([pill])
     else clock.playing = false
@@ -260,7 +266,7 @@ function settable(ruler, place, least) {
 }
 
 /** @param {number} value @param {Span} span */
-const onAxis = (value, {start, end}) => clamp(value, start, end)
+const onAxis = (value, {start, end}) => clamp(value, Math.min(start, end), Math.max(start, end))
 
 /** A handle shows three digits of a number that was typed with more. @param {string} text */
 export function brief(text) {

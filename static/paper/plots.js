@@ -3,6 +3,7 @@
 
 import {Cover} from "../compare/cover.js"
 import {element, inUnits, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {Field} from "./field.js"
 import {Figure} from "./figure.js"
 import {Handles} from "../input/handles.js"
 import {Flags, Labels} from "./labels.js"
@@ -41,6 +42,7 @@ export class Plot {
     this.over = svg("svg", {class: "over", "aria-hidden": "true"})
     this.controls = element("div", {class: "handles"})
     host.append(this.figure.element, this.figure.says, this.over, this.controls)
+    this.field = block.modal ? new Field(this) : null
     this.cursor = block.cursor ? svg("line", {class: "now"}) : null
     this.flags = new Flags(this)
     this.cover = new Cover(this)
@@ -85,6 +87,11 @@ export class Plot {
   /** @param {number} value */
   py(value) {
     return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
+  }
+
+  /** Whether its time runs downwards. */
+  get down() {
+    return this.block.time && this.block.modal !== ""
   }
 
   /** @returns {Frame} */
@@ -144,11 +151,13 @@ export class Plot {
     this.view = view
     const isAway = this.host.closest("[hidden]") !== null
     this.absent = isAway || !view.axes[this.block.x] || !view.axes[this.block.y]
-    this.asked = {x: this.handles.ruler(this.block.x), y: this.handles.ruler(this.block.y)}
+    const up = this.handles.ruler(this.block.y)
+    this.asked = {x: this.handles.ruler(this.block.x), y: this.down && up ? turned(up) : up}
     this.x = this.asked.x ?? this.x
     this.y = this.asked.y ?? this.y
     this.hidden = new Set(this.page.hidden)
     this.cover.update()
+    this.field?.update()
     if (this.absent) return
     this.#number(shown.state.show ?? [])
     this.#widen()
@@ -194,11 +203,13 @@ export class Plot {
 
   theme() {
     this.figure.theme()
+    this.field?.theme()
   }
 
   // Parts that change only with a message: end labels, band labels, marks.
   still() {
     if (!this.box || !this.shown || this.absent) return
+    this.field?.place()
     this.ghost?.place()
     this.labels.place()
     this.flags.place()
@@ -262,8 +273,10 @@ export class Plot {
     if (!this.box || !this.shown || this.absent) return
     const {top, height} = this.frame
     if (this.cursor) {
-      const x = this.px(t)
-      set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
+      const {left, width} = this.frame
+      const [x, y] = [this.px(t), this.py(t)]
+      if (this.down) set(this.cursor, {x1: left, x2: left + width, y1: y, y2: y})
+      else set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
       this.handles.placeTime(t, timeText)
     }
     const {covered} = this.shown.state
@@ -296,6 +309,9 @@ export function geometry(plot, name, dx = 0, dy = 0) {
     [`${name}.y1`]: -height / (plot.y.end - plot.y.start),
   }
 }
+
+/** An axis the other way round. @param {page.Ruler} ruler @returns {page.Ruler} */
+export const turned = ruler => ({...ruler, start: ruler.end, end: ruler.start})
 
 /**
  * Also false if x or y is NaN, because the picture has no such signal.

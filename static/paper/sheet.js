@@ -3,6 +3,7 @@
 
 import {buildChoice} from "../input/controls.js"
 import {element, long, marked, set} from "../core/dom.js"
+import {ModeButtons} from "./mode_buttons.js"
 import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
 import {viewOf} from "./views.js"
@@ -16,7 +17,7 @@ export class Sheet {
   /** @type {Stage[]} */
   stages = []
 
-  /** @type {ReturnType<typeof buildChoice>[]} */
+  /** @type {(ReturnType<typeof buildChoice> | ModeButtons)[]} */
   choices = []
 
   /** @type {{term: page.Term, part: HTMLElement, variants: Variant[]}[]} */
@@ -64,6 +65,9 @@ export class Sheet {
         return host.append(...block.items.map(item => this.#item(item)))
       case "table":
         return host.append(this.#table(block))
+      case "modes":
+        this.choices.push(new ModeButtons(host, block, this.page))
+        return
       case "choice":
         this.choices.push(buildChoice(host, block, message => this.page.send(message)))
     }
@@ -201,7 +205,7 @@ export class Sheet {
       holder.hidden = wanted === ""
       for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }
-    this.choices.forEach(choice => choice.update(settings))
+    this.choices.forEach(choice => choice.update(settings, shown.view))
     const {root} = this.page
     root.classList.toggle("at-rest", covered.includes("stage") && !before)
     root.classList.toggle("without-table", covered.includes("table"))

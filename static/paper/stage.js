@@ -1,10 +1,11 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
+import {beads, pointed} from "./beads.js"
 import {Clear} from "./clear.js"
 import {coveredPlots, tells} from "../compare/cover.js"
 import {inUnits, set, svg, unitSize, words} from "../core/dom.js"
 import {Grips} from "../input/grips.js"
-import {polynomial} from "../core/signals.js"
+import {atInstant} from "../core/signals.js"
 
 const TEETH = 9
 
@@ -148,20 +149,11 @@ const KINDS = {
       set(line, {x1: s.x, y1: s.y, x2: upright ? s.x : s.x + s.length, y2: upright ? s.y + s.length : s.y})
     },
   },
+  beads,
 }
 
 /** @param {page.AnyShape} shape */
 export const kindOf = shape => /** @type {Kind} */ (KINDS[shape.kind])
-
-/**
- * A shape with its numbers evaluated; `moving` are the expressions among them.
- * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
- */
-export function atInstant({spec, moving}, all) {
-  const shape = {...spec}
-  for (const [key, value] of moving) Object.assign(shape, {[key]: polynomial(value, all)})
-  return /** @type {AtInstant} */ (shape)
-}
 
 export class Stage {
   /** @type {Canvas | undefined} a plot of the same size whose texts are placed already */
@@ -175,6 +167,9 @@ export class Stage {
 
   /** @type {Named} */
   nowhere = {}
+
+  /** @type {Named | undefined} all that the last frame was drawn of */
+  named
 
   /** @type {(() => void) | undefined} called when there is more or less room */
   resized
@@ -214,6 +209,7 @@ export class Stage {
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(shape, shape.grab)
+    if (page) pointed(this, page)
     this.#joins()
     this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
@@ -295,6 +291,7 @@ export class Stage {
   frame(named) {
     if (this.host.closest("[hidden]")) return
     const all = {...this.nowhere, ...named, ...this.plots, ...this.size, ...this.join}
+    this.named = all
     for (const shape of this.shapes) {
       const {spec, kind, parts, group, needs, places, plots, covered} = shape
       const away = covered || (this.apart && plots.size > 1)
@@ -303,7 +300,7 @@ export class Stage {
       const shown = !away && stands && spec.show.every(name => all[name])
       group.style.display = shown ? "" : "none"
       const now = shown ? atInstant(shape, all) : null
-      if (now) kind.move(parts, now)
+      if (now) kind.move(parts, now, all)
       this.grips?.place(spec, now && kind.hold?.(now), all)
     }
     this.clear.place()

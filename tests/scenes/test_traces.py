@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from components.language.signals import Sampled
-from components.quantities.axes import TIME_AXIS
-from components.scene import Picture
+from components.quantities.axes import TIME_AXIS, Axis
+from components.scene import Picture, Scene
 from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
@@ -41,17 +41,21 @@ def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
     return {(source, name): one.columns[name] for source, one in picture.traces.items() for name in one.names}
 
 
+def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axis:
+    """The axis that a curve is drawn on; that of the masses of a chain, which are drawn by colour, is of its signal."""
+    return picture.axes[column_axes(scene)[source][name] if source in column_axes(scene) else "y"]
+
+
 @pytest.mark.parametrize("slug", SCENES)
 def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
     scene, checked = SCENES[slug], 0
-    axes_of = column_axes(scene)
     for values in views(slug):
         shown = scene.at(values).shown
         wire = picture_wire(scene.at(values))["columns"]
         by_table = any(isinstance(one, Sampled) for one in shown.signals.values())
         near = TOLD if by_table else NEAR.get(slug, CLOSED)
         for (source, name), exact in traced(shown).items():
-            axis = shown.axes[axes_of[source][name]]
+            axis = axis_of(scene, shown, source, name)
             off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(
                 axis.place(axis.end) - axis.place(axis.start)
             )
@@ -72,13 +76,12 @@ def test_a_line_stands_for_what_its_samples_resolve(end: float, cycles: float) -
 @pytest.mark.parametrize("slug", SCENES)
 def test_no_curve_is_too_sparse_for_its_motion(slug: str) -> None:
     """At eight times as many instants it reaches as far, but for the least that twelve points a cycle leave out."""
-    axes_of = column_axes(SCENES[slug])
     for values in views(slug):
         shown = SCENES[slug].at(values).shown
         for source, one in shown.traces.items():
             dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
             for name in one.names:
-                axis, drawn = shown.axes[axes_of[source][name]], one.columns[name]
+                axis, drawn = axis_of(SCENES[slug], shown, source, name), one.columns[name]
                 reached = dense[name].max() - drawn.max(), drawn.min() - dense[name].min()
                 roundings = 1e-12 * abs(axis.end - axis.start)
                 assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (values, source, name)

@@ -1,0 +1,303 @@
+"""The case of a chain of N equal masses: its start, its motion as a sum of modes, and everything that is shown."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property, lru_cache
+from typing import Literal
+
+import numpy as np
+
+from components.language.picture import Pace
+from components.paper.deferred import Attributes
+from components.quantities.motion import ModalPlay, pace
+from components.quantities.numbers import three
+from components.scene.case import Case
+from components.scene.traces import Columns, Floats
+from physics.chain import ChainEnds, ChainModes, DrawnModes, UniformChain
+from physics.exact import rounded
+from physics.motion import Elementary, ExactMotion, Harmonic, constant, harmonic_motion
+from physics.valid import in_range
+
+PARTS: dict[str, float] = {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}
+"""The number of spacings of a chain, less the number of its masses."""
+TRAVERSES, FEW_TRAVERSES, FEW = 3.0, 12.0, 4
+"""The times in which a wave runs from end to end that a window has; with fewer than so many masses it has more."""
+LOOKS = 160
+"""The instants at which the extremes of a motion are looked for."""
+SHRINKS = 0.8
+"""The share by which a spring is drawn shorter at the most."""
+MOST_TURNS = 40
+"""The reflections of the string's crest that are drawn at the most."""
+TAKES_PART = 0.002
+"""The share of the energy from which on a mode takes part."""
+LEAST_GRIP = 0.2
+"""The share of h by which a mass must be displaced to be taken in hand."""
+SMALLER = "Displacements are drawn {share} times as large, so that no masses meet."
+DRIFTS = "The chain drifts at {rate} m/s, which is mode 1. It is drawn about its centre of mass."
+LONE = "One mass between two springs is the Oscillator with the stiffness 2 *k*."
+
+
+@lru_cache(64)
+def chain_of(N: int, m: float, k: float, ends: ChainEnds) -> UniformChain:
+    return UniformChain(N=N, m=m, k=k, ends=ends)
+
+
+class MassesCase(Case):
+    """A free motion of N equal masses on equal springs."""
+
+    N: float
+    m: float
+    k: float
+    a: float
+    keep: str
+    ends: ChainEnds
+    starts: str
+    j: float
+    p: float
+    h: float
+    v_0: float
+    centre: float
+    width: float
+    way: str
+    view: str
+
+    @cached_property
+    def chain(self) -> UniformChain:
+        return chain_of(int(self.N), self.m, self.k, self.ends)
+
+    @property
+    def parts(self) -> float:
+        """The length of the chain in spacings."""
+        return self.N + PARTS[self.ends]
+
+    @cached_property
+    def length(self) -> float:
+        return within("the length of the chain", self.parts * self.a)
+
+    @cached_property
+    def Omega(self) -> float:
+        """sqrt(k/m) in rad/s: the masses that a long wave passes in a second."""
+        return rounded("the frequency of a mass on one spring", self.chain.exact_Omega)
+
+    @property
+    def left(self) -> float:
+        """The place of the left end, counted as the masses are."""
+        return 0.5 if self.ends == "free-free" else 0.0
+
+    @property
+    def lasting(self) -> float:
+        count = TRAVERSES if self.N >= FEW else FEW_TRAVERSES
+        return within("the time window", count * self.parts / self.Omega)
+
+    @property
+    def highest(self) -> float:
+        return float(self.chain.omega[-1])
+
+    @property
+    def pace(self) -> Pace:
+        slow = float(self.chain.omega[0]) or self.highest
+        return pace(slow, slow)
+
+    @property
+    def spans(self) -> dict[str, tuple[float, float]]:
+        last = max(self.N, 2.0)
+        return {"j": (1.0, last), "p": (1.0, last), "centre": (0.0, self.length)}
+
+    def notes(self) -> tuple[str, ...]:
+        notes = []
+        if self.scale and self.scale < 1:
+            notes.append(SMALLER.format(share=three(self.scale)))
+        if rate := self.drawn.drift[1]:
+            notes.append(DRIFTS.format(rate=three(rate)))
+        return tuple(notes)
+
+    @cached_property
+    def unit_start(self) -> tuple[Floats, Floats]:
+        """The displacements and velocities at t = 0 if h is 1 m and v_0 is 0."""
+        rest = np.zeros(int(self.N))
+        if self.starts == "pulse":
+            return self.chain.pulse(self.centre / self.a + self.left, self.width / self.a, 1.0)
+        if self.starts == "mode":
+            return self.chain.one_mode(int(self.j) - 1, 1.0), rest
+        if self.starts == "mass":
+            return np.where(np.arange(1, int(self.N) + 1) == self.p, 1.0, 0.0), rest
+        held = chain_of(int(self.N), self.m, self.k, "fixed-fixed") if self.ends == "free-free" else self.chain
+        return held.pluck(int(self.p), 1.0), rest
+
+    @property
+    def by_mass(self) -> bool:
+        """Whether the start is that of one mass, which the hand chooses."""
+        return self.starts in ("pluck", "mass")
+
+    @cached_property
+    def started(self) -> tuple[Floats, Floats]:
+        """The displacements in m and velocities in m/s at t = 0."""
+        x, v = (self.h * one for one in self.unit_start)
+        if self.by_mass:
+            v[int(self.p) - 1] += self.v_0
+        return x, v
+
+    @cached_property
+    def drawn(self) -> DrawnModes:
+        return self.chain.drawn_modes(*self.started)
+
+    @cached_property
+    def modes(self) -> ChainModes:
+        """The modes to 80 digits: of files."""
+        return self.chain.modes(*self.started)
+
+    @cached_property
+    def held(self) -> int:
+        """The number of the mass that a hand takes."""
+        if self.by_mass:
+            return int(self.p)
+        return int(np.argmax(np.abs(self.unit_start[0]))) + 1
+
+    @property
+    def grip(self) -> float:
+        """The displacement at t = 0 of the mass that a hand takes, over h."""
+        return float(self.unit_start[0][self.held - 1])
+
+    @property
+    def can_be_held(self) -> bool:
+        return abs(self.grip) >= LEAST_GRIP
+
+    @cached_property
+    def in_hand(self) -> ExactMotion:
+        """The displacement of the mass that a hand takes, played with those of all masses."""
+
+        def exact(t: Floats) -> Floats:
+            return np.asarray(self.modes.motion(t).x[self.held - 1])
+
+        is_linear = not (self.by_mass and self.v_0)
+        play = ModalPlay(self.drawn, "x", at="mass", of="h", by=self.h if is_linear else 0.0)
+        return Elementary(symbol="x", exact=exact, played=play, size=lambda: self.reach, omega=self.highest)
+
+    @cached_property
+    def drifting(self) -> ExactMotion:
+        """The displacement of all masses by the drift of a chain that nothing holds."""
+        rate = self.drawn.drift[1]
+        return harmonic_motion("drift", Harmonic((), (0.0, rate)), lambda t: rate * t)
+
+    @cached_property
+    def looked_at(self) -> Floats:
+        """The displacements (N, n) at a few instants."""
+        return self.drawn.x(np.linspace(0.0, self.own_end, LOOKS))
+
+    @cached_property
+    def reach(self) -> float:
+        """The largest displacement in m."""
+        return float(np.abs(self.looked_at).max()) or abs(self.h) or 1.0
+
+    @cached_property
+    def fits(self) -> float | None:
+        """The share at which displacements along the chain are drawn, so that no masses meet; None across it."""
+        if self.way == "across":
+            return None
+        walls = np.zeros((1, LOOKS))
+        rows = [*([walls] if self.left == 0 else []), self.looked_at, *([walls] if self.ends == "fixed-fixed" else [])]
+        shrunk = -float(np.diff(np.vstack(rows), axis=0).min(initial=0.0))
+        return min(1.0, SHRINKS * self.a / shrunk) if shrunk else 1.0
+
+    @cached_property
+    def shares(self) -> Floats:
+        """The share of each mode in the energy (N,)."""
+        total = float(self.drawn.energy.sum())
+        return self.drawn.energy / total if total else np.zeros(int(self.N))
+
+    @property
+    def late(self) -> float:
+        """The lag in percent of the fastest mode behind the string's of its number."""
+        omega, string = float(self.chain.omega[-1]), float(self.chain.string_omega[-1])
+        return 100 * (1 - omega / string) if string else 0.0
+
+    def ray(self, way: Literal[-1, 1]) -> Columns | None:
+        """The crest of the ideal string that starts to one side, reflected at both ends; None if there is none."""
+        if self.starts == "mode" or (self.starts == "pulse" and way < 0):
+            return None
+        place = self.p if self.by_mass else self.centre / self.a + self.left
+        first, last = self.left, self.left + self.parts
+        to_end = (last - place if way > 0 else place - first) / self.Omega
+        across = self.parts / self.Omega
+        turns = math.ceil(max(self.end - to_end, 0.0) / across)
+        if turns > MOST_TURNS:
+            return None
+        times = np.array([0.0, *(to_end + n * across for n in range(turns + 1))])
+        ends = [(last, first), (first, last)][way < 0]
+        places = np.array([place, *(ends[n % 2] for n in range(turns + 1))])
+        name = "crest" if way > 0 else "other"
+        return {f"{name}_x": places, f"{name}_t": times}
+
+    def spectrum(self, taking: bool) -> Columns:
+        """The modes that take part in the motion, or the others."""
+        name = "taking" if taking else "silent"
+        chosen = (self.shares > TAKES_PART) == taking
+        return {f"{name}_j": np.flatnonzero(chosen) + 1.0, f"{name}_omega": self.chain.omega[chosen]}
+
+    @property
+    def law(self) -> Columns:
+        """The frequencies of the chain and of the ideal string between the modes, up to the last one."""
+        j = np.linspace(0.0, self.N, 61)
+        theta = self.angles(j)
+        return {"law_j": j, "law": 2 * self.Omega * np.sin(theta / 2), "string": self.Omega * theta}
+
+    def angles(self, j: Floats) -> Floats:
+        """theta_j in rad, also between the modes."""
+        shift, count = {"fixed-fixed": (0.0, 1.0), "fixed-free": (0.5, 0.5), "free-free": (1.0, 0.0)}[self.ends]
+        return np.maximum(j - shift, 0.0) * math.pi / (self.N + count)
+
+    @property
+    def bars(self) -> Columns:
+        """The outline of a bar for the energy of each mode."""
+        half = 0.36
+        j = np.arange(1.0, self.N + 1)
+        across = np.column_stack([j - half, j - half, j + half, j + half]).ravel()
+        up = np.column_stack([0 * j, self.drawn.energy, self.drawn.energy, 0 * j]).ravel()
+        return {"bar_j": across, "zero": np.zeros_like(up), "bar": up}
+
+
+def within(name: str, value: float) -> float:
+    """Return a number. ValueError if it leaves the range of doubles."""
+    return float(in_range(name, np.array([value]))[0])
+
+
+value = Attributes(MassesCase)
+
+
+class MassesShown(MassesCase):
+    """Everything that the paper shows."""
+
+    mass = value(lambda c: constant(float(c.held)))
+    x = value(lambda c: c.in_hand)
+    drift = value(lambda c: c.drifting)
+    h_now = value.optional(lambda c: (c.in_hand - c.drifting) / c.grip if c.can_be_held else None)
+    name = value(lambda c: str(c.held))
+    is_across = value(lambda c: float(c.way == "across"))
+    picks = value(lambda c: float(c.by_mass))
+    first = value(lambda c: 1.0 - c.left)
+    per_part = value(lambda c: 1 / c.parts)
+    right_wall = value(lambda c: float(c.ends == "fixed-fixed"))
+    left_wall = value(lambda c: float(c.ends != "free-free"))
+    least = value(lambda c: 0.01 * c.reach)
+    full = value(lambda c: abs(c.h) or c.reach)
+    graspable = value(lambda c: float(c.can_be_held))
+    crest = value.optional(lambda c: c.ray(1))
+    other = value.optional(lambda c: c.ray(-1))
+    taking = value(lambda c: c.spectrum(True))
+    silent = value(lambda c: c.spectrum(False))
+    chosen = value(lambda c: str(int(c.j)) if c.starts == "mode" else "")
+    of_string = value(lambda c: "pulse" if c.starts == "pulse" else "" if c.starts == "mode" else "two")
+    # Numbers in formulas.
+    slowest = value(lambda c: float(c.chain.omega[0]), "rad/s", "frequency of the slowest mode")
+    fastest = value(lambda c: float(c.chain.omega[-1]), "rad/s", "frequency of the fastest mode")
+    string_slowest = value(lambda c: float(c.chain.string_omega[0]), "rad/s", "slowest frequency of the string")
+    string_fastest = value(lambda c: float(c.chain.string_omega[-1]), "rad/s", "the string's frequency of that number")
+    ceiling = value(lambda c: 2 * c.Omega, "rad/s", "frequency that no mode reaches")
+    lag = value(lambda c: c.late)
+    per_mode = value(lambda c: math.pi / (c.N + {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}[c.ends]))
+    wave_speed = value(lambda c: within("the speed of a wave", c.a * c.Omega), "m/s", "speed of long waves")
+    L = value(lambda c: c.length, "m", "length of the chain")
+    E = value(lambda c: float(c.drawn.energy.sum()), "J", "total energy")
+    traverse = value(lambda c: c.parts / c.Omega, "s", "time of a wave from end to end")
+    N_text = value(lambda c: str(int(c.N)))

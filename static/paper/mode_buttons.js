@@ -1,0 +1,78 @@
+// Buttons with the shapes of a chain's modes: green where a mode takes part in the motion, the strongest where they are
+// many. Each starts its mode alone.
+
+import {element, svg} from "../core/dom.js"
+import {shapesOf} from "../core/modal.js"
+import {three} from "../core/numbers.js"
+
+const MOST = 8
+const HALL = 4
+const TAKES_PART = 0.002 // of the energy
+const DOTTED = 12 // masses, up to which a shape has a dot for each
+const [WIDE, HIGH] = [66, 40]
+
+export class ModeButtons {
+  /** @type {page.Modal | null} */
+  drawn = null
+
+  /** @param {HTMLElement} host @param {page.ModesBlock} block @param {PartHost} page */
+  constructor(host, block, page) {
+    this.block = block
+    this.page = page
+    this.says = element("p", {class: "says"})
+    this.row = element("div", {class: "mode-row", role: "group", "aria-label": block.label})
+    host.append(this.says, this.row)
+  }
+
+  /** @param {Drawn["settings"]} _ @param {Drawn["view"]} view */
+  update(_, view) {
+    const signal = view.signals[this.block.of]
+    if (signal?.kind !== "modal" || this.drawn === signal) return
+    this.drawn = signal
+    const shares = energies(signal)
+    const most = Math.min(signal.omega.length, MOST)
+    const order = [...shares.keys()].toSorted((i, j) => shares[j] - shares[i] || i - j).slice(0, most)
+    const part = order.reduce((sum, j) => sum + shares[j], 0)
+    this.says.textContent =
+      most < shares.length ? `${most} of ${shares.length} modes, ${three(100 * part)} % of the energy` : ""
+    const alone = view.values[this.block.chosen]
+    const rank = new Map(order.map((j, place) => [j, place]))
+    const shown = order.toSorted((i, j) => i - j)
+    this.row.replaceChildren(
+      ...shown.map(j => this.#button(signal, j, shares[j], alone === String(j + 1), (rank.get(j) ?? 0) >= HALL)),
+    )
+  }
+
+  /**
+   * @param {page.Modal} signal @param {number} j @param {number} share of the energy @param {boolean} isAlone
+   * @param {boolean} isLess not among the strongest few
+   */
+  #button(signal, j, share, isAlone, isLess) {
+    const count = signal.omega.length
+    const shape = shapesOf(signal).subarray(j * count, (j + 1) * count)
+    const size = Math.max(...shape.map(Math.abs)) * 2.3
+    const points = Array.from(shape, (x, p) => [((p + 1) / (count + 1)) * WIDE, HIGH / 2 - (x / size) * HIGH])
+    const line = svg("polyline", {class: "ln", points: points.join(" ")})
+    line.style.strokeWidth = `${1 + 2 * Math.sqrt(share)}px`
+    const dots = count <= DOTTED ? points.map(([cx, cy]) => svg("circle", {class: "body", cx, cy, r: 2.5})) : []
+    const tint = share > TAKES_PART ? "slow" : "rule"
+    const drawn = svg("svg", {viewBox: `0 0 ${WIDE} ${HIGH}`, class: tint, "aria-hidden": "true"}, line, ...dots)
+    const label = `Mode ${j + 1}, ${three(100 * share)} % of the energy: start it alone`
+    const made = element(
+      "button",
+      {type: "button", "aria-label": label, "aria-pressed": String(isAlone)},
+      `${j + 1}`,
+      drawn,
+    )
+    made.classList.toggle("at-desk", isLess)
+    made.addEventListener("click", () => this.page.host.take({...this.block.sets, [this.block.name]: j + 1}))
+    return made
+  }
+}
+
+/** The share of each mode in the energy that is not that of a drift. @param {page.Modal} signal */
+function energies({omega, sizes}) {
+  const found = omega.map((w, j) => (w * sizes[j]) ** 2)
+  const all = found.reduce((sum, one) => sum + one, 0) || 1
+  return found.map(one => one / all)
+}
