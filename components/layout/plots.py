@@ -172,7 +172,10 @@ def with_figures(block: Block) -> Block:
 
 def figure_of(block: PlotBlock) -> BokehPlot:
     """A figure of a plot for one visitor alone, without data like the template."""
-    return _figure(block.curves, block.regions, block.room, block.x_labels, block.plain)
+    figure_ = _figure(block.curves, block.regions, block.room, block.x_labels, block.plain)
+    if block.modal:  # lines of a grid would cut the picture under them
+        figure_.xgrid.visible = figure_.ygrid.visible = False
+    return figure_
 
 
 def _figure(

@@ -9,7 +9,7 @@ import param
 from components.language.messages import Act, Choose, SetValues, Typed
 from components.layout.choices import chosen
 from components.layout.controls import Choice
-from components.quantities.numbers import MINUS, excerpt, tidy
+from components.quantities.numbers import MINUS, excerpt, shortest, tidy
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.quantities.refusals import as_on_screen, in_words
 from components.quantities.typed import typed_number
@@ -121,8 +121,9 @@ def _still(scene: Scene, name: str) -> str:
     value = getattr(scene, name)
     if value is None:
         return "Still drawn as before."
-    unit = scene.units().get(name)
-    return f"Still drawn with {(unit.field(value) if unit else tidy(value)).replace('-', MINUS)}."
+    quantity, unit = _quantity(scene, name), scene.units().get(name)
+    write = unit.field if unit else shortest if quantity and quantity.scale == "count" else tidy
+    return f"Still drawn with {write(value).replace('-', MINUS)}."
 
 
 def sentence(error: ValueError) -> str:

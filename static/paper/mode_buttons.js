@@ -19,9 +19,9 @@ export class ModeButtons {
   constructor(host, block, page) {
     this.block = block
     this.page = page
-    this.says = element("p", {class: "says"})
+    this.says = element("p", {class: "mode-share"})
     this.row = element("div", {class: "mode-row", role: "group", "aria-label": block.label})
-    host.append(this.says, this.row)
+    host.append(this.row, this.says)
   }
 
   /** @param {Drawn["settings"]} _ @param {Drawn["view"]} view */
@@ -55,7 +55,7 @@ export class ModeButtons {
     const line = svg("polyline", {class: "ln", points: points.join(" ")})
     line.style.strokeWidth = `${1 + 2 * Math.sqrt(share)}px`
     const dots = count <= DOTTED ? points.map(([cx, cy]) => svg("circle", {class: "body", cx, cy, r: 2.5})) : []
-    const tint = share > TAKES_PART ? "slow" : "rule"
+    const tint = share > TAKES_PART ? "slow" : "k"
     const drawn = svg("svg", {viewBox: `0 0 ${WIDE} ${HIGH}`, class: tint, "aria-hidden": "true"}, line, ...dots)
     const label = `Mode ${j + 1}, ${three(100 * share)} % of the energy: start it alone`
     const made = element(

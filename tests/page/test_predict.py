@@ -71,7 +71,8 @@ def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
         for name in group.names:
             quantity = scene.param[name]
             if name in quantities(scene) and group.stands(first.shown.forms):
-                yield {name: 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]}
+                value = 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]
+                yield {name: round(value) if quantity.scale == "count" else value}
 
 
 def round_numbers(page: Page) -> list[Any]:

@@ -31,6 +31,8 @@ MOST_TURNS = 40
 """The reflections of the string's crest that are drawn at the most."""
 TAKES_PART = 0.002
 """The share of the energy from which on a mode takes part."""
+SEEN = 0.01
+"""The share of the largest displacement from which on a displacement is seen."""
 LEAST_GRIP = 0.2
 """The share of h by which a mass must be displaced to be taken in hand."""
 SMALLER = "Displacements are drawn {share} times as large, so that no masses meet."
@@ -96,7 +98,7 @@ class MassesCase(Case):
 
     @property
     def pace(self) -> Pace:
-        slow = float(self.chain.omega[0]) or self.highest
+        slow = next((omega for omega in self.chain.omega.tolist() if omega), 0.0)
         return pace(slow, slow)
 
     @property
@@ -108,7 +110,8 @@ class MassesCase(Case):
         notes = []
         if self.scale and self.scale < 1:
             notes.append(SMALLER.format(share=three(self.scale)))
-        if rate := self.drawn.drift[1]:
+        rate = self.drawn.drift[1]
+        if abs(rate) * self.end > SEEN * self.reach:
             notes.append(DRIFTS.format(rate=three(rate)))
         return tuple(notes)
 
@@ -279,7 +282,7 @@ class MassesShown(MassesCase):
     per_part = value(lambda c: 1 / c.parts)
     right_wall = value(lambda c: float(c.ends == "fixed-fixed"))
     left_wall = value(lambda c: float(c.ends != "free-free"))
-    least = value(lambda c: 0.01 * c.reach)
+    least = value(lambda c: SEEN * c.reach)
     full = value(lambda c: abs(c.h) or c.reach)
     graspable = value(lambda c: float(c.can_be_held))
     crest = value.optional(lambda c: c.ray(1))

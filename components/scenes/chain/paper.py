@@ -21,13 +21,13 @@ from components.paper.plots import (
     curve,
     either,
     form_of,
-    note,
     number_name,
     on_axis,
     shown_by,
     text_name,
     words,
 )
+from components.quantities.axes import Axis, nice_axis
 from components.scenes.chain.case import MassesShown
 
 c = deferred(MassesShown)
@@ -36,14 +36,19 @@ ROOM = Room(56, 34)
 REACH = 0.36
 """The height of the largest displacement over that of the stage."""
 Y = axis("m", lambda c: (-c.reach, c.reach), "y", room=1.0, count=2)
-PLACE = axis("", lambda c: (c.left, c.left + c.parts), "place", count=5)
-MODE = axis("", lambda c: (0.0, c.N + 0.5), "mode", count=6)
+PLACE = axis("", lambda c: whole_numbers(c.left, c.left + c.parts), "place")
+MODE = axis("", lambda c: whole_numbers(0.0, c.N + 0.5), "mode")
 FIELD = Plot("field", PLACE, TIME)
 SPECTRUM = Plot("spectrum", MODE, axis("rad/s", lambda c: (0.0, 1.6 * c.ceiling), "omega", count=4))
 ENERGY = Plot("energy", MODE, axis("J", lambda c: (0.0, float(c.drawn.energy.max())), "E", room=1.08, count=3))
 BY_MODE, BY_MASS, BY_PULSE = form_of(c.starts == "mode"), form_of(c.by_mass), form_of(c.starts == "pulse")
 LEFT, LENGTH = float(ROOM.left), W - float(ROOM.left + ROOM.right)
 ACROSS = REACH * H * Y.share * number(c.is_across)
+
+
+def whole_numbers(first: float, last: float) -> Axis:
+    """An axis with whole numbers only."""
+    return nice_axis(first, last, "", min(6, max(int(last - first), 1)), exact=True)
 
 
 def paper() -> Block:
@@ -116,11 +121,10 @@ def hand(across: str, zero: Number) -> Grab:
 
 
 def field() -> Block:
-    string = rf"\text{{crest of a string, }} c = a \sqrt{{k/m}} = {c.wave_speed}"
+    string = rf"\text{{a string's crest, }} c = {c.wave_speed}\ \text{{m/s}}"
     look: dict[str, Any] = {"read": "crest of the string", "group": "crest"}
     return FIELD.block(
         curve(c.crest, "dash", "ink", legend=string, columns=("crest_x", "crest_t"), **look),
-        note("m/s"),
         curve(c.other, "dash", "ink", columns=("other_x", "other_t"), **look),
         title="Displacement of each mass against time, which runs downwards: blue one way, orange the other",
         room=ROOM, grow=330, phone=10, height=330, modal="x", full=number_name(c.full, Y),
@@ -128,10 +132,9 @@ def field() -> Block:
 
 
 def energies() -> Block:
-    legend = f"energy of each mode, in all {ENERGY.text(c.E)}"
+    legend = f"energy of each mode, in all {ENERGY.text(c.E)} {ENERGY.unit}"
     return ENERGY.block(
         curve(c.bars, "none", "slow", words=legend, fill=1.0, columns=("bar_j", "bar")),
-        note(f"{ENERGY.unit}: each keeps its own"),
         title="Energy of each mode: it never changes",
         room=ROOM, grow=220, phone=10, height=200,
     )  # fmt: skip

@@ -1,0 +1,137 @@
+"""The chain: what it starts, keeps and refuses, the browser's motion of it, and the claims of its examples."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.language.signals import Modal
+from components.scenes import SCENES
+from components.scenes.chain import Chain
+from physics.oscillator import Oscillator
+from tests.page.scripts import call
+from tests.page.told import Page
+from tests.scenes.presets import taken
+
+U = 2.0**-53
+ENDS = ("fixed-fixed", "fixed-free", "free-free")
+STARTS = ("pulse", "pluck", "mass", "mode")
+
+
+def value(scene: Any, name: str) -> float:
+    return float(scene.numbers[name].value)
+
+
+def displacements(scene: Chain) -> np.ndarray:
+    """The displacements of all masses at the times of a file (n, N)."""
+    columns = scene.shown.sources["time"]
+    return np.array([columns[f"x{p}"] for p in range(1, int(scene.N) + 1)]).T
+
+
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("starts", STARTS)
+@pytest.mark.parametrize("N", [1, 2, 3, 60])
+def test_the_browser_moves_all_masses_as_the_physics_does(ends: str, starts: str, N: int) -> None:
+    scene = Chain(N=N, ends=ends, starts=starts, p=1.0, j=1.0, v_0=0.3)
+    shown = scene.shown
+    signal, axis, time = shown.signals["x"], shown.axes["y"], shown.axes["t"]
+    assert isinstance(signal, Modal)
+    t = np.linspace(0.0, time.end, 7)
+    exact = np.array([axis.places(one) for one in shown.traces["time"].exact(t).values()])
+    reach = np.abs(np.array(signal.sizes)).sum() + np.abs(exact).max()
+    for i, at in enumerate(t):
+        moved = call("static/core/modal.displaced", signal, time.place(float(at)))
+        found = [moved[str(p)] for p in range(N)] if isinstance(moved, dict) else moved
+        off = np.abs(np.array(found) - exact[:, i]).max()
+        assert off <= 50 * U * reach
+
+
+def test_another_number_of_masses_keeps_the_string_or_the_masses() -> None:
+    scene = Chain()
+    before = {name: value(scene, name) for name in ("L", "wave_speed")}
+    scene.N = 20.0
+    assert {name: value(scene, name) for name in before} == pytest.approx(before)
+    assert scene.m * scene.N / value(scene, "L") == pytest.approx(20 / 21)
+    kept = scene.m, scene.k, scene.a
+    scene.param.update(keep="masses", N=40.0)
+    assert (scene.m, scene.k, scene.a) == kept
+
+
+def test_a_mode_or_a_mass_that_there_is_not() -> None:
+    scene = Chain(N=8, starts="mode", j=8)
+    for name in ("j", "p"):
+        with pytest.raises(ValueError, match=r"9.*1 to 8"):
+            scene.param.update({name: 9.0})
+    scene.N = 5.0
+    assert (scene.j, scene.p) == (5.0, 5.0)
+    with pytest.raises(ValueError, match="1 to 500 masses"):
+        scene.N = 501.0
+
+
+def test_one_mass_and_two_are_the_scenes_that_are_known() -> None:
+    one = Chain(N=1, m=2.0, k=3.0)
+    assert value(one, "slowest") == Oscillator(m=2.0, k=6.0).omega_n
+    two = Chain(N=2, m=2.0, k=3.0, ends="fixed-free", keep="masses")
+    pair = SCENES["coupled"](m1=2.0, m2=2.0, k1=3.0, k2=3.0)
+    assert value(two, "slowest") == pytest.approx(value(pair, "omega_minus"), rel=2 * U)
+    assert value(two, "fastest") == pytest.approx(value(pair, "omega_plus"), rel=2 * U)
+
+
+def test_a_wall_turns_a_pulse_over_and_a_free_end_does_not() -> None:
+    for label, sign in (("Pulse", -1), ("Free end", 1)):
+        scene = taken("chain", label)
+        columns = scene.shown.sources["time"]
+        back = columns["t"] > value(scene, "traverse")
+        back &= columns["t"] < value(scene, "traverse") * 1.5
+        middle = columns["x35"][back]
+        assert sign * middle[np.abs(middle).argmax()] > 0.2, label
+    broad = displacements(taken("chain", "Broad"))
+    assert np.abs(broad[-1]).max() > 0.39, "it keeps its height"
+
+
+def test_where_a_string_is_plucked_there_are_modes_that_stay_silent() -> None:
+    scene = taken("chain", "Plucked")
+    silent = scene.shown.columns["silent"]["silent_j"].tolist()
+    assert silent == [3.0, 6.0]
+    energies = scene.of().drawn.energy
+    assert np.abs(energies[[2, 5]]).max() <= 1e-30
+    assert value(scene, "E") == pytest.approx(0.08, rel=1e-4)
+    fast = taken("chain", "One mass").of().drawn.energy
+    assert fast[25:].sum() > 0.5 * fast.sum()
+
+
+def test_the_modes_of_three_and_of_two_masses() -> None:
+    three = displacements(taken("chain", "Mode 2 of 3"))
+    assert np.abs(three[:, 1]).max() < 1e-15
+    np.testing.assert_allclose(three[:, 0], -three[:, 2], atol=1e-14)
+    golden = (math.sqrt(5) - 1) / 2
+    assert value(taken("chain", "Two"), "slowest") == pytest.approx(golden, rel=1e-15)
+    assert value(taken("chain", "Two"), "fastest") == pytest.approx(1 + golden, rel=1e-15)
+
+
+def test_a_free_chain_drifts_and_says_so() -> None:
+    scene = Chain(N=8, ends="free-free", starts="mass", p=1.0, h=0.0, v_0=1.0)
+    assert "0.125 m/s" in scene.shown.notes[0] and "mode 1" in scene.shown.notes[0]
+    x = displacements(scene)
+    t = scene.shown.sources["time"]["t"]
+    np.testing.assert_allclose(x.mean(axis=1), t / 8, rtol=1e-12, atol=1e-13)
+    assert Chain(ends="free-free").shown.notes == ()
+
+
+def test_masses_along_the_chain_never_meet_on_the_stage() -> None:
+    scene = Chain(N=50, starts="mass", way="along")
+    assert "times as large" in scene.shown.notes[0]
+    x = displacements(scene) * scene.shown.scale
+    assert np.diff(x, axis=1).min() > -0.9 * scene.a
+
+
+@pytest.mark.parametrize("view", [view.slug for view in Chain.views])
+def test_a_change_of_sixty_masses_is_small(view: str) -> None:
+    page = Page(Chain(N=60, view=view, starts="pluck", p=20.0))
+    values: list[dict[str, Any]] = [{"h": 0.3}, {"p": 21.0}, {"k": 12.0}, {"h": 0.35}]
+    for number, one in enumerate(values, start=1):
+        page.say({"type": "set", "values": one, "number": number})
+    assert max(len(packet["data"]) for packet in page.packets[1:]) <= 3000
