@@ -58,10 +58,17 @@ def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> No
         seen = numbers([change(page, covered=["next"], held={}), csv_of(page), round_numbers(page)])
         told = put(page, **values)
         assert told["errors"] == {} and told["state"]["before"] == {}, values
-        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"]])
+        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], _ratio(SCENES[slug], values)])
         outcome = numbers(told_of_scene(page)) - seen - given
         assert outcome, f"nothing follows from {values}"
         assert outcome & numbers([told, csv_of(page)]) == set(), values
+
+
+def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
+    """What became of the value that is set, as the ledger says it."""
+    ((name, value),) = values.items()
+    default = scene.param[name].default
+    return three(value / default) if default else ""
 
 
 def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
