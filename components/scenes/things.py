@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from components.scene.thing import HIGH, WIDE, Loop, Thing, arrow, curve, dot, drawn, held, mass, path
+from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_motion
 from physics.damped import DampedOscillator
 from physics.driven import magnification
@@ -197,6 +198,19 @@ def _at_rest(first: str, more: float) -> tuple[str, ...]:
     )
 
 
+def chain() -> str:
+    """A pulse that runs to the wall and comes back upside down."""
+    loop, count = Loop(6, 36, still=8), 9
+    masses = UniformChain(N=count, m=1.0, k=1.0)
+    up = masses.motion(*masses.pulse(2.5, 1.3, 26.0), 2 * (count + 1) * loop.share).x
+    return drawn(
+        held(14, 58, 70, 90),
+        held(178, 58, 70, -90),
+        path("eq", "M14 58H178"),
+        *(loop.translate(14 + 164 * (p + 1) / (count + 1), 58 - up[p], mass(9)) for p in range(count)),
+    )
+
+
 def accuracy() -> str:
     """The exact circle, and the spiral of a method that steps along its tangents."""
     steps = 60
@@ -225,6 +239,7 @@ THINGS: dict[str, Thing] = {
         coupled,
         forced,
         absorber,
+        chain,
         accuracy,
     )
 }

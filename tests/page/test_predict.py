@@ -65,7 +65,7 @@ def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> No
 
 
 def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
-    """What became of the value that is set, as the ledger says it."""
+    """The ratio of the value that is set to its default, as the ledger writes it."""
     ((name, value),) = values.items()
     default = scene.param[name].default
     return three(value / default) if default else ""

@@ -26,7 +26,7 @@ scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys
 
 def test_scenes_stand_in_the_lectures_order() -> None:
     order = ["oscillator", "energy", "analogues", "phugoid", "damped", "driven"]
-    order += ["modes", "coupled", "forced", "absorber", "accuracy"]
+    order += ["modes", "coupled", "forced", "absorber", "chain", "accuracy"]
     assert [slug for slug in SCENES if slug in order] == order
 
 

@@ -97,7 +97,7 @@ class Chain(CaseScene):
         0.15, symbol="w", unit="m", label="width", scale="log", softbounds=(0.05, 1.0),
         says="is the width of the pulse: its standard deviation. Any value above 0.",
     )  # fmt: skip
-    way = one_of("across", {"across": "Across", "along": "Along"}, "The masses move")
+    way = one_of("across", {"across": "Transverse", "along": "Longitudinal"}, "The masses move")
     views = (
         View(
             "Wave", "Watch the pulse meet the wall: does it come back upright or upside down? Then free the end.",
