@@ -55,6 +55,7 @@ SUBJECTS = {
     "D31": "One mass on a spring",
     "D32, D33": "Friction, and a push",
     "D34": "Two masses",
+    "Many": "Many masses",
     "Numerics": "How computers solve it",
 }
 """The headings of the start page, by lecture."""

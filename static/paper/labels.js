@@ -7,6 +7,7 @@ import {everyWhich, inLine, places} from "./places.js"
 const LINE = 1.1 // of the size of a text, from one to the next
 const OVERHANG = 6 // units by which a number with its unit may exceed the left margin, before the unit goes below it
 
+const PILL = 24 // units of the height of a pill
 const LEAST = 20 // units of a band's thickness at its name
 const ALIKE = 0.02 // the share by which a band is no thicker
 const HALF = 7 // of a line of a band's name
@@ -26,6 +27,14 @@ export class Labels {
       .map(band => ({band, text: svg("text", {class: "band-label", "text-anchor": "middle"}, ...words(band.label))}))
     this.scale = svg("g", {class: "scale"})
     plot.over.append(this.scale, ...this.curves.map(l => l.text), ...this.bands.map(l => l.text))
+  }
+
+  /** Hides the number beside the vertical axis that a pill at this height covers. @param {number} height */
+  clear(height) {
+    for (const number of this.scale.children) {
+      const isUnder = Math.abs(Number(number.getAttribute("y")) - 4.5 - height) < (units("t0") + PILL) / 2
+      set(number, {visibility: isUnder ? "hidden" : "visible"})
+    }
   }
 
   place() {

@@ -278,6 +278,7 @@ export class Plot {
       if (this.down) set(this.cursor, {x1: left, x2: left + width, y1: y, y2: y})
       else set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
       this.handles.placeTime(t, timeText)
+      if (this.down) this.labels.clear(y)
     }
     const {covered} = this.shown.state
     for (const {curve, dot, covers} of this.dots) {

@@ -43,7 +43,7 @@ PULSE = {**string(50), "starts": "pulse", "centre": 0.8, "width": 0.15, "h": 0.4
 class Chain(CaseScene):
     slug = "chain"
     title = "Chain"
-    lecture = "Many masses"
+    lecture = "Many"
     points = "slide 7, waves; beyond the slides"
     headline = "Every mass adds a mode; many modes make a wave"
     spoken = {"slowest mode": "{slowest} rad/s", "fastest mode": "{fastest} rad/s"}
@@ -65,7 +65,7 @@ class Chain(CaseScene):
         ),
         example(
             "Two", "The two masses of Coupled with equal springs: 0.618 and 1.62 rad/s.", PULSE,
-            **{**string(2, "fixed-free"), "m": 1.0, "k": 1.0, "a": 1.8, "way": "along"}, starts="mass", p=1.0,
+            **{**string(2, "fixed-free"), "m": 1.0, "k": 1.0, "a": 1.8}, starts="mass", p=1.0,
         ),
     )  # fmt: skip
 
@@ -118,13 +118,12 @@ class Chain(CaseScene):
     )  # fmt: skip
     groups = (
         Group("Chain", (N, m, k, a)),
-        Group("A change of N keeps", (keep,)),
         Group("Ends", (ends,)),
         Group("Start", (starts, h)),
         Group("", (j,), form=BY_MODE),
         Group("", (p, v_0), form=BY_MASS),
         Group("", (centre, width), form=BY_PULSE),
-        Group("The masses move", (way,)),
+        Group("", (keep, way), "What a change of N keeps; direction", folded=True),
     )
 
     case = MassesShown
