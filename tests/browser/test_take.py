@@ -39,7 +39,8 @@ def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Calla
 
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = {
-    f"{SVG}{name}" for name in ("svg", "title", "g", "rect", "line", "path", "circle", "text", "tspan", "clipPath", "image")
+    f"{SVG}{name}"
+    for name in ("svg", "title", "g", "rect", "line", "path", "circle", "text", "tspan", "clipPath", "image")
 }
 WITHIN = re.compile(r' href="data:image/png;base64,[^"]*"')
 """A picture that the drawing holds itself."""
