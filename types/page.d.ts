@@ -11,8 +11,8 @@ declare namespace page {
   /** A sketched curve: its heights; null in gaps. */
   type Sketched = (Height | null)[]
 
-  /** An answer to a step of a walk: the index of an option, the text of a number, a place on the axis, or curves by
-   * name.
+  /** An answer to a step of a walk: the index of an option, a number or a few words as text, a place on the axis, or
+   * curves by name.
    *
    * `seed` chooses the step's numbers; 0 means the numbers of the file. `vote` counts how often the class has voted on
    * the question, from 1 on. `sure` is the student's confidence: 1 for a guess, 2 for fairly, 3 for certain, 0 if not
@@ -356,7 +356,7 @@ declare namespace page {
   }
 
   /** Buttons of a remote control. */
-  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "end"
+  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "allow" | "remove" | "end"
 
   /** Any request of the instructor's page to the room. */
   interface Ordered {
@@ -414,6 +414,13 @@ declare namespace page {
     closes: boolean
   }
 
+  /** Shows the hall an answer in words, and all that are equal to it, or removes them. */
+  interface Moderate extends Ordered {
+    type: "moderate"
+    text: string
+    shows: boolean
+  }
+
   /** Withdraws the question, so that none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
@@ -446,7 +453,7 @@ declare namespace page {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | CountDown | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | AskSure | CountDown | Moderate | Withdraw | RestoreAnswers | DescribeScreen | EndRoom
 
   /** The result of a vote for the followers: the number of answers, of right ones, and of answers with each option or
    * feature. `judges`: answers can be right or wrong. */
@@ -527,9 +534,17 @@ declare namespace page {
     has: boolean[]
   }
 
+  /** Equal answers in words: the newest of them, how many there are, and whether the instructor shows them. */
+  interface WordGroup {
+    text: string
+    count: number
+    shown: boolean
+  }
+
   /** The answers to one vote: their number, the number for each option, the numbers or places on the axis of a point,
    * some hundreds of sketches, and the number of sketches with each feature. `sure` has for each of the three levels of
-   * confidence the number of answers and of right ones; it is empty if nobody gave a level. */
+   * confidence the number of answers and of right ones; it is empty if nobody gave a level. `words` are the newest groups
+   * of equal answers in words, without the removed ones. */
   interface Counted {
     answered: number
     options: number[]
@@ -537,6 +552,7 @@ declare namespace page {
     sketches: SketchOf[]
     having: number[]
     sure: [number, number][]
+    words: WordGroup[]
   }
 
   /** The answers to the current question, for the instructor. `before` is the first vote if there are two, `features`
@@ -634,11 +650,12 @@ declare namespace page {
     digits: string
   }
 
-  /** A press of a button on a remote control; `step` is the step to open. The first `end` asks the instructor to
-   * confirm, the second ends the class. */
+  /** A press of a button on a remote control; `step` is the step to open, `text` the answer to allow or remove. The
+   * first `end` asks the instructor to confirm, the second ends the class. */
   interface Done {
     deed: Deed
     step: SaidName
+    text: string
   }
 
   /** A step in the contents of a remote control, by its title. */

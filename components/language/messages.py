@@ -25,8 +25,8 @@ Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
 
 
 class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """An answer to a step of a walk: the index of an option, the text of a number, a place on the axis, or curves by
-    name.
+    """An answer to a step of a walk: the index of an option, a number or a few words as text, a place on the axis, or
+    curves by name.
 
     `seed` chooses the step's numbers; 0 means the numbers of the file. `vote` counts how often the class has voted on
     the question, from 1 on. `sure` is the student's confidence: 1 for a guess, 2 for fairly, 3 for certain, 0 if not
@@ -38,7 +38,7 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     seed: Annotated[int, Meta(ge=0, le=1000)] = 0
     vote: Annotated[int, Meta(ge=1, le=9)] = 1
     option: Annotated[int, Meta(ge=0, le=9)] | None = None
-    text: Annotated[str, Meta(max_length=60)] = ""
+    text: Annotated[str, Meta(max_length=80)] = ""
     value: float | None = None
     curves: Annotated[dict[SaidName, Sketched], Meta(max_length=2)] = {}
     sure: Annotated[int, Meta(ge=0, le=3)] = 0

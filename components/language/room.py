@@ -26,6 +26,8 @@ Deed: TypeAlias = Literal[
     "blank",
     "close",
     "go",
+    "allow",
+    "remove",
     "end",
 ]
 """Buttons of a remote control."""
@@ -85,6 +87,13 @@ class CountDown(Ordered, frozen=True, kw_only=True, tag="countdown"):
     closes: bool = False
 
 
+class Moderate(Ordered, frozen=True, kw_only=True, tag="moderate"):
+    """Shows the hall an answer in words, and all that are equal to it, or removes them."""
+
+    text: Annotated[str, Meta(max_length=80)]
+    shows: bool
+
+
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
     """Withdraws the question, so that none is open."""
 
@@ -124,6 +133,7 @@ Order: TypeAlias = (
     | CloseVote
     | AskSure
     | CountDown
+    | Moderate
     | Withdraw
     | RestoreAnswers
     | DescribeScreen
@@ -219,10 +229,19 @@ class SketchOf(Struct, frozen=True, kw_only=True):
     has: tuple[bool, ...]
 
 
+class WordGroup(Struct, frozen=True, kw_only=True):
+    """Equal answers in words: the newest of them, how many there are, and whether the instructor shows them."""
+
+    text: str
+    count: int
+    shown: bool = False
+
+
 class Counted(Struct, frozen=True, kw_only=True):
     """The answers to one vote: their number, the number for each option, the numbers or places on the axis of a point,
     some hundreds of sketches, and the number of sketches with each feature. `sure` has for each of the three levels of
-    confidence the number of answers and of right ones; it is empty if nobody gave a level."""
+    confidence the number of answers and of right ones; it is empty if nobody gave a level. `words` are the newest groups
+    of equal answers in words, without the removed ones."""
 
     answered: int
     options: tuple[int, ...] = ()
@@ -230,6 +249,7 @@ class Counted(Struct, frozen=True, kw_only=True):
     sketches: tuple[SketchOf, ...] = ()
     having: tuple[int, ...] = ()
     sure: tuple[tuple[int, int], ...] = ()
+    words: tuple[WordGroup, ...] = ()
 
 
 class Tally(Struct, frozen=True, kw_only=True):
@@ -340,11 +360,12 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A press of a button on a remote control; `step` is the step to open. The first `end` asks the instructor to
-    confirm, the second ends the class."""
+    """A press of a button on a remote control; `step` is the step to open, `text` the answer to allow or remove. The
+    first `end` asks the instructor to confirm, the second ends the class."""
 
     deed: Deed
     step: SaidName = ""
+    text: Annotated[str, Meta(max_length=80)] = ""
 
 
 class Listed(Struct, frozen=True, kw_only=True):

@@ -20,6 +20,7 @@ from components.language.room import (
     DescribeScreen,
     EndRoom,
     HandWalk,
+    Moderate,
     Order,
     PutQuestion,
     PutTo,
@@ -33,6 +34,7 @@ from components.language.room import (
     Withdraw,
 )
 from components.live_class.codes import Keys, digest, is_key, join_key
+from components.live_class.moderation import Moderation
 from components.live_class.question_bank import BusyError, QuestionBank
 from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
@@ -174,6 +176,10 @@ class Registry:
                 await self._put(room, order)
             case ShowAnswer() | CloseVote() | AskSure() | CountDown():
                 await self._amend(room, order)
+            case Moderate():
+                moderation = room.part("moderation", Moderation) or Moderation()
+                await self._keep(room, moderation=moderation.after(order, _question(room.question)))
+                await self.store.tell(room.code, {"answers": b"true"})
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
             case RestoreAnswers(answers=answers):
@@ -361,6 +367,8 @@ class Registry:
         bank, count = self.bank_of(room), partial(self.bank_of(room).counted, put.walk, put.step)
         votes = await self.given(room, _question(put))
         (now,) = await self.slices.map(count, [votes])
+        if now.words and (moderation := room.part("moderation", Moderation)):
+            now = msgspec.structs.replace(now, words=moderation.moderated(now.words, _question(put)))
         before = None
         if put.vote > FIRST:
             first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from components.language.room import Confirmed, Done, Paired, Reopen, Ticket
+from components.language.room import Confirmed, Done, Moderate, Paired, Reopen, Ticket
 from components.live_class.codes import as_code, digest, new_key
 from components.live_class.handler import ClassHandler, square
 from components.live_class.remote_view import remote_view
@@ -94,6 +94,11 @@ class RemoteControl(RemoteHandler):
 
     async def post(self, code: str) -> None:
         room, done = await self._let_in(code), self.body(Done)
+        if done.deed in ("allow", "remove"):
+            order = Moderate(text=done.text, shows=done.deed == "allow")
+            await self.outcome(self.classes.registry.obey(room, order))
+            self.set_status(204)
+            return
         told = {"deed": done.deed} | ({"step": done.step} if done.deed == "go" else {})
         parts = {name: msgspec.json.encode(word) for name, word in told.items()}
         await self.outcome(self.classes.registry.store.tell(room.code, parts))

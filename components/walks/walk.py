@@ -11,9 +11,10 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
+from components.walks.questions.words import WordsStep
 from components.walks.types import Sentence
 
-Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep
+Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep | WordsStep
 
 
 class Walk(Struct, frozen=True, kw_only=True):

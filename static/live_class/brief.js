@@ -3,6 +3,7 @@
 import {element, marked} from "../core/dom.js"
 import {orderOf} from "../questions/order.js"
 import {mark} from "../questions/question.js"
+import {grouped} from "../questions/word_groups.js"
 import {sureness} from "./sureness.js"
 
 const FEW = 5 // answers of which no share is told
@@ -13,14 +14,18 @@ export function haveAllAnswered(view) {
   return Boolean(view?.here && view.tally && view.tally.now.answered >= view.here)
 }
 
-/** @param {page.RemoteView} view @param {string} code of the class, whose order the answers have */
-export function brief(view, code) {
+/**
+ * @param {page.RemoteView} view @param {string} code of the class, whose order the answers have
+ * @param {import("../questions/word_groups.js").Moderate} moderate
+ */
+export function brief(view, code, moderate) {
   const {question, tally, notes} = view
   if (!question.card || !tally) return []
   return [
     marked("h2", {}, `${question.card.given} ${question.card.question}`),
     element("p", {class: "remote-count", role: "status"}, answeredBy(view)),
     ...split(view, question.card, code),
+    element("ul", {class: "remote-words"}, ...tally.now.words.map(group => grouped(group, moderate))),
     ...told(sureness(tally.now, true)),
     ...advice(view),
     ...notes.map(note => marked("p", {class: "remote-note"}, note)),

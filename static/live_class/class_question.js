@@ -264,7 +264,7 @@ export class ClassQuestion {
 
 /** A tally of a split, without what phones are not told. @param {page.Split} split @returns {page.Tally} */
 function tallyOf({answered, right, options, having}) {
-  const now = {answered, options, having, numbers: [], sketches: [], sure: []}
+  const now = {answered, options, having, numbers: [], sketches: [], sure: [], words: []}
   return {walk: "", step: "", vote: 1, before: null, features: [], right, now}
 }
 

@@ -86,12 +86,31 @@ class Remote {
     if (!this.isIn) this.#enter()
     this.state.textContent = view.question.place || "No question is open now."
     this.countdown.put(view.question)
-    this.body.replaceChildren(...brief(view, this.code))
+    this.#fill()
     this.#ready()
     if (haveAllAnswered(view) && !haveAllAnswered(before)) navigator.vibrate?.(BUZZ)
   }
 
-  body = element("div", {class: "remote-body"})
+  body = this.#body()
+  isPressed = false // a finger is on it: nothing moves under it
+
+  #body() {
+    const body = element("div", {class: "remote-body"})
+    body.addEventListener("pointerdown", () => (this.isPressed = true))
+    for (const end of ["click", "pointercancel"])
+      body.addEventListener(end, () => {
+        this.isPressed = false
+        this.#fill()
+      })
+    return body
+  }
+
+  #fill() {
+    if (!this.view || this.isPressed) return
+    const moderate = (/** @type {string} */ text, /** @type {boolean} */ shows) =>
+      this.#do({deed: shows ? "allow" : "remove", text})
+    this.body.replaceChildren(...brief(this.view, this.code, moderate))
+  }
 
   /** Buttons stay in their places: one that changes under a finger would not be pressed. */
   buttons = DEEDS.map(([name, deed]) => ({

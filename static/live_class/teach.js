@@ -342,6 +342,9 @@ export class Teach {
     this.order({type: "countdown", seconds: 0, closes: !this.news.question?.closes})
   }
 
+  /** Shows the hall an answer in words, or removes it. @param {string} text @param {boolean} shows */
+  moderate = (text, shows) => void this.order({type: "moderate", text, shows})
+
   /** Takes no more answers. */
   close() {
     this.order({type: "close"})

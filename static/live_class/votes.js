@@ -141,7 +141,7 @@ export class Votes {
   #draw({lesson}, tally) {
     const card = /** @type {import("../walks/card.js").Card} */ (this.card)
     this.layer ??= card.question.tally(this.chips)
-    this.layer.update(tally, lesson)
+    this.layer.update(tally, lesson, this.teach.moderate)
     if (lesson && tally.now.answered) this.all.textContent = this.layer.headline(tally)
   }
 

@@ -4,6 +4,7 @@ import {Choice} from "./choice.js"
 import {Numeric} from "./number.js"
 import {AxisPlace} from "./point.js"
 import {Sketch} from "./sketch.js"
+import {Words} from "./words.js"
 
 /** @type {Record<string, typeof import("./question.js").Question>} */
-export const KINDS = {choice: Choice, number: Numeric, point: AxisPlace, sketch: Sketch}
+export const KINDS = {choice: Choice, number: Numeric, point: AxisPlace, sketch: Sketch, words: Words}

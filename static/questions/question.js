@@ -10,7 +10,8 @@ import {element, svg} from "../core/dom.js"
 
 /**
  * The answers of a class, over or next to the question until they are hidden; a headline summarises them.
- * @typedef {{update: (tally: page.Tally, lesson: page.Lesson | null) => void,
+ * @typedef {{update: (tally: page.Tally, lesson: page.Lesson | null,
+ *   moderate?: import("./word_groups.js").Moderate) => void,
  *   headline: (tally: page.Tally) => string, leave: () => void}} Tallied
  */
 

@@ -104,6 +104,7 @@ MESSAGES: dict[str, Send] = {
     "POST /class/CODE/lead close": lambda client, n: client.lesson.order("close"),
     "POST /class/CODE/lead sure": lambda client, n: client.lesson.order("sure"),
     "POST /class/CODE/lead countdown": lambda client, n: client.lesson.order("countdown", seconds=n, closes=n % 2 == 0),
+    "POST /class/CODE/lead moderate": lambda client, n: client.lesson.order("moderate", text=f"{n}", shows=n % 2 == 0),
     "POST /class/CODE/lead withdraw": lambda client, n: client.lesson.order("withdraw"),
     "POST /class/CODE/lead screen": lambda client, n: client.lesson.order("screen", next=f"{n}".ljust(60, "x")),
     "POST /class/CODE/lead restore": lambda client, n: client.restore(n),

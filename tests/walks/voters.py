@@ -10,6 +10,7 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
+from components.walks.questions.words import WordsStep
 from components.walks.subject import Subject, place_of
 from components.walks.walk import Step
 from tests.walks.strokes import heights
@@ -30,6 +31,8 @@ def _kinds(step: Step) -> list[dict[str, Any]]:
     if isinstance(step, SketchStep):
         true = heights(step)
         return [{"curves": {name: _lowered(curve, by) for name, curve in true.items()}} for by in (0, 120, 300)]
+    if isinstance(step, WordsStep):
+        return [{"text": text} for text in ("It swings", "it swings.", "No idea")]
     numbers = (*step.right(subject), *step.wrong(subject))
     if isinstance(step, PointStep):
         axis = step.on(subject)

@@ -1,0 +1,53 @@
+"""Short answers in the hall: let in one by one on the remote control; markup stays text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.classroom import Open, joined, remote_of, taught
+from tests.browser.dropping import drop
+from tests.browser.waiting import clicked
+
+pytestmark = pytest.mark.browser
+WALK = """title = "Why"
+[[step]]
+id = "why"
+kind = "words"
+title = "Energy goes to and fro"
+state = "?scene=oscillator"
+show = ["stage", "plot:x"]
+question = "Why does it swing on?"
+explain = "Energy goes to and fro."
+"""
+BOLD = "<b>Energy</b> 🙂"
+
+
+def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot: Callable[[Page, str], Path]) -> None:
+    lecture, code = taught(window, "scene=oscillator&projector")
+    lecture.set_viewport_size({"width": 1280, "height": 720})
+    phones, remote = [joined(window, code) for _ in range(2)], remote_of(lecture, window)
+    drop(lecture, "why.toml", WALK)
+    lecture.wait_for_function("oscillations.walks.walk?.step?.id === 'why'")
+    for phone, text in zip(phones, (BOLD, "Rubbish"), strict=True):
+        phone.wait_for_function("oscillations.asked.card")
+        phone.get_by_label("Your answer in a few words").fill(text)
+        expect(phone.get_by_text(f"Sent: {text}.")).to_be_visible()
+    clicked(lecture)
+    expect(lecture.get_by_text("2 answers wait to be let in on the remote control")).to_be_visible()
+    assert "Rubbish" not in lecture.locator("body").inner_text() and BOLD not in lecture.locator("body").inner_text()
+    screenshot(remote, "words-remote")
+    remote.get_by_role("listitem").filter(has_text="Rubbish").get_by_role("button", name="Remove").click()
+    remote.get_by_role("listitem").filter(has_text=BOLD).get_by_role("button", name="Show").click()
+    expect(lecture.locator(".words-shown li")).to_have_text([BOLD])
+    expect(lecture.locator(".words-shown b")).to_have_count(0)
+    screenshot(lecture, "words-hall")
+    screenshot(phones[0], "words-phone")
+    remote.get_by_role("button", name="Remove").click()
+    expect(lecture.locator(".words-shown li")).to_have_count(0)
+    lecture.keyboard.press("p")  # on the instructor's own screen there are buttons
+    remote.get_by_role("button", name="Show the answer").click()
+    expect(phones[0].get_by_text("Energy goes to and fro.")).to_be_visible()
