@@ -3,6 +3,7 @@
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {Ending, saveAnswers} from "./ending.js"
+import {earlier} from "./earlier.js"
 import {place} from "./join_badge.js"
 import {ask} from "./requests.js"
 import {summary} from "./summary.js"
@@ -69,6 +70,7 @@ export class JoinScreen {
       ["Remote control", () => this.#try(() => this.#remote())],
       ["Another computer", () => this.#try(() => this.#handOver())],
       ["Summary", () => this.#try(() => summary(this.teach.room))],
+      ["Votes of an earlier class", () => this.#earlier()],
       ["Answers as CSV", () => this.#try(() => saveAnswers(this.teach.room))],
       ["End the class", () => this.#try(() => this.ending.open())],
     ])
@@ -87,7 +89,7 @@ export class JoinScreen {
     this.said.textContent = sentence
   }
 
-  /** Does something, or says why not. @param {() => Promise<unknown>} act */
+  /** Does something, or says why not. @param {() => unknown} act */
   async #try(act) {
     try {
       this.#say("done", "")
@@ -95,6 +97,22 @@ export class JoinScreen {
     } catch (reason) {
       this.#say("problem", inWords(reason))
     }
+  }
+
+  /** The CSV of an earlier class is chosen; its votes then stand beside those of this one. */
+  #earlier() {
+    const field = element("input", {type: "file", accept: ".csv,text/csv"})
+    field.addEventListener("change", () => this.#try(() => this.#take(field.files?.[0])))
+    field.click()
+  }
+
+  /** @param {File | undefined} file */
+  async #take(file) {
+    if (!file) return
+    const {votes, lecture} = this.teach
+    votes.earlier = earlier(await file.text(), lecture.walks.names)
+    votes.update()
+    this.#say("done", `Its votes on ${votes.earlier.size} question${votes.earlier.size === 1 ? "" : "s"} are outlined.`)
   }
 
   /** A word with which another computer leads the class. */

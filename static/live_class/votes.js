@@ -3,6 +3,7 @@
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/claim.js"
 import {ask} from "./requests.js"
+import {countedOf} from "./earlier.js"
 import {sureness} from "./sureness.js"
 
 const MOMENT = 250 // ms between counts; one that fails is taken anew
@@ -16,6 +17,9 @@ export class Votes {
 
   /** @type {import("../questions/question.js").Tallied | null} */
   layer = null
+
+  /** @type {import("./earlier.js").Earlier} the votes of an earlier class */
+  earlier = new Map()
 
   isOpen = false
   counting = false
@@ -108,7 +112,8 @@ export class Votes {
     const {walk} = this.teach.lecture.walks
     if (!card || !walk) return
     const here = this.teach.news.here ?? 0
-    const before = tally?.before ? ", outlined: first vote" : ""
+    const beside = tally && this.#beside(tally)
+    const before = beside ? `, outlined: ${tally?.before ? "first vote" : "earlier class"}` : ""
     const turn = tally && tally.vote > 1 && !walk.lesson ? `Vote ${tally.vote}: ` : ""
     const answered = tally?.now.answered ?? 0
     const of = answered > here ? "" : ` of ${here}` // some have left since
@@ -137,11 +142,17 @@ export class Votes {
     if (this.isOpen && tally) this.#draw(walk, tally)
   }
 
+  /** The answers that are outlined: of the first vote, or of an earlier class. @param {page.Tally} tally */
+  #beside({walk, step, before}) {
+    const answers = this.earlier.get(`${walk}/${step}`)
+    return before ?? (answers && this.card ? countedOf(answers, this.card.walk.step) : null)
+  }
+
   /** @param {import("../walks/walk.js").Walk} walk @param {page.Tally} tally */
   #draw({lesson}, tally) {
     const card = /** @type {import("../walks/card.js").Card} */ (this.card)
     this.layer ??= card.question.tally(this.chips)
-    this.layer.update(tally, lesson, this.teach.moderate)
+    this.layer.update({...tally, before: this.#beside(tally)}, lesson, this.teach.moderate)
     if (lesson && tally.now.answered) this.all.textContent = this.layer.headline(tally)
   }
 

@@ -116,10 +116,14 @@ class Bars {
   /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
   update({now, before}, lesson) {
     this.leave()
-    const most = Math.max(1, ...now.options, ...(before?.options ?? []))
+    // Of another number of phones it is the shares that can be compared.
+    const sizes = [now, before].map(
+      counted => counted?.options.map(count => count / Math.max(1, counted.answered)) ?? [],
+    )
+    const most = Math.max(...sizes.flat()) || 1
     for (const [i, row] of this.rows.entries()) {
-      const parts = [element("i", {style: `--share: ${now.options[i] / most}`})]
-      if (before?.options[i]) parts.push(element("i", {class: "before", style: `--share: ${before.options[i] / most}`}))
+      const parts = [element("i", {style: `--share: ${sizes[0][i] / most}`})]
+      if (before?.options[i]) parts.push(element("i", {class: "before", style: `--share: ${sizes[1][i] / most}`}))
       const count = element("span", {class: "vote-count"}, ...(before ? [`${before.options[i]} → `] : []))
       count.append(element("b", {}, String(now.options[i])))
       row.classList.toggle("right-vote", Boolean(lesson?.verdicts[i]?.right))

@@ -1,0 +1,70 @@
+// The votes of an earlier class, from its CSV: an outline beside those of today.
+
+import {bare} from "../core/plain.js"
+
+const LARGEST = 5e6 // characters of a file
+const NEEDED = ["walk", "step", "vote", "answer"]
+const FIRST = "1" // vote: later ones are after talk
+
+/** Answers by question, "d31/d31-03". @typedef {Map<string, string[]>} Earlier */
+
+/**
+ * The answers in a file; an error in words for one that is no table of a class, or of walks that are not here.
+ * @param {string} text @param {string[]} walks @returns {Earlier}
+ */
+export function earlier(text, walks) {
+  if (text.length > LARGEST) throw new Error("This file is too large: at most 5 MB can be read.")
+  const [head = [], ...rows] = table(text)
+  const places = NEEDED.map(name => head.indexOf(name))
+  if (places.includes(-1))
+    throw new Error("This is no CSV of a class: it needs the columns walk, step, vote and answer in its first line.")
+  /** @type {Earlier} */
+  const found = new Map()
+  for (const row of rows) {
+    const [walk, step, vote, answer] = places.map(place => row[place] ?? "")
+    if (vote !== FIRST) continue
+    const question = `${walk}/${step}`
+    found.set(question, [...(found.get(question) ?? []), answer])
+  }
+  if (!found.size) throw new Error("This file has no answers.")
+  const names = new Set([...found.keys()].map(question => question.split("/")[0]))
+  if (!walks.some(name => names.has(name))) {
+    const [told] = names
+    throw new Error(`Its answers are to the walk “${told.slice(0, 40)}”, which is not here. Open that walk first.`)
+  }
+  return found
+}
+
+/**
+ * Answers counted as those of a step are; null for a kind of which the table does not tell enough.
+ * @param {string[]} answers @param {page.StepCard} step @returns {page.Counted | null}
+ */
+export function countedOf(answers, step) {
+  const nothing = {options: [], numbers: [], sketches: [], having: [], sure: [], words: []}
+  if (step.options.length) {
+    const names = step.options.map(html => letters(bare(html)))
+    const told = answers.map(letters)
+    const options = names.map(name => told.filter(one => one === name).length)
+    return {...nothing, answered: answers.length, options}
+  }
+  const numbers = answers.map(answer => Number(answer.replace(/^'/, ""))).filter(Number.isFinite)
+  return step.plot || !numbers.length ? null : {...nothing, answered: numbers.length, numbers}
+}
+
+/** A text without signs and spaces, in which its two spellings differ. @param {string} text */
+const letters = text => text.normalize("NFKC").replaceAll(/[^\p{L}\p{N}]/gu, "")
+
+/** The cells of a CSV by rows. @param {string} text */
+function table(text) {
+  /** @type {string[][]} */
+  const rows = [[]]
+  const cells = /(?:"((?:[^"]|"")*)"|([^",\r\n]*))(,|\r?\n|\r|$)/gy
+  const whole = text.replace(/^\ufeff/, "")
+  while (cells.lastIndex < whole.length) {
+    const match = cells.exec(whole)
+    if (!match) break // a quote that is not closed
+    rows[rows.length - 1].push(match[1]?.replaceAll('""', '"') ?? match[2])
+    if (match[3] !== ",") rows.push([])
+  }
+  return rows.filter(row => row.length)
+}
