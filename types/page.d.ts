@@ -543,8 +543,8 @@ declare namespace page {
 
   /** The answers to one vote: their number, the number for each option, the numbers or places on the axis of a point,
    * some hundreds of sketches, and the number of sketches with each feature. `sure` has for each of the three levels of
-   * confidence the number of answers and of right ones; it is empty if nobody gave a level. `words` are the newest groups
-   * of equal answers in words, without the removed ones. */
+   * confidence the number of answers and of right ones; it is empty if nobody gave a level. `words` are the newest
+   * groups of equal answers in words, without the removed ones. */
   interface Counted {
     answered: number
     options: number[]

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
 from tests.browser.tabs import calm_context
-from tests.serving.server import Server
+from tests.serving.server import Server, serving
 
 CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 LED = "globalThis.oscillations?.classes?.led"
@@ -45,6 +47,24 @@ def failing(server: Server, browser: Browser) -> Iterator[Open]:
     yield go
     for context in contexts:
         context.close()
+
+
+@contextmanager
+def walked(browser: Browser, folder: Path, name: str, walk: str) -> Iterator[Open]:
+    """Pages of a server that has a walk from a file."""
+    (folder / f"{name}.toml").write_text(walk, encoding="utf-8")
+    contexts = []
+    with serving(folder / "log", environment={"WALKS": str(folder)}) as server:
+
+        def go(query: str, width: int, height: int) -> Page:
+            contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
+            page = contexts[-1].new_page()
+            page.goto(f"{server.url}?{query}")
+            return page
+
+        yield go
+        for context in contexts:
+            context.close()
 
 
 def taught(window: Open, query: str) -> tuple[Page, str]:

@@ -8,10 +8,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.classroom import Open, counted, joined, remote_of, taught
-from tests.browser.tabs import calm_context
+from tests.browser.classroom import Open, counted, joined, remote_of, taught, walked
 from tests.browser.waiting import clicked
-from tests.serving.server import serving
 
 pytestmark = pytest.mark.browser
 WALK = """title = "Three"
@@ -35,20 +33,8 @@ AT = "id => oscillations.walks.walk?.step?.id === id"
 
 @pytest.fixture
 def window(tmp_path: Path, browser: Browser) -> Iterator[Open]:
-    """Pages of a server that has the walk."""
-    (tmp_path / "three.toml").write_text(WALK, encoding="utf-8")
-    contexts = []
-    with serving(tmp_path / "log", environment={"WALKS": str(tmp_path)}) as server:
-
-        def go(query: str, width: int, height: int) -> Page:
-            contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
-            page = contexts[-1].new_page()
-            page.goto(f"{server.url}?{query}")
-            return page
-
+    with walked(browser, tmp_path, "three", WALK) as go:
         yield go
-        for context in contexts:
-            context.close()
 
 
 @pytest.fixture

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.classroom import Open, joined, remote_of, taught
-from tests.browser.dropping import drop
+from tests.browser.classroom import Open, joined, remote_of, taught, walked
 from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
@@ -26,11 +25,16 @@ explain = "Energy goes to and fro."
 BOLD = "<b>Energy</b> 🙂"
 
 
+@pytest.fixture
+def window(tmp_path: Path, browser: Browser) -> Iterator[Open]:
+    with walked(browser, tmp_path, "why", WALK) as go:
+        yield go
+
+
 def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot: Callable[[Page, str], Path]) -> None:
-    lecture, code = taught(window, "scene=oscillator&projector")
+    lecture, code = taught(window, "walk=why&projector")
     lecture.set_viewport_size({"width": 1280, "height": 720})
     phones, remote = [joined(window, code) for _ in range(2)], remote_of(lecture, window)
-    drop(lecture, "why.toml", WALK)
     lecture.wait_for_function("oscillations.walks.walk?.step?.id === 'why'")
     for phone, text in zip(phones, (BOLD, "Rubbish"), strict=True):
         phone.wait_for_function("oscillations.asked.card")
