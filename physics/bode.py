@@ -14,6 +14,7 @@ Source: beyond lecture D34, slide 8; J. P. Den Hartog, Mechanical Vibrations, 4t
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from physics.damped_chain import DampedChain
@@ -64,6 +65,7 @@ class ChainResonances(NamedTuple):
     stroke: Resonances
 
 
+@lru_cache(64)  # a scene asks again while only its drive changes
 def chain_resonances(chain: DampedChain) -> ChainResonances:
     """Peaks and dips of the chain under a force on mass 1."""
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)

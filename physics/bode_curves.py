@@ -21,6 +21,7 @@ Source: beyond lecture D34, slide 8; J. P. Den Hartog, Mechanical Vibrations, 4t
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from decimal import Decimal
 from typing import NamedTuple
 
@@ -35,6 +36,10 @@ from physics.valid import finite_array
 _COMFORT = 2.0**60  # omega, the dampings and F_0/m1 within this and its inverse: no product leaves the doubles
 
 
+_EVEN = np.concatenate([np.linspace(0.002, 1.6, 160), np.geomspace(1.6, 100.0, 40)])
+_WIDTHS = np.array([0.0, *np.geomspace(0.02, 60.0, 64)])  # so close together that a loop is round
+
+
 class BodeCurves(NamedTuple):
     """X1 and X2 (2, n) in m, complex, and the lags of both masses behind the force (2, n) in rad."""
 
@@ -46,12 +51,15 @@ def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeC
     """Return the response and the lags at n drive frequencies in rad/s, above 0.
 
     Amplitudes are within 8 u, lags within 8 u of a radian; they are those of DampedChain.response and DampedChain.lags.
-    inf where no steady amplitude exists. ValueError if an amplitude leaves the range of doubles.
+    inf where no steady amplitude exists, and at all of them if one leaves the range of doubles.
     """
     frequencies = np.atleast_1d(finite_array("omega", omega))
     scaled = _ScaledChain.of(chain, F_0, frequencies)
     if not scaled.comfortable:
-        return BodeCurves(chain.response(frequencies, F_0), chain.lags(frequencies))
+        try:
+            return BodeCurves(chain.response(frequencies, F_0), chain.lags(frequencies))
+        except ValueError:
+            return BodeCurves(np.full((2, frequencies.size), np.inf, np.complex128), chain.lags(frequencies))
     w, square = scaled.omega, scaled.omega**2
     slow, fast, two, both = (difference for difference, _ in from_roots(w, scaled.roots))
     one, link, ratio = scaled.first, scaled.second, scaled.ratio
@@ -67,6 +75,17 @@ def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeC
     first[N == 0.0] = np.pi  # no swing, no lag: that of the frequencies just below
     behind = np.arctan2(link * w**3, (link * w) ** 2 - tied * two)
     return BodeCurves(X, np.array([first, first + behind]))
+
+
+def locus_frequencies(roots: Iterable[complex], fast: float) -> Array:
+    """Return drive frequencies in rad/s, rising, at which X1 and X2 are smooth curves in the complex plane.
+
+    They are closer together about the imaginary part of each root, in its widths, and reach 100 times `fast`.
+    """
+    swinging = [root for root in roots if root.imag]
+    loops = [abs(root.imag) + side * -root.real * _WIDTHS for root in swinging for side in (-1, 1)]
+    omega: Array = np.unique(np.concatenate([fast * _EVEN, *loops]))
+    return omega[omega > 0]
 
 
 class _ScaledChain(NamedTuple):

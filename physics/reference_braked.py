@@ -42,6 +42,21 @@ def braked_swings(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[
         return {f"Xp{i + 1}": [point(abs(pair[i]), abs(pair[i])) for pair in pairs] for i in (0, 1)}
 
 
+def braked_lags(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Point]]:
+    """The lags of both masses behind the force in rad, beside one radian, at drive frequencies in rad/s.
+
+    That of mass 1 is from 0 to pi, that of mass 2 as much more.
+    """
+    import mpmath as mp
+
+    with mp.workdps(DIGITS):
+        pairs = [_steady(mp, modes, w) for w in omega]
+        first = [abs(mp.arg(one)) for one, _ in pairs]
+        behind = [abs(mp.arg(two / one)) if one else mp.mpf(0) for one, two in pairs]
+        both = [one + more for one, more in zip(first, behind, strict=True)]
+        return {"phi1": [point(lag, 1) for lag in first], "phi2": [point(lag, 1) for lag in both]}
+
+
 def braked_exponents(chain: TwoMassChain, c1: float, c2: float) -> list[tuple[Point, Point]]:
     """Real and imaginary part of each exponent with Im >= 0, as eigenvalues, beside their modulus."""
     import mpmath as mp

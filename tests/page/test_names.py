@@ -52,7 +52,12 @@ MORE: dict[str, list[dict[str, Any]]] = {
         *({"view": "sweep", "swept": name} for name in ("m1", "m2", "k1", "k2")),
     ],
     "absorber": [{"omega": 50.0001, "tuning": "free"}, {"view": "rest", "x1_0": 0.01}],
-    "forced": [{"window": 1e4}, {"omega": 0.6180339887498949 + 2e-5, "window": 2e5}],
+    "forced": [
+        {"window": 1e4},
+        {"omega": 0.6180339887498949 + 2e-5, "window": 2e5},
+        {"view": "bode", "c1": 0.1, "c2": 0.1},
+        {"view": "nyquist", "c1": 0.1, "c2": 0.1},
+    ],
     "accuracy": [
         *({"view": "growth", "wanted": 1.0, "hidden": [], "system": slug} for slug in MEASURED),
         {"limit": 0.01},

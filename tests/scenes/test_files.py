@@ -228,7 +228,11 @@ def test_with_dashpots_it_has_sizes_and_lags() -> None:
 
 @pytest.mark.parametrize(
     ("cover", "left"),
-    [("plot:response", []), ("curve:response.Xp2", ["omega", "Xp1", "phi1"])],
+    [
+        ("plot:response", []),
+        ("plot:lag", ["omega", "Xp1", "Xp2"]),
+        ("curve:response.Xp2", ["omega", "Xp1", "phi1"]),
+    ],
 )
 def test_a_covered_amplitude_is_in_no_file_nor_its_lag(cover: str, left: list[str]) -> None:
     files = taken(standing_of(SCENES["forced"], Link("forced", {"c1": 0.5}, covered=(cover,)))[0])

@@ -28,7 +28,7 @@ from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
-from components.scenes.forced.sheet import CURVE, UNITS, forced_sheet
+from components.scenes.forced.sheet import CURVE, SCALE, UNITS, forced_sheet
 from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import Forms, notes
 from physics.forced import driven_modes, steady_start
@@ -80,7 +80,7 @@ class Forced(Scene):
     c1, c2 = chain.dashpots()
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
-    curve, axes = CURVE, UNITS
+    curve, axes, scale = CURVE, UNITS, SCALE
     views = (
         View(
             "Response", "Drag *ω*: where does mass 1 swing farthest, where not at all, and when against the push?",
@@ -97,6 +97,14 @@ class Forced(Scene):
         View(
             "Work", "Change *ω*: what does the drive give the masses, and does it ever take it back?",
             keys=(omega,), names=("stage", "plot:energy"),
+        ),
+        View(
+            "Bode", "Drag *ω*: where does each mass lag by a quarter turn, and which lag falls again?",
+            keys=(omega,), names=("plot:response", "plot:lag"),
+        ),
+        View(
+            "Nyquist", "Drag *ω* round the loops: where does the push do most work?",
+            keys=(omega,), names=("plot:nyquist",),
         ),
         View(
             "Formulas", "Change *ω*, and watch the numbers in each formula.",
@@ -134,7 +142,8 @@ class Forced(Scene):
         limit = {"limit": Traces(case.end, t.size, tuple(by_name(case.limits)), case.limiting)} if case.limits else {}
         extremes = chain.extremes(curves, bands)
         work = case.energies(t)
-        swing = response(case, self.curve, self.axes == "lecture" and case.comparable, frame)
+        shown = self.scale if case.view == "bode" else self.curve
+        swing = response(case, shown, self.axes == "lecture" and case.comparable, frame)
         window = time_axis(self.window or time_window(slow, fast))
         x = nice_axis(*_span(extremes, curves), "m", 2)
         own = by_name({Axes.t: window, Axes.x: x, Axes.E: _energy_axis(work)})
@@ -148,7 +157,7 @@ class Forced(Scene):
             axes=axes,
             signals=case.signals(size, time, push) | pushed.signals,
             traces={"time": _traces(case, t.size, tuple(curves)), **limit},
-            tables={"response": swing.table},
+            tables=swing.tables,
             scalars={**drawn.scalars, **swing.scalars, **pushed.scalars, **dashpots},
             pace=pace(slow or fast or self.omega, case.fastest),
             scale=drawn.scale,
@@ -156,7 +165,7 @@ class Forced(Scene):
             values=N.texts(case, counted) | drawn.values | pushed.values,
             live=Signals.live(counted) | pushed.live,
             forms=Forms.forms(case),
-            notes=(*drawn.notes, *notes(case, self.axes, self.curve, case.view == "work" and not work)),
+            notes=(*drawn.notes, *notes(case, self.axes, shown, case.view == "work" and not work)),
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
 

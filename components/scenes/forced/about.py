@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.chain import BOTH
-from components.chain.about import DRIVE, MASSES, motion_rows
+from components.chain.about import DRIVE, FREQUENCY, MASSES, motion_rows
 from components.chain.parameters import Pair
 from components.quantities.declared import by_name
 from components.quantities.numbers import short
@@ -18,7 +18,7 @@ from components.scenes.forced.dying import Dying
 from components.scenes.forced.response import Swings
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
-from physics.reference_braked import braked_points, braked_swings
+from physics.reference_braked import braked_lags, braked_points, braked_swings
 from physics.reference_single import steady_points
 from physics.sampling import drawable
 from physics.transient import DampedModes
@@ -26,6 +26,8 @@ from physics.transient import DampedModes
 BANDS = MASSES | {
     part[i].name: f"the {name} part" for i in BOTH for part, name in ((S.x_p, "particular"), (S.x_c, "complementary"))
 }
+
+LAGS = {f"phi{i}": rf"$\psi_{i}$" for i in BOTH}
 
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
@@ -48,9 +50,14 @@ def dying_about(picture: Picture, modes: DampedModes) -> About:
     true = braked_points(modes, few_of(columns["t"]))
     swings = {Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH}
     steady = braked_swings(modes, few_of(sweep["omega"]))
+    lags, driven = picture.sources["lag"], modes.F_0 and modes.omega
+    turns = braked_lags(modes, few_of(lags["w"])) if driven else {}
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", points(MASSES, columns, true)),
         bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, DRIVE)),
+        bounded(
+            "the lags", 8, "one radian", points({"phi1": r"$\psi_1$", "phi2": r"$\psi_2$"}, lags, turns, FREQUENCY)
+        ),
     )
     return About(tables, _heat_gap(modes, columns["t"]), bands_among(picture.sources, BANDS))
 

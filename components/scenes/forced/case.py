@@ -16,7 +16,9 @@ from components.quantities.axes import Axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Family, Signal, by_name
 from components.quantities.motion import sines
 from components.scene.traces import Columns, Floats
+from physics.bode import Resonances, chain_resonances
 from physics.coupled import TwoMassChain
+from physics.damped_chain import DampedChain
 from physics.forced import DrivenModes, antiresonance
 from physics.sampling import drawable
 from physics.transient import DampedModes
@@ -25,9 +27,9 @@ signal = Signal[Any]
 
 
 class Axes(chain.Axes):
-    """Of energies and of the response; F counts the drive and is not drawn."""
+    """Of energies, of the response, of lags and of the complex plane; F counts the drive and is not drawn."""
 
-    E, omega, X, F = DrawnAxis.some(4)
+    E, omega, X, F, lag, re, im = DrawnAxis.some(7)
 
 
 class Signals(chain.Signals):
@@ -119,6 +121,32 @@ class ForcedCase:
         if not self.chain.k2:
             return {"plus": fast}
         return {"minus": slow, "plus": fast} | ({"still": antiresonance(self.chain)} if self.stills else {})
+
+    @cached_property
+    def marked(self) -> dict[str, float]:
+        """The natural frequencies above 0, and sqrt(k2/m2), also where mass 1 moves there."""
+        every = self.marks | ({"still": antiresonance(self.chain)} if self.chain.k2 else {})
+        return {name: w for name, w in every.items() if w > 0}
+
+    @property
+    def damping(self) -> Pair:
+        """c1 and c2."""
+        return 0.0, 0.0
+
+    @cached_property
+    def damped(self) -> DampedChain:
+        return DampedChain.of(self.chain, *self.damping)
+
+    @property
+    def extremes(self) -> tuple[Resonances, ...]:
+        """Peaks and dips of X1 and X2 over F_0, with dashpots and in the view that shows them."""
+        return chain_resonances(self.damped)[:2] if self.view == "bode" and any(self.damping) else ()
+
+    @property
+    def works(self) -> Pair:
+        """The energies in J that the dashpots take in a cycle of the steady motion, in the view that shows them."""
+        shown = self.view == "nyquist" and self.driven
+        return self.damped.works(self.modes.omega, self.modes.F_0) if shown else (0.0, 0.0)
 
     @property
     def split(self) -> bool:

@@ -33,6 +33,19 @@ def _way(case: AnyCase, i: int) -> str:
     return f"{'with' if case.swings[i] > 0 else 'against'} F"
 
 
+def _phase(case: AnyCase, i: int) -> str:
+    if not case.swings[i] or not case.modes.omega:
+        return "is still: no lag"
+    return f"lags {three(math.degrees(case.damped.lags(case.modes.omega)[i]))}°"
+
+
+def _peaks(case: AnyCase, i: int) -> str:
+    """The peaks of a mass, with the widths at half their power."""
+    found = [(one.omega, *one.half_power) for one in case.extremes[i].peaks] if case.extremes else []
+    peaks = [three(at) + (f" (width {three(high - low)})" if low and high else "") for at, low, high in found]
+    return f"peaks at {' and '.join(peaks)} rad/s" if peaks else "has no peak"
+
+
 class Numbers(Declared[AnyCase]):
     F_unit = AxisUnit(Axes.F)
     Xp = Family(BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1], f"X_{{p{i}}}", "m", f"m{i}"))
@@ -47,6 +60,10 @@ class Numbers(Declared[AnyCase]):
     way = Family(BOTH, lambda i: number(lambda c: _way(c, i - 1)))
     growth = Family(BOTH, lambda i: number(lambda c: c.growth[i - 1] if isinstance(c, Undamped) and c.resonant else ""))
     lag = Family(BOTH, lambda i: number(lambda c: plus(-c.lags[i - 1]) if isinstance(c, Dying) else ""))
+    phase = Family(BOTH, lambda i: number(lambda c: _phase(c, i - 1)))
+    peaks = Family(BOTH, lambda i: number(lambda c: _peaks(c, i - 1)))
+    works = Family(BOTH, lambda i: number(lambda c: c.works[i - 1]))
+    work = number(lambda c: sum(c.works))
     dies = number(
         lambda c: math.log(100) / c.slowest if isinstance(c, Dying) and 0 < c.slowest < math.inf else None,
         unit="s",

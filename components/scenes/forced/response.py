@@ -25,6 +25,7 @@ from components.quantities.declared import Column, Declared, Scalar, by_name
 from components.scene.file_table import FileTable
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
+from components.scenes.forced.bode import bode, extremes
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
@@ -78,12 +79,12 @@ P = Places
 
 @dataclass(frozen=True)
 class DrawnResponse:
-    """The response plot: its sources, axes and marks."""
+    """The plots of the response, the lags and the complex plane: their sources, axes, marks and files."""
 
     columns: dict[str, Columns]
     axes: dict[str, Axis]
     scalars: dict[str, float]
-    table: FileTable
+    tables: dict[str, FileTable]
 
 
 def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
@@ -107,7 +108,10 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns[Swings.omega.source] = _column(w, swings)
-    return DrawnResponse(columns, axes, _marks(case, across, up, log, signed), _table(case, w, swings))
+    also = bode(case, w, across, up, TALL * (base or 1.0), frame)
+    tables = {"response": _table(case, w, swings), "nyquist": also.table}
+    scalars = _marks(case, across, up, log, signed) | also.scalars
+    return DrawnResponse(columns | also.columns, axes | also.axes, scalars, tables)
 
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
@@ -180,12 +184,13 @@ def _branches(
 def _table(case: AnyCase, w: Floats, swings: Floats) -> FileTable:
     """The amplitudes for a file, a row for each frequency: signed, or with dashpots their sizes and the lags."""
     w, first = np.unique(w, return_index=True)
-    branches, units = tuple(f"branch{i}" for i in range(len(BRANCHES))), {"omega": "rad/s", "Xp1": "m", "Xp2": "m"}
+    sources = *(f"branch{i}" for i in range(len(BRANCHES))), "lag"
+    units = {"omega": "rad/s", "Xp1": "m", "Xp2": "m"}
     if isinstance(case, Undamped):
-        return FileTable(branches, lambda: _with_poles(case, w, swings[:, first]), units, {}, POLES)
-    of = {"phi1": "Xp1", "phi2": "Xp2"}
+        return FileTable(sources, lambda: _with_poles(case, w, swings[:, first]), units, {}, POLES)
+    of = {"phi1": ("Xp1", "phi1"), "phi2": ("Xp2", "phi2")}
     lags = dict.fromkeys(of, "rad")
-    return FileTable(branches, lambda: _with_lags(case, w, swings[:, first]), units | lags, of)
+    return FileTable(sources, lambda: _with_lags(case, w, swings[:, first]), units | lags, of)
 
 
 def _with_poles(case: Undamped, w: Floats, swings: Floats) -> Columns:
@@ -266,7 +271,7 @@ def response_plot() -> PlotBlock:
         ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
-        shapes=(*_gone(), *_drive()),
+        shapes=(*_gone(), *extremes(RESPONSE), *_drive()),
         room=Room(40, 12, top=48),
         phone=10,
         height=262,

@@ -18,14 +18,16 @@ from components.layout.stage import NARROW, WIDE, H, PlotFrame, Shape, W, arrow,
 from components.layout.views import in_views
 from components.quantities.parameters import one_of
 from components.scene.traces import traced
+from components.scenes.forced.bode import lag_plot, plane_plot
 from components.scenes.forced.case import Axes, Work
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response_plot
-from components.scenes.forced.words import FATE, MOTION, SOLUTION
+from components.scenes.forced.words import FATE, LAGS, MOTION, SOLUTION, WORK
 from components.scenes.forced.words import Forms as F
 
 CURVE = one_of("size", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as")
+SCALE = one_of("log", {"log": "Log", "size": "Linear"}, "Axes of the Bode plot")
 UNITS = one_of("si", {"si": "SI", "lecture": "Relative"}, "Units of the response")
 
 
@@ -36,14 +38,19 @@ def forced_sheet() -> Block:
         row(
             stage(*_shapes(), label=label, height=150),
             in_views(words(*SOLUTION, style="facts solution", basis=318, phone=13, name="solution"), "formulas"),
+            in_views(desk(words(*LAGS, style="facts", basis=340, phone=15, name="lags")), "bode"),
+            in_views(words(*WORK, style="facts", basis=340, phone=15, name="work"), "nyquist"),
             in_views(words(*MOTION, style="facts", basis=318, phone=15, name="forces"), "forces"),
             grow=200,
         ),
         column(
-            in_views(response_plot(), "response"),
+            in_views(response_plot(), "response", "bode"),
+            in_views(lag_plot(), "bode"),
+            in_views(plane_plot(), "nyquist"),
             *(in_views(_motion(i), "motion", "forces", "formulas") for i in BOTH),
             in_views(_energy(), "work"),
             in_views(words(FATE, style="numbers", phone=15, name="fate"), "motion"),
+            in_views(desk(choice(SCALE, phone=62)), "bode"),
             in_views(desk(_options()), "response"),
             grow=440,
         ),

@@ -47,6 +47,8 @@ class Forms(Declared[AnyCase]):
     limit = form.each(
         BOTH, "x{}_limit", value=lambda c: "beats" if S.growth[1] in c.limits else "grows" if c.limits else ""
     )
+    peaks = form(lambda c: "braked" if c.extremes else "none")
+    works = form(lambda c: "braked" if any(c.works) else "none")
     lecture = form(lambda c: "offered" if c.comparable else "")
 
 
@@ -113,6 +115,29 @@ SOLUTION: list[Paragraph] = [
     ),
 ]
 """The particular solution: both rows, both amplitudes, or why there are none."""
+
+LAGS: list[Paragraph] = [
+    f"[m1|Mass 1 {N.phase[1]}], [m2|mass 2 {N.phase[2]}].",
+    either(
+        Forms.peaks,
+        braked=rf"[m1|$|X_{{\mathrm{{p}}1}}|$ {N.peaks[1]}]; [m2|$|X_{{\mathrm{{p}}2}}|$ {N.peaks[2]}].",
+        none="Without dashpots no peak has an end, and the lags jump by 180°.",
+    ),
+    "Lag 1 stays between 0 and 180°: a push can only feed the mass that it acts on. So with little damping lag 1 falls "
+    "back between the resonances. Spring 2 is between the push and mass 2: lag 2 goes on.",
+]
+"""The lags, the peaks, and why only the lag of mass 1 falls back."""
+
+WORK: list[Paragraph] = [
+    either(
+        Forms.works,
+        braked=f"The push does **{N.work} J** in a cycle, π*F*_0 times the depth of *X*_1 below the axis: "
+        f"{N.works[1]} J go to dashpot 1, {N.works[2]} J to dashpot 2.",
+        none="Without dashpots *X*_1 stays on the axis: no loop, and no work in a cycle. Choose “Damped”.",
+    ),
+    "*X*_1 is never above the axis: a push can only feed the mass that it acts on. *X*_2 can be.",
+]
+"""The work of a cycle, as the depth of the curve of mass 1."""
 
 MOTION: list[Paragraph] = [
     either(

@@ -1,0 +1,202 @@
+"""Bode and Nyquist of the driven chain: the lags of both masses, and the steady motion in the complex plane."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from components.chain import BOTH
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.state import Frame
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import phrase, term
+from components.layout.stage import Looks, PlotFrame, Shape, arrow, circle, line, shown_by, text
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.declared import AxesInForce, Column, Declared, Scalar, by_name
+from components.scene.file_table import FileTable
+from components.scene.frames import framed
+from components.scene.traces import Columns, Floats
+from components.scenes.forced.case import MARKS, Axes
+from components.scenes.forced.dying import Dying
+from components.scenes.forced.numbers import AnyCase
+from physics.bode_curves import bode_curves, locus_frequencies
+from physics.forced import antiresonance
+
+LAG, PLANE = PlotFrame("lag"), PlotFrame("nyquist")
+PEAKS = tuple((i, n) for i in BOTH for n in (0, 1))
+"""The peaks of each mass."""
+NAMED = {"minus": ("slow", "*ω*_{−}"), "still": ("mute", "√(*k*_2/*m*_2)"), "plus": ("fast", "*ω*_{+}")}
+KEYS: dict[int, Literal["sum", "line"]] = {1: "sum", 2: "line"}
+QUARTERS = (0.0, 90.0, 180.0, 270.0, 360.0)
+TURN = 2 * math.pi
+scalar, column = Scalar[AnyCase], Column[AnyCase]
+
+
+class Lags(Declared[AnyCase]):
+    """The lags of both masses at drive frequencies."""
+
+    w = column("lag")
+    phi = column.each(BOTH, source="lag")
+
+
+class Locus(Declared[AnyCase]):
+    """X1 and X2 in the complex plane."""
+
+    re, im = column.each(BOTH, source="nyquist"), column.each(BOTH, source="nyquist")
+
+
+class BodePlaces(Declared[AnyCase]):
+    """Where the drive is on the lags and in the plane, the natural frequencies in both, and the peaks and dips."""
+
+    now, turns = scalar.some(2)
+    phi, re, im = (scalar.each(BOTH, f"{name}{{}}_at") for name in ("phi", "re", "im"))
+    line, re_mark, im_mark, is_line, is_mark = (
+        scalar.each(MARKS, f"{name}_{{}}") for name in ("line", "re_mark", "im_mark", "is_line", "is_mark")
+    )
+    peak, up, low, high, half, is_peak, is_wide = (
+        scalar.each(PEAKS, f"{name}{{}}_{{}}") for name in ("peak", "up", "low", "high", "half", "is_peak", "is_wide")
+    )
+    dip, down, is_dip = (scalar.each(BOTH, f"{name}{{}}") for name in ("dip", "down", "is_dip"))
+
+
+B = BodePlaces
+
+
+@dataclass(frozen=True)
+class DrawnBode:
+    """The lags and the plane: their sources, axes and marks."""
+
+    columns: dict[str, Columns]
+    axes: dict[str, Axis]
+    scalars: dict[str, float]
+    table: FileTable
+
+
+def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnBode:
+    """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is a swing in m."""
+    roots = [one for one, _ in case.modes.transient] if isinstance(case, Dying) else []
+    far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
+    X = bode_curves(case.damped, far, case.modes.F_0).X
+    inside = np.isfinite(X).all(axis=0)
+    far, X = far[inside], X[:, inside]
+    ends = [(-unit, unit), (-unit, unit)]
+    if isinstance(case, Dying) and X.any():
+        ends = [(float(part.min(initial=0.0)), float(part.max(initial=0.0))) for part in (X.real, X.imag)]
+    half = 0.54 * max(high - low for low, high in ends)
+    middles = ((low + high) / 2 for low, high in ends)
+    re, im = (nice_axis(middle - half, middle + half, "m", 4, exact=True) for middle in middles)
+    labels = tuple(f"{one:.0f}°" if one == QUARTERS[-1] else f"{one:.0f}" for one in QUARTERS)
+    lag = Axis(0.0, 1.04 * TURN, "°", ticks=QUARTERS, labels=labels, factor=TURN / 360, drawn=(0.0, TURN))
+    axes = framed(frame, by_name({Axes.lag: lag, Axes.re: re, Axes.im: im}))
+    w = w[w > 0]
+    lags = bode_curves(case.damped, w).lags
+    rows = (of[i] for of in (Locus.re, Locus.im) for i in BOTH)
+    plane = {"omega": far} | by_name(dict(zip(rows, (*X.real, *X.imag), strict=True)))
+    columns = {"lag": by_name({Lags.w: w, Lags.phi[1]: lags[0], Lags.phi[2]: lags[1]}), "nyquist": plane}
+    scalars = by_name(_places(case, across, axes) | _extremes(case, across, up))
+    units = dict.fromkeys(plane, "m") | {"omega": "rad/s"}
+    return DrawnBode(columns, axes, scalars, FileTable(("nyquist",), lambda: plane, units, {}))
+
+
+def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCase], float]:
+    """Where the drive and the natural frequencies are."""
+    found, omega, F_0 = dict[Scalar[AnyCase], float](), case.modes.omega, case.modes.F_0
+    lag, re, im = Axes.lag(axes), Axes.re(axes), Axes.im(axes)
+    marks = case.marks | ({"still": antiresonance(case.chain)} if case.chain.k2 else {})
+    for name, w in marks.items():
+        if w > 0:
+            (X,), _ = bode_curves(case.damped, w, F_0).X.tolist()
+            found |= {B.line[name]: across.place(w), B.is_line[name]: 1.0}
+            if isinstance(case, Dying) and cmath.isfinite(X):
+                found |= {B.re_mark[name]: re.place(X.real), B.im_mark[name]: im.place(X.imag), B.is_mark[name]: 1.0}
+    steady = case.damped.response(omega, F_0).tolist()
+    if not omega or not all(map(cmath.isfinite, steady)):
+        return found
+    found |= {B.now: across.place(omega), B.turns: 1.0}
+    for i, X, phi in zip(BOTH, steady, case.damped.lags(omega).tolist(), strict=True):
+        found |= {B.re[i]: re.place(X.real), B.im[i]: im.place(X.imag)}
+        found |= {B.phi[i]: lag.place(phi)} if X else {}
+    return found
+
+
+def _extremes(case: AnyCase, across: Axis, up: Axis) -> dict[Scalar[AnyCase], float]:
+    """Peaks with the frequencies of half their power, and dips."""
+    found, F_0 = dict[Scalar[AnyCase], float](), case.modes.F_0
+    for i, one in zip(BOTH, case.extremes if F_0 else (), strict=False):
+        for n, peak in enumerate(one.peaks[:2]):
+            low, high = peak.half_power
+            found |= {B.peak[i, n]: across.place(peak.omega), B.up[i, n]: up.place(F_0 * peak.height)}
+            found[B.is_peak[i, n]] = 1.0
+            if low and high:
+                found |= {B.low[i, n]: across.place(low), B.high[i, n]: across.place(high), B.is_wide[i, n]: 1.0}
+                found[B.half[i, n]] = up.place(F_0 * peak.height / math.sqrt(2))
+        for dip in one.dips[:1]:
+            found |= {B.dip[i]: across.place(dip.omega), B.down[i]: up.place(F_0 * dip.height), B.is_dip[i]: 1.0}
+    return found
+
+
+def extremes(on: PlotFrame) -> list[Shape]:
+    """Peaks, the widths at half their power, and dips, on the curves of the response."""
+    looks = {i: Looks(tint=f"m{i}", inside=on) for i in BOTH}
+    dips = ((on.x(var(B.dip[i])), on.y(var(B.down[i])), Looks(show=B.is_dip[i], **looks[i])) for i in BOTH)
+    shapes = [circle(x, y, 4.5, style="ghost", **look) for x, y, look in dips]
+    for key in PEAKS:
+        half, look = on.y(var(B.half[key])), looks[key[0]]
+        shapes += [
+            line(on.x(var(B.low[key])), half, on.x(var(B.high[key])), half, show=B.is_wide[key], **look),
+            circle(on.x(var(B.peak[key])), on.y(var(B.up[key])), 4.5, show=B.is_peak[key], **look),
+        ]
+    return shapes
+
+
+def lag_plot() -> Block:
+    now, places = LAG.x(var(B.now)), {name: LAG.x(var(B.line[name])) for name in NAMED}
+    look = {name: Looks(tint=tint, style="thin", show=B.is_line[name]) for name, (tint, _) in NAMED.items()}
+    curves = (
+        curve(Lags.phi[i], source="lag", tint=f"m{i}", width="sum", read=f"lag {i}", signal=B.phi[i], signal_x=B.now)
+        for i in BOTH
+    )
+    shapes = (
+        *(line(at, LAG.top, at, LAG.bottom, **look[name]) for name, at in places.items()),
+        line(now, LAG.top, now, LAG.bottom, tint="F", style="thin", show=B.turns),
+        text(LAG.left + 8, LAG.top + 14, "lag behind the push", "start", tint="mute", style="halo"),
+    )
+    return plot(
+        LAG, x=Axes.omega, y=Axes.lag, x_column=Lags.w, curves=curves, shapes=shapes,
+        title="Lag of each mass behind the push against the drive frequency",
+        room=Room(40, 12, top=6), style="lag", grow=0.6, phone=12, height=96,
+    )  # fmt: skip
+
+
+def plane_plot() -> Block:
+    tip, level = (PLANE.x(var(B.re[1])), PLANE.y(var(B.im[1]))), PLANE.y(0)
+    shapes = [
+        line(PLANE.left, level, PLANE.right, level, style="eq", tint="mute"),
+        line(PLANE.x(0), PLANE.top, PLANE.x(0), PLANE.bottom, style="eq", tint="mute"),
+        text(PLANE.right - 4, level - 8, "lag 0", "end", tint="mute", style="halo"),
+        text(PLANE.x(0) + 8, PLANE.bottom - 8, "lag 90°", "start", tint="mute", style="halo"),
+        arrow(PLANE.x(0), level, *tip, tint="m1", show=B.turns, inside=PLANE),
+        line(tip[0], level, *tip, tint="F", style="dotted", show=B.turns, inside=PLANE),
+    ]
+    for name, (tint, label) in NAMED.items():
+        x, y = PLANE.x(var(B.re_mark[name])), PLANE.y(var(B.im_mark[name]))
+        shapes += shown_by(B.is_mark[name], circle(x, y, 4, tint=tint), text(x + 8, y + 14, label, "start", tint=tint))
+    named = (term(Locus.im[i], KEYS[i], f"m{i}", formula=rf"X_{i}") for i in BOTH)
+    curves = (
+        curve(
+            Locus.im[i], source="nyquist", x=Locus.re[i], tint=f"m{i}", width=KEYS[i], read=f"*X*_{i}",
+            signal=B.im[i], signal_x=B.re[i],
+        )
+        for i in (2, 1)
+    )  # fmt: skip
+    return plot(
+        PLANE, x=Axes.re, y=Axes.im, x_column=Locus.re[1], curves=curves, shapes=tuple(shapes), square=True,
+        title="Steady motion of each mass in the complex plane, for all drive frequencies",
+        heading=(*named, phrase("", "none", "mute", formula="as arrows, for every *ω*")),
+        room=Room(48, 14, top=6), phone=10, height=300,
+    )  # fmt: skip
