@@ -5,7 +5,7 @@
     m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)
     m2 x2'' =  k2 (x1 - x2) + c (x1' - x2')
 
-With x_i = Im(X_i exp(i omega t)) and kappa = k2 + i c omega in the place of k2 the lecture's formulas stand:
+With x_i = Im(X_i exp(i omega t)), and with kappa = k2 + i c omega in the place of k2, the lecture's formulas hold:
 
     X1 = (kappa - m2 omega^2) F_0/D,   X2 = kappa F_0/D,
     D = (k1 - m1 omega^2)(kappa - m2 omega^2) - m2 omega^2 kappa.
@@ -42,7 +42,7 @@ class Optimum(NamedTuple):
 
 
 def tuned_stiffness(m2: float, omega: float) -> float:
-    """The k2 in N/m at which the machine stands still: m2 omega^2, within 2 ulp.
+    """The k2 in N/m for which the machine is at rest: m2 omega^2, within 2 ulp.
 
     It is worked out from the digits in which both are written: 16.7 kg at 48 rad/s need 38476.8 N/m.
     """
@@ -53,14 +53,14 @@ def tuned_stiffness(m2: float, omega: float) -> float:
 
 
 def alone(chain: TwoMassChain) -> TwoMassChain:
-    """The machine without its absorber: mass 2 lies there, on no spring."""
+    """The machine without its absorber: mass 2 has no spring."""
     return TwoMassChain(m1=chain.m1, m2=chain.m2, k1=chain.k1, k2=0.0)
 
 
 def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float, c1: float = 0.0) -> NDArray[np.complex128]:
     """X1, X2 (2,) in m, complex: x_i = Im(X_i exp(i omega t)); both parts rounded once.
 
-    c, c1 >= 0 in N s/m, between the masses and beside spring 1; without both it is particular_solution. inf where no
+    c, c1 >= 0 in N s/m, between the masses and parallel to spring 1; c = c1 = 0 is particular_solution. inf if no
     steady amplitude exists. ValueError if a part leaves the range of doubles.
     """
     checked_damping(c, F_0, omega=[omega], c1=c1)
@@ -94,7 +94,7 @@ def damped_lags(chain: TwoMassChain, c: float, omega: ArrayLike, c1: float = 0.0
     """The lags in rad of both masses behind the force: (2,), or (2, n) for n omega.
 
     Lag 1 is in [0, pi] within 2 u of a radian, lag 2 in [0, 2 pi] within 8 u. Both are continuous in omega, without
-    unwrapping, but where mass 1 stands still, and at a natural frequency without dashpots, they jump: the value is that
+    unwrapping. Where mass 1 is at rest, and at a natural frequency without dashpots, they jump: the value is the limit
     of the frequencies just below. If nothing moves mass 2 it has the lag of mass 1.
     """
     frequencies = checked_damping(c, 0.0, omega, c1)
@@ -117,9 +117,9 @@ def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
 def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     """The drive frequencies in rad/s, from and to, at which the machine swings less than without an absorber.
 
-    |X1| is that of the machine alone where A s^2 + B s + C = 0 in s = omega^2, with A = c^2 (2 m1 + m2) -
+    With and without absorber |X1| is equal if A s^2 + B s + C = 0 in s = omega^2, with A = c^2 (2 m1 + m2) -
     2 m1 m2 k2, B = k2^2 (2 m1 + m2) + 2 k1 (m2 k2 - c^2), C = -2 k1 k2^2: it helps where this is positive.
-    inf as the upper end where it helps at every higher frequency; None where it never helps.
+    inf as the upper end if it helps at every higher frequency; None if it never helps.
     """
     check_not_negative("a damping in N s/m", c=c)
     m1, m2, k1, k2, damping, _, *_ = _Whole.of(chain, c)  # A, B and C have the same power of the scale, which cancels
@@ -243,7 +243,7 @@ class _Whole(NamedTuple):
         return _Parts(N, kappa, D, (self.F_0[0] * self.scale * q**2, self.F_0[1]))
 
     def lags(self, omega: float) -> tuple[float, float]:
-        """The lag of mass 1, in which c1 only adds to the imaginary part, and that of mass 2, which lags behind it."""
+        """The lag of mass 1, in which c1 only adds to the imaginary part, and the lag of mass 2, which is behind it."""
         N, kappa, D, _ = self.at(omega)
         if not any(N):
             N = (1, 0)

@@ -25,7 +25,7 @@ _COMFORT = 2.0**60  # omega, the damping and F_0/m1 within this and its inverse:
 
 
 class _Scaled(NamedTuple):
-    """Counted in a unit of time near that of the fast mode: F_0/m1, c/m2, c (m1 + m2)/(m1 m2), omega and the roots."""
+    """In a unit of time near the fast mode's: F_0/m1, c/m2, c (m1 + m2)/(m1 m2), omega and the roots."""
 
     size: float
     link: float

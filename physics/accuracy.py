@@ -25,13 +25,13 @@ from physics.solvers import METHODS
 
 PERIODS, OUTPUTS = 50, 1000
 MARKS = (0, 1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 35, 40, 45, 50)
-"""The slow periods after which a run tells its worst error so far."""
+"""The slow periods after which a run reports its worst error so far."""
 REPEATS = 1.2  # a run time repeats where the longest is at most so many times the shortest
 
 
 @dataclass(frozen=True, kw_only=True)
 class System:
-    """A motion to compute: the chain, its start, F_0 sin(omega t) on mass 1, and a dashpot c beside spring 1."""
+    """A motion to compute: the chain, its start, F_0 sin(omega t) on mass 1, and a dashpot c parallel to spring 1."""
 
     slug: str
     name: str
@@ -86,7 +86,7 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Run:
-    """The result of one method at one setting; times in s. Where failure says why, there are no errors.
+    """The result of one method at one setting; times in s. If `failure` gives a reason, there are no errors.
 
     `end` is why the method is not refined beyond it: "floor", "finest", "failed", or "" where it is. `compiled` says
     that the method was compiled for it, `final_error` the error at the last output alone, `mode_errors` the parts of
@@ -125,7 +125,7 @@ class Run:
 
     @property
     def repeats(self) -> bool | None:
-        """Whether its time repeats within 20 %; None where it was measured once."""
+        """True if its time repeats within 20 %; None if it was measured only once."""
         if self.rounds < 2 or not self.time_low or self.time_high is None:
             return None
         return self.time_high <= REPEATS * self.time_low
@@ -169,7 +169,7 @@ SYSTEMS: Mapping[str, System] = MappingProxyType(
         )
     }
 )
-"""Wide apart are natural frequencies 2e3 and 2e5 to one. With 1e6 both modes swing, by equal parts, and none may be
+"""Wide apart: natural frequencies 2e3 and 2e5 to one. With 1e6 both modes swing, by equal parts, and none may be
 stepped over: that is highly oscillatory, as is Light mass 2. With 1e10 only the slow one swings: that is stiff, as is
 the dashpot, by physics.stiffness. The dashpot's rates are 1 and 1e6 in a second; it starts at rest, off the motion that
 is left when the fast part is gone."""

@@ -1,8 +1,8 @@
-"""A process of its own that measures one system: `python -m physics.accuracy_worker`, JSON lines in and out.
+"""A process that measures one system: `python -m physics.accuracy_worker`, JSON lines in and out.
 
 The first line on standard input is {"system": {...}, "methods": [...], "seconds": limit of a run, "budget": limit of
 all runs}; each further line {"skip": method} gives a method up. On standard output come {"method": slug} when another
-method begins, {"run": {...}} for each run and again whenever it is timed anew, and at the end {"end": null} or
+method begins, {"run": {...}} for each run and after each new timing of it, and at the end {"end": null} or
 {"end": reason}. When standard input closes, it stops.
 """
 
@@ -49,7 +49,7 @@ def restrain(niceness: int = NICENESS) -> None:
     if hasattr(os, "nice"):
         os.nice(niceness)
     if resource is not None:
-        with suppress(ValueError, OSError):  # a lower limit is in force already
+        with suppress(ValueError, OSError):  # there is a lower limit already
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 

@@ -67,7 +67,7 @@ class Analogue:
         return {parameter.name: parameter.default for parameter in self.parameters}
 
     def at(self, p: Mapping[str, float]) -> "Tuned":
-        """The system with numbers for its parameters, by name; ValueError for those that cannot be."""
+        """Return the system with numbers for its parameters, by name. Raises ValueError if a number is not possible."""
         for parameter in self.parameters:
             value = p[parameter.name]
             check_positive(f"{self.name}, {parameter.unit or 'a number'}", **{parameter.name: value})
@@ -129,7 +129,7 @@ class Tuned:
 
     @property
     def pendulum(self) -> Pendulum | None:
-        """The simple pendulum that moves alike at every amplitude; None where the system is linear."""
+        """The simple pendulum with the same motion at every amplitude; None if the system is linear."""
         if self.system.length_of is None:
             return None
         with precise():

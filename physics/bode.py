@@ -40,7 +40,7 @@ _SAME = 1e-50  # relative distance of two roots of 120 digits that are one
 class ResponsePeak(NamedTuple):
     """A peak or a dip: its frequency in rad/s, and the amplitude there, over the size of the drive.
 
-    `half_power` are the frequencies below and above a peak at which the amplitude is 1/sqrt(2) of it; None where
+    `half_power` are the frequencies below and above a peak at which the amplitude is 1/sqrt(2) of it; None if
     another extreme comes first, or 0.
     """
 
@@ -86,7 +86,7 @@ def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Re
 def quarter_lags(chain: DampedChain) -> tuple[float, ...]:
     """The frequencies in rad/s at which mass 1 lags by a quarter turn: Re X1 = 0, in which c1 has no part.
 
-    Without c2 they are the natural frequencies and sqrt(k2/m2), where the lag jumps if mass 1 stands still.
+    For c2 = 0 they are the natural frequencies and sqrt(k2/m2), where the lag jumps if mass 1 is at rest.
     """
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)
     real = added(product((p0, -p2, p4), (k2, -m2)), product((Fraction(0), c2), (p1, -p3)))

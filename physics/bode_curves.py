@@ -1,6 +1,6 @@
 """Response and lags of a chain with dashpots over many drive frequencies, in doubles.
 
-    wall --k1, c1-- [m1] --k2, c2-- [m2],   F_0 sin(omega t) on mass 1,   x_i = Im(X_i exp(i omega t))
+wall --k1, c1-- [m1] --k2, c2-- [m2],   F_0 sin(omega t) on mass 1,   x_i = Im(X_i exp(i omega t))
 
 With d(r) = omega^2 - r^2, which next to r is computed from the digits of r beyond a double, no sum cancels:
 
@@ -9,9 +9,9 @@ With d(r) = omega^2 - r^2, which next to r is computed from the digits of r beyo
     D = d(omega_-) d(omega_+) - c1 c2 omega^2/(m1 m2)
         - i omega (c2 (m1 + m2)/(m1 m2) d(omega_12) + c1/m1 d(omega_2)),
 
-omega_-, omega_+ the natural frequencies without damping, omega_2 = sqrt(k2/m2), and omega_12 = sqrt(k1/(m1 + m2)) that
-of both masses as one. The lag of mass 1 is the angle of I and R, that of mass 2 behind mass 1 the angle of its motion
-over a moving base. Neither passes the cut of the angle, so nothing has to be unwrapped:
+omega_-, omega_+ the natural frequencies without damping, omega_2 = sqrt(k2/m2), and omega_12 = sqrt(k1/(m1 + m2)) the
+frequency of both masses as one. The lag of mass 1 is the angle of I and R; mass 2 lags behind mass 1 by the angle of a
+motion over a moving base. Neither passes the cut of the angle, so nothing has to be unwrapped:
 
     I = c1/m1 omega |N|^2 + c2/m1 omega^5,
     R = -d(omega_-) d(omega_+) d(omega_2) - c2^2 (m1 + m2)/(m1 m2^2) omega^2 d(omega_12).
@@ -72,7 +72,7 @@ def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeC
     X[:, pole] = np.where(X[:, pole] == 0.0, 0.0, np.inf)
     fed = one * w * np.abs(N) ** 2 + link * (ratio - 1.0) * w**5
     first = np.arctan2(fed, 0.0 - slow * fast * two - link**2 * ratio * square * both)
-    first[N == 0.0] = np.pi  # no swing, no lag: that of the frequencies just below
+    first[N == 0.0] = np.pi  # no motion has no lag: the limit from lower frequencies
     behind = np.arctan2(link * w**3, (link * w) ** 2 - tied * two)
     return BodeCurves(X, np.array([first, first + behind]))
 
@@ -89,7 +89,7 @@ def locus_frequencies(roots: Iterable[complex], fast: float) -> Array:
 
 
 class _ScaledChain(NamedTuple):
-    """Counted in a unit of time near that of the fast mode: F_0/m1, c1/m1, c2/m2, omega and the roots of the d(r).
+    """In a unit of time near the fast mode's: F_0/m1, c1/m1, c2/m2, omega and the roots of the d(r).
 
     `ratio` is (m1 + m2)/m1.
     """

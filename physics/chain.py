@@ -10,7 +10,7 @@ With Omega = sqrt(k/m) mode j swings at omega_j = 2 Omega sin(theta_j/2), and it
     fixed, free    theta_j = (2j - 1) pi/(2N + 1), j = 1 .. N    2/sqrt(2N + 1) sin(theta_j p)
     free, free     theta_j = j pi/N, j = 0 .. N - 1             sqrt((2 - [j = 0])/N) cos(theta_j (p - 1/2))
 
-Shapes are orthonormal: each coordinate q_j = sum_p phi_j(p) x_p swings by itself, and its energy is constant. Mode 0
+Shapes are orthonormal: each coordinate q_j = sum_p phi_j(p) x_p swings separately with constant energy. Mode 0
 of a free chain is a drift. On the ideal string through the same masses mode j has the frequency Omega theta_j.
 
 Sines of all angles come from one table of 80 digits, with angles counted in whole numbers.
@@ -124,7 +124,7 @@ class UniformChain:
     def motion(self, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> ChainMotion:
         """x and v (N, n) from displacements and velocities (N,) at the times t (n,): within 2 u of the amplitude.
 
-        The amplitude is the sum of those of all modes.
+        The amplitude is the sum of the amplitudes of all modes.
         """
         return self.modes(x_0, v_0).motion(t)
 
@@ -188,7 +188,7 @@ class UniformChain:
 
     @cached_property
     def _places(self) -> NDArray[np.int_]:
-        """Where each number of the shapes is in the table of sines (N modes, N masses)."""
+        """Indices of the shapes' numbers in the table of sines (N modes, N masses)."""
         theta, p = np.array(self._numbers)[:, None], np.arange(1, self.N + 1)
         angle = theta * (2 * p - 1) + self.N if self.ends == "free-free" else 2 * theta * p
         return np.asarray(angle % (2 * self._parts))
@@ -255,7 +255,7 @@ class ChainModes:
 
     @cached_property
     def energy(self) -> Array:
-        """The energy in J of each mode (N,), which is constant; that of a drift is kinetic. Each is rounded once."""
+        """The energy in J of each mode (N,), which is constant; a drift's is kinetic. Each is rounded once."""
         m = exact(self.chain.m)
         with precise():
             both = [m * (v**2 + (w * q) ** 2) / 2 for q, v, w in self._each()]

@@ -5,8 +5,8 @@
     m1 x1'' = -k1 x1 - k2 (x1 - x2)
     m2 x2'' =  k2 (x1 - x2)
 
-With x_i = X_i sin(omega t + phi) both equations agree at two frequencies only. Of the lecture's formulas
-those that cancel are rearranged: with b = m1 k2 + m2 (k1 + k2), D = m1 k2 - m2 (k1 + k2) and
+With x_i = X_i sin(omega t + phi) both equations agree at two frequencies only. The lecture's
+formulas are rearranged so that nothing cancels: with b = m1 k2 + m2 (k1 + k2), D = m1 k2 - m2 (k1 + k2) and
 S = sqrt(Delta) = sqrt(D^2 + 4 m1 m2 k2^2),
 
     omega_-^2 = 2 k1 k2/(b + S),   omega_+^2 = (b + S)/(2 m1 m2),
@@ -133,7 +133,7 @@ class TwoMassChain:
 
     @cached_property
     def exact_antiresonance(self) -> Decimal:
-        """sqrt(k2/m2) in rad/s: driven at this frequency, mass 1 can stand still."""
+        """sqrt(k2/m2) in rad/s: driven at this frequency, mass 1 can be at rest."""
         _, m2, _, k2 = self.exact_parameters
         with precise():
             return snapped((k2 / m2).sqrt())
@@ -179,7 +179,7 @@ class FreeModes:
 
     x_i(t) = sum_j amplitude[j, i] sin(omega[j] t + phase[j]), amplitude[j, 0] >= 0, phase in (-pi, pi].
     A mode of zero frequency has amplitude and phase 0; it is the drift drift_a[i] + drift_b[i] t of mass i.
-    energy[j] (J) is constant; that of a drift is kinetic. Everything is worked out from 80 digits when asked
+    energy[j] (J) is constant; for a drift it is kinetic. Everything is computed with 80 digits when asked
     for, and a ValueError names the quantity that leaves the range of doubles.
     """
 

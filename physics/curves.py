@@ -91,7 +91,7 @@ def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[ScaledCurve, S
 
 
 def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
-    """Where no phase passes 2 rad, so that closed forms cancel and series serve."""
+    """True where no phase passes 2 rad: closed forms cancel there, so series are used."""
     with precise():
         first: NDArray[np.bool_] = np.abs(t) <= float(_EARLY / max(frequencies))
     return first
@@ -102,7 +102,7 @@ def early(frequencies: Sequence[Decimal], t: Array, power: int) -> ScaledCurve:
 
     h_k is the sum of all products of k of the (omega_i t)^2, repetitions included. These are divided
     differences of sin(omega t)/omega in omega^2: with two frequencies and the power 3 the response g, with
-    three and the power 5 that of a mass which only the other one drives; a power less, the velocities.
+    three and the power 5 the response of a mass driven only by the other one; a power less, the velocities.
     """
     exponent, unit = power_of_two(reach(t))
     time = np.ldexp(t, -exponent)

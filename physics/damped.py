@@ -66,7 +66,7 @@ class Fading(NamedTuple):
     late: tuple[float, float]
 
     def at(self, t: Array) -> Array:
-        """The motion at the times t in s, in doubles: as it is drawn."""
+        """The motion at the times t in s, in doubles, for drawing."""
         if self.apart:
             parted = self.apart * t > 1
             late = self.late[0] * np.exp(-self.slow * t) + self.late[1] * np.exp(-(self.slow + self.apart) * t)
@@ -110,7 +110,7 @@ class DampedOscillator:
 
     @property
     def regime(self) -> Regime:
-        """Whether it swings: critical is the double nearest to 2 sqrt(k m), and those next to it."""
+        """True if it swings: critical is the double nearest to 2 sqrt(k m), and its two neighbours."""
         with precise():
             if self.k and within_an_ulp(self.c, 2 * (exact(self.k) * exact(self.m)).sqrt()):
                 return "critical"
@@ -156,7 +156,7 @@ class DampedOscillator:
     def decays(self, x_0: float, v_0: float) -> tuple[Decay, ...]:
         """x as a sum for a signal, in doubles: one damped swing, or two exponentials.
 
-        Where the exponents differ by less than 1e-6 of themselves, one exponential with a slope.
+        If the exponents differ by less than 1e-6, relatively, one exponential with a slope.
         """
         start = self.exact_starts(x_0, v_0)[0]
         with precise():
@@ -232,7 +232,7 @@ class DampedOscillator:
         return [(x, sum_of(v, self.exact_sigma * x)) for x, v in starts], curves
 
     def _apart(self, starts: list[Start], t: Array) -> tuple[list[Start], list[ScaledCurve]]:
-        """Each exponent by itself, so that one keeps its digits where the other has little share."""
+        """Compute each exponent separately, so that the one with the smaller share keeps its digits."""
         x, v = starts[0]
         with precise():
             apart = 2 * self.exact_beta

@@ -5,7 +5,7 @@
     X2/X1 = (k2 + c2 s)/(m2 s^2 + c2 s + k2) = (m1 s^2 + (c1 + c2) s + k1 + k2)/(k2 + c2 s)
 
 The damping is proportional if c1 k2 = c2 k1 (T. K. Caughey and M. E. J. O'Kelly, J. Appl. Mech. 32 (1965) 583). Each
-mode then keeps the shape that it has without dashpots, and both of its roots. Without proportional damping two
+mode then keeps its undamped shape, and both of its roots. If damping is not proportional, two
 different roots have two different shapes, so two real roots never form a mode.
 
 Roots and shapes are computed with 120 digits or more and rounded once. Equalities between parameters are tested
@@ -72,7 +72,7 @@ class ComplexMode(NamedTuple):
 
     @property
     def swings(self) -> bool:
-        """True if its root is not real, as far as NEAR tells."""
+        """True if its root is not real, within the tolerance NEAR."""
         return _turns(self.exponents[0])
 
     @property
@@ -139,7 +139,7 @@ class DampedChain:
         """X2/X1 of each root, (4,), each part rounded once; inf where mass 1 is at rest.
 
         Without springs every shape may rest: roots at 0 have the shape (1, 1) if both masses drift, (0, 1) if mass 2
-        does, and those of the other roots if nothing drifts.
+        does, and the shapes of the other roots if nothing drifts.
         """
         return np.array([self._ratio(i, s) for i, s in enumerate(self._roots)])
 
@@ -332,14 +332,14 @@ class DampedChain:
 
 
 def written(value: float) -> Fraction:
-    """The number that the shortest decimal text of a double stands for."""
+    """The rational number of a double's shortest decimal text."""
     return Fraction(repr(float(value)))
 
 
 def _by_mode(pairs: list[Any], real: list[Any]) -> list[Roots]:
     """The roots of the slow and of the fast mode with proportional damping.
 
-    The fast mode stops swinging first. If neither swings, both of its roots enclose those of the slow mode.
+    The fast mode stops swinging first. If neither swings, its roots enclose both roots of the slow mode.
     """
     if len(pairs) == 2:
         return [(s,) for s in pairs]

@@ -1,6 +1,6 @@
 """Drift: a motion in steps next to the exact one, over the first few periods.
 
-The steps of a method are those of physics.integrators; each of them is followed, not only the state at output times.
+The steps are taken by physics.integrators; the module follows each of them, not only the state at output times.
 """
 
 from collections.abc import Sequence

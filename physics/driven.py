@@ -82,7 +82,7 @@ class DrivenOscillator:
         return DampedOscillator(m=self.m, c=self.c, k=self.k)
 
     def at_resonance(self, omega: float) -> bool:
-        """Whether no steady part exists: undamped, and the drive at omega_n as closely as doubles come."""
+        """True if no steady part exists: no damping, and the drive at omega_n to the nearest double."""
         with precise():
             return not self.c and within_an_ulp(omega, (exact(self.k) / exact(self.m)).sqrt())
 
@@ -149,7 +149,7 @@ class DrivenOscillator:
         return (of if kind == "force" else of * w * w), Fraction(0)
 
     def _undamped(self, omega: float, force: Fraction, x_0: float, v_0: float, t: Array) -> DrivenMotion:
-        """Without a dashpot, or without a drive."""
+        """The motion for c = 0, or for no drive."""
         if not force or not omega:
             free = self.free.motion(x_0, v_0, t)
             return DrivenMotion(t, free.x, free.v)
@@ -178,7 +178,7 @@ def magnification(r: ArrayLike, zeta: float, kind: Drive = "force") -> Complexes
 
 
 def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
-    """The r of the peak of |X| and its height, as `magnification` counts it; None where there is no peak."""
+    """The r of the peak of |X| and its height, as in `magnification`; None if there is no peak."""
     if not zeta:
         return 1.0, math.inf
     if kind == "base":
@@ -191,7 +191,7 @@ def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
 
 
 def half_power(zeta: float) -> tuple[float, float]:
-    """The r below and above 1 at which the dashpot takes half of its most: exactly 2 zeta apart."""
+    """The r below and above 1 at which the dashpot takes half of its maximum: their difference is exactly 2 zeta."""
     above = math.sqrt(1 + zeta * zeta) + zeta
     return 1 / above, above
 

@@ -5,7 +5,7 @@ Each mode adds to the free motion of the start share * g, where g'' + omega_n^2 
     g = (sin(omega t) - omega sin(omega_n t)/omega_n)/(omega_n^2 - omega^2)
 
 which is x_p and a change of the starting velocity, sinusoids all of it. It loses its digits while the phases are
-small, and near resonance, until the beat has begun. There other forms of the same function stand in its place:
+small, and near resonance, until the beat has begun. Other forms of the same function are then used:
 
     the onset of the whole chain, of one mode    power series, regular at t = 0
     a beat, d t < 1/16                           g = (cos(d t) sin(s t)/s - cos(s t) sin(d t)/d)/(2 omega_n)
@@ -46,14 +46,14 @@ NOTHING = AlsoSummed((), [ExactSinusoid(NONE, (), ())] * 3)
 def driven_values(free: FreeModes, F_0: float, omega: float, t: Array, beside: AlsoSummed = NOTHING) -> Array:
     """x1, x2, x2 - x1, v1, v2 as (5, n) under F_0 sin(omega t) on mass 1, neither 0, from the start of the free motion.
 
-    A row more for each quantity `beside`. ValueError names the quantity that leaves the range of doubles.
+    `beside` adds a row for each quantity. ValueError names the quantity that leaves the range of doubles.
     """
     start, *others = _ends(free, omega)
     ends = [start, *(max(start, end) for end in others)]  # until all have started it is all the same how each does
     begins = [-1.0, *sorted(ends)]
     stages = np.searchsorted(begins[1:], np.abs(t), side="right")
     forms = {stage: [end > begins[stage] for end in ends] for stage in np.flatnonzero(np.bincount(stages)).tolist()}
-    values = _at(free, F_0, omega, t, forms.popitem()[1], beside)  # the last form is that of all times but for digits
+    values = _at(free, F_0, omega, t, forms.popitem()[1], beside)  # the last form holds for all times
     for stage, form in forms.items():
         where = stages == stage
         values[: len(QUANTITIES), where] = _at(free, F_0, omega, t[where], form)
@@ -78,7 +78,7 @@ def _until(phase: float, omega: Decimal) -> float:
 def _at(
     free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool], beside: AlsoSummed = NOTHING
 ) -> Array:
-    """At times in one stage; forms are those of _ends, in its order."""
+    """Values at times in one stage; forms are in the order of _ends."""
     all_starts, slow_starts, slow, fast, drive_is_slow, slow_beats, fast_beats = forms
     if all_starts:
         values = _onset(free, F_0, omega, t)

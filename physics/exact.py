@@ -65,7 +65,7 @@ def exact(x: float) -> Decimal:
 
 
 def within_an_ulp(x: float, value: Decimal) -> bool:
-    """Whether x is at most a unit in its last place away from value: hardly a double is nearer."""
+    """Return True if x is within one ulp of value."""
     with precise():
         return abs(exact(x) - value) <= exact(math.ulp(x))
 

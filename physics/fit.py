@@ -55,7 +55,7 @@ class DampedFit:
 
     `omega` in rad/s and `decay` in 1/s are (modes,), C and S (c, modes), `offset` and `drift` (per s) (c,), with
     standard errors; C and S are those at the first row, `t_first`, in the units of the columns. `used` (n,) are the
-    rows that were fitted, `residual` (c, n) is that of every row, NaN in a hole, and `scatter` (c,) its deviation,
+    rows that were fitted, `residual` (c, n) has every row, NaN in a hole, and `scatter` (c,) its deviation,
     counted in sigma if sigma was given; then `chi_square` is expected to be `freedom` +- sqrt(2 freedom). `aliases`
     are the frequencies that fit evenly spaced rows equally well.
     """
@@ -99,7 +99,7 @@ class DampedFit:
 
     @property
     def se_zeta(self) -> Array:
-        """Their standard errors, from those of omega and decay, which hardly depend on each other."""
+        """Standard errors, from those of omega and decay, which are almost independent."""
         square = self.omega**2 + self.decay**2
         return np.hypot(self.omega * self.se_decay, self.decay * self.se_omega) * self.omega / square**1.5
 
@@ -186,7 +186,7 @@ class _Data:
 @dataclass(frozen=True, eq=False, kw_only=True)
 class _Found:
     """The least squares: theta (omega, decay, omega, ..), linear coefficients (c, 2 modes + powers), residuals (c, n)
-    times their weights; `covariance` is that of all parameters but for the factor s^2."""
+    times their weights; `covariance` is of all parameters, without the factor s^2."""
 
     data: _Data
     theta: Array
@@ -327,7 +327,7 @@ def _searched(data: _Data, start: Array, error: float = _CLOSE) -> _Found:
 
 
 def _projected(data: _Data, theta: Array) -> list[tuple[Array, Array, Array]]:
-    """Of each column the residuals, Kaufman's Jacobian, and the linear coefficients."""
+    """The residuals of each column, Kaufman's Jacobian, and the linear coefficients."""
     basis, parts = _basis(theta, data.t, data.powers), []
     for y, w in zip(data.Y, data.W, strict=True):
         Q, R = np.linalg.qr(basis * w[:, None])
@@ -376,7 +376,7 @@ def _slopes(theta: Array, t: Array, one: Array) -> Array:
 
 
 def _starts(data: _Data, modes: int) -> list[Array]:
-    """Where to search from."""
+    """Starting values of the search."""
     first = _peak_start(data, data.Y)
     if modes == 1:
         return [first]

@@ -102,7 +102,7 @@ class DrivenModes:
 
     @cached_property
     def at_resonance(self) -> bool:
-        """Whether the drive is as near to a natural frequency as doubles come: at most an ulp of omega away.
+        """True if the drive is at a natural frequency to the precision of doubles: at most an ulp of omega away.
 
         Exactly at one no particular solution exists; an ulp away it is some 1e15 times the static deflection.
         """
@@ -111,7 +111,7 @@ class DrivenModes:
 
     @cached_property
     def split_is_meaningful(self) -> bool:
-        """Whether x_c and x_p are worth drawing apart: at least 1/1000 of them does not cancel.
+        """True if x_c and x_p are worth separate curves: at least 1/1000 of them does not cancel.
 
         From rest the total reaches, within a period of the drive, about |omega - omega_j| times that period
         of what either has. At resonance x_p does not exist.
@@ -185,7 +185,7 @@ class DrivenModes:
 
     @property
     def _pushes(self) -> bool:
-        """Whether there is a force at all: F_0 sin(0 t) is none."""
+        """True if there is a force at all: F_0 sin(0 t) is zero."""
         return bool(self.F_0 and self.omega)
 
     def _works(
@@ -229,7 +229,7 @@ def forced_motion(
     x_0: ArrayLike = REST,
     v_0: ArrayLike = REST,
 ) -> Motion:
-    """The motion under F_0 sin(omega t) on mass 1, at rest in equilibrium at t = 0 unless told otherwise."""
+    """The motion under F_0 sin(omega t) on mass 1; by default at rest in equilibrium at t = 0."""
     return driven_modes(chain, F_0, omega, x_0, v_0).motion(t)
 
 

@@ -1,7 +1,7 @@
 """Forced vibration of one oscillator from its initial conditions: its parts, its energy, the mean powers.
 
-The equations are those of physics.driven: x = x_p + x_c, the steady part and the free motion from what is left of the
-initial conditions. Without damping at resonance there is no steady part; then x grows in proportion to t.
+The equations are in physics.driven: x = x_p + x_c, the steady part and the free motion from what is left of the
+initial conditions. At resonance with no damping there is no steady part; then x grows in proportion to t.
 
 Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.9 to 2.12.
 """
@@ -262,7 +262,7 @@ def rotating(symbol: str, X: complex, omega: float) -> ExactMotion:
 
 
 def _between(step: float, heights: Array, slopes: Array, places: Array) -> Array:
-    """Return the cubics through heights with slopes, `step` apart in time, at places counted in steps from the first.
+    """Return the cubics through heights with slopes, at intervals `step` in time, at positions in steps from the first.
 
     Places are not divided by `step`, which is 0 in the shortest windows.
     """

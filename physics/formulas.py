@@ -48,7 +48,7 @@ def slide_formulas(problem: Problem, _: float, watch: Watch) -> Trajectory:
 
 
 def _damped_exponentials(problem: Problem, watch: Watch) -> Trajectory:
-    """A exp(s_1 t) + B exp(s_2 t) and the particular solution, s from the quadratic formula as it stands."""
+    """A exp(s_1 t) + B exp(s_2 t) and the particular solution, s from the textbook's quadratic formula."""
     watch.evaluations = problem.t.size
     m, k, c, omega, t = problem.chain.m1, problem.chain.k1, problem.c, problem.omega, problem.t
     root = np.sqrt(c * c - 4 * m * k)
@@ -97,7 +97,7 @@ def _eigenmodes(problem: Problem) -> tuple[Array, Array, Array]:
 
 
 def matrix_exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """exp(A dt) from one output time to the next, the drive carried along as an oscillator of its own."""
+    """exp(A dt) from one output time to the next, with the drive as an additional oscillator."""
     from scipy.linalg import expm
 
     stiffness, mass = matrices(problem)

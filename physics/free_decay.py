@@ -1,6 +1,6 @@
 """Free motion of a damped oscillator from its initial conditions: its turns, its greatest speed, what it loses.
 
-Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6; the equations are those of physics.damped.
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6; equations in physics.damped.
 """
 
 import math
@@ -43,7 +43,7 @@ class FreeDecay:
 
     @cached_property
     def x(self) -> Elementary:
-        """The displacement in m. Where it oscillates it fills its envelope, and the spring has half of the energy."""
+        """The displacement in m. If it oscillates, it fills its envelope, and the spring has half of the energy."""
         one = self.oscillator
         return Elementary(
             symbol="x", exact=lambda t: self._motion(t).x, played=self.fadings[0], size=self.reach, omega=one.omega_d,
@@ -52,7 +52,7 @@ class FreeDecay:
 
     @cached_property
     def v(self) -> ExactMotion:
-        """The velocity in m/s. Where it oscillates the mass has half of the energy on average."""
+        """The velocity in m/s. If it oscillates, the mass has half of the energy on average."""
         one = self.oscillator
         return Elementary(
             symbol="v", exact=lambda t: self._motion(t).v, played=self.fadings[1], size=lambda: abs(self.fastest.v),
@@ -134,12 +134,12 @@ class FreeDecay:
 
     @property
     def first_zero(self) -> float | None:
-        """The time in s at which x passes 0 first, after the start; None where it never does."""
+        """The time in s of the first zero of x after the start; None if there is none."""
         return self._crossing(0)
 
     @property
     def first_turn(self) -> float | None:
-        """The time in s at which it turns first, after the start; None where it never does."""
+        """The time in s of the first turning point after the start; None if there is none."""
         return self._crossing(1)
 
     @property
@@ -148,9 +148,9 @@ class FreeDecay:
         return self._crossing(2)
 
     def settled(self, share: float) -> float | None:
-        """The time in s from which |x| stays below that share (under 1) of |x_0|; None where there is none.
+        """The time in s from which |x| stays below that share (under 1) of |x_0|; None if there is none.
 
-        To 1e-8 of itself where critical damping is within 1e-8, else to the digits of a double.
+        Within 1e-8, relatively, near critical damping (within 1e-8), else exact to a double.
         """
         one, level = self.oscillator, share * abs(self.x_0)
         turn, delta = self.first_turn, one.log_decrement
@@ -165,7 +165,7 @@ class FreeDecay:
         return _bisected(lambda t: abs(self._place(t)) - level, low, high, 1 / one.rates[0])
 
     def lost(self, t: ArrayLike) -> Array:
-        """The energy in J that the dashpot has taken by the times t (n,) in s, within 64 u of itself.
+        """The energy in J that the dashpot has taken by the times t (n,) in s, within 64 u.
 
         At first by quadrature of c v^2, whose terms are all positive; then by forms without a difference, or where none
         cancels as the difference of the energies.
@@ -244,7 +244,7 @@ def _heavy(one: DampedOscillator, x: float, v: float, t: Array) -> Array:
 
 
 def _bisected(above: Callable[[float], float], low: float, high: float | None, step: float) -> float:
-    """Where a function falls through 0 after `low`, where it is above; `high`, where it is below, is sought if None."""
+    """The zero of a falling function, positive at `low` and negative at `high`; `high` is searched for if None."""
     while high is None or above(high) > 0:
         low, high, step = high or low, (high or low) + step, 2 * step
     for _ in range(_HALVINGS):

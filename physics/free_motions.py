@@ -1,6 +1,6 @@
 """The free motions of two masses as values (physics.motion): in each mode alone, and in both.
 
-The elongation of spring 2 is a motion of its own: x2 - x1 of rounded displacements has no digits where it is stiff.
+The elongation of spring 2 is a separate motion: x2 - x1 of rounded displacements has no digits if it is stiff.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Free motion of an oscillator from its initial conditions, as motions that can be drawn and played.
 
-The equations are those of physics.oscillator; without a spring the mass drifts at constant speed.
+The equations are in physics.oscillator; if k = 0, the mass drifts at constant speed.
 """
 
 from collections.abc import Callable

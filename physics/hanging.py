@@ -12,7 +12,7 @@ this is V = k x^2/2: gravity moves the equilibrium and drops out of the motion, 
 contain g. d/dt (T + V) = m x' x'' + k x x' = 0 is the equation of motion; T and V are exchanged at 2 omega_n.
 
 T_max = V_max holds for this datum only. With the spring's energy k (x + delta_st)^2/2 and the weight's -m g x
-counted apart, V is k x^2/2 + k delta_st^2/2: larger by the constant m g delta_st/2.
+counted separately, V is k x^2/2 + k delta_st^2/2: larger by the constant m g delta_st/2.
 """
 
 from dataclasses import dataclass
@@ -68,7 +68,7 @@ class HangingMass:
 
     @cached_property
     def datum_shift(self) -> float:
-        """V counted apart less V counted from equilibrium: k delta_st^2/2 = (m g)^2/(2 k) in J."""
+        """V counted separately less V counted from equilibrium: k delta_st^2/2 = (m g)^2/(2 k) in J."""
         with precise():
             return rounded("the energy k delta_st^2/2", (exact(self.m) * exact(self.g)) ** 2 / (2 * exact(self.k)))
 

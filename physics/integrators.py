@@ -1,4 +1,4 @@
-"""Methods with fixed steps, for comparison with the closed form. The equations are those of physics.problem.
+"""Methods with fixed steps, for comparison with the closed form. The equations are in physics.problem.
 
 - explicit Euler (order 1): grows at every step; semi-implicit Euler (order 1): stable for h omega_+ < 2;
 - Verlet, the central difference (order 2): half a kick, a drift, half a kick; stable for h omega_+ < 2;
@@ -16,7 +16,7 @@
 Implicit methods solve their linear equations once for all steps, as constant matrices allow.
 
 A stepping function is plain arithmetic on plain floats: for two masses NumPy's cost of a call would be most of the
-time, and a compiler takes it as it is (tests/bench/compiled.py).
+time, and a compiler can take it unchanged (tests/bench/compiled.py).
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -49,7 +49,7 @@ CHUNK = 1024  # steps between two looks at the clock
 Constants = tuple[float, ...]
 """m1, m2, k1, k2, F_0, omega and c of a problem."""
 StepState = tuple[float, float, float, float, float, float]
-"""x1, x2, v1, v2, and the accelerations there, for methods that begin a step with those that ended the last."""
+"""x1, x2, v1, v2, and their accelerations, for methods that reuse the last ones of the previous step."""
 
 
 Acceleration = Callable[[Constants, float, float, float, float], tuple[float, float]]

@@ -149,7 +149,7 @@ def _pieces(excess: float) -> Iterator[_Piece]:
 
 
 def _taylor(*state: float) -> _Series:
-    """Each order of the equations of motion gives the next, that of V^2/2 = 1/2 - h, with dh/dt = w, the speed.
+    """Each order of the equations of motion gives the next one; V^2/2 = 1/2 - h, with dh/dt = w, gives the speed.
 
     In plain numbers: there are too few for arrays. sum(map(mul, a, reversed(b))), written out as it is called eighty
     times a piece, is the newest coefficient of the product of two series.
@@ -190,7 +190,7 @@ def _polynomial(falling: Iterable[Any], t: Any) -> Any:
 
 
 def _top(w: Sequence[float], step: float) -> float:
-    """Where w falls through zero: Newton's method from where the chord over the step does."""
+    """The zero of the falling w: Newton's method from the zero of the chord over the step."""
     rate = [order * coefficient for order, coefficient in enumerate(w)][1:]
     root = step * w[0] / (w[0] - _polynomial(reversed(w), step))
     for _ in range(6):

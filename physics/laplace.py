@@ -29,7 +29,7 @@ _MOST_DIGITS = 4000  # even doubles at both their ends need no more
 
 
 class Driven(NamedTuple):
-    """The chain, its dashpots, c between the masses and c1 beside spring 1, the drive and the start."""
+    """The chain, its dashpots, c between the masses and c1 parallel to spring 1, the drive and the start."""
 
     chain: TwoMassChain
     c: float
@@ -136,7 +136,7 @@ class Expansion:
 
     @property
     def _apart(self) -> bool:
-        """Whether no exponent is near another: of two with Im >= 0, or of one and its own conjugate."""
+        """True if no exponent is near another: of two with Im >= 0, or one and its conjugate."""
         upper = [p for p, _ in self.terms]
         meet = any(_near(p, q) for p, q in combinations(upper, 2))
         return not meet and not any(p.imag and _near(p, self.ctx.conj(p)) for p in upper)
@@ -211,14 +211,14 @@ def transform(driven: Driven) -> Transform:
 
 @lru_cache(maxsize=16)
 def expansion(driven: Driven, digits: int) -> Expansion:
-    """The sum in numbers of that many digits, worked out as far as it is asked for."""
+    """The sum in numbers of that many digits, computed on demand."""
     exact = transform(driven)
     return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not (driven.c or driven.c1))
 
 
 def resolved(driven: Driven, digits: int) -> Expansion:
     """The sum in that many digits, or in as many more as leave a double's digits in the real part of each exponent: of
-    a motion that hardly dies it is a small part."""
+    a motion with little damping it is a small part."""
     found = expansion(driven, digits)
     small = found.ctx.mpf(10) ** (_SPARE - digits)
     lost = any(p.imag and abs(p.real) < small * abs(p.imag) for p in found.exponents)

@@ -3,7 +3,7 @@
     x_i(t) = sum_j A_j shape_j[i] sin(omega_j t + phi_j)
 
 A is counted on mass 1, or on mass 2 where mass 1 rests in that mode (k2 = 0), as coordinates are in physics.coupled.
-A mode of frequency zero stands still at A sin(phi): a drift with a velocity has neither amplitude nor phase.
+A mode of frequency zero is at rest at A sin(phi): a drift with a velocity has neither amplitude nor phase.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def amplitudes_and_phases(free: FreeModes) -> tuple[Pair, Pair]:
 
 
 def _sine_cosine(angle: Decimal) -> tuple[Decimal, Decimal]:
-    """By their series, after turns have been taken off."""
+    """The series, after whole turns are removed."""
     with precise():
         rest = angle - 2 * PI * (angle / (2 * PI)).to_integral_value()
         sums, term, n = [Decimal(0), Decimal(0)], Decimal(1), 0

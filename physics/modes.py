@@ -13,10 +13,10 @@ Both hold for a motion that is not rest only where they are the same equation, w
     D = det A = k2 (k2 - m2 omega^2) (row 1 - row 2) = m1 m2 omega^4 - b omega^2 + k1 k2
 
 vanishes. The same said with forces: to move with X sin(omega t) mass j needs -m_j omega^2 X_j, the springs give
--k1 X1 + k2 (X2 - X1) and -k2 (X2 - X1), and what is missing a hand would have to add.
+-k1 X1 + k2 (X2 - X1) and -k2 (X2 - X1); a hand would have to add the difference.
 
 What depends on one trial omega is worked out from sums and products without error and rounded once to 80 digits, so
-that it is zero only at a mode, and right beside one, for every positive double; it does not overflow. Curves are in
+that it is zero only at a mode, not at the next double, for every positive double; it does not overflow. Curves are in
 float64.
 """
 
@@ -40,7 +40,7 @@ class Trial(NamedTuple):
     """The equations A X = 0 at one trial omega, in 80 digits.
 
     `matrix` is A; `determinant` is D. `rows` are the shapes X2/X1 that the rows fix: infinite where a row asks for X1 =
-    0, None where it holds for every shape. `apart` is row 1 less row 2, None where one of them is not a number.
+    0, None if it holds for every shape. `apart` is row 1 less row 2, None if one of them is not a number.
     """
 
     matrix: tuple[Vector, Vector]
@@ -149,7 +149,7 @@ def quadratic(chain: TwoMassChain) -> Quadratic:
 def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int]:
     """D at the frequencies omega (n,) in units of 10**exponent, and that exponent: 0 unless D leaves [1e-150, 1e150].
 
-    From its factors, so that it is within 32 u of itself beside a root too (u = 2^-53). For omega not beyond some
+    Computed from its factors, so that it is within 32 u also near a root (u = 2^-53). For omega up to some
     1e3 omega_+.
     """
     omega = np.asarray(omega, dtype=float)

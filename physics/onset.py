@@ -21,7 +21,7 @@ _RATES = np.arange(5.0, 2.0 * _TERMS + 7.0, 2.0)  # powers of t that follow the 
 
 
 def onset(chain: TwoMassChain, F_0: float, omega: float, t: Array) -> Array:
-    """x1, x2, x2 - x1, v1, v2 as (5, n) at times t (n,), each within 1.5 u of itself; inf beyond the doubles."""
+    """x1, x2, x2 - x1, v1, v2 as (5, n) at times t (n,), each within 1.5 u; inf beyond the doubles."""
     if not t.any():
         return np.zeros((5, t.size))
     exponent = math.frexp(float(np.abs(t).max()))[1]

@@ -5,7 +5,7 @@ With F_0 sin(omega t) on mass 1 the chain can move as x_i = Xp_i sin(omega t),
 
     Xp1 = (k2 - m2 omega^2) F_0/D,   Xp2 = k2 F_0/D,   D = m1 m2 (omega^2 - omega_-^2)(omega^2 - omega_+^2).
 
-Mass 1 stands still at omega^2 = k2/m2. D and k2 - m2 omega^2 lose their digits near their roots; so one
+Mass 1 is at rest at omega^2 = k2/m2. D and k2 - m2 omega^2 lose their digits near their roots; so one
 frequency is worked out in rational numbers, and a curve from factors omega -+ root with the roots as hi + lo.
 """
 
@@ -52,7 +52,7 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
 
 
 def antiresonance(chain: TwoMassChain) -> float:
-    """The frequency sqrt(k2/m2) at which mass 1 stands still, correctly rounded."""
+    """The frequency sqrt(k2/m2) at which mass 1 is at rest, correctly rounded."""
     return float(chain.exact_antiresonance)
 
 
@@ -94,7 +94,7 @@ def _matrix(chain: TwoMassChain, omega: float) -> tuple[int, int, int, int]:
 
 
 def rounded_amplitudes(chain: TwoMassChain, omega: float, exactly: tuple[Fraction, Fraction] | None) -> Array:
-    """The amplitudes that exact_amplitudes has found, (2,), as particular_solution tells them."""
+    """The amplitudes from exact_amplitudes, (2,), rounded as in particular_solution."""
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
     X1, X2 = exactly

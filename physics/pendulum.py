@@ -1,4 +1,4 @@
-"""The pendulum at any amplitude (lecture D31, slide 7: "small amplitude", and what it costs to take more).
+"""The pendulum at any amplitude (lecture D31, slide 7: "small amplitude", and the error of that for larger ones).
 
        ////                     m l^2 theta'' = -m g l sin(theta),   omega_0 = sqrt(g/l)
         |\\

@@ -7,7 +7,7 @@ r"""Periodic and impulsive pushes of one damped mass, m x'' + c x' + k x = F(t),
     step       F from t = 0 on
     impulse    of F in N s at t = 0
 
-The motions that they cause are those of physics.pushed.
+Their motions are in physics.pushed.
 
 Source: beyond lecture D31; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.1 and 3.1.
 """

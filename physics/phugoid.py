@@ -86,7 +86,7 @@ class Flight:
         return -lift * (self.w / v_0), lift * (self.u / v_0) - g, -g * sine
 
     def split(self, sizes: Iterable[int]) -> "list[Flight]":
-        """Flights of so many times each, whose times were joined to be flown at once; each has arrays of its own."""
+        """Several flights, computed together at their joined times; each has its own arrays."""
         parts = starmap(slice, pairwise(accumulate(sizes, initial=0)))
         return [Flight(**{name: column[part].copy() for name, column in vars(self).items()}) for part in parts]
 
@@ -117,7 +117,7 @@ def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,).
 
     Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53), and 32 u more in each later one: the phase is
-    rounded to 2 u of itself.
+    rounded within 2 u.
     """
     omega = linear_phugoid(v_0, g).omega
     half = half_period(bottom_excess(excess))

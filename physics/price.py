@@ -10,7 +10,7 @@ from physics.accuracy import Run
 from physics.solvers import METHODS
 
 LEAST = 1e-17
-"""An error of nothing stands here on logarithmic scales: a double has no more digits."""
+"""The error drawn for 0 on logarithmic scales: a double has no more digits."""
 ErrorAndRun = tuple[float, Run]
 Offer = tuple[float, float, list[Run]]
 """Run time, evaluations and the runs that they are read off."""
@@ -18,7 +18,7 @@ Offer = tuple[float, float, list[Run]]
 
 @dataclass(frozen=True, kw_only=True)
 class Price:
-    """The run time (s) and the evaluations that an error costs with one method; None where it was not reached.
+    """The run time (s) and the evaluations that an error costs with one method; None if it was not reached.
 
     Then `best` is how near the method came, and `end` why it was not refined further ("" where it was cut short).
     `repeats` is whether the run times that the price was read off repeat within 20 %, None where measured once.
@@ -37,7 +37,7 @@ class Price:
 
 
 IN_DOUBLES = ("eigh", "slides")
-"""Closed forms in plain doubles: the modes, or for a dashpot the formulas as they stand."""
+"""Closed forms in plain doubles: the modes, or for a dashpot the textbook formulas."""
 
 
 def in_doubles(of: Mapping[str, Price]) -> Price | None:
@@ -60,7 +60,7 @@ def prices(methods: Iterable[Sequence[Run]], wanted: float) -> list[Price]:
 
 
 def dearness(price: Price) -> tuple[bool, float, float]:
-    """The key by which prices are sorted: what does not get there is last."""
+    """The key that sorts prices; methods that do not reach the error are last."""
     return price.time is None, price.time or 0.0, price.best
 
 

@@ -2,7 +2,7 @@
 
     m1 x1'' = -k1 x1 - k2 (x1 - x2) - c x1' + F_0 sin(omega t),   m2 x2'' = k2 (x1 - x2)
 
-The dashpot c lies beside spring 1 and is there for an oscillator alone that does not swing: with it k2 = 0, mass 2 is
+The dashpot c is parallel to spring 1 and is used only for an overdamped oscillator: k2 = 0, mass 2 is
 at rest, and both rates of decay of mass 1 are real.
 """
 
@@ -92,7 +92,7 @@ class StepTooSmallError(StoppedError):
 class Watch:
     """A watch over one run: it counts evaluations and steps; check(t), called now and then, may raise StoppedError.
 
-    `stiff_steps` are those that LSODA takes with formulas for stiff equations. Fixed steps whose displacements pass
+    `stiff_steps` counts LSODA's steps with formulas for stiff equations. Fixed steps whose displacements pass
     `bound` (m) are given up as unstable.
     """
 

@@ -35,7 +35,7 @@ from physics.valid import check_not_negative, finite_array, in_range
 QUANTITIES = "the displacement", "the velocity"
 _CLOSE = Effort(2.0**-56, of_largest=True)
 _DIGITS, _MOST = 40, 8000
-_DIED_OUT = -1e5  # of an exponent: e^-1e5 is nothing beside any double
+_DIED_OUT = -1e5  # of an exponent: e^-1e5 is negligible
 _PERIODS = 64  # bits of the number of periods until a time
 _SHORT, _TERMS = 0.1, 12
 _BITS = 250  # of a time in a piece
@@ -173,7 +173,7 @@ class PushedMass:
     def _advanced(self, x: Array, v: Array, a: Array, rise: Array, rest: Array) -> tuple[Array, Array]:
         """x and v a moment later, by their Taylor series: a quick mass may swing by a share of a turn in that moment.
 
-        `rise` (n,) is F'/m. Where the quicker part has died out long ago the slope is enough.
+        `rise` (n,) is F'/m. If the faster part has decayed long ago, the slope is enough.
         """
         damping, square = self.c / self.m, self.k / self.m
         short = np.where(max(damping, math.sqrt(square)) * np.abs(rest) < _SHORT, rest, 0.0)
@@ -378,7 +378,7 @@ class _Exact:
         return AffineMap(one, none, none, one, none, J / self.m)
 
     def same(self, before: PhasePoint, now: PhasePoint) -> bool:
-        """True if two states are one, beside the least velocity that the push causes."""
+        """True if two states are equal, relative to the smallest velocity that the push causes."""
         (x, v), (y, w) = before, now
         size = self.least + abs(y) * self.rate + abs(w)
         return bool(max(abs(x - y) * self.rate, abs(v - w)) <= self.ctx.mpf(10) ** -_DIGITS * size)
@@ -467,7 +467,7 @@ def _steady_starts(mass: PushedMass) -> list[PhasePoint]:
 
 
 def _agreed(mass: PushedMass, compute: Callable[["_Exact"], list[PhasePoint]]) -> list[PhasePoint]:
-    """States that twice the digits do not change, beside the motion that they are part of."""
+    """States that do not change with twice the digits, relative to their motion."""
     spent, states = 3 * _DIGITS, list[PhasePoint]()
     while spent < _MOST:
         spent *= 2

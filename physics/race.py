@@ -2,9 +2,9 @@
 
     for run in measure([SYSTEMS["benign"]]): ...
 
-yields a Run as soon as it is there, and anew when it has been timed again. In the first round all methods on all
-systems are refined side by side, coarse to fine, each until it stands at its floor, has no finer setting or is out of
-time. Each further round times every run again, so that what disturbs the machine for a while disturbs all alike. Times
+yields a Run when it is complete, and again after each further timing. In the first round all methods on all
+systems are refined side by side, coarse to fine, each until its error stops falling, its settings end or it is out of
+time. Each further round times every run again, so that a disturbance of the machine affects all equally. Times
 are of the processor, not of the clock on the wall, and relative to how long a fixed piece of work took just then.
 """
 
@@ -234,7 +234,7 @@ class Ladder:
         return "floor" if self.method.family == "fixed" and self._stands() else ""
 
     def _stands(self) -> bool:
-        """Whether the error no longer falls, though steps so short should let it: rounding is what is left."""
+        """True if the error no longer falls with shorter steps, because only rounding errors remain."""
         errors = [run.error for run in self.runs if run.error is not None]
         if len(errors) <= STANDS or min(errors[-STANDS:]) * GAIN < min(errors[:-STANDS]):
             return False

@@ -1,6 +1,6 @@
 """The motion of the driven chain in arbitrary precision, to measure others by; independent of physics.exact.
 
-Modes as in D34, slides 3 and 4, with mpmath at 100 digits, more where the parameters lie far apart. Per mode
+Modes as in D34, slides 3 and 4, with mpmath at 100 digits, more if the parameters differ a lot. Per mode
 
     q'' + omega_n^2 q = f sin(omega t),   q = q_0 cos(omega_n t) + q_0' sin(omega_n t)/omega_n + f g(t),
     g = (omega_n sin(omega t) - omega sin(omega_n t))/(omega_n (omega_n^2 - omega^2)),
@@ -136,7 +136,7 @@ def _points(mp: Any, modes: list[_Mode], omega: float, t: Array) -> list[list[li
 
 
 def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:
-    """omega and X2/X1 of the slow and the fast mode; None where mass 1 is at rest."""
+    """omega and X2/X1 of the slow and the fast mode; None if mass 1 is at rest."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(chain)):

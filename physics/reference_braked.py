@@ -1,6 +1,6 @@
 """The driven chain with dashpots in arbitrary precision, independent of physics.transient.
 
-The state (x1, x2, v1, v2) beside the particular solution follows y' = A y: its exponential is summed as a power series.
+The state (x1, x2, v1, v2) less the particular solution follows y' = A y: its exponential is summed as a power series.
 """
 
 import math
@@ -13,11 +13,11 @@ from physics.transient import DampedModes
 
 DIGITS = 60
 _REAL = 1e-50
-"""What is left of the imaginary part of an exponent that is real, over its modulus."""
+"""The remaining imaginary part of a real exponent, over its modulus."""
 
 
 def braked_points(modes: DampedModes, t: Sequence[float]) -> dict[str, list[Point]]:
-    """x1 and x2 at times t, each beside the sum of its largest parts up to then."""
+    """x1 and x2 at times t, each with the sum of its largest parts up to then."""
     import mpmath as mp
 
     points: dict[str, list[Point]] = {"x1": [], "x2": []}
@@ -58,12 +58,12 @@ def braked_lags(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Po
 
 
 def braked_exponents(chain: TwoMassChain, c1: float, c2: float) -> list[tuple[Point, Point]]:
-    """Real and imaginary part of each exponent with Im >= 0, as eigenvalues, beside their modulus."""
+    """Real and imaginary part of each exponent with Im >= 0, as eigenvalues, with their modulus."""
     import mpmath as mp
 
     modes = DampedModes(chain=chain, c=c2, c1=c1, F_0=0.0, omega=0.0)
     sizes = [math.log10(one) for one in (chain.m1, chain.m2, chain.k1, chain.k2, c1, c2) if one]
-    digits = 2 * DIGITS + 8 * math.ceil(max(sizes) - min(sizes))  # an eigenvalue is told beside the largest
+    digits = 2 * DIGITS + 8 * math.ceil(max(sizes) - min(sizes))  # eigenvalues are relative to the largest
     with mp.workdps(digits):
         found = mp.eig(_matrix(mp, modes), right=False)
         least = mp.mpf(10) ** (DIGITS - digits) * max(map(abs, found))

@@ -77,7 +77,7 @@ def _force(mp: Any, kind: Drive, size: Any, w: Any, c: Any, k: Any) -> Any:
 
 
 def _from_rest(mp: Any, m: Any, c: Any, k: Any, w: Any, t: Any) -> Any:
-    """The second divided difference of exp(z t) at i w and both roots; the roots a hair apart where two are one."""
+    """The second divided difference of exp(z t) at i w and both roots; equal roots are separated by a small amount."""
     root = mp.sqrt(mp.mpc(c * c - 4 * m * k))
     n, p, q = mp.mpc(0, w), (-c + root) / (2 * m), (-c - root) / (2 * m)
     hair = mp.mpf(2) ** (-BITS // 3) * (1 + abs(p))
@@ -87,7 +87,7 @@ def _from_rest(mp: Any, m: Any, c: Any, k: Any, w: Any, t: Any) -> Any:
 
 
 def response_points(oscillator: DrivenOscillator, kind: Drive, omega: Sequence[float]) -> Points:
-    """|X| over F_0/k, over Y or over mu e/m, and the lag, each measured by itself where r is a rounded number."""
+    """|X| over F_0/k, over Y or over mu e/m, and the lag, each with its own error if r is a rounded number."""
     import mpmath as mp
 
     with mp.workprec(BITS // 4):

@@ -1,6 +1,6 @@
 """One oscillator, the pendulum, the phugoid and the steady swing in arbitrary precision, to measure others by.
 
-Independent of physics.exact: mpmath, and the lecture's formulas as they stand, with digits to burn. Points are
+Independent of physics.exact: mpmath, and the lecture's own formulas, with many spare digits. Points are
 asked for at a few times (s) or frequencies (rad/s).
 """
 
@@ -84,7 +84,7 @@ def pendulum_points(pendulum: Pendulum, theta_0: float, t: Sequence[float]) -> l
 
 
 def swing(mp: Any, omega: Any, theta_0: float, t: Any) -> tuple[Any, Any, Any]:
-    """theta, theta', theta'' of a pendulum at rest at theta_0 by Jacobi functions; omega that of small swings.
+    """theta, theta', theta'' of a pendulum at rest at theta_0 by Jacobi functions; omega is for small swings.
 
     In the working precision of mp, which has to outlast theta_0^2.
     """
@@ -102,7 +102,7 @@ def period_ratio(mp: Any, theta_0: float) -> Any:
 
 
 def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[list[Point]]:
-    """The steady amplitudes of each mass at each frequency, measured by themselves.
+    """The steady amplitudes of each mass at each frequency, with their own errors.
 
     Signed where nothing damps (c = 0), else moduli. The frequencies are not natural ones.
     """
@@ -114,7 +114,7 @@ def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[flo
 
 
 def stroke_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[Point]:
-    """|X2 - X1| at each frequency, measured by itself."""
+    """|X2 - X1| at each frequency, with its own error."""
     import mpmath as mp
 
     with mp.workprec(EXACT):
@@ -206,13 +206,13 @@ def _series(mp: Any, u_0: Any, w_0: Any) -> tuple[list[Any], list[Any]]:
 
 
 def _step(mp: Any, u: list[Any], w: list[Any], digits: int) -> Any:
-    """As long as the last term stays below the digits."""
+    """The largest step for which the last term stays below the digits."""
     last = max(abs(u[-1]), abs(w[-1]))
     return (mp.mpf(10) ** (5 - digits) / last) ** (mp.mpf(1) / ORDER)
 
 
 def _level(mp: Any, w: list[Any], step: Any) -> Any:
-    """Where w passes zero: Newton's method from where the chord over the step does."""
+    """The zero of w: Newton's method from the zero of the chord over the step."""
     rate = [n * c for n, c in enumerate(w)][1:]
     root = step * w[0] / (w[0] - mp.polyval(w, step, asc=True))
     for _ in range(8):

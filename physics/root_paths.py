@@ -59,7 +59,7 @@ class RootMeeting(NamedTuple):
 
 
 def exceptional_point(chain: TwoMassChain) -> ExceptionalPoint | None:
-    """The exceptional point of a chain, each number rounded once; None where it has none."""
+    """The exceptional point of a chain, each number rounded once, or None."""
     m1, m2, k1, k2 = chain.exact_parameters
     if not (k1 and k2):
         return None
@@ -113,7 +113,7 @@ class RootPath:
 
     @cached_property
     def limits(self) -> Complexes:
-        """Where two roots end as the value grows, in 1/s (2,): see above."""
+        """The limits of two roots as the value grows, in 1/s (2,): see above."""
         chain, (c1, c2), (d1, d2) = self.chain, self.base, self.direction
         if d1 and d2:
             return np.array([-chain.k1 / d1, -chain.k2 / d2], dtype=complex)

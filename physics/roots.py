@@ -2,10 +2,10 @@
 
 All of them at once by the iteration of L. W. Ehrlich (Commun. ACM 10 (1967) 107) and O. Aberth (Math. Comp. 27
 (1973) 339), from starting points on the circles of the Newton polygon (D. A. Bini, Numer. Algorithms 13 (1996)
-179), so that coefficients of any size do.
+179), so that coefficients of any size are possible.
 
-Where m roots nearly coincide, each is known to 1/m of the digits only: a working precision four times that of the
-result serves every quartic, and mismatch() tells how well the roots together reproduce the polynomial.
+If m roots nearly coincide, each is known to only 1/m of the digits: a working precision of four times the
+result's is enough for every quartic, and mismatch() measures how well the roots together reproduce the polynomial.
 """
 
 import cmath
@@ -70,7 +70,7 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
 
 
 def _polished(ctx: Any, coefficients: Sequence[Any], z: Sequence[complex]) -> list[Any]:
-    """The roots by Newton's method, one of each pair, from doubles so far apart that each leads to its own."""
+    """The roots by Newton's method, one of each pair, from distinct doubles that each lead to one root."""
     found, least = [], ctx.sqrt(ctx.eps) * _NEARLY
     for point in z:
         if point.imag < 0:
@@ -101,7 +101,7 @@ def _value_and_slope(coefficients: Sequence[Any], z: Any) -> tuple[Any, Any]:
 
 
 def _starting_points(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
-    """As many on each circle as the polygon has roots of that size; angles that no symmetry of the roots shares."""
+    """As many on each circle as the polygon has roots of that size; angles avoid symmetries of the roots."""
     corners: list[tuple[int, float]] = []
     for corner in ((k, math.log2(a.man) + a.exp) for k, a in enumerate(coefficients) if a):
         while len(corners) > 1 and _slope(corners[-2], corner) >= _slope(corners[-2], corners[-1]):

@@ -63,7 +63,7 @@ def periods(omega: float, count: float) -> float:
 
 
 def drawable(omega: float, t: Array) -> bool:
-    """Whether the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
+    """True if the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
     return abs(omega) <= highest_drawn(t)
 
 

@@ -140,7 +140,7 @@ def total(
 
 
 def _growing(beat: Beat, t: Array, heads: Array, tails: Array) -> list[Weighted]:
-    """Sine and cosine of s t times sin(d t)/d; the tail of the sine itself is turned into that of cos(d t) sin(s t)."""
+    """Sine and cosine of s t times sin(d t)/d; the tail of the sine becomes the tail of cos(d t) sin(s t)."""
     versine, excess = _small(beat.d, t)
     time, unit = _counted(t)
     hi = time * heads

@@ -2,12 +2,12 @@
 
     METHODS[slug].run(problem, setting, watch) -> Trajectory
 
-- no steps: this project's closed form; the slides' formulas as they stand, in plain float64; modes by the
+- no steps: this project's closed form; the slides' formulas in plain float64; modes by the
   dense eigensolver scipy.linalg.eigh, with the response to the drive in a form that stays regular at resonance,
   and in the usual one that does not;
 - exact steps: the matrix exponential from one output time to the next;
 - fixed steps: physics.integrators, the setting is the number of steps from one output time to the next;
-- chosen steps: SciPy's solvers, the setting is rtol. Those of solve_ivp are Python but for LSODA; VODE and the second
+- chosen steps: SciPy's solvers, the setting is rtol. In solve_ivp all but LSODA are Python; VODE and the second
   DOP853 are compiled and call Python for the right-hand side alone.
 
 A method that cannot go on raises StoppedError with the reason.
@@ -37,7 +37,7 @@ FINEST = 2.0**40
 STRETCH = 500
 """Steps of a compiled solver between two looks at the clock."""
 MUSED, BDF = 18, 2
-"""Where LSODA tells the formulas of its last step, and the number of the stiff ones."""
+"""Location of the formulas of LSODA's last step, and the number of the stiff ones."""
 
 
 @dataclass(frozen=True)

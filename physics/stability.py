@@ -20,7 +20,7 @@ ONE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=0.0)
 def amplification(method: str, h_omega: ArrayLike, slow: float | None = None) -> Array:
     """Growth of a free oscillation a step, against h omega (n,): up to 1 is stable, above 1 it explodes.
 
-    The spectral radius of one step's 2 x 2 matrix in (x, v/omega). With `slow` it is that of two decays, against h
+    The spectral radius of one step's 2 x 2 matrix in (x, v/omega). With `slow` it is for two decays, against h
     times the fast rate, of which the slow one is so large a part.
     """
     z = np.atleast_1d(np.asarray(h_omega, dtype=float))

@@ -1,12 +1,13 @@
-"""Stiff and highly oscillatory motions, told apart by what limits the step.
+"""Stiff and highly oscillatory motions, distinguished by the limit of the step.
 
 - A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
   Ordinary Differential Equations II, IV.1).
 - It is highly oscillatory if accuracy limits the step because a fast oscillation, which nothing damps, carries part
   of the motion: no method can step over it.
 
-The measure is |lambda| h, with the fast rate |lambda| and the step h in s: at the limit of stability it is that of RK4,
-at the limit of accuracy that at which Gauss 4, of the same order but stable at every step, has the accepted error.
+The measure is |lambda| h, with the fast rate |lambda| and the step h in s: the step of RK4 at the limit of
+stability, and at the limit of accuracy the step at which Gauss 4, of the same order but stable at every step,
+has the accepted error.
 """
 
 from collections.abc import Iterable
@@ -40,7 +41,7 @@ class Stiffness:
 
 
 def stiffness(system: System, runs: Iterable[Run], wanted: float = WANTED) -> Stiffness | None:
-    """Return the measure of a system, by its runs of Gauss 4; None where none of them has the wanted error."""
+    """Return the measure of a system, by its runs of Gauss 4; None if none of them has the wanted error."""
     problem = system.problem()
     slow, fast = problem.rates
     steps = _steps([run for run in runs if run.method == "gauss4" and run.error], wanted)

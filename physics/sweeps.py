@@ -42,7 +42,7 @@ PARAMETERS = ("m1", "m2", "k1", "k2")
 def sweep(chain: TwoMassChain, name: str, values: ArrayLike) -> Sweep:
     """Both modes for each of the positive values (n,) of the parameter `name`.
 
-    Frequencies are within 8 u of themselves (u = 2^-53), ratios good to 1e-15 times the root of the mass ratio.
+    Frequencies are within 8 u (u = 2^-53), ratios within 1e-15 times the root of the mass ratio.
     With k2 = 0 the ratios are inf, 0.
     """
     values = np.asarray(values, dtype=float)
@@ -93,17 +93,17 @@ LIMITS = {
 }
 """The kind of limit of each parameter at 0 and at infinity.
 
-apart   two oscillators of their own: mass 2 on k2, mass 1 on k1
+apart   two separate oscillators: mass 2 on k2, mass 1 on k1
 rigid   one block on k1, and the two masses against each other on k2
-series  mass 1 does without inertia: mass 2 on both springs in series, mass 1 between two walls
-stand   mass 1 minds mass 2 no more: it is alone on k1, and mass 2 hangs on it as on a wall
+series  mass 1 has no inertia: mass 2 on both springs in series, mass 1 between two walls
+stand   mass 1 does not feel mass 2: it is alone on k1, and mass 2 is attached to it as to a wall
 """
 
 
 def limit(chain: TwoMassChain, name: str, end: int, values: ArrayLike) -> Limit:
     """The asymptotes of a sweep of `name` towards 0 (end = 0) or infinity (end = 1), to leading order.
 
-    Without k2 the masses are apart all along, without k1 there is only the pair: there the limits are exact.
+    For k2 = 0 the masses are always separate, for k1 = 0 there is only the pair: there the limits are exact.
     """
     values = np.asarray(values, dtype=float)
     m1, m2, k1, k2 = _swept(chain, name, values)

@@ -1,8 +1,8 @@
-"""The chain with dashpots beside its springs, driven from any start: particular solution and transient.
+"""The chain with dashpots parallel to its springs, driven from any start: particular solution and transient.
 
     wall --k1, c1-- [m1] --k2, c-- [m2]        F_0 sin(omega t) on m1
 
-The equations are those of physics.absorber, with -c1 x1' on mass 1 besides. A free motion x_i = X_i exp(s t) is
+The equations are in physics.absorber, with an additional -c1 x1' on mass 1. A free motion x_i = X_i exp(s t) is
 possible at the roots of
 
     P(s) = m1 m2 s^4 + (m1 c + m2 (c1 + c)) s^3 + (m1 k2 + m2 (k1 + k2) + c1 c) s^2 + (c1 k2 + c k1) s + k1 k2,
@@ -49,8 +49,8 @@ Complexes = NDArray[np.complex128]
 class Effort(NamedTuple):
     """Exactness that a sum must reach, and the work that it may take.
 
-    A value is good if its doubt is at most `error` of itself, or of the largest of its curve where `of_largest`.
-    `digits` bounds the digits at one time, `work` those of all times together: 2,500 take about 0.02 s.
+    A value is good if its uncertainty is at most `error`, relative to it, or to its curve's maximum if `of_largest`.
+    `digits` bounds the digits at one time, `work` the digits of all times together: 2,500 take about 0.02 s.
     """
 
     error: float = 2.0**-60  # once rounded within 0.51 ulp
@@ -70,7 +70,7 @@ StateRow = tuple[Decimal, ...]  # of x1, x2, x2 - x1, v1, v2
 DIGITS = 120
 _IN_PAIRS = 2.0**-101  # error of a term in pairs of doubles, relative to its size, for each radian of its phase
 _NEGLIGIBLE = 1e-260  # exp(SMALLEST_EXPONENT)
-_DIED_OUT = -1e5  # of an exponent: no digits that are asked for tell 1e-43429 from 0, and mpmath would raise e to it
+_DIED_OUT = -1e5  # of an exponent: e^-1e5 is negligible, and slow to compute with mpmath
 _REPRODUCED = 1e-24  # largest error of a coefficient of P, and for each radian of phase
 _LEFT = 1e-85  # of the sizes that a residue was summed from, what can be wrong with it
 
@@ -101,7 +101,7 @@ class Decaying(NamedTuple):
 @dataclass(frozen=True, kw_only=True)
 class DampedModes:
     """The motion under F_0 sin(omega t) on mass 1, from any start, with a dashpot c (N s/m) between the masses and one,
-    c1, beside spring 1."""
+    c1, parallel to spring 1."""
 
     chain: TwoMassChain
     c: float
@@ -126,7 +126,7 @@ class DampedModes:
 
     @cached_property
     def transient(self) -> tuple[Decaying, ...]:
-        """The motion beside x_p, in terms: in doubles, exponents closer than 1e-6 taken as equal."""
+        """The motion less x_p, in terms: in doubles, exponents closer than 1e-6 taken as equal."""
         self._check_particular()
         found = resolved(self._driven, DIGITS).distinct()
         terms = [Decaying(_complex(p), np.array([_complexes(row) for row in rows])) for p, rows in found]
@@ -170,7 +170,7 @@ class DampedModes:
 
     @property
     def _stays(self) -> bool:
-        """Whether the start is at rest with no force on either mass."""
+        """True if the start is at rest with no force on either mass."""
         (x1, x2), chain = self.x_0, self.chain
         pushed = (self.F_0 and self.omega) or (chain.k1 and x1) or (chain.k2 and x1 != x2)
         return not pushed and not any(self.v_0)
@@ -281,7 +281,7 @@ def _in_many_digits(expand: Callable[[int], Expansion], t: float, most: float) -
 
 
 def _summed(modes: Expansion, t: float) -> list[Any] | None:
-    """None where too many digits cancel, or the exponents do not reproduce the equations well enough."""
+    """The sum, or None if too many digits cancel, or the exponents do not reproduce the equations well enough."""
     ctx, radians = modes.ctx, 1.0
     total, doubt = [ctx.zero] * 5, [ctx.zero] * 5
     for n, (row, rate) in enumerate(pairwise([*modes.at_rest, (ctx.zero,) * 3])):
