@@ -90,7 +90,8 @@ class Run:
 
     `end` is why the method is not refined beyond it: "floor", "finest", "failed", or "" where it is. `compiled` says
     that the method was compiled for it, `final_error` the error at the last output alone, `mode_errors` the parts of
-    the error in the slow and the fast mode, `stiff_share` of LSODA's steps those by formulas for stiff equations.
+    the error in the slow and the fast mode, `stiff_share` of LSODA's steps those by formulas for stiff equations. The
+    counts are those of physics.problem.Watch.
     """
 
     system: str
@@ -101,6 +102,9 @@ class Run:
     reached: float = 1.0  # share of the motion
     end: str = ""
     evaluations: int = 0
+    jacobians: int = 0
+    factorisations: int = 0
+    solves: int = 0
     steps: int = 0
     rounds: int = 0
     time: float | None = None  # median of the rounds
@@ -133,6 +137,10 @@ class Run:
     def to_dict(self) -> dict[str, Any]:
         """The run for JSON: numbers, strings, lists and None."""
         return asdict(self)
+
+
+COUNTS = ("evaluations", "jacobians", "factorisations", "solves", "steps")
+"""The counts of a run, which no machine changes."""
 
 
 def entered(system: System, methods: Sequence[str] = tuple(METHODS)) -> tuple[str, ...]:

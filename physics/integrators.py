@@ -100,6 +100,8 @@ def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Traj
         state = _advanced(advance, state, int(steps), h, watch)
         states[n] = state[:4]
         watch.evaluations = watch.steps * STEPPING[method].evaluations
+        if STEPPING[method].solved:
+            watch.factorisations, watch.solves = 1, watch.steps
         if not (abs(state[0]) <= watch.bound and abs(state[1]) <= watch.bound):
             raise exploded(problem, h, n)
     return trajectory(states)

@@ -90,10 +90,11 @@ class StepTooSmallError(StoppedError):
 
 @dataclass
 class Watch:
-    """A watch over one run: it counts evaluations and steps; check(t), called now and then, may raise StoppedError.
+    """A watch over one run: it counts what the run costs; check(t), called now and then, may raise StoppedError.
 
-    `stiff_steps` counts LSODA's steps with formulas for stiff equations. Fixed steps whose displacements pass
-    `bound` (m) are given up as unstable.
+    `jacobians` counts evaluated Jacobians, `factorisations` LU of the method's matrices, `solves` the linear systems
+    solved with them, which LSODA does not report. `stiff_steps` counts LSODA's steps with formulas for stiff equations.
+    Fixed steps whose displacements pass `bound` (m) are given up as unstable.
     """
 
     check: Callable[[float], None] = lambda t: None
@@ -101,6 +102,9 @@ class Watch:
     evaluations: int = 0
     steps: int = 0
     stiff_steps: int = 0
+    jacobians: int = 0
+    factorisations: int = 0
+    solves: int = 0
 
 
 @dataclass(frozen=True)

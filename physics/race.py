@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from physics.accuracy import MARKS, PERIODS, Limits, Run, System, entered
+from physics.accuracy import COUNTS, MARKS, PERIODS, Limits, Run, System, entered
 from physics.exact import Array
 from physics.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
 from physics.reference import Reference, reference
@@ -113,7 +113,7 @@ class Bench:
     ) -> Run:
         return Run(
             system=self.system.slug, method=method.slug, setting=setting, compiled=method.compiled, failure=failure,
-            end=end, reached=reached, evaluations=watch.evaluations, steps=watch.steps,
+            end=end, reached=reached, **counts(watch),
         )  # fmt: skip
 
     def _timed(self, method: Method, setting: float, watch: Watch) -> tuple[float, Trajectory]:
@@ -148,8 +148,7 @@ class Bench:
             method=method.slug,
             setting=setting,
             compiled=method.compiled,
-            evaluations=watch.evaluations,
-            steps=watch.steps,
+            **counts(watch),
             error=float(np.max(error)),
             energy_error=float(np.max(energy_error)),
             final_error=float(error[-1]),
@@ -158,6 +157,11 @@ class Bench:
             error_growth=_growth(error),
             energy_growth=_growth(energy_error),
         )
+
+
+def counts(watch: Watch) -> dict[str, Any]:
+    """Return what a run has cost, by the names of Run."""
+    return {name: getattr(watch, name) for name in COUNTS}
 
 
 def bench_of(

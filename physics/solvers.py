@@ -34,6 +34,8 @@ Runner = Callable[[Problem, float, Watch], Trajectory]
 
 FINEST = 2.0**40
 """Steps an output: nobody waits for more."""
+ATOL = 1e-3
+"""The absolute tolerance over the relative one, in units of what is to be expected."""
 STRETCH = 500
 """Steps of a compiled solver between two looks at the clock."""
 MUSED, BDF = 18, 2
@@ -77,7 +79,7 @@ class Method:
 
 
 def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch) -> Trajectory:
-    """SciPy's solver of that name; atol is 1e-3 rtol of the displacements and velocities to be expected.
+    """SciPy's solver of that name; atol is ATOL rtol of the displacements and velocities to be expected.
 
     Its steps are not kept: each is interpolated at the output times that it passes, and forgotten.
     """
@@ -105,6 +107,13 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
     states[0] = problem.start
     times, n = [*problem.t.tolist(), inf], 1
     inner = getattr(solver, "_lsoda_solver", None)
+    if solve := getattr(solver, "solve_lu", None):
+
+        def counted(*given: Any) -> Any:
+            watch.solves += 1
+            return solve(*given)
+
+        solver.solve_lu = counted
     try:
         while solver.status == "running":
             message = solver.step()
@@ -116,7 +125,7 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
                 first, n = n, bisect_right(times, solver.t)
                 states[first:n] = solver.dense_output()(problem.t[first:n]).T
     finally:
-        watch.evaluations = solver.nfev
+        watch.evaluations, watch.jacobians, watch.factorisations = solver.nfev, int(solver.njev), int(solver.nlu)
     return states, message
 
 
@@ -161,9 +170,9 @@ def _count(name: str, told: Array, watch: Watch) -> None:
 
 
 def _tolerances(problem: Problem, rtol: float) -> Array:
-    """The absolute ones: 1e-3 rtol of the displacements and velocities to be expected."""
+    """The absolute ones: ATOL rtol of the displacements and velocities to be expected."""
     slow, fast = problem.rates
-    tolerances: Array = 1e-3 * rtol * problem.size * np.array([1.0, 1.0, slow or fast, slow or fast])
+    tolerances: Array = ATOL * rtol * problem.size * np.array([1.0, 1.0, slow or fast, slow or fast])
     return tolerances
 
 

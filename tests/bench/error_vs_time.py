@@ -4,6 +4,7 @@
     make bench ARGS=--quick                 two systems, few methods, 0.3 s a run, about a minute
     make bench ARGS=--record                the same as the first, into docs/bench and the accuracy scene
     make bench ARGS=--again                 all of it once more: the second times beside those recorded
+    make bench ARGS=--count                 count Jacobians, factorisations and solves of the recorded runs
     make bench ARGS=--rewrite               docs/bench anew from the record, without measuring
 
 Writes error_vs_time.md, runs.csv, length.csv, digits.csv and figures into build/bench. With fixed steps each method is
@@ -24,6 +25,7 @@ from components.scenes.accuracy.measuring import LIVE
 from physics.accuracy import SYSTEMS, Limits, Run
 from physics.race import measure
 from physics.solvers import METHODS, Method
+from tests.bench.counting import counted
 from tests.bench.record import Report, recalled, record
 from tests.bench.studies import costs, digits, lengths
 from tests.bench.tables import setting_text, time_text, write_tables
@@ -42,19 +44,20 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--output", type=Path, help="default build/bench")
     parser.add_argument("--record", action="store_true", help="into docs/bench and the accuracy scene")
     parser.add_argument("--again", action="store_true", help="measure once more and record the second times")
+    parser.add_argument("--count", action="store_true", help="count Jacobians, factorisations and solves of the record")
     parser.add_argument("--rewrite", action="store_true", help="write docs/bench anew from the record")
     options = parser.parse_args(arguments)
-    kept = options.record or options.again or options.rewrite
+    kept = options.record or options.again or options.count or options.rewrite
     output = options.output or (ROOT / "docs/bench" if kept else Path("build/bench"))
-    if options.rewrite:
-        report = recalled(RECORDED)
+    if options.rewrite or options.count:
+        report = counted(recalled(RECORDED)) if options.count else recalled(RECORDED)
     else:
         slugs = options.systems or (QUICK if options.quick else tuple(SYSTEMS))
         limits = Limits(seconds=options.seconds or (0.3 if options.quick else 1.0), budget=0.1, least=1)
         methods = [METHODS[slug] for slug in LIVE] if options.quick else list(METHODS.values())
         runs = measured(slugs, methods, limits)
         report = twice(recalled(RECORDED), runs) if options.again else whole(runs, limits)
-    if options.record or options.again:
+    if options.record or options.again or options.count:
         record(RECORDED, report)
         report = recalled(RECORDED)  # so that --rewrite writes the same
     output.mkdir(parents=True, exist_ok=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from physics.accuracy import SYSTEMS, Run, System
 from physics.price import Price, at_error, grouped, in_doubles, prices
-from physics.solvers import METHODS
+from physics.solvers import ATOL, METHODS
 from physics.stiffness import stiffness
 from tests.bench.findings import findings
 from tests.bench.record import Report
@@ -18,7 +18,7 @@ from tests.bench.record import Report
 WANTED = (1e-3, 1e-6, 1e-9)
 ASKED = (1e-3, 1e-6, 1e-9)
 APART = 1.3  # ratios of two benchmarks that differ by more are marked
-SETTINGS = {"closed": "", "exact": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}"}
+SETTINGS = {"closed": "", "exact": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}, atol {:g}"}
 NOT_REACHED = {"time limit": "not in time", **dict.fromkeys(("floor", "finest", "spacing"), "never")}
 RULES = """
 ## How to read it
@@ -38,8 +38,9 @@ both axes logarithmic, are good enough, as in the accuracy scene. "not in time" 
 method stands at its floor or has no finer setting. † marks a time that did not repeat within 20 % in its rounds; ‡ a
 ratio that did not repeat within 30 % when the whole benchmark was run again: the second one stands in brackets.
 
-Evaluations of the right-hand side, read off the same way, are what no machine changes. Methods without steps have
-none: theirs are the outputs. Implicit midpoint, Newmark and Gauss 4 use constant matrices and have their linear
+Evaluations of the right-hand side, read off the same way, do not depend on the speed of a machine; of solvers that
+choose their steps they differ with its rounding, as a rule by less than 15 %. Methods without steps have none: theirs
+are the outputs. Implicit midpoint, Newmark and Gauss 4 use constant matrices and have their linear
 systems solved in advance, once for all steps; Radau, BDF and LSODA are given the constant Jacobian, but factorise
 their systems anew whenever their step changes. Newmark with the average acceleration and the implicit midpoint are
 one method where nothing drives the chain. The second DOP853 has no dense output: it is restarted at each of the 1,000
@@ -48,7 +49,15 @@ outputs. Where that makes its coarsest run better than asked, further digits cos
 Errors are the largest at 1,000 outputs and in units of the largest displacement, with the dashpot also of the largest
 velocity. What runs reach beside that, under each system: the error at the last output alone, where no interpolation
 is left; a phase error may happen to be small there; and the parts of the error in the slow and in the fast mode.
-Asked stands the tolerance, which a solver keeps in each step, not at the end.
+Asked stands the tolerance, which a solver keeps in each step, not at the end: rtol, and atol in units of the largest
+displacement, for velocities of that times the slow rate. Jacobians, LU factorisations and linear solves stand beside
+the evaluations; they were counted in runs without timing. Radau solves a real and a complex system in each iteration.
+LSODA factorises once a Jacobian and does not report its solves.
+
+On this linear problem a step of any method is one constant 4 x 4 matrix, and so are many steps at once. Then all
+methods cost the same a step, and nothing of it carries over to another problem. So explicit methods evaluate the
+right-hand side as they would anywhere; implicit ones with fixed steps use the constant matrix, as codes for linear
+structures do, and the tables say so.
 
 A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
 Ordinary Differential Equations II, IV.1). It is highly oscillatory if accuracy limits the step because a fast
@@ -183,14 +192,22 @@ def evaluations_text(slug: str, evaluations: float | None) -> str:
 def _reached_table(runs: list[Run]) -> list[str]:
     """Solvers at three tolerances; fixed steps at the first run with an error of 1e-6, or their finest."""
     modes = any(run.mode_errors for run in runs)
-    head = ["method", "asked", "largest error", "at the end", *(("slow mode", "fast mode") if modes else ())]
+    head = ["method", "asked", "evaluations", "Jacobians", "LU", "solves", "largest error", "at the end"]
+    head += ["slow mode", "fast mode"] if modes else []
     lines = [_line(head), _line(["---"] * len(head))]
     for slug, own in grouped(run for run in runs if run.error is not None).items():
         for run in _telling(own):
             told = [error for error in (run.error, run.final_error, *run.mode_errors) if error is not None]
             bdf = f", {100 * run.stiff_share:.0f} % of steps by BDF" if slug == "lsoda" else ""
-            lines.append(_line([METHODS[slug].name, setting_text(run) + bdf, *(f"{error:.1e}" for error in told)]))
+            costs = [evaluations_text(slug, run.evaluations), *_costs(run)]
+            cells = [METHODS[slug].name, setting_text(run) + bdf, *costs, *(f"{error:.1e}" for error in told)]
+            lines.append(_line(cells))
     return [*lines, ""]
+
+
+def _costs(run: Run) -> list[str]:
+    """Jacobians, factorisations and solves, each where there are any."""
+    return [f"{count:.3g}" if count else "" for count in (run.jacobians, run.factorisations, run.solves)]
 
 
 def _telling(runs: list[Run]) -> list[Run]:
@@ -231,7 +248,7 @@ def _line(cells: list[str]) -> str:
 
 
 def setting_text(run: Run) -> str:
-    return SETTINGS[run.family].format(run.setting)
+    return SETTINGS[run.family].format(run.setting, ATOL * run.setting)
 
 
 def time_text(seconds: float | None) -> str:

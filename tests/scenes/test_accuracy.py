@@ -141,14 +141,18 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
     assert picked_run(found, ["verlet", "9"]) is None and picked_run(found, ["what", "0"]) is None
     assert picked_run(found, ["old_rk4", "0"]) == picked_run(found, ["rec_rk4", "0"]) == BEFORE[1]
     assert setting_text(HERE[1]) == "Verlet, 1 step an output"
-    assert setting_text(a_run("rk45", 3.2e-5, 1.0, 1.0)) == "RK45, rtol 3.2·10⁻⁵"
-    assert setting_text(a_run("rk45", 1e-6, 1.0, 1.0)) == "RK45, rtol 10⁻⁶"
+    assert (
+        setting_text(a_run("rk45", 3.2e-5, 1.0, 1.0))
+        == "RK45, rtol 3.2·10⁻⁵, atol 3.2·10⁻⁸ of the largest displacement"
+    )
+    assert setting_text(a_run("rk45", 1e-6, 1.0, 1.0)).startswith("RK45, rtol 10⁻⁶, atol 10⁻⁹ of")
 
 
 def test_a_picked_run_tells_what_was_asked_and_what_was_reached() -> None:
     run = a_run("rk45", 1e-6, 1.0, 5.6e-5, final_error=4.4e-5, mode_errors=(6e-10, 5.6e-5))
     assert reached_text(run) == (
-        "RK45, rtol 10⁻⁶: error 6·10⁻⁵, at the end 4·10⁻⁵, slow mode 6·10⁻¹⁰, fast mode 6·10⁻⁵"
+        "RK45, rtol 10⁻⁶, atol 10⁻⁹ of the largest displacement: error 6·10⁻⁵, at the end 4·10⁻⁵, slow mode 6·10⁻¹⁰, "
+        "fast mode 6·10⁻⁵"
     )
     assert reached_text(replace(run, mode_errors=())).endswith("at the end 4·10⁻⁵")
 

@@ -13,7 +13,7 @@ from physics.accuracy import SYSTEMS, Run, entered
 from tests.bench import error_vs_time, studies
 from tests.bench.findings import findings
 from tests.bench.record import recalled, record, slim
-from tests.bench.tables import _price_table, markdown
+from tests.bench.tables import _price_table, _reached_table, markdown
 
 
 @pytest.fixture
@@ -93,6 +93,26 @@ def test_findings_are_read_off_the_runs() -> None:
     assert "with the fewest evaluations, RK4, needs 1.00e+07, 2e+04 times those of BDF, 5.00e+02." in said
     assert findings({"wide": runs}) and "explicit" not in " ".join(findings({"benign": runs})), "it is not stiff"
     assert "LSODA takes most of its steps by BDF at rtol 1" in said
+
+
+def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations() -> None:
+    from physics.problem import Watch
+    from physics.race import counts
+    from physics.solvers import METHODS
+
+    problem = SYSTEMS["dashpot"].problem(5, 100)
+    found = {}
+    for method, setting in (("radau", 1e-4), ("bdf", 1e-4), ("lsoda", 1e-4), ("gauss4", 3)):
+        watch = Watch()
+        METHODS[method].run(problem, setting, watch)
+        found[method] = counts(watch)
+    assert (found["gauss4"]["factorisations"], found["gauss4"]["solves"]) == (1, 300)
+    assert found["radau"]["solves"] > 2 * found["radau"]["factorisations"] > 0 == found["radau"]["jacobians"]
+    assert found["bdf"]["solves"] >= found["bdf"]["steps"] > found["bdf"]["factorisations"] > 0
+    assert found["lsoda"]["jacobians"] == found["lsoda"]["factorisations"] > 0
+    run = Run(system="dashpot", method="bdf", setting=1e-6, error=1e-5, time=0.1, final_error=1e-7, **found["bdf"])
+    row = next(line for line in _reached_table([run]) if "BDF" in line)
+    assert f"| rtol 1e-06, atol 1e-09 | {run.evaluations:.3g} |  | {run.factorisations:.3g} | {run.solves:.3g} |" in row
 
 
 def test_every_method_that_is_not_refined_further_says_why() -> None:

@@ -16,7 +16,7 @@ from components.scene.traces import Columns
 from components.scenes.accuracy.axes import Axes
 from physics.accuracy import MARKS, Run
 from physics.price import LEAST, grouped
-from physics.solvers import METHODS
+from physics.solvers import ATOL, METHODS
 
 MORE = "more"
 """The group of the methods that are recorded only; switched off until asked for."""
@@ -129,12 +129,17 @@ def setting_text(run: Run) -> str:
     """A run by its name and setting: RK45, rtol 10⁻⁶; Verlet, 16 steps an output."""
     name = METHODS[run.method].mark
     if run.family == "adaptive":
-        exponent = math.floor(math.log10(run.setting) + 1e-9)
-        head = run.setting / 10.0**exponent
-        return f"{name}, rtol {'' if head < 1.05 else f'{head:.1f}·'}{ten(exponent)}"
+        rtol, atol = _tolerance(run.setting), _tolerance(ATOL * run.setting)
+        return f"{name}, rtol {rtol}, atol {atol} of the largest displacement"
     if run.family == "fixed":
         return f"{name}, {run.setting:.0f} step{'s' if run.setting != 1 else ''} an output"
     return name
+
+
+def _tolerance(size: float) -> str:
+    exponent = math.floor(math.log10(size) + 1e-9)
+    head = size / 10.0**exponent
+    return f"{'' if head < 1.05 else f'{head:.1f}·'}{ten(exponent)}"
 
 
 def picked_run(measured: Known, picked: Sequence[str]) -> Run | None:
