@@ -132,7 +132,7 @@ def _meanings() -> Iterable[AnyShape]:
     x, y = (WORK.left + WORK.right) / 2, (WORK.top + WORK.bottom) / 2
     stiff = WORK.x(var(Places.stiff_at)), WORK.y(var(Places.stiff_error))
     return (
-        text(limit - 6, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", anchor="end", **told),
+        text(limit - 6, rounding - 6, "one rounding, 1.1·10⁻¹⁶", anchor="end", **told),
         text(limit, WORK.top, f"runs here stop at {N.limit}", anchor="beside", **told),
         text(*stiff, "most steps by BDF", anchor="beside", show=Places.stiff, **told),
         *shown_by(

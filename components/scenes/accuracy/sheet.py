@@ -29,7 +29,7 @@ def paper() -> Block:
     )
     return column(
         in_views(drift_view(), "drift"),
-        in_views(row(work_plot(), _price_column()), "time"),
+        in_views(row(column(work_plot(), _system_words()), _price_column()), "time"),
         in_views(column(*growth), "growth"),
         in_views(length_view(), "length"),
         in_views(digits_view(), "digits"),
@@ -80,7 +80,6 @@ def _price_column() -> Block:
             )
         ),
         desk(picked_plot()),
-        _system_words(),
         basis=370,
         grow=0,
     )

@@ -208,11 +208,11 @@ def stability() -> Columns:
 def _stability_plot() -> Block:
     columns = stability()
     z = columns[Axes.h_omega.name]
-    # A line that leaves the frame at its top has its name where it leaves.
+    # A line that leaves the frame at its top has its name over the frame, each in a row of its own.
     leaves = {slug: last for slug in ALIKE if (last := float(z[columns[slug] <= TOP].max())) < REACH}
     names = tuple(
-        text(STABILITY.x(last), STABILITY.top, ALIKE[slug], anchor="beside", tint=_tint(slug), style="t1 halo")
-        for slug, last in leaves.items()
+        text(STABILITY.x(leaves[slug]), STABILITY.top - 6 - 16 * row, ALIKE[slug], tint=_tint(slug), style="t1 halo")
+        for row, slug in enumerate(sorted(leaves, key=leaves.__getitem__))
     )
     curves = tuple(
         curve(
@@ -231,9 +231,9 @@ def _stability_plot() -> Block:
         curves=curves,
         x_column=Axes.h_omega,
         heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
-        marks=(mark(Places.step_at, html="picked", label="Step of the picked run", lift=32),),
+        marks=(mark(Places.step_at, html="picked", label="Step of the picked run", lift=16 * len(leaves) + 28),),
         shapes=names,
-        room=Room(44, 190, top=36),
+        room=Room(44, 190, top=16 * len(leaves) + 32),
         phone=10,
         height=260,
     )
