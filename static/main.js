@@ -289,7 +289,7 @@ export class Lecture {
     else this.address.write(what, Boolean(this.messages.asked))
   }
 
-  /** The way in which the page is shown is another: the address says so. */
+  /** Updates the address after a change of display. */
   readdress() {
     this.#write(this.page.shown, false)
     this.address.settle()

@@ -47,7 +47,7 @@ STACKED = named("stacked")
 
 @dataclass(frozen=True)
 class OfTheStage:
-    """A scalar that the browser gives: on which screens a shape is drawn."""
+    """A scalar from the browser that selects shapes by the layout of the screen."""
 
     name: str
 

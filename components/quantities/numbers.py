@@ -60,7 +60,8 @@ def short(value: float | Decimal) -> str:
 
 
 def at_tick(value: float) -> str:
-    """The number at a tick of an axis: six digits where it takes them, three and a power of ten where it is far off."""
+    """Return the number at a tick of an axis: up to six digits, or three and a power of ten for very large and small
+    ones."""
     text = f"{value:.6g}"
     plain = "e" not in text and len(text.partition(".")[2]) < 6
     return text.replace("-", MINUS) if plain else short(value)
@@ -106,7 +107,7 @@ def parse_number(text: str) -> float:
 
 
 def in_doubles(value: float, is_zero: bool, text: str) -> float:
-    """The double that a typed text comes to; ValueError where none is near."""
+    """Return the double of a typed text. Raises ValueError if no double is near."""
     if math.isinf(value):
         raise ValueError(f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308.")
     if value == 0 and not is_zero:

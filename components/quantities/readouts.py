@@ -38,7 +38,7 @@ def is_same(held: float, now: float) -> bool:
 
 
 def became(held: float, now: float, angle: bool = False) -> str:
-    """The change of a number in words: "× 4", or its difference where no factor says it."""
+    """Return the change of a number in words: "× 4", or the difference if a factor makes no sense."""
     if not (math.isfinite(held) and math.isfinite(now)):
         return ""
     if not angle and held and now:

@@ -1,4 +1,4 @@
-"""Units in which a visitor reads and types a quantity, where they are not the quantity's own."""
+"""Units in which a visitor reads and types a quantity, if not its own unit."""
 
 from __future__ import annotations
 

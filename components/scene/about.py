@@ -61,7 +61,7 @@ class Table:
 
 @dataclass(frozen=True)
 class About:
-    """'About these numbers' of a picture: tables; how far the energy strays, where one is kept; what is an envelope."""
+    """Return the tables of 'About these numbers': errors, the drift of the energy, and envelopes."""
 
     tables: tuple[Table, ...]
     energy: str = ""

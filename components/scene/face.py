@@ -79,7 +79,7 @@ class SceneFace(param.Parameterized):
         try:
             super().__setattr__(name, value)
         except Exception:
-            # param stops a batch at the first bad value and keeps those already set: give all of them back.
+            # param stops a batch at the first bad value and keeps earlier ones, so restore all of them.
             self._restore()
             raise
 

@@ -1,4 +1,4 @@
-"""A picture of a scene, drawn in a frame: fitted, kept, or grown where what is drawn would leave it."""
+"""A picture of a scene, drawn in a frame: fitted, kept, or grown."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from components.scene.traces import Columns, Traces
 Framing = Literal["fitted", "kept", "grown"]
 """Framing of a picture: it chooses its frame, keeps a given one, or widens it if something would leave it."""
 MOST_DRAWN = 64
-"""Pictures that a process remembers, for all visitors: those held, undone, opened by many, come again."""
+"""Number of cached pictures, shared by all visitors: held, undone and popular ones are needed again."""
 ROUNDS = 3
 """A frame that has grown along one axis may have to grow along another."""
 

@@ -16,7 +16,7 @@ class Running(ABC):
     """The work that a scene has done for one visitor's page; the scene names the class of its work."""
 
     def __init__(self, network: Callable[[], str] = lambda: "") -> None:
-        """`network` is where the visitor comes from; "" where that is not known."""
+        """`network` is the visitor's network, or "" if unknown."""
         self.network = network
         self.heard: Callable[[], object] = lambda: None
         """Called where there is something new, from any thread."""

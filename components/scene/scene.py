@@ -79,7 +79,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return {}
 
     def units(self) -> dict[str, Unit]:
-        """The units in which quantities are now shown and typed, where they are not their own."""
+        """The current units of display and input, for quantities not shown in their own unit."""
         return {}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:

@@ -27,7 +27,7 @@ from components.walks.loading import WalkError
 log = logging.getLogger(__name__)
 
 WARM_UP = 20.0
-"""Seconds after the start until the worker process is started, so that the first visitor who needs it need not wait."""
+"""Seconds from the start of the server to the start of the worker process, so that its first user does not wait."""
 
 
 def store_at(url: str) -> Store:

@@ -1,4 +1,4 @@
-"""Admission: how many visitors come in, in which order the others do, and who gives way to them."""
+"""Admission: the number of visitors with a session, the line of the others, and who is dropped for them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LONGEST = 2000
 OF_A_NETWORK = LONGEST // 4
 """Tickets that one network may have of it."""
 IDLE = 600.0
-"""Seconds without a word, after which a visitor gives way where all places are taken."""
+"""Seconds of idleness after which a visitor may be dropped when the server is full."""
 SHARE = 0.75
 """Share of the places that a network keeps when others wait; beyond it, its quietest visitor is dropped."""
 RETURNS = 10
@@ -37,7 +37,7 @@ ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "
 
 
 class Guest(NamedTuple):
-    """A visitor who is in: where from, and when they said something last."""
+    """A visitor with a session: their network, and the time of their last message."""
 
     network: str
     heard: float
@@ -51,7 +51,7 @@ class InLine(NamedTuple):
 
 
 class Queue:
-    """Lets in as many as there are places for; the others have tickets, and are let in by turns."""
+    """Admits visitors while there are places; the others get tickets, and networks take turns."""
 
     def __init__(
         self,
@@ -61,7 +61,8 @@ class Queue:
         make_way: Callable[[str], bool] = lambda network: False,
         held: Callable[[], Mapping[str, int]] = dict,
     ) -> None:
-        """`held` says how many places each network has; `make_way` frees one for a visitor of a network, if it can."""
+        """`held` returns the number of places of each network; `make_way` tries to free one for a visitor of a
+        network."""
         self.places = places
         self._taken = taken
         self._clock = clock
@@ -139,13 +140,13 @@ class Admission:
         return sum(not session.expiration_requested for session in self._sessions())
 
     def heard(self, session: ServerSession) -> None:
-        """A visitor has come in, or said something."""
+        """Record that a visitor has arrived, or sent a message."""
         guest = self.guests.get(session)
         network = guest.network if guest else get_token_payload(session.token).get("network", "")
         self.guests[session] = Guest(network, monotonic())
 
     def wait(self, visitor: str, page: str) -> float:
-        """The seconds until a page may be opened. One that comes back, and not too often, is no stranger."""
+        """Return the seconds until a page may be opened. Pages that reconnect, if not too often, are not counted."""
         if page and not self.returns.admit(page) and not self.returning.admit(visitor):
             return 0.0
         return self.arrivals.admit(visitor)
@@ -157,7 +158,7 @@ class Admission:
         return Counter(guest.network for guest in self._in().values())
 
     def _make_way(self, network: str) -> bool:
-        """Send somebody away for a visitor of a network; False where nobody gives way."""
+        """Drop a visitor for one of a network; return False if nobody may be dropped."""
         leaves = gives_way(self._in(), self.queue.places, network, monotonic())
         if leaves is None:
             return False

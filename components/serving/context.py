@@ -22,7 +22,7 @@ class Context:
     hosts: Collection[str]
     """The names that its pages come from, as host:port."""
     trusted: Sequence[Network]
-    """The proxies whose word on where a visitor comes from is taken."""
+    """The trusted proxies, whose X-Forwarded-For is believed."""
     admission: Admission
     metrics: Metrics
     secret: bytes

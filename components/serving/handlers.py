@@ -1,4 +1,4 @@
-"""The handlers that all others come from: a refusal or a fault is a page with one sentence, nothing more."""
+"""Base classes of all handlers: a refusal or an error becomes a page with one sentence."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class Liveness(Health):
 
 
 class Readiness(Health):
-    """The handler that says whether new visitors may be sent here: not to a server that is about to end."""
+    """The handler of readiness: 200 if new visitors may come, 503 when the server is about to end."""
 
     def get(self) -> None:
         ready = not self.context.ending.is_set()

@@ -104,7 +104,8 @@ class Incoming:
         self._frames: list[str] = []
 
     def take(self, frame: str | bytes) -> Message[Any] | None:
-        """The message that the frame completes, as Bokeh has it; ViolationError where it is none of ours."""
+        """Return the message that the frame completes, as Bokeh's object. Raises ViolationError for messages not from
+        our page."""
         if not isinstance(frame, str):
             raise ViolationError("Binary frames are not for this page.", 1003)
         self._frames.append(frame)

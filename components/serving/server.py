@@ -36,7 +36,7 @@ PULSE = 15.0
 PATIENCE = 10.0
 """Seconds for the whole of a request, and for the next one on the same connection."""
 ENDING = 9.0
-"""Seconds for the end of a server, of which container engines give ten."""
+"""Seconds for the end of a server; container engines allow ten."""
 
 Route = tuple[Any, ...]
 """An address pattern, a handler, and its arguments."""
@@ -158,7 +158,7 @@ def _application(open_page: OpenPage, context: Context) -> BokehTornado:
         sign_sessions=True,
         include_headers=["Host"],
         include_cookies=[],
-        keep_alive_milliseconds=0,  # in place of Bokeh's pings, which nobody counts, come ours
+        keep_alive_milliseconds=0,  # our own pings replace Bokeh's, whose answers are not counted
         check_unused_sessions_milliseconds=max(1, min(10_000, int(1000 * settings.unused_seconds))),
         unused_session_lifetime_milliseconds=max(1, int(1000 * settings.unused_seconds)),
         websocket_max_message_size_bytes=MOST_BYTES,

@@ -15,7 +15,7 @@ MINUTE = 60.0
 OF_A_NETWORK = {4: 24, 6: 56}
 """Bits of an address that a network of visitors shares, by the version of the protocol."""
 MOST_NAMES = 100_000
-"""Names that a rate knows. A new name waits while so many have come within a minute: they take 25 MB."""
+"""Number of names in a rate; beyond it, new names wait. So many names take 25 MB."""
 
 
 def networks(names: Sequence[str]) -> tuple[Network, ...]:

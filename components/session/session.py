@@ -146,7 +146,7 @@ class Session:
             raise RefusalError({"message": excerpt(str(error), 200)}) from error
 
     def _reply(self, said: Said, answer: int | None) -> Packet | None:
-        """The answer to a message, or None where that comes later; a message that comes again is only answered again:
+        """Return the answer to a message, or None if it comes later. A repeated message is only answered again, because
         its first answer was lost."""
         match said:
             case AskCsv(page=page):
@@ -218,7 +218,7 @@ class Session:
         return next((step for step in steps if step.id == given.step), None)
 
     def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
-        """Give the worker a job, one at a time, and send its result when it comes."""
+        """Give the worker a job, one at a time, and send its result later."""
         if self._apart and not self._apart[1].done():
             return None if self._apart[0] == answer else self._told_apart(asked, AT_ONCE, answer)
         worker = self.apart

@@ -70,7 +70,7 @@ class Replied(Struct, frozen=True, kw_only=True):
 
 
 class Apart(Protocol):
-    """A worker: it takes jobs from any thread; `network` is where the visitor comes from, if that is known."""
+    """A worker, whose jobs may come from any thread; `network` is the visitor's network, if known."""
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]: ...
 

@@ -35,11 +35,12 @@ def own_values(scene: Scene) -> dict[str, object]:
 
 
 def shown_as(scene: AnyScene, other: Scene, *also: str) -> AnyScene:
-    """A scene, shown as another of its kind is; of the curves switched off only where that is said too."""
+    """Return a scene with the display of another one of its kind, including its switched-off curves if they are
+    given."""
     views = [name for name, one in scene.linked().items() if _is_view(type(scene), name, one)]
     return scene.changed({name: other.values[name] for name in views if name != HIDDEN or name in also})
 
 
 def moved(scene: Scene, other: Scene) -> tuple[str, ...]:
-    """The parameters in which two scenes of one kind differ, but for how they are shown."""
+    """Return the parameters, except for the display, in which two scenes of one kind differ."""
     return tuple(name for name in holdable(type(scene)) if scene.values[name] != other.values[name])

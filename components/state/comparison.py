@@ -163,7 +163,7 @@ def ledger(now: Standing) -> tuple[LedgerRow, ...]:
 
 
 def _followed(scene: Scene, asked: Standing | None) -> set[str]:
-    """The readouts that a change has made others, also where their texts are the same."""
+    """Return the readouts that a change has affected, even if their texts are equal."""
     if asked is None:
         return set()
     before = {one.name: one.value for one in asked.scene.readouts()}

@@ -250,7 +250,7 @@ def _rounded(axis: Axis, wider: float) -> Axis:
 
 
 def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:
-    """The names, and the signals that speak of one of them, in the order in which they build on each other."""
+    """Return the names with all signals that depend on one of them, in the order of their dependence."""
     found = set(names)
     for name, signal in signals.items():
         if found & spoken_of(signal):

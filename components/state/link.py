@@ -147,7 +147,7 @@ def _towards(value: float, way: str) -> float:
 
 
 def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
-    """The value that one key gives of the scene held, or of the one from before a change."""
+    """Set one key's value of the held scene, or of the scene before a change."""
     which, dot, name = key.partition(".")
     if dot:
         return {name: _read(holdable(scene), name, given)}

@@ -24,7 +24,7 @@ from components.walks.variants import numbers_drawn, strange_spans, told_apart, 
 from components.walks.walk import Step, Walk
 
 MOST_WORDS = 60
-"""Of an explanation."""
+"""Maximum length of an explanation, in words."""
 
 
 def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:

@@ -151,7 +151,7 @@ def _told(problem: str) -> str:
 
 
 def load_walks(folders: Iterable[Path]) -> dict[str, Walk]:
-    """The walks of the lecture, then those of the folders' files, by name."""
+    """Return the built-in walks, then the walks from the folders' files, by name."""
     paths = [OWN / f"{name}.toml" for name in ORDER]
     for folder in folders:
         if not folder.is_dir():

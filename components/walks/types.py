@@ -1,4 +1,4 @@
-"""Fields that all steps of a walk's TOML file have, and the texts and links that may stand in them."""
+"""The fields common to all steps of a walk's TOML file, and the types of their texts and links."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ class Reply(Entry, frozen=True, kw_only=True):
 
 
 class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
-    """One idea: a question, the state that it is asked of, what is covered until it is answered, and what it means.
+    """One idea: a question, its state, the parts hidden until it is answered, and the explanation.
 
-    `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
-    `still` is what stays covered after it, for a later step that asks for it. `show` are the parts of the scene that
-    are shown, by default those of its view. In the spans of `vary`, by quantity, each student has numbers of their own:
-    components/walks/variants.py. `controls` are the parameters that may be moved after the answer, `next` says what to
-    try with the first of them. The `core` steps of a walk make a shorter one. Where a vote `closes`, it does so at the
-    end of a countdown. With `derive` a clicker shows the formulas in `follows` too. `notes` are for the instructor's
+    `state` is the link to the picture of the question, `reveal` the link to the answer's, if it is another one. `still`
+    lists covers that stay after the answer, because a later step asks for them. `show` are the visible parts of the
+    scene, by default those of its view. `vary` has ranges by quantity, from which each student gets different numbers:
+    components/walks/variants.py. `controls` are the parameters that can be changed after the answer; `next` suggests
+    what to try with the first one. The `core` steps of a walk make a shorter one. If `closes`, the end of a countdown
+    closes the vote. With `derive` a clicker also shows the formulas in `follows`. `notes` are for the instructor's
     remote control.
     """
 

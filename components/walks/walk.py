@@ -18,7 +18,7 @@ Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep | WordsStep
 
 
 class Walk(Struct, frozen=True, kw_only=True):
-    """Steps in their order, under the name in a link, the sentences on what they showed, and the scenes to try then."""
+    """Steps in order, the name in links, the sentences of the summary, and scenes to try afterwards."""
 
     name: str
     title: str

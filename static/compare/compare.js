@@ -30,7 +30,7 @@ export class Compare {
   /** @type {number | undefined} */
   ending
 
-  /** @type {number | undefined} until the server hears that a hand or a key has let go */
+  /** @type {number | undefined} set until the server knows that the drag or key press has ended */
   leaving
 
   deed = "" // of undo: what the frame does when a hand lets go belongs to it
@@ -58,7 +58,7 @@ export class Compare {
     this.page.host.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
   }
 
-  /** The choice of what to cover; where something is covered, all of it comes back. */
+  /** Lets the visitor choose parts to cover; if something is covered, uncovers everything. */
   #predict() {
     const {host, shown} = this.page
     if (shown.state.covered.length) return host.change(() => ({covered: []}))
@@ -85,7 +85,7 @@ export class Compare {
     const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
     if (!goesOn || !this.before) this.before = this.page.shown
     this.press = press
-    this.deed = "holding" in message ? "" : deed // a hand on a grip says itself when it lets go
+    this.deed = "holding" in message ? "" : deed // a grip reports its end itself
     clearTimeout(this.ending)
     clearTimeout(this.leaving)
     if (!this.pressed) this.#released()
@@ -128,7 +128,7 @@ export class Compare {
     const isAsked = Boolean(state.before)
     if (isAsked) clock.playing = false
     if (isAsked === Boolean(this.still)) return
-    // All but the sentence why, which is heard.
+    // Everything except the sentence with the reason, which is read aloud.
     for (const part of transport.element.children) part.toggleAttribute("inert", isAsked && part !== transport.note)
     const {t} = clock
     this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.grab?.named ?? {})), t} : null

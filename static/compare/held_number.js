@@ -24,7 +24,7 @@ export class HeldNumber {
     stage.clear.labels.push({text: this.text, group: this.group, fixed: false, wishes: () => this.#wishes()})
   }
 
-  /** Not where it would say the same. @param {Named} named the quantities held @param {Drawn["view"]} view */
+  /** Skips equal numbers. @param {Named} named the quantities held @param {Drawn["view"]} view */
   frame(named, view) {
     const {label, name, rest} = this
     const digits = view.live[name]

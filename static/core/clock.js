@@ -24,7 +24,7 @@ export class Clock {
     this.frames = 0
     /** @type {(() => void)[]} */
     this.listeners = []
-    /** @type {(() => number) | null} the instant, where another clock leads */
+    /** @type {(() => number) | null} the instant of another clock that this one follows */
     this.lead = null
     requestAnimationFrame(now => this.tick(now))
   }

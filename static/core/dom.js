@@ -106,7 +106,7 @@ function once(name, find) {
   return known
 }
 
-/** Reads all tokens that have been asked for: once something is written, each would take a look at the whole page. */
+/** Reads all tokens at once, before anything is written, because a read after a write recomputes the page's styles. */
 function settle() {
   const style = getComputedStyle(document.documentElement)
   for (const [name, find] of asked) tokens.set(name, find(style))

@@ -92,8 +92,7 @@ export function atInstant({spec, moving}, all) {
 const told = new Set()
 
 /**
- * A name that nobody has given is a fault of ours: said once in the console, so that a test fails on it and nobody's
- * picture stops.
+ * Logs an unknown name once in the console, so that tests fail; the picture continues without it.
  * @param {string} name
  */
 export function unknown(name) {

@@ -29,7 +29,7 @@ class Shelf {
     return Boolean(this.#tried(storage => (storage.setItem(name, text), true)))
   }
 
-  /** Keeps what a visitor would miss, or says that it cannot. @param {string} name @param {unknown} value */
+  /** Stores data that a visitor would miss, or shows a notice. @param {string} name @param {unknown} value */
   keepOrSay(name, value) {
     if (this.keep(name, value)) return
     if (!told) note(NOTHING)
@@ -72,5 +72,5 @@ export const tabStorage = new Shelf(() => /** @type {Storage} */ (own ?? session
 
 // Names in a tab's storage that several modules use.
 export const LED = "class-room" // that the tab leads a class
-export const LEFT = "class-left" // the code of the class from which a follower looks around alone
+export const LEFT = "class-left" // the code of the class that a follower has left to look around
 export const SOUGHT = "class-sought" // the case that they look for

@@ -127,7 +127,7 @@ class Grab {
     this.page.clock.dirty = true
   }
 
-  /** The first value is to be this one; the others stay. @param {number} value */
+  /** Sets the first value to this; the others do not change. @param {number} value */
   put(value) {
     const way = this.spec.ways.find(one => one.parameter)
     if (!way) return
@@ -150,7 +150,7 @@ class Grab {
     this.#send(this.#flick(all), false, isPointer ? this.spec.ways.filter(isOnPlot) : [])
   }
 
-  /** The values that a flick gives; without one none, but the frame may grow again. @param {Named} all */
+  /** The values after a flick; if there was none, only the frame may grow. @param {Named} all */
   #flick(all) {
     const {spec, trail, page} = this
     const last = trail[trail.length - 1]
@@ -193,7 +193,7 @@ class Grab {
     this.first ||= this.page.host.messages.last
   }
 
-  /** An answer has come: true where it is the last. @param {Drawn} shown */
+  /** Handles an answer; returns true if it is the last one. @param {Drawn} shown */
   hear({answer, errors}) {
     if (answer === null || answer < this.first) return false
     this.refusal = this.spec.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""

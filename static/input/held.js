@@ -3,7 +3,7 @@
 const BY_HAND = "by-hand" // has the focus from a pointer: no ring until a key is pressed
 
 /**
- * Gives a part the focus, so that keys go on with it, without the ring, which only keys need.
+ * Gives a part the focus for keys, with no focus ring.
  * @param {HTMLElement} part
  */
 export function focusByHand(part) {

@@ -10,7 +10,7 @@ const ALONG = {ArrowUp: 1, ArrowDown: -1, ArrowRight: 1, ArrowLeft: -1}
 /** @type {Record<string, 1 | -1>} */
 const LEAPS = {PageUp: 1, PageDown: -1}
 
-// A swipe that starts on a slider scrolls the page: until the finger has gone sideways the slider stays where it was.
+// A swipe that starts on a slider scrolls the page, so the slider moves only after a sideways move.
 export class Finger {
   /** @type {{x: number, y: number, stood: string, sideways: boolean} | null} */
   swipe = null

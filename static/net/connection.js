@@ -22,9 +22,9 @@ export class Connection {
   isOutdated = false
   trying = false
   tries = -1 // without a steady connection, but for the first
-  refused = 0 // tries in which the page came and no socket opened
+  refused = 0 // attempts in which the page was loaded but the socket failed
   since = 0
-  token = "" // the last that was signed for this page, by which it is known when it comes back
+  token = "" // the last signed token of this page, by which the server recognises it
   ticket = "" // its place in the line, where all places are taken
 
   /** @type {number | undefined} */

@@ -29,7 +29,7 @@ export class Messages {
 
   behind = true // until what waited for a wire has been answered
 
-  /** The messages that a new session hears first. @returns {page.Said[]} */
+  /** The messages that a new session gets first. @returns {page.Said[]} */
   before = () => []
 
   /** Called when a message has been sent twice without an answer. */
@@ -159,7 +159,7 @@ export class Messages {
     return this.behind ? this.#queue.filter(({anew}) => !anew) : []
   }
 
-  /** The messages that wait, made plain: for a page that takes the place of this one. @returns {page.Said[]} */
+  /** The unsent messages, for a page that replaces this one. @returns {page.Said[]} */
   get left() {
     let {state} = this
     const plain = this.#queue.flatMap(({message: made, anew}) => {

@@ -65,7 +65,7 @@ export class Status {
     this.next.textContent = "There is a new version: the page reloads as soon as you pause."
   }
 
-  /** All is well, and that is said where it was not. */
+  /** Shows that the connection is restored, if it was lost. */
   found() {
     clearInterval(this.countdown)
     if (this.lost.hidden) return

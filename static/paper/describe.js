@@ -144,7 +144,7 @@ function connected(xs, ys) {
   return found
 }
 
-/** Adds pieces, of which the first may go on where the last one ends. @param {Piece[]} known @param {Piece[]} more */
+/** Adds pieces; the first one may continue the last known piece. @param {Piece[]} known @param {Piece[]} more */
 function join(known, more) {
   const [last, next] = [known.at(-1), more[0]]
   const goesOn = last && next && last.xs.at(-1) === next.xs[0] && last.ys.at(-1) === next.ys[0]

@@ -1,5 +1,5 @@
-// Buttons with the shapes of a chain's modes: green where a mode takes part in the motion, the strongest where they are
-// many. Each starts its mode alone.
+// Buttons with the shapes of a chain's modes: green if a mode takes part in the motion (only the strongest of many).
+// Each button starts only its mode.
 
 import {element, svg} from "../core/dom.js"
 import {shapesOf} from "../core/modal.js"

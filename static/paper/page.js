@@ -82,7 +82,7 @@ export class Page {
     this.parts = this.#parts()
   }
 
-  /** In the order in which they take a picture; what is fetched joins them. @returns {Part[]} */
+  /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
     const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice} = this
     const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before anything takes its new place

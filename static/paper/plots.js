@@ -124,7 +124,7 @@ export class Plot {
     return {left: left / size, top: top / size, width: across / size, height: down / size}
   }
 
-  /** Takes a place, if there is any room, and says whether it is another than before. */
+  /** Lays the plot out in a box; returns true if its size has changed. */
   place(box = this.room) {
     if (box.width <= 0 || box.height <= 0) return false
     const isSame = box.width === this.box?.width && box.height === this.box.height && this.unit === unitSize()

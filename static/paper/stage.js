@@ -264,7 +264,7 @@ export class Stage {
     }
   }
 
-  /** The clip that keeps a shape inside the frame of a plot, made when first asked for. @param {string} plot */
+  /** The clip path for shapes inside the frame of a plot, created on demand. @param {string} plot */
   #frame(plot) {
     const known = this.frames.get(plot)
     if (known) return known.id
