@@ -8,17 +8,21 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from bokeh.models import HoverTool, Span
+from bokeh.models import ColumnDataSource, HoverTool, LinearColorMapper, Span
 
 from components.language.blocks import PlotBlock
 from components.language.plots import Curve, Handle, Mark, Region
+from components.language.signals import Modal
 from components.layout.plots import figure_of
 from components.quantities.axes import Axis
 from components.scene import Picture, Scene
+from physics.chain import UniformChain
 
 TOKENS = Path(__file__).parents[2] / "static" / "styles" / "tokens.css"
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
 LOWEST = 160  # pixels
+ROWS, SHADES = 240, 101
+"""Of the picture of a chain: its instants, and its colours."""
 
 
 @cache
@@ -26,6 +30,14 @@ def colours() -> dict[str, str]:
     """The colours of the page by name, on white."""
     light = TOKENS.read_text(encoding="utf-8").partition("/* Type and lines")[0]
     return dict(re.findall(r"--(\w+): (#[0-9a-f]{6});", light))
+
+
+def diverging() -> list[str]:
+    """Colours from the second quantity's over white to the first one's."""
+    hues = [np.array([int(colours()[tint][i : i + 2], 16) for i in (1, 3, 5)]) for tint in ("m2", "m1")]
+    shares = np.linspace(-1.0, 1.0, SHADES)
+    mixed = [255 + abs(share) ** 0.7 * (hues[int(share > 0)] - 255) for share in shares]
+    return ["#" + "".join(f"{round(part):02x}" for part in colour) for colour in mixed]
 
 
 class LiveFigure:
@@ -36,12 +48,33 @@ class LiveFigure:
         self.model.update(height=max(block.height or 0, LOWEST), sizing_mode="stretch_width")
         self.model.yaxis.visible = not block.plain
         self.parts = {one: self._painted(one) for one in self.model.renderers}
+        self.field = self._field() if block.modal else None
         self.model.add_tools(HoverTool(tooltips="$name: ($x, $y)"))
         lines: tuple[Mark | Handle, ...] = (*block.marks, *block.handles)
         self.lines = {one: Span(line_color=colours()[one.tint], line_dash=[4, 3]) for one in lines}
         for one, line in self.lines.items():
             line.dimension = "height" if one.axis == "x" else "width"
             self.model.add_layout(line)
+
+    def _field(self) -> ColumnDataSource:
+        """The source of the picture of a chain under the curves."""
+        source = ColumnDataSource({"image": [], "x": [], "y": [], "dw": [], "dh": []})
+        mapper = LinearColorMapper(palette=diverging(), low=-1.0, high=1.0)
+        places = {"image": "image", "x": "x", "y": "y", "dw": "dw", "dh": "dh"}
+        self.model.image(**places, source=source, color_mapper=mapper, level="underlay")
+        return source
+
+    def _show_field(self, picture: Picture, end: float) -> None:
+        """Draw the displacement of each mass as a colour, from the modes that the browser plays too."""
+        signal = picture.signals.get(self.block.modal)
+        if not (self.field and isinstance(signal, Modal)):
+            return
+        count, t = len(signal.omega), np.linspace(0.0, end, ROWS)
+        shapes = UniformChain(N=count, m=1.0, k=1.0, ends=signal.ends).shapes
+        coordinates = np.sin(np.outer(t, signal.omega) + signal.phases) * signal.sizes
+        image = (coordinates @ shapes + signal.line[0]) / picture.scalars[self.block.full]
+        self.field.data = {"image": [image], "x": [0.5], "y": [0.0], "dw": [count], "dh": [end]}
+        self.model.y_range.update(start=end, end=0.0)
 
     def _painted(self, renderer: Any) -> Curve | Region:
         """The part of the plot that a renderer draws, which then has its colour."""
@@ -64,6 +97,7 @@ class LiveFigure:
             scale.ticker.ticks = list(axis.ruler.ticks)
             scale.major_label_overrides = dict(zip(axis.ruler.ticks, axis.ruler.labels, strict=True))
         self._fill(picture, x, y, scene.values["hidden"])
+        self._show_field(picture, y.ruler.end)
         for one, line in self.lines.items():
             place = _place(one, scene, picture, x if one.axis == "x" else y)
             line.update(location=place or 0.0, visible=place is not None)

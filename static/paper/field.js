@@ -7,6 +7,7 @@ import {displaced} from "../core/modal.js"
 import {clamp} from "../core/ruler.js"
 
 const ROWS = 240
+const MOST = 30_000 // of the picture's points, each a sum over all modes
 const SHADE = 0.7 // the power of a displacement that is its shade, so that ripples are seen
 
 export class Field {
@@ -36,15 +37,16 @@ export class Field {
   #paint(signal, full) {
     const {canvas, plot} = this
     const count = signal.omega.length
-    Object.assign(canvas, {width: count, height: ROWS})
+    const rows = Math.round(Math.min(ROWS, MOST / count))
+    Object.assign(canvas, {width: count, height: rows})
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"))
-    const picture = context.createImageData(count, ROWS)
+    const picture = context.createImageData(count, rows)
     const hues = ["m1", "m2"].map(rgb)
     const {start, end} = plot.y
     /** @type {page.Modal} */
     const still = {...signal, line: [signal.line[0], 0]} // a drift is left out, as on the stage
-    for (let row = 0, at = 0; row < ROWS; row++) {
-      for (const x of displaced(still, end + ((start - end) * (row + 0.5)) / ROWS)) {
+    for (let row = 0, at = 0; row < rows; row++) {
+      for (const x of displaced(still, end + ((start - end) * (row + 0.5)) / rows)) {
         picture.data.set(hues[x > 0 ? 0 : 1], at)
         picture.data[at + 3] = 255 * Math.min(Math.abs(x / full), 1) ** SHADE
         at += 4

@@ -135,3 +135,19 @@ def test_a_change_of_sixty_masses_is_small(view: str) -> None:
     for number, one in enumerate(values, start=1):
         page.say({"type": "set", "values": one, "number": number})
     assert max(len(packet["data"]) for packet in page.packets[1:]) <= 3000
+
+
+def test_the_panel_face_draws_the_masses_by_colour() -> None:
+    scene = Chain()
+    figure = scene.panel().figures["field"]
+    data = dict(figure.field.data)
+    ((image,), (width,), (height,)) = (data[name] for name in ("image", "dw", "dh"))
+    assert (width, height) == (50, pytest.approx(13.5, rel=1e-3))
+    start = displacements(scene)[0] / scene.h
+    np.testing.assert_allclose(image[0], start, atol=1e-12)
+    assert figure.model.y_range.start > figure.model.y_range.end == 0
+
+
+def test_a_small_chain_names_the_scene_that_it_is() -> None:
+    assert "Oscillator" in Chain(N=1).shown.notes[0]
+    assert "Coupled" in Chain(N=2, ends="fixed-free").shown.notes[0]

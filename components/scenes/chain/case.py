@@ -37,7 +37,12 @@ LEAST_GRIP = 0.2
 """The share of h by which a mass must be displaced to be taken in hand."""
 SMALLER = "Displacements are drawn {share} times as large, so that no masses meet."
 DRIFTS = "The chain drifts at {rate} m/s, which is mode 1. It is drawn about its centre of mass."
-LONE = "One mass between two springs is the Oscillator with the stiffness 2 *k*."
+KNOWN = {
+    (1.0, "fixed-fixed"): "One mass between two springs is Oscillator with the stiffness 2k.",
+    (1.0, "fixed-free"): "One mass on one spring is Oscillator.",
+    (2.0, "fixed-free"): "Two masses and a free end are Coupled with equal masses and springs.",
+}
+"""The scenes that have the same system, by N and the ends."""
 
 
 @lru_cache(64)
@@ -107,7 +112,8 @@ class MassesCase(Case):
         return {"j": (1.0, last), "p": (1.0, last), "centre": (0.0, self.length)}
 
     def notes(self) -> tuple[str, ...]:
-        notes = []
+        known = KNOWN.get((self.N, self.ends))
+        notes = [known] if known else []
         if self.scale and self.scale < 1:
             notes.append(SMALLER.format(share=three(self.scale)))
         rate = self.drawn.drift[1]
