@@ -296,7 +296,6 @@ class MassesShown(MassesCase):
     taking = value(lambda c: c.spectrum(True))
     silent = value(lambda c: c.spectrum(False))
     chosen = value(lambda c: str(int(c.j)) if c.starts == "mode" else "")
-    of_string = value(lambda c: "pulse" if c.starts == "pulse" else "" if c.starts == "mode" else "two")
     # Numbers in formulas.
     slowest = value(lambda c: float(c.chain.omega[0]), "rad/s", "frequency of the slowest mode")
     fastest = value(lambda c: float(c.chain.omega[-1]), "rad/s", "frequency of the fastest mode")
