@@ -22,7 +22,7 @@ import {Walks} from "./walks/walks.js"
 
 /** @typedef {import("./net/messages.js").Asked} Asked */
 
-const UNANSWERED = "left" // what a page that is left has not had answered
+const UNANSWERED = "left" // unanswered messages of the previous page
 
 /** @implements {LectureHost} */
 export class Lecture {
@@ -69,7 +69,7 @@ export class Lecture {
       outdated: () => this.busy.whenFree(() => this.#reload()),
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
-    // A change without an answer yet is in no address.
+    // the address omits changes that are not answered yet
     addEventListener("pagehide", () => tabStorage.keep(UNANSWERED, this.messages.rests ? null : this.left))
     addEventListener("popstate", ({state: entry}) => {
       const {waiting: _, ...state} = entry ?? {}
@@ -106,7 +106,7 @@ export class Lecture {
     this.#wait()
   }
 
-  /** Into another state, which speaks for every control. @type {Messages["send"]} */
+  /** Opens a state, which resets every control. @type {Messages["send"]} */
   #go(message, about) {
     this.page?.controls.release() // the visitor may choose a link before the first page is ready
     this.messages.send(message, about)
@@ -127,7 +127,7 @@ export class Lecture {
     this.#complete(this.page)
   }
 
-  /** Plots that could not be drawn join with the next connection. @param {Page} page */
+  /** Plots that could not be drawn are drawn after the next connection. @param {Page} page */
   async #complete(page) {
     await page.join()
     page.speak()
@@ -170,12 +170,12 @@ export class Lecture {
     this.#go(open, {turn: true, start: true, sets})
   }
 
-  /** Another state, of the same values. @param {(state: page.State) => Partial<page.State>} to */
+  /** Opens another state with the same values. @param {(state: page.State) => Partial<page.State>} to */
   change(to) {
     this.messages.send(this.#changed(to))
   }
 
-  /** The frame that suits what is drawn now. */
+  /** Fits the frame to the current picture. */
   fit() {
     this.change(() => ({frame: null}))
   }
@@ -185,7 +185,7 @@ export class Lecture {
     return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).usual : "")
   }
 
-  /** Connects again after something that could not be read or fetched. */
+  /** Reconnects after an unreadable message or a failed request. */
   #fail(/** @type {unknown} */ error) {
     console.warn(error)
     if (!this.page) throw error
@@ -204,7 +204,7 @@ export class Lecture {
     this.#next(() => this.#show(told, asked))
   }
 
-  /** Pictures are shown in their order. @param {() => unknown} act */
+  /** Shows pictures in the order of their messages. @param {() => unknown} act */
   #next(act) {
     this.turning = this.turning.then(act).catch(report)
   }
@@ -233,7 +233,7 @@ export class Lecture {
     return Boolean(page)
   }
 
-  /** The sheet and modules of a page; null where they cannot be fetched. @param {string} address of the sheet */
+  /** Loads the sheet and modules of a page; null if that fails. @param {string} address of the sheet */
   async #fetched(address) {
     try {
       const sheet = await this.sheets.fetch(address)
@@ -245,7 +245,7 @@ export class Lecture {
   }
 
   /**
-   * Builds the page of another scene and shows it; null where a script fails.
+   * Builds the page of another scene and shows it; null if a script fails.
    * @param {{sheet: page.SceneSheet, extras: import("./paper/page.js").Extras}} fetched @param {Drawn} shown
    */
   #built({sheet, extras}, shown) {

@@ -1,13 +1,13 @@
-// The address of a page: a link says all of its state, as long as a server takes a link of that length.
+// The address of a page: a link with its complete state, if it is not too long for the server.
 
-const REST = 350 // ms from one writing of it to the next, in the long run: Safari allows 100 in 30 s
+const REST = 350 // ms between two writes on average: Safari allows 100 in 30 s
 const AHEAD = 10 // changes written at once, for a reload right after a change
-const LONGEST = 8000 // of a query, in characters: components/serving/pages.py
+const LONGEST = 8000 // maximum length of a query, as in components/serving/pages.py
 
 /** @param {string} query */
 export const isTooLong = query => query.length > LONGEST
 
-/** A link to a scene as it opens; the state is brought by a message then. @param {string} scene */
+/** A link to a scene with its defaults; a message then brings the state. @param {string} scene */
 export const plainLink = scene => `?scene=${scene}`
 
 /**
@@ -26,14 +26,14 @@ export class Address {
   /** @type {(() => void) | null} writes what is not written yet */
   #late = null
 
-  #due = -Infinity // when the next writing is free
+  #due = -Infinity // time of the next permitted write
 
   /** @type {number | undefined} */
   #timer
 
   constructor() {
     addEventListener("pagehide", () => this.settle()) // for the back button; a reload has read the address before this
-    addEventListener("popstate", () => (this.#late = null)) // it was for the entry that has been left
+    addEventListener("popstate", () => (this.#late = null)) // it was meant for the previous entry
   }
 
   /**
@@ -48,7 +48,7 @@ export class Address {
     else this.#timer = setTimeout(() => this.settle(), wait)
   }
 
-  /** A new entry, where the address is another. @param {{address: string, entry: unknown}} what */
+  /** Adds an entry if the address is new. @param {{address: string, entry: unknown}} what */
   turn(what) {
     this.settle()
     if (what.address === location.search) this.write(what, false)

@@ -1,4 +1,4 @@
-// BokehJS, which draws the plots and talks to the server: fetched when the first picture has been seen without it.
+// Loads BokehJS, which draws the plots and has the connection to the server, after the first picture.
 
 import {element} from "../core/dom.js"
 

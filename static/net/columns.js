@@ -53,7 +53,7 @@ function fillPart(part, axes, numbers) {
     for (const [name, [axis, count]] of Object.entries(source)) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
-      const height = high - low // the steps are of three heights of the frame
+      const height = high - low // the steps divide three heights of the frame
       source[name] = numbers.take(count, low - height, high + height, COLUMN_STEPS)
     }
   }
@@ -76,7 +76,7 @@ function traced([end, count, names, called], {signals, scalars}) {
   return {t, ...Object.fromEntries(names.map(name => [name, drawn[called[name] ?? name]]))}
 }
 
-/** Runs of fourth differences: all first bytes of them, all second ones, and so on. */
+/** Runs are sent as fourth differences: first all low bytes, then all high bytes. */
 class Numbers {
   at = 0
 
@@ -87,7 +87,7 @@ class Numbers {
   }
 
   /**
-   * The next run, sent in steps from low to high.
+   * Reads the next run, which is sent in steps from low to high.
    * @param {number} count @param {number} low @param {number} high @param {number} steps
    */
   take(count, low, high, steps) {
@@ -99,7 +99,7 @@ class Numbers {
     })
   }
 
-  /** One that is d >= 0 is sent as 2d, one below as -2d - 1. @param {number} i */
+  /** Decodes a signed number: d >= 0 is sent as 2d, d < 0 as -2d - 1. @param {number} i */
   #difference(i) {
     const {bytes, total} = this
     const sent = bytes[i] | (bytes[total + i] << 8) | (bytes[2 * total + i] << 16) | (bytes[3 * total + i] << 24)

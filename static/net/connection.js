@@ -4,9 +4,9 @@ import {bokeh} from "./bokeh.js"
 import {Status} from "./status.js"
 import {connect} from "./wire.js"
 
-const FIRST = 1000 // ms, the pause after the first try that failed; each is twice the one before
+const FIRST = 1000 // ms, the pause after the first failed try; each later one is twice as long
 const LONGEST = 30000
-const STEADY = 10000 // ms after which a connection that is lost is taken up again at once
+const STEADY = 10000 // ms after which a lost connection is restored without a pause
 const PATIENCE = 15000 // ms for a try
 
 /**
@@ -21,11 +21,11 @@ export class Connection {
 
   isOutdated = false
   trying = false
-  tries = -1 // without a steady connection, but for the first
+  tries = -1 // failed tries since the last steady connection
   refused = 0 // attempts in which the page was loaded but the socket failed
   since = 0
   token = "" // the last signed token of this page, by which the server recognises it
-  ticket = "" // its place in the line, where all places are taken
+  ticket = "" // its place in the line while all places are taken
 
   /** @type {number | undefined} */
   timer
@@ -43,7 +43,7 @@ export class Connection {
     document.documentElement.dataset.connected = "false"
   }
 
-  /** With the token that the page was served with; it may have become too old. @param {string} token */
+  /** Connects with the page's own token, which may have expired. @param {string} token */
   async begin(token) {
     await this.#try(() => this.#open(token, false))
   }
@@ -95,7 +95,8 @@ export class Connection {
     this.options.changed()
   }
 
-  /** At once after a steady connection, then less and less often, and not all visitors at the same time. */
+  /** Reconnects at once after a steady connection, else after growing random pauses, so that visitors do not come
+   * together. */
   #pause() {
     const pause = this.tries ? Math.min(FIRST * 2 ** (this.tries - 1), LONGEST) * (0.5 + Math.random()) : 0
     this.status.wait(pause)
@@ -121,7 +122,7 @@ export class Connection {
     this.options.outdated()
   }
 
-  /** The token of a new session, and the version of the page that it is for. @param {string} link */
+  /** Fetches a token for a new session, and the version of its page. @param {string} link */
   async #served(link) {
     const headers = {"Page-Token": this.token, "Page-Ticket": this.ticket}
     const answer = await fetch(link, {cache: "no-store", headers, signal: AbortSignal.timeout(PATIENCE)})
@@ -147,7 +148,7 @@ export class Connection {
   }
 }
 
-/** The scripts, and the sheets of all scenes. @param {Document} page */
+/** The addresses of the scripts and of all sheets in a page. @param {Document} page */
 function versionOf(page) {
   const sheets = [...page.querySelectorAll("[data-sheet]")].map(link => link.getAttribute("data-sheet"))
   return [page.documentElement.dataset.version, ...sheets].join()

@@ -1,8 +1,9 @@
-// The messages of a page, one in flight, numbered, sent again where its answer is lost; without a wire all wait.
+// The queue of messages: one in flight, numbered, repeated if its answer is lost. They wait while there is no
+// connection.
 
-const PATIENCE = 5000 // ms without an answer until a message is sent once more, and until the wire is given up
-const PROBE = 2500 // ms without an answer until the wire of a page that comes back into sight is given up
-const AGAIN = 1000 // ms until what a new session had no time for is sent again
+const PATIENCE = 5000 // ms without an answer until a message is repeated, and until the connection counts as lost
+const PROBE = 2500 // the same for a page that becomes visible again
+const AGAIN = 1000 // ms until a message for which the server had no time is repeated
 
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
@@ -27,7 +28,7 @@ export class Messages {
   /** @type {page.State} the last state that the server sent */
   state
 
-  behind = true // until what waited for a wire has been answered
+  behind = true // until the messages that waited for a connection are answered
 
   /** The messages that a new session gets first. @returns {page.Said[]} */
   before = () => []
@@ -87,7 +88,7 @@ export class Messages {
   }
 
   /**
-   * A message that depends on the state is made when all before it has been answered, and need not be sent then.
+   * Queues a message. One that depends on the state is built after the answers to all earlier ones, or dropped.
    * @param {Waiting["message"]} message @param {Envelope} [about]
    */
   send(message, about = {}) {
@@ -107,7 +108,7 @@ export class Messages {
     return new Promise(answered => this.send(message, {answered}))
   }
 
-  /** Finds out whether the wire still works: one that died while a phone slept says nothing. */
+  /** Tests the connection, because a phone that slept does not notice a lost one. */
   probe() {
     if (!this.wire) return
     if (!this.asked) this.send({type: "set", values: {}}, {anew: true})
@@ -135,7 +136,7 @@ export class Messages {
     return !this.#queue.length
   }
 
-  /** The values that wait for a wire, by parameter: the newest, or the text that was typed. @returns {Waits} */
+  /** The unsent values by parameter: the newest, or the typed text. @returns {Waits} */
   get waiting() {
     return new Map(this.#late.flatMap(({message, sets}) => Object.entries(sets ?? givenIn(message))))
   }
@@ -145,7 +146,7 @@ export class Messages {
     return this.#late.length
   }
 
-  /** The scene that waits to be opened, or "". */
+  /** The scene that will be opened, or "". */
   get turnsTo() {
     const opens = this.#late.flatMap(({message}) =>
       typeof message !== "function" && message.type === "open" ? message.state.scene : [],
@@ -154,7 +155,7 @@ export class Messages {
     return scene === this.state.scene ? "" : scene
   }
 
-  /** Messages of the visitor that wait for a wire. */
+  /** The visitor's messages that wait for a connection. */
   get #late() {
     return this.behind ? this.#queue.filter(({anew}) => !anew) : []
   }
@@ -201,7 +202,7 @@ export class Messages {
   receive(packet) {
     const {wires} = this
     const unpacked = this.unpack(packet)
-    // Packets of a wire that has been lost are ignored: the next one brings them again.
+    // Ignore packets of a lost connection; the next one repeats them.
     const current = () => wires === this.wires
     this.heard = this.heard
       .then(() => unpacked)

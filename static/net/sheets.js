@@ -1,10 +1,10 @@
-// Sheets, of scenes and of walks: each is fetched once, for it never changes.
+// Sheets of scenes and walks: each is fetched once, because it never changes.
 
 export class Sheets {
   /** @type {Map<string, Promise<unknown>>} by address */
   known = new Map()
 
-  /** `patience` is how long one may take. @param {number} [patience] ms */
+  /** `patience` is the longest time for one request. @param {number} [patience] ms */
   constructor(patience) {
     this.patience = patience
   }

@@ -1,8 +1,8 @@
-// The state of the connection in words, and what waits for it.
+// Messages about the connection and about unsent values.
 
 import {chip, element, reword, svg} from "../core/dom.js"
 
-const MOMENT = 4000 // ms for which it is said that all is well again
+const MOMENT = 4000 // ms for which the message of success stays
 const LOST = "Your changes wait for the server."
 const REFUSED = "A proxy or firewall blocks WebSockets to the server; your changes wait until it lets them through."
 
@@ -18,7 +18,7 @@ export class Status {
   /** @param {() => void} retry */
   constructor(retry) {
     this.alert = element("p", {role: "alert"})
-    this.next = element("span", {class: "next"}) // no part of the alert, which would be read out each second
+    this.next = element("span", {class: "next"}) // outside the alert, which screen readers would repeat each second
     const button = chip("Try now", retry)
     this.lost = element("div", {class: "lost", hidden: ""}, ring(), this.alert, this.next, button)
     this.again = element("p", {class: "again", role: "status"})
@@ -26,7 +26,7 @@ export class Status {
     document.querySelector(".nav #theme")?.before(this.again)
   }
 
-  /** `refused`: the page can be fetched, but no socket opened. @param {boolean} refused */
+  /** `refused`: the page can be fetched, but the socket fails. @param {boolean} refused */
   say(refused) {
     if (this.lost.hidden || refused !== this.refused) {
       this.alert.replaceChildren(element("b", {}, "Not connected."), ` ${refused ? REFUSED : LOST}`)
@@ -44,7 +44,7 @@ export class Status {
     if (pause) this.countdown = setInterval(() => this.#count(), 1000)
   }
 
-  /** Says what waits for the server. @param {number} changes @param {string} title of a scene to be opened, or "" */
+  /** Shows the unsent changes. @param {number} changes @param {string} title of a scene that will be opened, or "" */
   waits(changes, title) {
     const count = changes ? `${changes} ${changes > 1 ? "changes wait" : "change waits"}.` : ""
     this.waiting = [count, title && `${title} opens then.`].filter(Boolean).join(" ")
@@ -58,7 +58,7 @@ export class Status {
     reword(this.next, [this.waiting, next].filter(Boolean).join(" "))
   }
 
-  /** The server has another version of the page. */
+  /** Reports that the server has another version of the page. */
   outdated() {
     clearInterval(this.countdown)
     this.isOutdated = true

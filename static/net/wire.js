@@ -1,4 +1,4 @@
-// The wire to the server: Bokeh's connection, with a model in its document whose events are the messages.
+// The connection: Bokeh's, with a model in its document whose events are the messages.
 
 import {bokeh} from "./bokeh.js"
 
@@ -10,7 +10,7 @@ const TOLD = "told" // the type of a message of the server
 /** @type {boolean} whether Bokeh knows the model */
 let defined = false
 
-/** The other half of components/session/panel_bridge.py. */
+/** The browser half of components/session/panel_bridge.py. */
 function define() {
   if (defined) return
   defined = true

@@ -1,5 +1,5 @@
-// The paper and the panel of one scene, built from its sheet: every picture goes to all its parts, in their order, and
-// the clock moves what moves.
+// The paper and the panel of one scene, built from its sheet. Every picture goes to all parts in order; the clock
+// updates the moving ones.
 
 import {bokeh} from "../net/bokeh.js"
 import {Controls, isPicker} from "../input/controls.js"
@@ -85,7 +85,7 @@ export class Page {
   /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
     const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice} = this
-    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before anything takes its new place
+    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before any part moves
     return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice]
   }
 
@@ -107,7 +107,7 @@ export class Page {
   /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} [asked] the message that it answers */
   apply(shown, asked = null) {
     this.shown = shown
-    unitSize() // and with it all that the style sheet is asked for, before anything is written
+    unitSize() // also reads everything that the style sheets decide, before anything is written
     for (const part of this.parts) guarded(() => part.update?.(shown, asked))
     this.redraw()
     requestAnimationFrame(() =>
@@ -125,7 +125,7 @@ export class Page {
     guarded(() => this.compare.update(shown, asked))
   }
 
-  /** The curves switched off, by group. */
+  /** The groups of curves that are switched off. */
   get hidden() {
     return this.shown.state.hidden ?? this.spec.hidden
   }
@@ -142,7 +142,7 @@ export class Page {
   /** @param {number} at an instant; ignored if nothing moves */
   draw(at) {
     if (!this.shown) return
-    unitSize() // as above: asked for once numbers are written, it would lay out the page twice in a frame
+    unitSize() // as above: a read after the numbers are written would lay out the page twice in a frame
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
@@ -155,7 +155,7 @@ export class Page {
     this.plots.forEach(plot => guarded(() => plot.draw(named, t, timeText)))
   }
 
-  /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */
+  /** Shows the first picture, except the figures, which come later. @param {Drawn} shown */
   start(shown) {
     this.live.find(this.root)
     this.apply(shown)
@@ -163,7 +163,7 @@ export class Page {
     this.draw(this.clock.t)
   }
 
-  /** Gives all that is drawn in pixels the place that there is. */
+  /** Lays out everything that is drawn in pixels. */
   place() {
     this.stages.forEach(stage => stage.place())
     const rooms = this.plots.map(plot => plot.room) // all are read before anything is written
@@ -191,7 +191,7 @@ export class Page {
     try {
       await bokeh()
     } catch {
-      plot.figure.lacks() // until the connection is tried again, which needs it too
+      plot.figure.lacks() // wait for the next attempt to connect, which needs it too
       return
     }
     if (this.left) return
@@ -210,7 +210,7 @@ export class Page {
   }
 }
 
-/** Modules that only some scenes need, asked for by them. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
+/** Loads the modules that only some scenes need. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
 export async function extrasFor({runs, panel}) {
   const picks = panel.groups.some(group => group.rows.some(isPicker))
   const [bar, picker] = await Promise.all([runs && later("paper/run_bar"), picks && later("paper/picker")])

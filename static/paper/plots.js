@@ -11,7 +11,7 @@ import {everyWhich} from "./places.js"
 import {Reading, isOnControl} from "./reading.js"
 import {PLAIN, toOneScale} from "../core/ruler.js"
 
-const REACH = 16 // units from a press to the point that it picks
+const REACH = 16 // units from a press to the point that it selects
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
 
 /** @implements {PlotHost} */
@@ -89,7 +89,7 @@ export class Plot {
     return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
   }
 
-  /** Whether its time runs downwards. */
+  /** True if its time axis points down. */
   get down() {
     return this.block.time && this.block.modal !== ""
   }
@@ -115,7 +115,7 @@ export class Plot {
     return !this.mounted && !this.absent && this.box && this.host.offsetParent !== null
   }
 
-  /** The place that there is: Bokeh leaves the same room around its frame, in whole pixels. @returns {Frame} */
+  /** The available frame: Bokeh keeps the same margins, in whole pixels. @returns {Frame} */
   get room() {
     const {left, right, top, bottom} = this.figure.room
     const {width, height} = this.host.getBoundingClientRect()
@@ -216,7 +216,7 @@ export class Plot {
     this.handles.place()
   }
 
-  /** The place on an axis at the pointer. @param {PointerEvent} event @param {"x" | "y"} [which] */
+  /** The coordinate at the pointer. @param {PointerEvent} event @param {"x" | "y"} [which] */
   valueAt(event, which = "x") {
     const {x, y} = this.#at(event)
     const {left, top, width, height} = this.frame
@@ -230,7 +230,7 @@ export class Plot {
     return {x: (event.clientX - box.left) / unitSize(), y: (event.clientY - box.top) / unitSize()}
   }
 
-  // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.
+  // Shows the numbers at the pointer; a press on a time plot moves the clock there.
   #pointer() {
     this.host.addEventListener("pointermove", event => this.reading.show(event))
     this.host.addEventListener("pointerleave", () => this.reading.hide())
@@ -243,7 +243,7 @@ export class Plot {
     })
   }
 
-  /** The point nearest to a press, as [source, place in its column]. @param {PointerEvent} event */
+  /** The point nearest to a press, as [source, index in its column]. @param {PointerEvent} event */
   #nearest(event) {
     const {x, y} = this.#at(event)
     let best = null
@@ -266,7 +266,7 @@ export class Plot {
   }
 
   /**
-   * Once a frame: cursor and dots at the instant shown.
+   * Runs once per frame: moves cursor and dots to the current instant.
    * @param {Named} named @param {number} t @param {string} timeText
    */
   draw(named, t, timeText) {
@@ -311,7 +311,7 @@ export function geometry(plot, name, dx = 0, dy = 0) {
   }
 }
 
-/** An axis the other way round. @param {page.Ruler} ruler @returns {page.Ruler} */
+/** A reversed axis. @param {page.Ruler} ruler @returns {page.Ruler} */
 export const turned = ruler => ({...ruler, start: ruler.end, end: ruler.start})
 
 /**
