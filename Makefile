@@ -104,6 +104,7 @@ reconnect: $(VENV)/test.stamp
 load: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tests.bench.load $(ARGS)
 	$(BIN)/python -m tests.bench.course
+	$(BROWSER) $(BIN)/python -m tests.bench.slow_phone
 
 # The second half of it alone: every scene, a class that arrives, and those in it who drag.
 course: $(VENV)/test.stamp

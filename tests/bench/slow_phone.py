@@ -1,0 +1,109 @@
+"""The frame rate of each scene on a slow phone: the first view at 390 x 844, with the processor slowed six times.
+
+`make load` runs it last; it prints a table and keeps it as build/load/slow_phone.md. Work is CPU time of the page's
+main thread without slowing, so it hardly depends on the load of the machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+from statistics import median
+
+from playwright.sync_api import Browser, CDPSession, Page, sync_playwright
+
+from components.scenes import SCENES
+from tests.bench.load import READY, REPORT, machine
+from tests.browser.chromium import find
+from tests.serving.server import Server, serving
+
+PHONE = {"width": 390, "height": 844}
+SLOWED = 6
+SECONDS = 3.0
+COUNT = """() => {
+  globalThis.counted = 0
+  const count = () => { counted++; requestAnimationFrame(count) }
+  requestAnimationFrame(count)
+}"""
+FOLLOWED = """grip => new Promise(done => {
+  const {left, top, width, height} = grip.getBoundingClientRect()
+  const [x, y] = [left + width / 2, top + height / 2], place = () => grip.getBoundingClientRect()
+  const say = (type, by) => grip.dispatchEvent(new PointerEvent(type, {bubbles: true, cancelable: true, pointerId: 1,
+    isPrimary: true, button: 0, buttons: 1, clientX: x + by, clientY: y + by}))
+  say("pointerdown", 0)
+  let by = 0, frames = []
+  const next = () => {
+    const before = place(), start = counted
+    say("pointermove", by += 3)
+    const look = () => {
+      const now = place()
+      if (now.left === before.left && now.top === before.top && counted < start + 60) return requestAnimationFrame(look)
+      frames.push(counted - start)
+      if (frames.length < 10) return next()
+      say("pointerup", by)
+      done(frames)
+    }
+    requestAnimationFrame(look)
+  }
+  next()
+})"""
+"""Drag a shape of the stage in ten moves: the number of frames after which it has followed each."""
+
+
+def work(session: CDPSession, page: Page) -> float:
+    """CPU time in ms of the main thread, per frame."""
+
+    def taken() -> tuple[float, int]:
+        metrics = session.send("Performance.getMetrics")["metrics"]
+        return next(one["value"] for one in metrics if one["name"] == "TaskDuration"), page.evaluate("counted")
+
+    before, first = taken()
+    page.wait_for_timeout(1000 * SECONDS)
+    after, last = taken()
+    return 1000 * (after - before) / max(last - first, 1)
+
+
+def line(browser: Browser, server: Server, slug: str) -> str:
+    """A row of the table: work per frame, frames a second when slowed, frames until a drag is followed."""
+    context = browser.new_context(
+        viewport=PHONE, has_touch=True, is_mobile=True, device_scale_factor=2, bypass_csp=True
+    )
+    page = context.new_page()
+    session = context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+    page.goto(f"{server.url}?scene={slug}")
+    page.wait_for_function(READY)
+    page.evaluate(COUNT)
+    page.wait_for_timeout(1000)
+    each = work(session, page)
+    session.send("Emulation.setCPUThrottlingRate", {"rate": SLOWED})
+    first = page.evaluate("[counted, performance.now()]")
+    page.wait_for_timeout(1000 * SECONDS)
+    last = page.evaluate("[counted, performance.now()]")
+    rate = 1000 * (last[0] - first[0]) / (last[1] - first[1])
+    grip = page.query_selector(".grip")
+    followed = f"{median(grip.evaluate(FOLLOWED)):.0f}" if grip and grip.is_visible() else ""
+    context.close()
+    return f"| {slug} | {each:.1f} ms | {rate:.0f} | {followed} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scene", choices=SCENES, help="only this scene")
+    slugs = [only] if (only := parser.parse_args().scene) else list(SCENES)
+    head = [
+        "| scene | work per frame | frames a second, slowed | a drag is followed after frames |",
+        "|---|---|---|---|",
+    ]
+    report = REPORT.with_name("slow_phone.md")
+    report.parent.mkdir(parents=True, exist_ok=True)
+    with serving(report.with_suffix(".log")) as server, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=find())
+        rows = [line(browser, server, slug) for slug in slugs]
+        browser.close()
+    text = "\n".join([machine(), "", *head, *rows, ""])
+    report.write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
