@@ -96,6 +96,13 @@ def test_one_filled_button_begins_the_tour(page: Page, server: Server) -> None:
     expect(page.locator(".card-head span")).to_contain_text("1 of 5")
 
 
+def test_it_can_be_printed(page: Page, server: Server) -> None:
+    page.goto(server.url)
+    page.emulate_media(media="print")
+    expect(page.locator("a.scene-card:visible")).to_have_count(len(SCENES))
+    expect(page.get_by_role("link", name="Start here")).to_be_hidden()
+
+
 def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
     page = browser.new_page()  # the refusal stands in its console
     page.goto(server.url)
