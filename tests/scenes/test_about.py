@@ -145,8 +145,7 @@ def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
         for source, data in scene.shown.sources.items()
         if not source.startswith("band")
     }
-    vars(scene)["_shown"] = replace(scene.shown, columns=columns, traces={})
-    wrong = told_by(scene)
+    wrong = scene.about(replace(scene.shown, columns=columns, traces={}))
     assert wrong is not None
     of_curves = [each for each in wrong.tables if each.limit >= 1]
     assert of_curves and len(beyond(wrong.tables)) == sum(len(each.rows) for each in of_curves)
