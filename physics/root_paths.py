@@ -18,6 +18,7 @@ Source: beyond lecture D34, whose notes allow for a frequency with an imaginary 
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import permutations
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -33,6 +34,8 @@ from physics.valid import finite_array
 
 _STEPS, _DECADES = 300, 3
 _NEAR = 1e-4  # of a value where roots meet: the path is vertical there
+_OFF = 1e-9  # of its distance from 0: a point so near to a path is on it
+_ORDERS = np.array(list(permutations(range(4))))
 Dashpots = tuple[float, float]
 Varied = Literal["c1", "c2", "both"]
 _DISCRIMINANT = (
@@ -92,9 +95,9 @@ class RootPath:
 
     @classmethod
     def of(cls, one: DampedChain, varied: Varied) -> "RootPath":
-        """The path of "c1", of "c2", or of "both" in proportion; undamped, both grow like their springs."""
+        """The path of "c1", of "c2", or of "both" in proportion; undamped, both grow like their springs, if any."""
         if varied == "both":
-            pair = (one.c1, one.c2) if one.c1 or one.c2 else (one.k1, one.k2)
+            pair = next((pair for pair in ((one.c1, one.c2), (one.k1, one.k2)) if any(pair)), (1.0, 1.0))
             return cls(chain=one.chain, base=(0.0, 0.0), direction=pair)
         if varied == "c1":
             return cls(chain=one.chain, base=(0.0, one.c2), direction=(1.0, 0.0))
@@ -136,29 +139,55 @@ class RootPath:
     def roots(self, values: ArrayLike) -> Complexes:
         """The roots (n, 4) in 1/s, for a drawing: by companion matrices, half of the digits where roots meet."""
         values = finite_array("values", values)
-        P = polynomial.polyval(values, self._scaled.T)
+        P = polynomial.polyval(values, self.scaled.T)
         companion = np.zeros((values.size, 4, 4))
         companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
         companion[:, :, 3] = -(P[:4] / P[4]).T
-        return np.asarray(self._unit * np.linalg.eigvals(companion))
+        return np.asarray(self.unit * np.linalg.eigvals(companion))
+
+    def branches(self, value: float) -> Complexes:
+        """The roots in 1/s for a drawing (n, 4), along the path and through a value, which is the last row once more.
+
+        Each column is one root: from row to row they move least.
+        """
+        values = np.union1d(self.values, value)
+        found = self.roots(values)
+        far = np.abs(found[:-1, :, None] - found[1:, None, :])
+        order, nearest = np.arange(4), far[:, np.arange(4), _ORDERS].sum(axis=2).argmin(axis=1)
+        for row, best in enumerate(nearest, start=1):
+            order = _ORDERS[best][order]
+            found[row] = found[row][order]
+        return np.concatenate([found, found[np.searchsorted(values, [value])]])
+
+    @cached_property
+    def exceptional(self) -> tuple[complex, ...]:
+        """The double roots in 1/s at the exceptional point, if the path leads to it: a pair, or two real ones."""
+        point = exceptional_point(self.chain)
+        if point is None:
+            return ()
+        off, size = np.array([point.c1, point.c2]) - self.base, float(np.hypot(point.c1, point.c2))
+        one, two = np.array(self.direction) / max(self.direction)
+        is_on_it = abs(off[0] * two - off[1] * one) <= _OFF * size and off[0] * one + off[1] * two >= -_OFF * size
+        return (*point.roots, *(s.conjugate() for s in point.roots))[:2] if is_on_it else ()
 
     def dragged(self, z: complex) -> float:
         """The value at which |P(z)| is least, in doubles: a root that is dragged to z sets it."""
-        at = polynomial.polyval(z / self._unit, self._scaled)
+        at = polynomial.polyval(z / self.unit, self.scaled)
         square = polynomial.polymul(at, at.conj()).real
-        turns = polynomial.polyroots(np.trim_zeros(polynomial.polyder(square), "b"))
+        slope = np.trim_zeros(polynomial.polyder(square), "b")
+        turns = polynomial.polyroots(slope) if slope.size else np.array([])
         able = [0.0, *(v.real for v in turns.tolist() if v.real > 0 and abs(v.imag) <= 1e-6 * abs(v))]
         return float(min(able, key=lambda value: float(polynomial.polyval(value, square))))
 
     @property
-    def _unit(self) -> float:
+    def unit(self) -> float:
         """The unit of roots in doubles."""
         return float(self.chain.modes().omega[1]) or 1.0
 
     @cached_property
-    def _scaled(self) -> Array:
+    def scaled(self) -> Array:
         """P in doubles (5, 3), the highest coefficient 1, for roots in that unit; columns are powers of the value."""
-        unit, (highest,) = Fraction(self._unit), self._P[4]
+        unit, (highest,) = Fraction(self.unit), self._P[4]
         rows = [[float(b * unit**i / (highest * unit**4)) for b in a] for i, a in enumerate(self._P)]
         return np.array([row + [0.0] * (3 - len(row)) for row in rows])
 

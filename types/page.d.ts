@@ -1125,7 +1125,23 @@ declare namespace page {
     head: string
   }
 
-  type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade
+  /** A way that holds a root s of P(s) = A(s) + u B(s) + u^2 C(s), and sets `base` + `slope` u for the u >= 0 that
+   * makes |P| least at the hand. `terms` are the coefficients of A, B and C, the constants first. The place s = 0 is at
+   * (`x`, `y`); one of the plane is `right` pixels to the right, or `down` pixels downwards, which is negative. The
+   * search for u starts at `now`. */
+  interface ChainRoot extends Way {
+    kind: "chain_root"
+    x: Number
+    y: Number
+    right: Number
+    down: Number
+    terms: [Number[], Number[], Number[]]
+    base: Number
+    slope: Number
+    now: Number
+  }
+
+  type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot
 
   /** An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
    * `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns. */

@@ -94,7 +94,23 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
     head: str
 
 
-AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade
+class ChainRoot(Way, frozen=True, kw_only=True, tag="chain_root"):
+    """A way that holds a root s of P(s) = A(s) + u B(s) + u^2 C(s), and sets `base` + `slope` u for the u >= 0 that
+    makes |P| least at the hand. `terms` are the coefficients of A, B and C, the constants first. The place s = 0 is at
+    (`x`, `y`); one of the plane is `right` pixels to the right, or `down` pixels downwards, which is negative. The
+    search for u starts at `now`."""
+
+    x: Number
+    y: Number
+    right: Number
+    down: Number
+    terms: tuple[tuple[Number, ...], tuple[Number, ...], tuple[Number, ...]]
+    base: Number
+    slope: Number
+    now: Number
+
+
+AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot
 
 
 class Begin(Struct, frozen=True):

@@ -54,7 +54,7 @@ export class Grips {
     }
     const [only, ...more] = grab.ways.filter(way => way.parameter)
     if (!more.length && only.kind !== "turn") {
-      const upright = only.kind === "trade" || only.across === "y"
+      const upright = !("across" in only) || only.across === "y"
       grip.grip.setAttribute("aria-orientation", upright ? "vertical" : "horizontal")
     }
     grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
@@ -261,6 +261,7 @@ function stepped({grab, x, y}, [across, up], far, all) {
     const angle = Math.atan2(dx, dy) + both / radius
     return {x: x - dx + radius * Math.sin(angle), y: y + (radius * Math.cos(angle) - dy) * tall}
   }
+  if (kind === "chain_root") return {x: x + across * far, y: y - up * far}
   if (new Set(ways.map(one => ("across" in one ? one.across : "y"))).size > 1)
     return {x: x + across * far, y: y - up * far}
   return "across" in ways[0] && ways[0].across === "x" ? {x: x + both, y} : {x, y: y - both}

@@ -5,6 +5,7 @@ import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
 const QUARTER = Math.PI / 2 // of a turn
+const GROWTH_STEPS = 30
 const STILL = 40 // pixels a second, below which a hand rests
 
 export class Hand {
@@ -226,6 +227,7 @@ function placed(way, at, all, ruler) {
     const si = (Math.atan2(across, down) - way.zero) / way.unit
     return {si, value: si, pixel: 1 / Math.hypot(across, down) / Math.abs(way.unit)}
   }
+  if (way.kind === "chain_root") return onChainRoot(way, at, all)
   const unit = polynomial(way.unit, all)
   const place = ((way.kind === "trade" ? at.y : at[way.across]) - polynomial(way.zero, all)) / unit
   if (way.kind !== "trade") return onLine(way, place, Math.abs(1 / unit), all, ruler)
@@ -233,6 +235,43 @@ function placed(way, at, all, ruler) {
   const high = Math.min(toSI(ruler, place), head / 2)
   return {si: high, value: Math.sqrt(1 - (2 * high) / head) - 1, pixel: 0.01}
 }
+
+/**
+ * The value of a root, and how much of it a tenth of a pixel is.
+ * @param {page.ChainRoot} way @param {Point} at @param {Named} all @returns {Placed}
+ */
+function onChainRoot(way, at, all) {
+  const [right, down] = [way.right, way.down].map(one => polynomial(one, all))
+  const terms = way.terms.map(term => term.map(one => polynomial(one, all)))
+  const [base, slope, now] = [way.base, way.slope, way.now].map(one => polynomial(one, all))
+  const [re, im] = [(at.x - polynomial(way.x, all)) / right, (at.y - polynomial(way.y, all)) / down]
+  const [value, near] = [re, re - 1 / right].map(one => base + slope * growth(terms, now, one, im))
+  return {si: value, value, pixel: Math.abs(near - value) / 10}
+}
+
+/**
+ * The u >= 0 for which |A(s) + u B(s) + u^2 C(s)| is least: exact in one step without C, else by steps of Gauss and
+ * Newton.
+ * @param {number[][]} terms @param {number} now @param {number} re @param {number} im
+ */
+function growth(terms, now, re, im) {
+  const [a, b, c] = terms.map(term => valueAt(term, re, im))
+  let u = now
+  for (let step = 0; step < GROWTH_STEPS; step++) {
+    const [p, q] = [a[0] + u * (b[0] + u * c[0]), a[1] + u * (b[1] + u * c[1])]
+    const [dp, dq] = [b[0] + 2 * u * c[0], b[1] + 2 * u * c[1]]
+    const square = dp * dp + dq * dq
+    if (!square) break
+    u = Math.max(0, u - (p * dp + q * dq) / square)
+  }
+  return u
+}
+
+/**
+ * A polynomial at re + i im: its real and its imaginary part.
+ * @param {number[]} term @param {number} re @param {number} im
+ */
+const valueAt = (term, re, im) => term.reduceRight(([x, y], one) => [x * re - y * im + one, x * im + y * re], [0, 0])
 
 /**
  * @param {page.Along | page.Share | page.Quotient | page.Root | page.Swung} way

@@ -27,7 +27,7 @@ WORST = (
     "scene=driven&window=1e155&kind=unbalance&keep=c",
     "scene=driven&window=5e-324&kind=unbalance&omega=11.729809191764284&k=1e-300&c=33.108882784528554&keep=zeta",
     "scene=absorber&damping=added&m1=1e300&x2_0=-1.3&window=3&played=rest",
-    "scene=modes&view=solve&k1=1.3131340137628744e-231&c1=1.7572071498403488",
+    "scene=modes&view=roots&k1=1.3131340137628744e-231&c1=1.7572071498403488",
     "scene=coupled&window=1e176",
 )
 """Links that once took seconds, or had no sentence."""

@@ -1,8 +1,8 @@
 """Worst errors of the physics of the chain with dashpots, family by family, beside plain float64.
 
 `python -m tests.bench.accuracy_table` prints it last: |Xp1| in ulp, the driven motion from any start in u = 2^-53 of
-what its parts together could be, X of a Bode plot in u of its size, lags in u of a radian; plain float64 is
-numpy.linalg.solve and scipy.linalg.expm.
+what its parts together could be, X of a Bode plot in u of its size, lags in u of a radian, roots in u of their modulus;
+plain float64 is eigvals and solve of numpy.linalg, and scipy.linalg.expm.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from physics.absorber import damped_amplitude
 from physics.bode_curves import bode_curves
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
-from physics.reference_braked import braked_lags, braked_points, braked_swings
+from physics.reference_braked import braked_exponents, braked_lags, braked_points, braked_swings
 from physics.transient import DampedModes
 from tests.bench.one_mass import shown
 from tests.physics.chain_truth import U, ulps
 
-QUANTITIES = ("size of the swing, ulp", "driven motion, u", "curves of a Bode plot, u", "lags, u")
+QUANTITIES = ("size of the swing, ulp", "driven motion, u", "curves of a Bode plot, u", "lags, u", "roots, u")
 METHODS = ("this project", "float64")
 Case = tuple[TwoMassChain, float, float, float]
 """A chain, c1, c2, and the drive."""
@@ -84,9 +84,12 @@ def measured(case: Case, random: Random) -> Iterator[tuple[str, str, float]]:
     points = [found[0] for found in braked_points(modes, [t]).values()]
     curves = bode_curves(DampedChain.of(chain, c1, c2), [omega])
     lags = [one[0] for one in braked_lags(modes, [omega]).values()]
+    with mp.workdps(60):
+        roots = [mp.mpc(str(re.value), str(im.value)) for re, im in braked_exponents(chain, c1, c2)]
     exact = float(damped_amplitude(chain, c2, 1.0, omega, c1)[0])
     ours = exact, modes.motion([t]).x[:, 0].tolist(), abs(complex(curves.X[0, 0])), curves.lags[:, 0].tolist()
-    for method, (X, x, curve, phi) in zip(METHODS, (ours, plain(modes, t)), strict=True):
+    poles = DampedChain.of(chain, c1, c2).roots.tolist()
+    for method, (X, x, curve, phi, found) in zip(METHODS, ((*ours, poles), plain(modes, t)), strict=True):
         with mp.workdps(60):
             yield method, QUANTITIES[0], ulps(X, mp.mpf(str(swing.value))) if math.isfinite(X) else math.inf
             for value, point in zip(x, points, strict=True):
@@ -96,10 +99,12 @@ def measured(case: Case, random: Random) -> Iterator[tuple[str, str, float]]:
             yield method, QUANTITIES[2], float(abs(mp.mpf(curve) - size) / (size * U))
             for value, point in zip(phi, lags, strict=True):
                 yield method, QUANTITIES[3], float(abs(mp.mpf(value) - mp.mpf(str(point.value))) / U)
+            for s in roots:
+                yield method, QUANTITIES[4], float(min(abs(one - s) for one in found) / abs(s) / U)
 
 
-def plain(modes: DampedModes, t: float) -> tuple[float, list[float], float, list[float]]:
-    """|Xp1|, x1 and x2 at a time, |Xp1| again and the lags, by the solvers of NumPy and SciPy."""
+def plain(modes: DampedModes, t: float) -> tuple[float, list[float], float, list[float], list[complex]]:
+    """|Xp1|, x1 and x2 at a time, |Xp1| again, the lags and the roots, by the solvers of NumPy and SciPy."""
     chain, w = modes.chain, modes.omega
     M, K = np.diag([chain.m1, chain.m2]), np.array([[chain.k1 + chain.k2, -chain.k2], [-chain.k2, chain.k2]])
     C = np.array([[modes.c1 + modes.c, -modes.c], [-modes.c, modes.c]])
@@ -108,4 +113,4 @@ def plain(modes: DampedModes, t: float) -> tuple[float, list[float], float, list
     rest = np.array([*modes.x_0, *modes.v_0]) - [*X.imag, *(w * X.real)]
     moved = (expm(A * t) @ rest)[:2] + (X * np.exp(1j * w * t)).imag
     lags = (-np.angle(X) % (2 * math.pi)).tolist()
-    return float(abs(X[0])), moved.tolist(), float(abs(X[0])), lags
+    return float(abs(X[0])), moved.tolist(), float(abs(X[0])), lags, np.linalg.eigvals(A).tolist()

@@ -54,7 +54,7 @@ def looked_at(page: Page, width: int, height: int, least: tuple[int, int] = SCEN
 def test_every_scene_has_the_halls_type_and_nothing_overlaps(third: int, server: Server, page: Page) -> None:
     page.goto(f"{server.url}?scene=oscillator&projector")
     found = []
-    views = [("modes", {"view": view}) for view in ("guess", "solve", "sweep")]
+    views = [("modes", {"view": view}) for view in ("guess", "solve", "roots", "sweep")]
     every = [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "formulas"})]
     for slug, given in every[third::3]:
         page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])

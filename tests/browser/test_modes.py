@@ -57,7 +57,7 @@ def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_s
 
 def test_views(page: Page, open_scene: Open, screenshot: Keep) -> None:
     open_scene(page, scene="modes")
-    for name, words in (("Solve", "sign"), ("Sweep", "Now"), ("Hunt", "Not yet")):
+    for name, words in (("Solve", "sign"), ("Roots", "No dashpot"), ("Sweep", "Now"), ("Hunt", "Not yet")):
         page.get_by_role("tab", name=name, exact=True).click()
         page.wait_for_function(f"oscillations.shown.settings.view.value === '{name.lower()}'")
         if name != "Solve":
@@ -81,7 +81,7 @@ def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
 
 def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open) -> None:
     page = open_scene(new_page(320, 800, has_touch=True), scene="modes")
-    for view in ("guess", "solve", "sweep", "hunt"):
+    for view in ("guess", "solve", "roots", "sweep", "hunt"):
         for values in ({}, {"k2": 1e8}, {"m2": 1e-6}, {"m1": 1.2345e-100, "k1": 1e100}):
             turned(page, "modes", {"view": view, **values})
             assert page.evaluate("document.documentElement.scrollWidth") == 320, (view, values)

@@ -46,9 +46,9 @@ MORE: dict[str, list[dict[str, Any]]] = {
     "modes": [
         {"view": "hunt", "answer": "shown"},
         {"view": "guess"},
-        {"view": "solve", "c1": 0.1, "c2": 0.2},
-        {"view": "solve", "c1": 20.0, "c2": 20.0},
-        {"view": "solve", "c1": 5.0},
+        {"view": "roots", "c1": 0.1, "c2": 0.2},
+        {"view": "roots", "c1": 20.0, "c2": 20.0},
+        {"view": "roots", "c1": 5.0},
         *({"view": "sweep", "swept": name} for name in ("m1", "m2", "k1", "k2")),
     ],
     "absorber": [{"omega": 50.0001, "tuning": "free"}, {"view": "rest", "x1_0": 0.01}],

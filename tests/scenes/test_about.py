@@ -29,7 +29,7 @@ ON_SLOW = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}
 STIFF = [{"k2": 10.0**power} for power in (8, 10, 12)]
 STIFF_SOON = {"k2": 1e12, "window": 2e-5}
 TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
-VIEWS = ("guess", "solve", "sweep", "hunt")
+VIEWS = ("guess", "solve", "roots", "sweep", "hunt")
 CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
 HARD: dict[str, list[dict[str, Any]]] = {
     "oscillator": [{"k": 1e12}, {"m": 1e150, "k": 1e-150}, {"m": 1e-150, "k": 1e150}, {"x_0": 1e300}, {"k": 0.0}],

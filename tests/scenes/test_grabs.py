@@ -25,7 +25,11 @@ AT = 0.37
 NEAR = 0.6
 """Pixels: a hand rounds what it sets to a half of one, or little more."""
 ALSO: dict[str, tuple[dict[str, Any], ...]] = {
-    "modes": ({"view": "guess"}, {"view": "guess", "ratio": 2.0}),
+    "modes": (
+        {"view": "guess"},
+        {"view": "guess", "ratio": 2.0},
+        *({"view": "roots", "grows": grows, "c1": c, "c2": c} for grows in ("c1", "c2", "both") for c in (0.5, 10.0)),
+    ),
     "absorber": ({"view": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
@@ -59,7 +63,7 @@ def test_what_a_hand_sets_and_moves_is_there(slug: str) -> None:
         for way in grab.ways:
             assert not way.parameter or way.parameter in known, way
             assert not way.rate or way.rate in known, way
-            assert way.moves in picture.signals or way.moves in picture.scalars, way
+            assert not way.moves or way.moves in picture.signals or way.moves in picture.scalars, way
             assert not way.axis or way.axis in picture.axes, way
         for begin in grab.start:
             assert begin.parameter in known, begin

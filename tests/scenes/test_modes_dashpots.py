@@ -1,4 +1,4 @@
-"""Scene modes with dashpots: the arrows of Solve leave the line exactly where c1 k2 is not c2 k1."""
+"""Scene modes with dashpots: the arrows of Roots leave the line exactly where c1 k2 is not c2 k1."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ PLACES = ("slow", "fast", "third", "fourth")
 
 
 def scene_of(case: Case) -> ModesScene:
-    return ModesScene(view="solve", **case.values)
+    return ModesScene(view="roots", **case.values)
 
 
 def scenes(c1: float, c2: float) -> list[ModesScene]:
@@ -159,7 +159,7 @@ def test_the_picture_plays_the_motions_that_its_titles_name(case: Case) -> None:
 
 def test_the_arrows_wind_inward_at_a_constant_angle() -> None:
     """As the browser plays them, by the slow mode's numbers of LECTURE-BEYOND 3.4."""
-    scene = ModesScene(view="solve", c2=0.2)
+    scene = ModesScene(view="roots", c2=0.2)
     sizes, angles = [], []
     for t in (0.0, 3.0, 11.0):
         now = played(scene.shown, t * 10.0 ** -scene.shown.axes["t"].exponent)
@@ -172,7 +172,7 @@ def test_the_arrows_wind_inward_at_a_constant_angle() -> None:
     assert scene.shown.values["slow_ratio"] == "1.99 at −3.81°" and scene.shown.values["slow_angle"] == "3.81"
 
 
-@pytest.mark.parametrize("view", ["guess", "sweep", "hunt"])
+@pytest.mark.parametrize("view", ["guess", "solve", "sweep", "hunt"])
 def test_the_other_views_say_that_they_leave_the_dashpots_out(view: str) -> None:
     assert any("without the dashpots" in note for note in ModesScene(view=view, c1=0.1).shown.notes)
     assert not any("dashpots" in note for note in ModesScene(view=view).shown.notes)

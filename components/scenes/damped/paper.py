@@ -9,8 +9,9 @@ from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
 from components.language.numbers import Number
 from components.language.plots import Room
+from components.layout.root_plane import root_plane
 from components.layout.sheet import column, desk, row, stage
-from components.layout.stage import AT_DESK, ON_WIDE, H, Shape, T, W, arrow, circle, line, path, text, wall, wide
+from components.layout.stage import AT_DESK, ON_WIDE, H, Shape, T, W, arrow, circle, line, text, wide
 from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
@@ -55,7 +56,6 @@ LONGEST = 0.36
 LEAST_DROP = 0.04
 """A stair is drawn where its drop is this share of the frame."""
 TICKS, NAMED = (0.2, 0.4, 0.6, 0.8), (0.4, 0.8)
-SQUARE = "M0 0H1V1H0Z"
 
 
 def _reach(case: DampedShown) -> float:
@@ -285,17 +285,10 @@ def at_fastest(plot: Plot, level: Number | None = None) -> list[Shape]:
 def roots() -> list[Shape]:
     """The plane of the roots: the wall of c < 0, the circle of the natural frequency with the scale of zeta."""
     x0, y0, radius = ROOTS.x(0), ROOTS.y(0), ROOTS.across_pixels(c.one.omega_n)
-    top, bottom, right = ROOTS.top, ROOTS.bottom, ROOTS.right
     return [
-        path(SQUARE, x0, top, sx=right - x0, sy=bottom - top, style="body", tint="k2fill"),
-        line(ROOTS.left, y0, x0, y0, style="floor", tint="ink"),
-        wall(x0, top, bottom - top, side="right"),
-        text(x0 + 16, y0 - 4, "*c* < 0:", "start", tint="mute"),
-        text(x0 + 16, y0 + 13, "not allowed", "start", tint="mute"),
+        *root_plane((ROOTS.left, ROOTS.right, ROOTS.top, ROOTS.bottom), x0, y0, "*c* < 0"),
         *shown_by(c.root_kind != "bare", *scale(x0, y0, radius)),
         *held(x0, y0, radius),
-        text(ROOTS.left + 4, bottom - 24, "left: dies faster", "start", tint="mute"),
-        text(ROOTS.left + 4, bottom - 8, "up: swings faster", "start", tint="mute"),
     ]
 
 

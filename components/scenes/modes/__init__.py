@@ -19,24 +19,24 @@ from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
 from components.scene.scene import VIEW
-from components.scenes.modes import guess, hunt, solve, sweep
+from components.scenes.modes import guess, hunt, roots, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
 from components.scenes.modes.guess_case import said
 from components.scenes.modes.numbers import BrakedChain, ComparedNumbers, RootReadouts
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 
-VIEWS = ("hunt", "guess", "solve", "sweep")
+VIEWS = ("hunt", "guess", "solve", "roots", "sweep")
 USUAL = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.0, "c2": 0.0}
 
 
 class Seen(Declared[str]):
     """Which view is shown: a picture has the parts of that one alone."""
 
-    view = Family(VIEWS, lambda one: Form[str](lambda view: view == one), "{}")
+    view = Family(VIEWS, lambda one: Form[str](lambda view: view == one), "seen_{}")
 
 
-LEFT_OUT = "Shown without the dashpots: they are in the view Solve."
+LEFT_OUT = "Shown without the dashpots: they are in the view Roots."
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
 
@@ -81,6 +81,7 @@ class ModesScene(Scene):
         says="is the shape that you try: how far mass 2 swings for 1 of mass 1. Type any value.",
     )
     swept = sweep.SWEPT
+    grows = roots.GROWS
     x1_0, x2_0 = chain.start_positions(1.0, 0.5, how=", from rest")
     answer = hunt.ANSWER
     groups = (
@@ -92,7 +93,7 @@ class ModesScene(Scene):
         ),
         Group("Start, from rest", (x1_0, x2_0), "or drag the ring", form=Seen.view["hunt"]),
         chain.chain_group(m1, m2, k1, k2),
-        chain.dashpots_group(c1, c2, Seen.view["solve"]),
+        chain.dashpots_group(c1, c2, Seen.view["roots"]),
     )
     views = (
         View(
@@ -109,11 +110,15 @@ class ModesScene(Scene):
             keys=(m2, k2), names=("stage:solve", "plot:det"),
         ),
         View(
+            "Roots", "Drag a cross: where does the motion die sooner, and when does it stop swinging?",
+            keys=(c1,), names=("choice:grows", "plot:roots"),
+        ),
+        View(
             "Sweep", "Choose what to sweep: which frequency follows it, and where do the two come near?",
             keys=(k2,), names=("choice:swept", "plot:frequencies"),
         ),
     )  # fmt: skip
-    old_view, old_views = "guess", {"task": {view: view for view in VIEWS}}
+    old_view, old_views = "guess", {"task": {view: view for view in ("hunt", "guess", "solve", "sweep")}}
 
     @classmethod
     @cache
@@ -122,6 +127,7 @@ class ModesScene(Scene):
             in_views(when(Seen.view["hunt"], hunt.sheet()), "hunt"),
             in_views(when(Seen.view["guess"], guess.sheet()), "guess"),
             in_views(solve.sheet(), "solve"),  # a step of a walk can show D under the plot of Guess
+            in_views(when(Seen.view["roots"], roots.sheet()), "roots"),
             in_views(when(Seen.view["sweep"], sweep.sheet()), "sweep"),
         )
 
@@ -132,7 +138,7 @@ class ModesScene(Scene):
             picture,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
             forms=Seen.forms(self._seen) | picture.forms,
-            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self._seen != "solve" else ())),
+            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self._seen != "roots" else ())),
         )
 
     @property
@@ -146,7 +152,9 @@ class ModesScene(Scene):
 
     def _view(self, system: TwoMassChain, frame: Frame) -> Picture:
         if self._seen == "solve":
-            return solve.picture(system, chain.damping_of(self), self.omega, self.window, frame)
+            return solve.picture(system, self.omega, self.window, frame)
+        if self._seen == "roots":
+            return roots.picture(system, chain.damping_of(self), self.grows, self.window, frame)
         if self._seen == "sweep":
             return sweep.picture(system, self.swept, frame)
         if self._seen == "hunt":
@@ -164,7 +172,7 @@ class ModesScene(Scene):
         return {"ratio": float(wanted)}
 
     def readouts(self) -> tuple[Readout, ...]:
-        if self._brakes and self._seen == "solve":
+        if self._brakes and self._seen == "roots":
             return RootReadouts.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
         return ComparedNumbers.readouts(chain.of_scene(self).modes())
 
@@ -174,6 +182,6 @@ class ModesScene(Scene):
             return hunt_about(shown, system, (self.x1_0, self.x2_0))
         if self._seen == "sweep":
             return sweep_about(shown, system, self.swept)
-        if self._brakes and self._seen == "solve":
+        if self._brakes and self._seen == "roots":
             return braked_about(system, chain.damping_of(self))
-        return solve_about(system) if self._seen == "solve" else guess_about(shown, system)
+        return solve_about(system) if self._seen in ("solve", "roots") else guess_about(shown, system)

@@ -24,6 +24,7 @@ from physics.modes import Mixture, Quadratic
 MOTIONS = (*MODES, "third", "fourth")
 """Places of the free motions of a chain with dashpots, the first two of which are drawn."""
 NAMES = {
+    Kind.UNDAMPED: ("slow mode", "fast mode"),
     Kind.DRIFT_BOTH: ("drift", "other motion"),
     Kind.DRIFT_TWO: ("drift of mass 2", "motion of mass 1"),
     Kind.REST_EACH: ("slower motion", "faster motion"),
@@ -47,12 +48,12 @@ class BrakedChain:
     damping: Pair
 
     @cached_property
-    def _chain(self) -> DampedChain:
+    def damped(self) -> DampedChain:
         return DampedChain.of(self.system, *self.damping)
 
     @property
     def found(self) -> ComplexModes:
-        return self._chain.free_motions
+        return self.damped.free_motions
 
     @cached_property
     def motions(self) -> dict[str, ComplexMode]:
@@ -98,13 +99,13 @@ class BrakedChain:
 
     def root(self, place: str) -> str:
         """The form of the line on the roots of a motion."""
-        one = self.motions.get(place) if self.brakes else None
+        one = self.motions.get(place)
         if one is None:
             return ""
         if not any(one.exponents):
             return "drift" if one.repeats == 2 else "rest"
         if one.swings:
-            return "met" if one.repeats == 2 else "pair"
+            return "lasting" if not self.brakes else "met" if one.repeats == 2 else "pair"
         if one.repeats > 1:
             return "critical" if self.found.kind in CRITICAL else "again"
         return "single" if len(one.exponents) == 1 else "real" if all(one.exponents) else "settles"
@@ -129,7 +130,7 @@ class BrakedChain:
     @property
     def met(self) -> Pair | tuple[None, None]:
         """The dashpots at which both pairs met, where they have parted again."""
-        return self._chain.meeting if self.found.kind is Kind.PARTED else (None, None)
+        return self.damped.meeting if self.found.kind is Kind.PARTED else (None, None)
 
     @cached_property
     def powers(self) -> list[float]:
@@ -223,6 +224,15 @@ def _zeta(one: ComplexMode) -> float | None:
     return -_rate(one) / abs(one.exponents[0]) if one.swings else None
 
 
+def _quality(one: ComplexMode) -> float | None:
+    return -abs(one.exponents[0]) / (2 * _rate(one)) if one.swings and _rate(one) else None
+
+
+def _decay(one: ComplexMode) -> float | None:
+    """The time in s until 1/e is left."""
+    return -1 / _rate(one) if one.swings and _rate(one) else None
+
+
 class BrakedNumbers(Declared[BrakedChain]):
     """The roots of the motions, their shapes, and what the sentence on them says."""
 
@@ -232,6 +242,8 @@ class BrakedNumbers(Declared[BrakedChain]):
     turn = Family(MODES, lambda place: of_motion(place, _turn), "{}_omega")
     other = Family(MODES, lambda place: of_motion(place, lambda one: one.exponents[-1].real), "{}_other")
     zeta = Family(MODES, lambda place: of_motion(place, _zeta), "{}_zeta")
+    Q = Family(MODES, lambda place: of_motion(place, _quality), "{}_Q")
+    decay = Family(MODES, lambda place: of_motion(place, _decay), "{}_decay")
     repeats = Family(MOTIONS, lambda place: of_motion(place, lambda one: OFTEN.get(one.repeats), str), "{}_repeats")
     ratio = Family(MOTIONS, lambda place: of_motion(place, shape), "{}_ratio")
     angle = Family(MODES, lambda place: of_motion(place, off_line), "{}_angle")
