@@ -26,7 +26,7 @@ const stepOn = (state, cover, number) => ({
   title: `Vote ${number}`,
   state,
   cover,
-  question: "What is your answer to the question just asked?",
+  question: `Vote ${number}. What is your answer to the question just asked?`,
   options: LETTERS.map(text => ({text})),
   explain: "The question was asked aloud.",
 })

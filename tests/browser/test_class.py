@@ -205,6 +205,7 @@ def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open
     lecture.wait_for_function("!oscillations.walks.walk")
     lecture.keyboard.press("v")
     phone.wait_for_function("oscillations.asked.question?.step === 'vote-2' && oscillations.asked.card")
+    expect(phone.locator(".card .given")).to_have_text("Vote 2.")
 
 
 def test_a_phone_keeps_the_theme_that_it_was_given(window: Open) -> None:

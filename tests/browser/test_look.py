@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
 
 from components.walks.loading import load_walks, read_walk, steps_of
-from tests.serving.server import Server, serving
+from tests.serving.server import ROOT, Server, serving
 from tools.look import faults
-from tools.walk import main
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 FLAT = """title = "Too flat"
@@ -28,18 +30,19 @@ def test_the_last_row_can_read_every_step(name: str, server: Server, browser: Br
     assert not found, "\n".join(found)
 
 
-def test_pictures_of_each_step_stand_beside_its_problems(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_pictures_of_each_step_stand_beside_its_problems(tmp_path: Path) -> None:
+    """In a process of its own: this one has a Playwright already."""
     (tmp_path / "flat.toml").write_text(FLAT.replace("[[step]]", "[[step]]\ncover = []", 1), encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    assert main(["flat.toml", "--pictures"]) == 1
+    command = [sys.executable, "-m", "tools.walk", "flat.toml", "--pictures"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    told = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert told.returncode == 1, told.stderr
     folder = tmp_path / "build" / "walk" / "flat"
     names = {f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")}
     assert {one.name for one in folder.glob("*.png")} == names
     page = (folder / "index.html").read_text(encoding="utf-8")
     assert all(f'src="{name}"' in page for name in names) and "cover: nothing is covered" in page
-    assert "build/walk/flat/index.html has its pictures" in capsys.readouterr().out
+    assert "build/walk/flat/index.html has its pictures" in told.stdout
 
 
 def test_a_curve_that_is_too_flat_is_reported_with_its_step_and_size(tmp_path: Path, browser: Browser) -> None:
