@@ -14,7 +14,7 @@ ASK = ("docker", "buildx", "imagetools", "inspect", "--format", "{{.Manifest.Dig
 
 
 def digest(image: str) -> str:
-    """The digest of an image, from its registry; RuntimeError with what Docker says where it cannot be had."""
+    """Return the digest of an image from its registry. Raises RuntimeError with Docker's message if that fails."""
     asked = subprocess.run([*ASK, image], capture_output=True, text=True)
     found = asked.stdout.strip()
     if not re.fullmatch("sha256:[0-9a-f]{64}", found):

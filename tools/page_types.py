@@ -86,7 +86,7 @@ def aliases() -> dict[str, Alias]:
 
 
 def said() -> frozenset[str]:
-    """The types of what the browser says, and of what that is made of: whose defaults may be left out."""
+    """Return the types of the browser's messages and of their parts; fields with defaults may be left out in these."""
     return _made_of("Said")
 
 

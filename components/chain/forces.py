@@ -39,7 +39,7 @@ class Arrows(Declared[Axis]):
 
 @dataclass(frozen=True, kw_only=True)
 class Forces:
-    """The forces on the masses in a picture, none where not asked for."""
+    """Return the forces on the masses in a picture, if requested."""
 
     signals: dict[str, AnySignal] = field(default_factory=dict)
     scalars: dict[str, float] = field(default_factory=lambda: by_name({Arrows.forces: 0.0, Arrows.push: LENGTH}))

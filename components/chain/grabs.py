@@ -1,4 +1,4 @@
-"""Grabs of the chain's masses: the place where a hand lets go of one is the start of a motion."""
+"""Grabs of the chain's masses: dragging a mass sets the initial conditions."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ VELOCITIES = at_rest("v1_0", "v2_0")
 
 
 def mass_grab(mass: int, *, flicked: bool = True) -> Grab:
-    """The grab of mass 1 or 2; where the scene has no velocities it is let go from rest."""
+    """Return the grab of mass 1 or 2; if the scene has no velocities, the motion begins at rest."""
     rate, unit = f"v{mass}_0" if flicked else "", var(Places.metre) * W
     way = Along(
         across="x",

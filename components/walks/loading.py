@@ -37,10 +37,10 @@ KnownSteps = Mapping[str, Step]
 
 
 class WalkError(ValueError):
-    """Faults of a walk's file, each in a sentence that says where it is.
+    """Faults of a walk's file, one sentence each with its place.
 
-    `by_step` has the fault of each step by its place, from 1 on, where single steps cannot be read; `steps` has the
-    others, in the same way.
+    `by_step` has the fault of each unreadable step by its position, from 1 on; `steps` has the readable steps in the
+    same way.
     """
 
     def __init__(self, *sentences: str, by_step: Mapping[int, str] = {}, steps: Mapping[int, Step] = {}) -> None:

@@ -56,7 +56,7 @@ class AskedStep(NamedTuple):
 
 
 def asked_step(query: Query, walks: Walks) -> AskedStep | None:
-    """The step that a link asks for: the first where it names none. ValueError, in words, where there is no such."""
+    """Return the step that a link names, by default the first. Raises ValueError, with a sentence, if there is none."""
     if "walk" not in query:
         return None
     name, step, seed = (query.get(key, [b""])[0].decode(errors="replace") for key in ("walk", "step", "seed"))

@@ -22,8 +22,8 @@ class Entry(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Reply(Entry, frozen=True, kw_only=True):
-    """An answer's own sentence, `reply`, the misconception behind the answer, and `where` a case is of which the
-    sentence speaks: a link."""
+    """The reply to an answer, the misconception behind the answer, and `where`, a link to a case that the reply
+    mentions."""
 
     idea: str = ""
     reply: str = ""

@@ -1,4 +1,4 @@
-// The link of a page, put where another program can take it up.
+// Copies the link of a page to the clipboard.
 
 import {isTooLong} from "../net/address.js"
 import {chip, element} from "../core/dom.js"

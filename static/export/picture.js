@@ -12,7 +12,7 @@ const HIGH = 300 // of the frame of a plot
 const EDGE = 14
 const LINE = 20
 const UNIT = 4 // characters at the end of a formula: at most so many are taken for a unit
-/** Properties that an element is drawn with, and their values where none is said. @type {Record<string, string>} */
+/** Properties of drawn elements, with their default values. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
   "fill-opacity": "1",

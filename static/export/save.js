@@ -1,4 +1,4 @@
-// Saving: gives the visitor a file to keep.
+// Saves files on the visitor's computer.
 
 import {element} from "../core/dom.js"
 

@@ -15,7 +15,7 @@ import {element, svg} from "../core/dom.js"
  *   headline: (tally: page.Tally) => string, leave: () => void}} Tallied
  */
 
-/** Leads to a case of which a reply speaks. */
+/** Opens a case that a reply mentions. */
 export const SUCH = "Show such a case"
 
 /** A disc with a tick, or a ring with a cross. @param {boolean} right */

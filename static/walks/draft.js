@@ -9,7 +9,7 @@ export const ALOUD = "votes" // the name of the walk of what is asked aloud
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
 export class Draft {
-  /** @type {Fields[]} in the order in which they were asked */
+  /** @type {Fields[]} in the order of the questions */
   steps = []
 
   title = "My walk"

@@ -68,7 +68,7 @@ export class Walk {
     return variant(step, stands ? this.numbers : seedOf(step))
   }
 
-  /** The steps that are walked: all, or where that was chosen the core alone. */
+  /** The steps of this run: all, or only the core ones. */
   get steps() {
     const {steps} = this.sheet
     const core = this.isShort ? steps.filter(step => step.core) : []

@@ -86,7 +86,8 @@ export class Walks {
     this.walk = new Kind(this, sheet)
   }
 
-  /** Fetches what the card of a step needs, so that it comes with the first picture. @param {page.State} state */
+  /** Loads the modules and the sheet of a step, so that its card appears with the first picture. @param {page.State}
+   * state */
   async prepare({step}) {
     const [name] = step.split("/")
     if (!this.menu.sheets.has(name)) return

@@ -20,7 +20,7 @@ BOTH = {
     "given_by": "values",
 }  # fmt: skip
 BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
-"""The parameters by which modes give the motion."""
+"""The parameters of the modes that determine the motion."""
 MOST = 100.0
 """rad; a phase is no further from 0."""
 SAME = 16 * 2.0**-53

@@ -174,7 +174,7 @@ def _hands(case: CoupledCase, j: int) -> tuple[ModeHand, ModeHand] | None:
 
 
 def _turn(case: CoupledCase, phase: float, omega: float) -> ExactMotion | None:
-    """The argument of the sine of a mode in rad, where modes give the motion."""
+    """The argument of the sine of a mode in rad, if the modes determine the motion."""
     if case.given_by == "values":
         return None
     return harmonic_motion("turn", Harmonic((), (phase, omega)), lambda t: phase + omega * t)

@@ -245,7 +245,7 @@ def plane_hand() -> Grab:
 
 
 def mode_hands(mode: str, mass: int, at: Number, base: Number) -> list[AnyShape]:
-    """The hands that take a mass in one mode alone: by its start, or by the mode's amplitude and phase."""
+    """The grabs of a mass in one mode only: by its initial conditions, or by the mode's amplitude and phase."""
     held, y = HANDS[mode][mass - 1], base - 0.21 * DRAWN.side(mass)
     by_values, by_modes = (circle(at, y, 0, grab=grab(mode, mass)) for grab in (mode_hand, swing_hand))
     shown = shown_by(c.given_by == "values", by_values), shown_by(c.given_by == "modes", by_modes)

@@ -195,7 +195,7 @@ def _home_thrice(case: DampedCase) -> float:
 
 
 def _where(case: DampedCase) -> str:
-    """The word for where the dashpot takes most."""
+    """The word for the place where the dashpot takes the most energy."""
     if not (case.c and case.P_max):
         return ""
     return "at_start" if not case.free.fastest.t else "before" if case.kind == "under" else "fastest"

@@ -24,7 +24,7 @@ PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.
 
 
 class EnergyCase(Case):
-    """A motion of a hanging mass; `datum` says from where V is counted."""
+    """A motion of a hanging mass; `datum` is the position of V = 0."""
 
     m: float
     k: float

@@ -115,7 +115,7 @@ height."""
 LEVEL = wide(X.y(0), 0.5 * H)
 PER_X = number(X.in_frame(c, "per_x", lambda c, t, x: ROOM[0][0] / x.place(max(abs(x.start), x.end))))
 SCALE = wide(-1 * X.per_y, SWING * PER_X)
-"""Pixels that one of the axis of x takes; on a phone, where the frame ends."""
+"""Pixels per unit of the axis of x; on a phone, the end of the frame."""
 RADIUS = SCALE * on_axis(X.up, c.free.constants.C)
 PER_V = number(
     PLANE.in_frame(c, "per_v", lambda c, x, v: scaled(x.exponent - v.exponent, 1 / c.omega if c.turns else 0.0))

@@ -48,9 +48,9 @@ class Judged(Voted, frozen=True, kw_only=True):
 
 
 class Question(BaseStep, frozen=True, kw_only=True):
-    """A step that asks a question of one kind: its fields in a walk's file, and all that is done with it.
+    """A step with one kind of question: its fields in a walk's file, and its behaviour.
 
-    `takes` is the one field of an answer to it, `usual` the minutes that it takes where the step says nothing else.
+    `takes` is the field of an answer that it uses, `usual` the default number of minutes.
     """
 
     takes: ClassVar[str]
@@ -76,7 +76,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
         return ""
 
     def right(self, subject: Subject) -> tuple[float, ...]:
-        """The right numbers in that unit; none where no number is asked for."""
+        """Return the right numbers in that unit; empty if the question has no number."""
         return ()
 
     def problems(self, subject: Subject) -> Iterator[str]:

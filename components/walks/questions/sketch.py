@@ -35,7 +35,7 @@ class Wrong(Reply, frozen=True, kw_only=True):
 
 
 class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
-    """A curve to draw on the empty axes of a plot, `second` after it where two are asked for."""
+    """A curve to draw on the empty axes of a plot, then a `second` one if given."""
 
     takes = "curves"
     usual = 4.0
