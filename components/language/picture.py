@@ -69,13 +69,15 @@ class Trace(Struct, frozen=True, array_like=True):
 class PagePicture(Struct, frozen=True, kw_only=True):
     """A picture for the browser.
 
-    `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals` `axes`
-    the axes by name; `time` is the name of the time axis, "" if nothing moves `signals`   the moving numbers by name;
-    each may use the ones before it `traces`    the signals that are drawn over time, by the source with their columns
-    `scalars`   numbers that shapes and marks use `values`    texts of live numbers, by name; `live` has the format of
-    the moving ones, by signal `forms`     the current variant of a formula or sentence, by name; "" hides it `notes`
-    what the visitor must know about this picture `left_out`  the quantities that are not sent because they are hidden;
-    shapes that need one are not drawn
+    `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals`
+    `axes`      the axes by name; `time` is the name of the time axis, "" if nothing moves
+    `signals`   the moving numbers by name; each may use the ones before it
+    `traces`    the signals that are drawn over time, by the source with their columns
+    `scalars`   numbers that shapes and marks use
+    `values`    texts of live numbers, by name; `live` has the format of the moving ones, by signal
+    `forms`     the current variant of a formula or sentence, by name; "" hides it
+    `notes`     what the visitor must know about this picture
+    `left_out`  the quantities that are not sent because they are hidden; shapes that need one are not drawn
     """
 
     columns: dict[str, dict[str, Drawn]]

@@ -1,4 +1,4 @@
-"""The ground of a plane of roots s: what its places mean, and the half in which no root lies."""
+"""The background of a plane of roots s: its axes, and the half plane that has no roots."""
 
 from __future__ import annotations
 

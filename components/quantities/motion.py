@@ -40,7 +40,7 @@ from physics.valid import DOUBLES
 QUARTER = math.pi / 2
 """A quarter turn: the sine so much ahead is the cosine."""
 LEAST_SHARE = 2.0**-53
-"""Of the largest coordinate of a chain: a smaller one is its rounding."""
+"""Fraction of a chain's largest coordinate; smaller coordinates are rounding errors."""
 
 
 def scaled(exponent: int, *factors: float | Decimal) -> float:

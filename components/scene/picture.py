@@ -31,15 +31,19 @@ ROUNDS = 3
 class Picture:
     """Everything a scene shows for one set of parameters; data only, in SI units.
 
-    `columns`   numbers of the plots that no signal gives, by source and column `axes`      range and labels of each
-    axis, by name; TIME_AXIS is the time window of the clock `signals`   the moving numbers, by name: see
-    components.quantities.motion `traces`    the signals that are drawn over time, by source `tables`    the tables that
-    files have in place of some sources, by name `pace`      the speeds of the clock `scalars`   numbers that the stage
-    and the marks use `values`    the texts of the live numbers, by name `live`      the formats of numbers that change
-    while playing, by signal `forms`     the current variant of a formula or sentence, by name; "" hides it `notes`
-    sentences about this picture that the visitor must know (slowed down, drawn to a scale) `scale`     the scale of the
-    stage, if it has one; `fits` is the one that suits the drawing `spans`     the ends of the sliders that follow the
-    scene, by parameter
+    `columns`   numbers of the plots that no signal gives, by source and column
+    `axes`      range and labels of each axis, by name; TIME_AXIS is the time window of the clock
+    `signals`   the moving numbers, by name: see components.quantities.motion
+    `traces`    the signals that are drawn over time, by source
+    `tables`    the tables that files have in place of some sources, by name
+    `pace`      the speeds of the clock
+    `scalars`   numbers that the stage and the marks use
+    `values`    the texts of the live numbers, by name
+    `live`      the formats of numbers that change while playing, by signal
+    `forms`     the current variant of a formula or sentence, by name; "" hides it
+    `notes`     sentences about this picture that the visitor must know (slowed down, drawn to a scale)
+    `scale`     the scale of the stage, if it has one; `fits` is the one that suits the drawing
+    `spans`     the ends of the sliders that follow the scene, by parameter
     """
 
     columns: dict[str, Columns]

@@ -34,12 +34,15 @@ Scenes = Mapping[str, type[Scene]]
 class Standing:
     """A scene, its picture, and everything else of a page that a message can change.
 
-    `held`     the scene held for comparison, drawn like the current one `before`   the standing before a change that is
-    to be predicted; it is sent in place of this one `covered`  the plots, numbers and sentences that are not sent
-    `step`     the current step of a walk, "d34/d34-07"; with a seed "d34/d34-07/5" `show`     the shown parts, in place
-    of those of the view `shared`   the system that other scenes take over `in_hand`  True during a drag; the axes along
-    it then stay `number`   the number of the last message, so that a repeated one is ignored `own`      walks from the
-    visitor's files, by name
+    `held`     the scene held for comparison, drawn like the current one
+    `before`   the standing before a change that is to be predicted; it is sent in place of this one
+    `covered`  the plots, numbers and sentences that are not sent
+    `step`     the current step of a walk, "d34/d34-07"; with a seed "d34/d34-07/5"
+    `show`     the shown parts, in place of the parts of the view
+    `shared`   the system that other scenes take over
+    `in_hand`  True during a drag; the axes along it then stay
+    `number`   the number of the last message, so that a repeated one is ignored
+    `own`      walks from the visitor's files, by name
     """
 
     scene: Scene

@@ -184,7 +184,7 @@ value = Attributes(CoupledCase)
 
 
 class CoupledShown(CoupledCase):
-    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+    """Everything that the paper shows. Motions come first, in the order of the columns in a file."""
 
     x1 = value(lambda c: c.both.x1)
     x1_slow = value(lambda c: c.motions.slow.x1)

@@ -210,7 +210,7 @@ value = Attributes(DampedCase)
 
 
 class DampedShown(DampedCase):
-    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+    """Everything that the paper shows. Motions come first, in the order of the columns in a file."""
 
     x = value(lambda c: c.free.x)
     upper = value.optional(lambda c: c.free.envelope if c.kind == "under" else None)

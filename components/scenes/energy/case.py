@@ -118,7 +118,7 @@ value = Attributes(EnergyCase)
 
 
 class EnergyShown(EnergyCase):
-    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+    """Everything that the paper shows. Motions come first, in the order of the columns in a file."""
 
     x = value(lambda c: c.free.x)
     T = value(lambda c: c.free.T)

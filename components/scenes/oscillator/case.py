@@ -143,7 +143,7 @@ value = Attributes(OscillatorCase)
 
 
 class OscillatorShown(OscillatorCase):
-    """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
+    """Everything that the paper shows. Motions come first, in the order of the columns in a file."""
 
     x = value(lambda c: c.free.x)
     v = value(lambda c: c.free.v)
