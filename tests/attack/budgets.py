@@ -11,7 +11,7 @@ Result = TypeVar("Result")
 
 PICTURE = 200_000
 """Calls for a picture, which the event loop waits for: some 50 ms of a processor."""
-FILE, ABOUT = 1_700_000, 3_000_000
+FILE, ABOUT = 1_800_000, 3_000_000
 """Calls for a file of numbers and for "About these numbers" in the worker process: at most some second."""
 
 

@@ -147,7 +147,7 @@ async def test_what_is_no_answer_is_not_given_back() -> None:
         good = {**CHOICE, "option": 1}
         for answers, status in (
             ({name: {**good, "option": 10}}, 400), ({"me": good}, 400), ({f"{name}x": good}, 400), ({name: []}, 400),
-            ({name: {**good, "who": "me"}}, 400), ([good], 400), ({name: {**good, "text": "x" * 61}}, 400),
+            ({name: {**good, "who": "me"}}, 400), ([good], 400), ({name: {**good, "text": "x" * 81}}, 400),
             ({name: {**good, "walk": "none"}}, 409), ({name: {**good, "curves": {"x": [0] * 102}}}, 400),
             ({name: {**good, "vote": 10}}, 400),
         ):  # fmt: skip

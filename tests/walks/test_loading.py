@@ -350,8 +350,8 @@ def test_a_link_names_a_step_by_id_or_number() -> None:
         assert found and found.step.id == step
     with pytest.raises(ValueError, match="walk: “d99” is not a walk"):
         asked_step({"walk": [b"d99"]}, OWN)
-    with pytest.raises(ValueError, match="no step “19”; it has 18"):
-        asked_step({"walk": [b"d34"], "step": [b"19"]}, OWN)
+    with pytest.raises(ValueError, match="no step “22”; it has 21"):
+        asked_step({"walk": [b"d34"], "step": [b"22"]}, OWN)
 
 
 def test_what_is_asked_is_told_from_what_is_given() -> None:

@@ -213,7 +213,7 @@ cover = ["plot:z"]
 options = [{ text = "a", right = true, where = "?scene=no" }, { text = "b", reply = "c" }]
 """
     refused = page.say({"type": "walk", "name": "mine3", "text": wrong, "number": 4})["refused"]
-    assert "mine3, step 1 (one), cover: “plot:z” cannot be covered" in refused
+    assert "mine3, step 1 (one), cover: “plot:z” is not possible: choose from" in refused
     assert "mine3, step 1 (one), options[0].where: " in refused
     assert "mine" not in WALKS
 

@@ -30,7 +30,7 @@ DRAWN = 1e-11
 TALLEST = 1e30
 """The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
 ALONE, STARTED = "_alone", "1_rest"
-WHO: tuple[int | str, ...] = (ALONE, 1, 2, STARTED)
+WHO: tuple[int | str, ...] = (ALONE, 1, 2)
 """The moving bodies by key: the machine without its absorber, mass 1 (the machine) and mass 2 (the absorber) as they
 are played, and the machine from its start."""
 
@@ -155,7 +155,7 @@ class Signals(Declared[Duty]):
     drive_now = signal(on=Axes.F, signed=True)
     driven = signal.each(WHO, "x{}_driven")
     free = signal.each(WHO, "x{}_free")
-    x = signal.each(WHO, "x{}", on=Axes.X1, signed=True)
+    x = signal.each((*WHO, STARTED), "x{}", on=Axes.X1, signed=True)
     pull_now = signal(on=Axes.F, signed=True)
     x1_p, x1_c, pull = signal.some(3)
 

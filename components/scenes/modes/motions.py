@@ -42,7 +42,7 @@ def _root(place: str) -> Paragraph:
     lines |= {
         "pair": f"{name} {pair}. {swings}",
         "met": f"{name} {pair}, each twice. {swings}",
-        "lasting": f"{name} $s = \\pm {B.turn[place]}\\, i$ 1/s. It swings and never dies.",
+        "lasting": f"{name} $s = \\pm {B.turn[place]}\\, i$ 1/s. It swings with constant amplitude.",
         "real": f"{name} {both}. It does not swing.",
         "critical": rf"{name} {rate} 1/s twice. It is critical: $(A + B t)\, e^{{s t}}$.",
         "settles": f"{name} {both}. It does not swing; what is left is a displacement.",
