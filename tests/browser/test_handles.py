@@ -164,7 +164,7 @@ def test_a_drag_over_a_plot_moves_the_instant_and_letting_go_plays_on(page: Page
 def test_a_handle_at_a_vertical_axis_cuts_no_number(page: Page, open_scene: Open) -> None:
     """Over all its values, in the hall too, where type is large and the plot low; numbers keep off each other."""
     open_scene(page, scene="modes", view="guess", ratio=1)
-    plot = page.locator(".block.plot").filter(has=page.locator(".pill"))
+    plot = page.locator(".block.plot:visible").filter(has=page.locator(".pill"))
     seen = set()
     for key in ("", "p"):
         if key:

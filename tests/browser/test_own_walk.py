@@ -55,7 +55,11 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
         ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; 48000 are the most."),
         ("latin.toml", b'title = "\xe9"', "latin.toml: this is no UTF-8 text."),
         ("My notes.toml", b"hello", "My notes.toml: my-notes: this is not TOML"),
-        ("cover.toml", MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” cannot be covered"),
+        (
+            "cover.toml",
+            MINE.encode() + b'cover = ["plot:z"]',
+            "step 1 (one), cover: “plot:z” is not possible: choose from",
+        ),
     ):
         chosen(page, name, content)
         expect(notice).to_contain_text(said)

@@ -56,7 +56,9 @@ def test_scene_draws_and_fits_desk_hall_and_phone(
 ) -> None:
     turned(turning, slug, {})
     expect(turning.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
-    turning.wait_for_function(f"(plots => plots.length && plots.every(plot => plot.inked))(({INKED})())")
+    turning.wait_for_function(
+        f"(plots => (plots.length || document.querySelector('.block.table').checkVisibility()) && plots.every(plot => plot.inked))(({INKED})())"
+    )
     theme = turning.get_by_role("button", name="Light or dark")
     for name, (width, height) in SIZES.items():
         turning.set_viewport_size({"width": width, "height": height})
@@ -220,6 +222,8 @@ def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
     page.wait_for_function("oscillations.shown.settings.omega.value > 1")
     page.get_by_role("button", name="Drive at the slow natural frequency").click()
     page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 0.6180339887498949) < 1e-15")
+    page.get_by_role("tab", name="Motion").click()
+    page.wait_for_function("oscillations.shown.view.columns.time?.x1")
     assert page.evaluate("oscillations.shown.view.columns.time.x1_p === undefined")
 
 

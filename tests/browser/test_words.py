@@ -50,6 +50,7 @@ def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot:
     expect(lecture.locator(".words-shown b")).to_have_count(0)
     screenshot(lecture, "words-hall")
     screenshot(phones[0], "words-phone")
+    expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
     remote.get_by_role("button", name="Remove").click()
     expect(lecture.locator(".words-shown li")).to_have_count(0)
     lecture.keyboard.press("p")  # on the instructor's own screen there are buttons
