@@ -56,9 +56,8 @@ def test_scene_draws_and_fits_desk_hall_and_phone(
 ) -> None:
     turned(turning, slug, {})
     expect(turning.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
-    turning.wait_for_function(
-        f"(plots => (plots.length || document.querySelector('.block.table').checkVisibility()) && plots.every(plot => plot.inked))(({INKED})())"
-    )
+    drawn = "plots.length || document.querySelector('.block.table').checkVisibility()"
+    turning.wait_for_function(f"(plots => ({drawn}) && plots.every(plot => plot.inked))(({INKED})())")
     theme = turning.get_by_role("button", name="Light or dark")
     for name, (width, height) in SIZES.items():
         turning.set_viewport_size({"width": width, "height": height})
