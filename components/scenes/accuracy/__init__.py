@@ -36,7 +36,7 @@ class Accuracy(Scene):
     title = "Accuracy"
     lecture = "Numerics"
     points = "beyond the slides"
-    headline = "Stepping pays for digits; the formula does not"
+    headline = "A solver in steps gets slower with every digit; a formula does not"
     equations = chain.DRIVEN
     work = Measurement
     shares = chain.SHARES

@@ -19,7 +19,7 @@ class Damped(DashpotScene, CaseScene):
     title = "Damped"
     lecture = "D32, D33"
     points = "free vibration with a dashpot"
-    headline = "A dashpot takes the same share of every swing, or lets none begin"
+    headline = "A dashpot takes the same share of every swing, or stops the first"
     spoken = {"damping ratio": "{zeta}", "natural frequency": "{omega} rad/s", "each swing keeps": "{keep}"}
     equations = (
         "m x'' + c x' + k x = 0",

@@ -56,7 +56,7 @@ class ModesScene(Scene):
     shares = chain.BRAKED
     watch = WATCH
     presets = {
-        "Default": USUAL,
+        "Unequal masses": USUAL,
         "All equal": {**USUAL, "m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
         "Beats": {**USUAL, "m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04},
         "No wall": {**USUAL, "k1": 0.0},
