@@ -24,7 +24,7 @@ def printed(page: Page, name: str = "Print a handout of this walk") -> None:
     page.evaluate(NO_PRINTER)
     page.locator(".walks summary").click()
     page.get_by_role("button", name=name).click()
-    expect(page.locator(".handout article")).to_have_count(16, timeout=60_000)
+    expect(page.locator(".handout article")).to_have_count(21, timeout=60_000)
 
 
 def pages(page: Page, paper: str) -> int:
@@ -32,7 +32,7 @@ def pages(page: Page, paper: str) -> int:
     return max(int(count) for count in re.findall(rb"/Count (\d+)", page.pdf(format=paper)))
 
 
-def test_a_handout_that_is_printed_during_a_class_moves_nothing_and_has_eight_pages(window: Open) -> None:
+def test_a_handout_that_is_printed_during_a_class_moves_nothing_and_fills_its_pages(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-05&projector")
     phone = joined(window, code)
     phone.locator(".answers button").first.click()
@@ -48,7 +48,7 @@ def test_a_handout_that_is_printed_during_a_class_moves_nothing_and_has_eight_pa
     assert lecture.evaluate(f"{LED}.news.here") == 1
     filled = lecture.evaluate(FILLED)
     assert min(filled) > 0.6 * max(filled), "no page is half empty"
-    assert [pages(lecture, paper) for paper in ("A4", "Letter")] == [8, 8]
+    assert [pages(lecture, paper) for paper in ("A4", "Letter")] == [12, 12]
 
 
 def test_a_handout_has_the_numbers_of_the_file(server: Server, new_page: Callable[..., Page]) -> None:
