@@ -70,5 +70,5 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
     expect(end.locator("p")).to_contain_text(counts[how])
     expect(end.locator("a.scene-card svg")).to_have_count(3)
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
-    end.get_by_role("link", name="Still a machine").click()
+    end.get_by_role("link", name="Calm a machine").click()
     tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
