@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -31,12 +32,14 @@ HIGH = "document.documentElement.scrollHeight > innerHeight"
 
 
 def asked(page: Page) -> list[str]:
-    """Grows by every message that asks for the numbers."""
+    """Grows by every message that asks for the numbers; one that is sent again keeps its number and counts once."""
     questions: list[str] = []
 
     def told(payload: str | bytes) -> None:
         if isinstance(payload, str) and '"about"' in payload:
-            questions.append(payload)
+            number = re.findall(r'\["number",\d+\]', payload)[0]
+            if number not in questions:
+                questions.append(number)
 
     def opened(socket: WebSocket) -> None:
         socket.on("framesent", told)
