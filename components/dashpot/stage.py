@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from components.language.numbers import Number
 from components.language.shapes import Grab
-from components.layout.stage import Shape, box, line, path, shown_by, spring, wall
+from components.layout.stage import Shape, box, line, rectangle, shown_by, spring, wall
 from components.paper.plots import PictureName
 
-SQUARE = "M0 0H1V1H0Z"
 BELOW = 35
 """Pixels from the wall to the lowest position of the block, in addition to a stroke."""
 NARROW_BELOW = 27
@@ -48,7 +47,7 @@ def apparatus(
         spring(left, foot, left, floor, wire, height=9, show=HAS_SPRING),
         *shown_by(
             HAS_DASHPOT,
-            path(SQUARE, right - CUP, top, sx=2 * CUP, sy=depth, style="liquid", tint="T"),
+            rectangle(right - CUP, top, 2 * CUP, depth, style="liquid", tint="T"),
             line(right - CUP, top - 4, right - CUP, bottom, tint="T"),
             line(right + CUP, top - 4, right + CUP, bottom, tint="T"),
             line(right - CUP, bottom, right + CUP, bottom, tint="T"),

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from components.language.numbers import Number
-from components.layout.stage import Shape, line, path, text, wall
-
-SQUARE = "M0 0H1V1H0Z"
+from components.layout.stage import Shape, line, rectangle, text, wall
 
 
 def root_plane(sides: tuple[Number, Number, Number, Number], x0: Number, y0: Number, below_zero: str) -> list[Shape]:
@@ -15,7 +13,7 @@ def root_plane(sides: tuple[Number, Number, Number, Number], x0: Number, y0: Num
     """
     left, right, top, bottom = sides
     return [
-        path(SQUARE, x0, top, sx=right - x0, sy=bottom - top, style="body", tint="k2fill"),
+        rectangle(x0, top, right - x0, bottom - top, style="body", tint="k2fill"),
         line(left, y0, x0, y0, style="floor", tint="ink"),
         wall(x0, top, bottom - top, side="right"),
         text(x0 + 16, y0 - 4, f"{below_zero}:", "start", tint="mute"),

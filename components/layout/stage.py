@@ -150,6 +150,11 @@ def path(d: str, x: Number = 0.0, y: Number = 0.0, turn: Number = 0.0, **more: A
     return Path(d=d, x=x, y=y, turn=turn, **_common(more))
 
 
+def rectangle(x: Number, y: Number, width: Number, height: Number, **more: Any) -> Shape:
+    """A filled rectangle with its upper left corner at (x, y)."""
+    return path("M0 0H1V1H0Z", x, y, sx=width, sy=height, **more)
+
+
 def arc(x: Number, y: Number, r: Number, start: Number, end: Number, **more: Any) -> Shape:
     """Part of a circle, between two angles in rad from straight down, counted to the right (anticlockwise)."""
     return Arc(x=x, y=y, r=r, start=start, end=end, **_common(more))

@@ -22,7 +22,7 @@ from components.layout.stage import (
     box,
     circle,
     line,
-    path,
+    rectangle,
     spring,
     text,
     wall,
@@ -113,7 +113,6 @@ NAME = wide(2, 2 + (1 - MOTION) * (0.4 * W - 10)), wide(H - 6, 0.36 * H - 29 + M
 """The position of the text for x: in the lower corner; on a phone, whose mass hangs over that, above the bar."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
-SQUARE = "M0 0H1V1H0Z"
 
 
 def height(x: PlotValue) -> Number:
@@ -343,15 +342,15 @@ def bar() -> list[Shape]:
     return [
         *shown_by(
             c.has_energy,
-            path(SQUARE, BAR, edge, sx=BROAD, sy=bottom - edge, style="body told", tint="V"),
-            path(SQUARE, BAR, top, sx=BROAD, sy=edge - top, style="body told", tint="T"),
+            rectangle(BAR, edge, BROAD, bottom - edge, style="body told", tint="V"),
+            rectangle(BAR, top, BROAD, edge - top, style="body told", tint="T"),
             text(beside, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
             text(beside, top + 36, "motion", "start", tint="T", style="halo"),
             text(beside, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
             text(beside, bottom - 4, "position", "start", tint="V", style="halo"),
             line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level told", tint="V", show=ON_WIDE),
         ),
-        path(SQUARE, BAR, top, sx=BROAD, sy=whole, style="scaled outline", tint="ink"),
+        rectangle(BAR, top, BROAD, whole, style="scaled outline", tint="ink"),
         line(BAR - 8, top, right + 8, top, style="sum", tint="ink"),
         text(BAR - 8, top - 9, total, "start", style="b halo"),
     ]
@@ -366,8 +365,8 @@ def ball() -> list[Shape]:
     return [
         *shown_by(c.has_energy, line(middle - C, level, middle + C, level, style="sum")),
         *shown_by(c.swinging, text(middle - C + 12, level - 8, "turns here", "start", tint="mute", style="halo")),
-        path(SQUARE, x - 4, V, sx=8, sy=floor - V, style="body", tint="V"),
-        path(SQUARE, x - 4, level, sx=8, sy=V - level, style="body", tint="T"),
+        rectangle(x - 4, V, 8, floor - V, style="body", tint="V"),
+        rectangle(x - 4, level, 8, V - level, style="body", tint="T"),
         *shown_by(c.swinging, *(circle(middle + side * C, level, 4, tint="ink") for side in (-1, 1))),
         *shown_by(
             shifted,
