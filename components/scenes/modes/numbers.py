@@ -93,10 +93,6 @@ class BrakedChain:
         names = CROSSED if self.found.crossed else NAMES.get(self.found.kind, NUMBERED)
         return dict(zip(MOTIONS, names, strict=False)).get(place, "")
 
-    def plainly(self, coupled: str, loose: str) -> str:
-        """The variant of what stands without dashpots alone, with spring 2 or without it."""
-        return "" if self.brakes else coupled if self.system.k2 else loose
-
     def root(self, place: str) -> str:
         """The form of the line on the roots of a motion."""
         one = self.motions.get(place)

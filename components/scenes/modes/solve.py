@@ -32,7 +32,7 @@ SIGNS, TOPS = "−+", {"slow": 0.0, "fast": 0.5}
 """The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
 METRES = Axis(-1.0, 1.0, "m")
 
-signal, form = Signal[BrakedChain], Form[BrakedChain]
+signal, form = Signal[BrakedChain], Form[TwoMassChain]
 
 
 def _turned(case: BrakedChain, axes: AxesInForce, i: int, mode: str, ahead: float) -> AnySignal:
@@ -53,14 +53,14 @@ class Turning(Declared[BrakedChain]):
     R = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: abs(c.amplitudes.get(part, 0j))), "R{}_{}")
 
 
-class Solve(Declared[BrakedChain]):
-    """Which of the words are shown."""
+class Solve(Declared[TwoMassChain]):
+    """Which of the words are shown, with spring 2 or without it."""
 
-    positive = form(lambda c: c.plainly("sum", "loose" if c.system.k1 else "free"))
-    below = form(lambda c: c.plainly("wall" if c.system.k1 else "zero", "zero"))
-    ratios = form(lambda c: c.plainly("both", "loose"))
-    gamma, product = form.some(2, lambda c: c.plainly("shown", ""))
-    slow_shape, fast_shape = form.some(2, lambda c: c.plainly("ratio", "loose"))
+    positive = form(lambda c: "sum" if c.k2 else "loose" if c.k1 else "free")
+    below = form(lambda c: "wall" if c.k1 and c.k2 else "zero")
+    ratios = form(lambda c: "both" if c.k2 else "loose")
+    gamma, product = form.some(2, lambda c: c.k2 > 0)
+    slow_shape, fast_shape = form.some(2, lambda c: "ratio" if c.k2 else "loose")
     arrows = form(lambda c: True)
 
 
@@ -92,7 +92,7 @@ def turning_stage(name: str, what: str, title: Callable[[str], list[Shape]], *, 
 
 
 def _always(text_: str) -> Paragraph:
-    """A text that stands without dashpots."""
+    """A text with both variants of the shapes: a cover of these hides it too."""
     return either(Solve.ratios, both=text_, loose=text_)
 
 
@@ -205,5 +205,5 @@ def picture(system: TwoMassChain, omega: float, window: float | None, frame: Fra
         scalars=Turning.scalars(case, axes) | chain.Has.scalars((0.0, 0.0), axes) | det.scalars,
         pace=pace(slow or fast, fast),
         values=det.texts | E.texts(quadratic(system), axes) | N.texts(system, axes),
-        forms=Solve.forms(case) | det.forms,
+        forms=Solve.forms(system) | det.forms,
     )
