@@ -25,7 +25,6 @@ from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from physics.bode_curves import bode_curves, locus_frequencies
-from physics.forced import antiresonance
 
 LAG, PLANE = PlotFrame("lag"), PlotFrame("nyquist")
 PEAKS = tuple((i, n) for i in BOTH for n in (0, 1))
@@ -107,13 +106,11 @@ def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCa
     """Where the drive and the natural frequencies are."""
     found, omega, F_0 = dict[Scalar[AnyCase], float](), case.modes.omega, case.modes.F_0
     lag, re, im = Axes.lag(axes), Axes.re(axes), Axes.im(axes)
-    marks = case.marks | ({"still": antiresonance(case.chain)} if case.chain.k2 else {})
-    for name, w in marks.items():
-        if w > 0:
-            (X,), _ = bode_curves(case.damped, w, F_0).X.tolist()
-            found |= {B.line[name]: across.place(w), B.is_line[name]: 1.0}
-            if isinstance(case, Dying) and cmath.isfinite(X):
-                found |= {B.re_mark[name]: re.place(X.real), B.im_mark[name]: im.place(X.imag), B.is_mark[name]: 1.0}
+    for name, w in case.marked.items():
+        (X,), _ = bode_curves(case.damped, w, F_0).X.tolist()
+        found |= {B.line[name]: across.place(w), B.is_line[name]: 1.0}
+        if isinstance(case, Dying) and cmath.isfinite(X):
+            found |= {B.re_mark[name]: re.place(X.real), B.im_mark[name]: im.place(X.imag), B.is_mark[name]: 1.0}
     steady = case.damped.response(omega, F_0).tolist()
     if not omega or not all(map(cmath.isfinite, steady)):
         return found

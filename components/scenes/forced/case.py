@@ -142,7 +142,7 @@ class ForcedCase:
         """Peaks and dips of X1 and X2 over F_0, with dashpots and in the view that shows them."""
         return chain_resonances(self.damped)[:2] if self.view == "bode" and any(self.damping) else ()
 
-    @property
+    @cached_property
     def works(self) -> Pair:
         """The energies in J that the dashpots take in a cycle of the steady motion, in the view that shows them."""
         shown = self.view == "nyquist" and self.driven
