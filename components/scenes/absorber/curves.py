@@ -30,9 +30,9 @@ DRAWN = 1e-11
 TALLEST = 1e30
 """The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
 ALONE, STARTED = "_alone", "1_rest"
+"""Keys of the machine without its absorber, and of the machine from its start, also where that is not played."""
 WHO: tuple[int | str, ...] = (ALONE, 1, 2)
-"""The moving bodies by key: the machine without its absorber, mass 1 (the machine) and mass 2 (the absorber) as they
-are played, and the machine from its start."""
+"""The moving bodies by key, as they are played: also mass 1 (the machine) and mass 2 (the absorber)."""
 
 signal, column = Signal[Duty], Column[Duty]
 SignalsFound = dict[Signal[Duty], AnySignal]

@@ -81,6 +81,7 @@ class Forced(Scene):
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
     curve, axes, scale = CURVE, UNITS, SCALE
+    view: str
     views = (
         View(
             "Response", "Drag *ω*: where does mass 1 swing farthest, where not at all, and when against the push?",
@@ -181,11 +182,10 @@ class Forced(Scene):
     def _case(self, frame: Frame = FITTED) -> AnyCase:
         system, (c1, c2), (x_0, v_0) = chain.of_scene(self), chain.damping_of(self), chain.start_of(self)
         end = frame.window or self.window or time_window(*system.modes().omega.tolist())
-        view = self.values["view"]
         if c1 or c2:
             drive = {"F_0": self.F_0, "omega": self.omega}
-            return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end, view)
-        return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end, view)
+            return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end, self.view)
+        return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end, self.view)
 
 
 def _traces(case: AnyCase, count: int, drawn: tuple[str, ...]) -> Traces:

@@ -18,7 +18,6 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
-from components.scene.scene import VIEW
 from components.scenes.modes import guess, hunt, roots, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
 from components.scenes.modes.guess_case import said
@@ -95,6 +94,7 @@ class ModesScene(Scene):
         chain.chain_group(m1, m2, k1, k2),
         chain.dashpots_group(c1, c2, Seen.view["roots"]),
     )
+    view: str
     views = (
         View(
             "Hunt",
@@ -137,27 +137,22 @@ class ModesScene(Scene):
         return replace(
             picture,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
-            forms=Seen.forms(self._seen) | picture.forms,
-            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self._seen != "roots" else ())),
+            forms=Seen.forms(self.view) | picture.forms,
+            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self.view != "roots" else ())),
         )
 
     @property
     def _brakes(self) -> bool:
         return any(chain.damping_of(self))
 
-    @property
-    def _seen(self) -> str:
-        """The word of the view that is shown."""
-        return str(getattr(self, VIEW))
-
     def _view(self, system: TwoMassChain, frame: Frame) -> Picture:
-        if self._seen == "solve":
+        if self.view == "solve":
             return solve.picture(system, self.omega, self.window, frame)
-        if self._seen == "roots":
+        if self.view == "roots":
             return roots.picture(system, chain.damping_of(self), self.grows, self.window, frame)
-        if self._seen == "sweep":
+        if self.view == "sweep":
             return sweep.picture(system, self.swept, frame)
-        if self._seen == "hunt":
+        if self.view == "hunt":
             return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window, frame)
         return guess.picture(system, self.omega, self.ratio, self.window, frame)
 
@@ -172,16 +167,16 @@ class ModesScene(Scene):
         return {"ratio": float(wanted)}
 
     def readouts(self) -> tuple[Readout, ...]:
-        if self._brakes and self._seen == "roots":
+        if self._brakes and self.view == "roots":
             return RootReadouts.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
         return ComparedNumbers.readouts(chain.of_scene(self).modes())
 
     def about(self, shown: Picture) -> About:
         system = chain.of_scene(self)
-        if self._seen == "hunt":
+        if self.view == "hunt":
             return hunt_about(shown, system, (self.x1_0, self.x2_0))
-        if self._seen == "sweep":
+        if self.view == "sweep":
             return sweep_about(shown, system, self.swept)
-        if self._brakes and self._seen == "roots":
+        if self._brakes and self.view == "roots":
             return braked_about(system, chain.damping_of(self))
-        return solve_about(system) if self._seen in ("solve", "roots") else guess_about(shown, system)
+        return solve_about(system) if self.view in ("solve", "roots") else guess_about(shown, system)
