@@ -15,14 +15,14 @@ from components.language.plots import Curve, Handle, Mark, Region
 from components.language.signals import Modal
 from components.layout.plots import figure_of
 from components.quantities.axes import Axis
+from components.quantities.motion import displacements
 from components.scene import Picture, Scene
-from physics.chain import UniformChain
 
 TOKENS = Path(__file__).parents[2] / "static" / "styles" / "tokens.css"
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
 LOWEST = 160  # pixels
 ROWS, SHADES = 240, 101
-"""Of the picture of a chain: its instants, and its colours."""
+"""Numbers of instants and of colours in the picture of a chain."""
 
 
 @cache
@@ -33,7 +33,7 @@ def colours() -> dict[str, str]:
 
 
 def diverging() -> list[str]:
-    """Colours from the second quantity's over white to the first one's."""
+    """Return colours from the tint m2 over white to the tint m1."""
     hues = [np.array([int(colours()[tint][i : i + 2], 16) for i in (1, 3, 5)]) for tint in ("m2", "m1")]
     shares = np.linspace(-1.0, 1.0, SHADES)
     mixed = [255 + abs(share) ** 0.7 * (hues[int(share > 0)] - 255) for share in shares]
@@ -65,14 +65,12 @@ class LiveFigure:
         return source
 
     def _show_field(self, picture: Picture, end: float) -> None:
-        """Draw the displacement of each mass as a colour, from the modes that the browser plays too."""
+        """Draw the displacement of each mass as a colour, from the same signal as the browser."""
         signal = picture.signals.get(self.block.modal)
         if not (self.field and isinstance(signal, Modal)):
             return
         count, t = len(signal.omega), np.linspace(0.0, end, ROWS)
-        shapes = UniformChain(N=count, m=1.0, k=1.0, ends=signal.ends).shapes
-        coordinates = np.sin(np.outer(t, signal.omega) + signal.phases) * signal.sizes
-        image = (coordinates @ shapes + signal.line[0]) / picture.scalars[self.block.full]
+        image = displacements(signal, t) / picture.scalars[self.block.full]
         self.field.data = {"image": [image], "x": [0.5], "y": [0.0], "dw": [count], "dh": [end]}
         self.model.y_range.update(start=end, end=0.0)
 

@@ -139,7 +139,7 @@ class ModalPlay:
 
 
 def modal(size: Axis, time: Axis, play: ModalPlay) -> Modal:
-    """The motion of a chain, without what is below a unit of the last place of its largest coordinate."""
+    """The motion of a chain, without coordinates that are only rounding errors of the largest one."""
     modes = play.modes
     sizes = np.where(modes.amplitude > LEAST_SHARE * modes.amplitude.max(), modes.amplitude, 0.0)
     unit = size.factor * 10.0**size.exponent
@@ -150,6 +150,13 @@ def modal(size: Axis, time: Axis, play: ModalPlay) -> Modal:
         phases=tuple(np.where(sizes > 0, modes.phase, 0.0).tolist()),
         line=(modes.drift[0] / unit, modes.drift[1] / unit * 10.0**time.exponent),
     )  # fmt: skip
+
+
+def displacements(signal: Modal, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the displacements (n, N) of all masses of a chain at the times t (n,), without the drift's b t."""
+    chain = UniformChain(N=len(signal.omega), m=1.0, k=1.0, ends=signal.ends)  # shapes do not depend on m and k
+    coordinates = np.sin(np.outer(t, signal.omega) + signal.phases) * signal.sizes
+    return np.asarray(coordinates @ chain.shapes + signal.line[0])
 
 
 def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
@@ -192,10 +199,8 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
                 named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
             case DampedMass(start=start):
                 named[name] = start
-            case Modal(sizes=sizes, phases=phases, line=(first, _)):
-                chain = UniformChain(N=len(sizes), m=1.0, k=1.0, ends=signal.ends)
-                shape = chain.shapes[:, round(named[signal.at]) - 1]
-                named[name] = first + float(shape @ (np.array(sizes) * np.sin(phases)))
+            case Modal():
+                named[name] = float(displacements(signal, np.zeros(1))[0, round(named[signal.at]) - 1])
             case Derived(value=Expression(terms=products)):
                 named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
             case Sampled(y=tuple(values)):
