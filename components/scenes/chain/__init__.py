@@ -18,23 +18,21 @@ from components.scenes.chain.paper import BY_MASS, BY_MODE, BY_PULSE, paper
 
 MOST = 500.0
 LENGTH = 4.5
-"""m; the string of all examples has 1 kg and 1 N a metre, so that its waves run at 1 m/s."""
+"""Length in m of the string of all examples. It has 1 kg per metre and a tension of 1 N: waves run at 1 m/s."""
 DIGITS = 12
-"""Of what follows from another number of masses."""
+"""Significant digits of m, k and a after a change of the number of masses."""
 
 
 def string(N: int, ends: str = "fixed-fixed") -> dict[str, Any]:
-    """Return N masses that make this string."""
+    """Return the parameters of a chain of N masses that makes this string."""
     a = float(f"{LENGTH / (N + PARTS[ends]):.6g}")
     return {"N": float(N), "m": a, "k": float(f"{1 / a:.6g}"), "a": a, "ends": ends, "keep": "string", "way": "across"}
 
 
 def numbered(default: float, symbol: str, label: str, says: str, **more: Any) -> Quantity:
-    """A whole number from 1 to as many as a chain can have masses."""
+    """A whole number from 1 to the largest number of masses."""
     allowed = f"a chain has 1 to {MOST:g} masses"
-    return count(
-        default, symbol=symbol, label=label, says=says, bounds=(1.0, MOST), allowed=allowed, **more
-    )  # fmt: skip
+    return count(default, symbol=symbol, label=label, says=says, bounds=(1.0, MOST), allowed=allowed, **more)
 
 
 PULSE = {**string(50), "starts": "pulse", "centre": 0.8, "width": 0.15, "h": 0.4, "v_0": 0.0, "j": 2.0, "p": 25.0}
@@ -136,8 +134,8 @@ class Chain(CaseScene):
     )
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """Return what follows: another number of masses makes the same string; a mode or mass that there is not is the
-        last one. ValueError for one that is asked for."""
+        """Return dependent values: another number of masses makes the same string, and a mode or mass beyond the last
+        one becomes the last one. Raises ValueError if the visitor asks for such a mode or mass."""
         found: dict[str, float] = {}
         if before and "N" in changed and self.keep == "string" and not changed & {"m", "k", "a"}:
             share = (before.N + PARTS[self.ends]) / (self.N + PARTS[self.ends])
@@ -152,7 +150,7 @@ class Chain(CaseScene):
         return {**found, "j": min(self.j, self.N), "p": min(self.p, self.N), "centre": centre}
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        """Return the picture, whose numbers in files are those of all masses."""
+        """Return the picture, with the displacements of all masses for files."""
         shown, case = super().picture(frame), self.of(frame)
         assert isinstance(case, MassesShown)
         return replace(shown, traces={TIME: _masses(case)})

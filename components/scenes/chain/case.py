@@ -22,19 +22,19 @@ from physics.valid import in_range
 PARTS: dict[str, float] = {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}
 """The number of spacings of a chain, less the number of its masses."""
 TRAVERSES, FEW_TRAVERSES, FEW = 3.0, 12.0, 4
-"""The times in which a wave runs from end to end that a window has; with fewer than so many masses it has more."""
+"""Length of the time window in run times of a wave from end to end; chains of fewer than FEW masses get more."""
 LOOKS = 160
-"""The instants at which the extremes of a motion are looked for."""
+"""Number of instants at which the extremes of a motion are searched."""
 SHRINKS = 0.8
-"""The share by which a spring is drawn shorter at the most."""
+"""Largest share by which a spring is drawn shorter."""
 MOST_TURNS = 40
-"""The reflections of the string's crest that are drawn at the most."""
+"""Largest number of reflections of the string's crest that are drawn."""
 TAKES_PART = 0.002
-"""The share of the energy from which on a mode takes part."""
+"""Least share of the energy of a mode that takes part in the motion."""
 SEEN = 0.01
-"""The share of the largest displacement from which on a displacement is seen."""
+"""Least visible displacement, as a share of the largest one."""
 LEAST_GRIP = 0.2
-"""The share of h by which a mass must be displaced to be taken in hand."""
+"""Least displacement, as a share of h, of a mass that the visitor can drag."""
 SMALLER = "Displacements are drawn {share} times as large, so that no masses meet."
 DRIFTS = "The chain drifts at {rate} m/s, which is mode 1. It is drawn about its centre of mass."
 KNOWN = {
@@ -136,7 +136,7 @@ class MassesCase(Case):
 
     @property
     def by_mass(self) -> bool:
-        """Whether the start is that of one mass, which the hand chooses."""
+        """Whether only one mass is moved at the start, which the visitor chooses."""
         return self.starts in ("pluck", "mass")
 
     @cached_property
@@ -153,19 +153,19 @@ class MassesCase(Case):
 
     @cached_property
     def modes(self) -> ChainModes:
-        """The modes to 80 digits: of files."""
+        """The modes to 80 digits, for files."""
         return self.chain.modes(*self.started)
 
     @cached_property
     def held(self) -> int:
-        """The number of the mass that a hand takes."""
+        """The number of the mass that the visitor drags."""
         if self.by_mass:
             return int(self.p)
         return int(np.argmax(np.abs(self.unit_start[0]))) + 1
 
     @property
     def grip(self) -> float:
-        """The displacement at t = 0 of the mass that a hand takes, over h."""
+        """The displacement at t = 0 of the mass that the visitor drags, over h."""
         return float(self.unit_start[0][self.held - 1])
 
     @property
@@ -174,7 +174,7 @@ class MassesCase(Case):
 
     @cached_property
     def in_hand(self) -> ExactMotion:
-        """The displacement of the mass that a hand takes, played with those of all masses."""
+        """The displacement of the mass that the visitor drags, played with all the other masses."""
 
         def exact(t: Floats) -> Floats:
             return np.asarray(self.modes.motion(t).x[self.held - 1])
@@ -191,7 +191,7 @@ class MassesCase(Case):
 
     @cached_property
     def looked_at(self) -> Floats:
-        """The displacements (N, n) at a few instants."""
+        """The displacements (N, n) at a few instants, to find their extremes."""
         return self.drawn.x(np.linspace(0.0, self.own_end, LOOKS))
 
     @cached_property
@@ -217,9 +217,9 @@ class MassesCase(Case):
 
     @property
     def late(self) -> float:
-        """The lag in percent of the fastest mode behind the string's of its number."""
-        omega, string = float(self.chain.omega[-1]), float(self.chain.string_omega[-1])
-        return 100 * (1 - omega / string) if string else 0.0
+        """The lag in percent of the fastest mode behind the string's mode of the same number."""
+        string = float(self.chain.string_omega[-1])
+        return 100 * (1 - self.highest / string) if string else 0.0
 
     def ray(self, way: Literal[-1, 1]) -> Columns | None:
         """The crest of the ideal string that starts to one side, reflected at both ends; None if there is none."""
@@ -253,8 +253,7 @@ class MassesCase(Case):
 
     def angles(self, j: Floats) -> Floats:
         """theta_j in rad, also between the modes."""
-        shift, count = {"fixed-fixed": (0.0, 1.0), "fixed-free": (0.5, 0.5), "free-free": (1.0, 0.0)}[self.ends]
-        return np.maximum(j - shift, 0.0) * math.pi / (self.N + count)
+        return np.maximum(j - (1 - PARTS[self.ends]), 0.0) * math.pi / self.parts
 
     @property
     def bars(self) -> Columns:
@@ -298,12 +297,12 @@ class MassesShown(MassesCase):
     chosen = value(lambda c: str(int(c.j)) if c.starts == "mode" else "")
     # Numbers in formulas.
     slowest = value(lambda c: float(c.chain.omega[0]), "rad/s", "frequency of the slowest mode")
-    fastest = value(lambda c: float(c.chain.omega[-1]), "rad/s", "frequency of the fastest mode")
+    fastest = value(lambda c: c.highest, "rad/s", "frequency of the fastest mode")
     string_slowest = value(lambda c: float(c.chain.string_omega[0]), "rad/s", "slowest frequency of the string")
     string_fastest = value(lambda c: float(c.chain.string_omega[-1]), "rad/s", "the string's frequency of that number")
     ceiling = value(lambda c: 2 * c.Omega, "rad/s", "frequency that no mode reaches")
     lag = value(lambda c: c.late)
-    per_mode = value(lambda c: math.pi / (c.N + {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}[c.ends]))
+    per_mode = value(lambda c: math.pi / c.parts)
     wave_speed = value(lambda c: within("the speed of a wave", c.a * c.Omega), "m/s", "speed of long waves")
     L = value(lambda c: c.length, "m", "length of the chain")
     E = value(lambda c: float(c.drawn.energy.sum()), "J", "total energy")

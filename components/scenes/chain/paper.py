@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 from components.language.blocks import Block
 from components.language.numbers import Expression, Number, as_expression
@@ -68,7 +68,7 @@ def shapes_of_modes() -> Block:
 
 
 def rest(place: Expression) -> Expression:
-    """The pixel of a place along the chain, in parts of its length."""
+    """Return the pixel of a place along the chain, counted in spacings from its left end."""
     return LEFT + LENGTH * place * number(c.per_part)
 
 
@@ -77,7 +77,7 @@ def along_unit() -> Expression:
 
 
 def _along(case: MassesShown, axes: Axes) -> float:
-    """The length of one of the axis of displacements along the chain, over the length of the chain; 0 across it."""
+    """The length of one unit of the axis of displacements over that of the chain; 0 for a transverse motion."""
     y = axes[Y.name]
     return (case.scale or 0.0) * y.factor * 10.0**y.exponent / case.length if case.way == "along" else 0.0
 
@@ -104,20 +104,19 @@ def shapes() -> list[AnyShape]:
     ]
 
 
-def hand(across: str, zero: Number) -> Grab:
-    """Return the grab of the mass at the pointer: across the chain or along it."""
+def hand(axis: Literal["x", "y"], zero: Number) -> Grab:
+    """Return the grab of the mass at the pointer: along the chain (x) or across it (y)."""
 
     def place(h: PlotValue) -> Number:
         moved = number(c.grip) * on_axis(Y, h)
-        if across == "y":
+        if axis == "y":
             return as_expression(zero) - ACROSS * moved
         return as_expression(zero) + LENGTH * along_unit() * moved
 
-    way = along("y" if across == "y" else "x", place, Y, rate="v_0", h=c.h)
+    way = along(axis, place, Y, rate="v_0", h=c.h)
     mass, seen = Begin("p", number_name(c.mass), exactly=True), Begin("h", number_name(c.h_now, Y), Y.name)
-    return begin(
-        "Mass, start" if across == "y" else "Mass, start, along the chain", way, start=(mass, seen, Begin("v_0"))
-    )
+    label = "Mass, start" if axis == "y" else "Mass, start, along the chain"
+    return begin(label, way, start=(mass, seen, Begin("v_0")))
 
 
 def field() -> Block:
