@@ -1,4 +1,4 @@
-"""Accuracy: the scene of methods in steps: how they drift, what each digit costs, measured as the visitor looks on."""
+"""Accuracy: how far methods in steps drift, and what each digit costs, measured on the server."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ DRIFTING = ("euler", "verlet", "rk4")
 NAMED = (
     "closed", "verlet", "rk4", "gauss4", "nystrom6", "dop853", "radau", "eigh", "lsoda", "bdf", "newmark", "expm",
 )  # fmt: skip
-"""The methods whose names stand in a plot that has no room for all, the first of those that have a result."""
+"""Methods in the order in which the plot names them: it has room for the first MOST_NAMES that have a result."""
 MOST_NAMES = 8
 
 
@@ -69,17 +69,17 @@ class AccuracyCase:
 
     @cached_property
     def named(self) -> dict[str, Run]:
-        """The ends of those methods whose names are written."""
+        """The best runs of the methods that the plot names."""
         return {slug: self.ends[slug] for slug in [one for one in NAMED if one in self.ends][:MOST_NAMES]}
 
     @property
     def exact(self) -> Drift:
-        """The motion that the first view compares with."""
+        """The exact motion, for the first view."""
         return exact(self.system)
 
     @property
     def size(self) -> float:
-        """The largest displacement of it, in m."""
+        """The largest exact displacement in m."""
         return float(np.max(np.abs(self.exact.x))) or 1.0
 
     @property
@@ -91,8 +91,9 @@ class AccuracyCase:
     def rows(self) -> list[PriceRow]:
         return price_list(self.drawn, self.methods, self.wanted, self.unit)
 
-    @property
+    @cached_property
     def unreached(self) -> str:
+        """The sentence on the methods that do not reach the wanted error, or ""."""
         return unreached(self.drawn, self.methods, self.wanted)
 
     @cached_property

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from components.quantities.numbers import short, three
 from components.scenes.accuracy.data import Known
 from physics.accuracy import Run
-from physics.price import Price, dearness, in_doubles, prices
+from physics.price import Price, in_doubles, prices
 from physics.solvers import METHODS
 
 PriceRow = tuple[str, tuple[str, ...]]
@@ -18,7 +18,7 @@ NEVER = ("floor", "finest", "spacing")
 
 
 def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str = "app") -> list[PriceRow]:
-    """Rows (method, cells) of those that get there, cheapest first.
+    """Return rows (method, cells) of the methods that reach the wanted error, cheapest first.
 
     Ratios are to the closed form, of the same machine: as the app runs it, or in doubles with the `unit` "doubles".
     """
@@ -27,7 +27,7 @@ def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str
         for here, series in ((True, measured.here), (False, measured.before))
     }
     quoted = (one for one in _quoted(measured, methods, wanted) if one.time is not None)
-    return [(one.method, price_cells(one, units[measured.is_here(one.method)])) for one in sorted(quoted, key=dearness)]
+    return [(one.method, price_cells(one, units[measured.is_here(one.method)])) for one in quoted]
 
 
 def _quoted(measured: Known, methods: Sequence[str], wanted: float) -> list[Price]:
@@ -35,7 +35,7 @@ def _quoted(measured: Known, methods: Sequence[str], wanted: float) -> list[Pric
 
 
 def unreached(measured: Known, methods: Sequence[str], wanted: float) -> str:
-    """The methods that do not get there: how near each comes, and why not nearer."""
+    """Return a sentence on the methods that do not reach the wanted error: the best error of each, and the reason."""
     quoted = _quoted(measured, methods, wanted)
     told = [
         f"{METHODS[one.method].mark} ({_best(one.best)}, {_not_reached(one, measured.of(one.method)[-1])})"

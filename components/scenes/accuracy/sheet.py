@@ -15,7 +15,7 @@ from components.scenes.accuracy.words import Numbers as N
 
 
 def paper() -> Block:
-    """The six views, each a column of its own."""
+    """Return the paper with its six views."""
     growth = (
         growth_plot(Axes.error_growth, "Error of the motion, worst so far", phone=10),
         growth_plot(Axes.energy_growth, "Error of the energy, worst so far", phone=17),

@@ -19,9 +19,9 @@ from physics.stability import stable_count
 from physics.stiffness import Stiffness, stiffness
 
 CONTROLLED = ("drift", "time", "growth")
-"""The views that have controls of their own."""
+"""The views with their own controls."""
 RACING = ("time", "growth", "digits")
-"""The views that the accepted error has a part in."""
+"""The views that use the accepted error."""
 ROWS = len(METHODS)
 CELLS = ("name", "evaluations", "time", "ratio")
 
