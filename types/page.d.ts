@@ -907,9 +907,10 @@ declare namespace page {
     options: Option[]
   }
 
-  /** Buttons with the shapes of the modes of a modal signal `of`, the strongest where they are many: each sets the
-   * parameter `name` to its number, and those of `sets`. `chosen` is the text that is the number of the one that
-   * moves alone. */
+  /** Buttons with the shapes of the modes of the modal signal `of`; of many modes, only the strongest.
+   *
+   * Each button sets the parameter `name` to the number of its mode, and the values in `sets`. The picture's text
+   * `chosen` is the number of the mode that moves alone, if one does. */
   interface ModesBlock extends Part {
     kind: "modes"
     name: string
@@ -924,8 +925,8 @@ declare namespace page {
    * `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
    * `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
    * list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-   * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, each in a
-   * column with its displacement as colour, with the time downwards; the scalar `full` has the full colour. */
+   * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
+   * column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour. */
   interface PlotBlock extends Part {
     kind: "plot"
     name: string
@@ -1127,10 +1128,11 @@ declare namespace page {
     head: string
   }
 
-  /** A way that holds a root s of P(s) = A(s) + u B(s) + u^2 C(s), and sets `base` + `slope` u for the u >= 0 that
-   * makes |P| least at the hand. `terms` are the coefficients of A, B and C, the constants first. The place s = 0 is at
-   * (`x`, `y`); one of the plane is `right` pixels to the right, or `down` pixels downwards, which is negative. The
-   * search for u starts at `now`. */
+  /** A way to drag a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for which
+   * |P| is least at the hand.
+   *
+   * `terms` are the coefficients of A, B and C, constants first. The point s = 0 is at (`x`, `y`). One unit of the plane
+   * is `right` pixels to the right, or `down` pixels downwards, a negative number. The search for u starts at `now`. */
   interface ChainRoot extends Way {
     kind: "chain_root"
     x: Number
@@ -1301,12 +1303,12 @@ declare namespace page {
     depth: Number
   }
 
-  /** The masses of a modal signal `of` on their springs: at rest mass p is `first` + p - 1 of `parts` equal parts of
-   * the length from (x, y), and one of its displacement, less that of all, `drift`, is `across` pixels up or `along`
-   * pixels to the right. Their springs go on to the walls `left` and `right`, where these are not 0.
+  /** The masses of the modal signal `of` on their springs.
    *
-   * Of one kind are all that are displaced to one side by more than `least`. The mass at the pointer is the signal `at`,
-   * while `picks` is not 0. */
+   * The length from (x, y) to the right has `parts` equal parts; at rest, mass p is at `first` + p - 1 of them. One unit
+   * of its displacement, less the `drift` of all masses, is `across` pixels up or `along` pixels to the right. Springs
+   * lead to the walls `left` and `right` unless these are 0. Masses displaced by more than `least` have the colour of
+   * their side. While `picks` is not 0, the signal `at` becomes the mass at the pointer. */
   interface Beads extends Look {
     kind: "beads"
     of: string
@@ -1387,7 +1389,7 @@ declare namespace page {
    *
    * Mode j has sizes[j] sin(omega[j] t + phases[j]) times its orthonormal shape, which follows from the number of modes
    * and the `ends`; `line` = (a, b) adds a + b t to all. Mass p = 1, 2, ... has the displacement called `name` and its
-   * number, x3. All displacements are in proportion to the scalar `of`, which is `by` in this picture (0: they are not). */
+   * number, x3. All displacements are proportional to the scalar `of`, which is `by` in this picture (0: they are not). */
   interface Modal extends Signal {
     kind: "modal"
     name: string

@@ -84,9 +84,11 @@ class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
 
 
 class ModesBlock(Part, frozen=True, kw_only=True, tag="modes"):
-    """Buttons with the shapes of the modes of a modal signal `of`, the strongest where they are many: each sets the
-    parameter `name` to its number, and those of `sets`. `chosen` is the text that is the number of the one that
-    moves alone."""
+    """Buttons with the shapes of the modes of the modal signal `of`; of many modes, only the strongest.
+
+    Each button sets the parameter `name` to the number of its mode, and the values in `sets`. The picture's text
+    `chosen` is the number of the mode that moves alone, if one does.
+    """
 
     name: str
     label: str
@@ -101,8 +103,8 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
     `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
     list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-    placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, each in a
-    column with its displacement as colour, with the time downwards; the scalar `full` has the full colour.
+    placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
+    column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour.
     """
 
     name: str

@@ -95,10 +95,12 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
 
 
 class ChainRoot(Way, frozen=True, kw_only=True, tag="chain_root"):
-    """A way that holds a root s of P(s) = A(s) + u B(s) + u^2 C(s), and sets `base` + `slope` u for the u >= 0 that
-    makes |P| least at the hand. `terms` are the coefficients of A, B and C, the constants first. The place s = 0 is at
-    (`x`, `y`); one of the plane is `right` pixels to the right, or `down` pixels downwards, which is negative. The
-    search for u starts at `now`."""
+    """A way to drag a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for which
+    |P| is least at the hand.
+
+    `terms` are the coefficients of A, B and C, constants first. The point s = 0 is at (`x`, `y`). One unit of the plane
+    is `right` pixels to the right, or `down` pixels downwards, a negative number. The search for u starts at `now`.
+    """
 
     x: Number
     y: Number
@@ -275,12 +277,13 @@ class Wall(Look, frozen=True, kw_only=True, tag="wall"):
 
 
 class Beads(Look, frozen=True, kw_only=True, tag="beads"):
-    """The masses of a modal signal `of` on their springs: at rest mass p is `first` + p - 1 of `parts` equal parts of
-    the length from (x, y), and one of its displacement, less that of all, `drift`, is `across` pixels up or `along`
-    pixels to the right. Their springs go on to the walls `left` and `right`, where these are not 0.
+    """The masses of the modal signal `of` on their springs.
 
-    Of one kind are all that are displaced to one side by more than `least`. The mass at the pointer is the signal `at`,
-    while `picks` is not 0."""
+    The length from (x, y) to the right has `parts` equal parts; at rest, mass p is at `first` + p - 1 of them. One unit
+    of its displacement, less the `drift` of all masses, is `across` pixels up or `along` pixels to the right. Springs
+    lead to the walls `left` and `right` unless these are 0. Masses displaced by more than `least` have the colour of
+    their side. While `picks` is not 0, the signal `at` becomes the mass at the pointer.
+    """
 
     of: str
     count: Number
