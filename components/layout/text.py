@@ -1,6 +1,6 @@
 r"""The notation of texts: plain words, and in them
 
-$formula$              LaTeX, converted to MathML once per process
+    $formula$              LaTeX, converted to MathML once per process
     {name}, \val{name}     the live number called `name`
     *x*_1, *x*_{max}       the symbol of a quantity and its index
     **strong**, [tint|words in the colour of a quantity], [scene:slug|words that link to it]

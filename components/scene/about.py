@@ -61,7 +61,7 @@ class Table:
 
 @dataclass(frozen=True)
 class About:
-    """Return the tables of 'About these numbers': errors, the drift of the energy, and envelopes."""
+    """The tables of 'About these numbers', with sentences on the drift of the energy and on envelopes."""
 
     tables: tuple[Table, ...]
     energy: str = ""

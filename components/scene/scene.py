@@ -83,12 +83,12 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return {}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """The values of parameters that follow from those just changed, by a hand or not, in the scene `before`; from
-        all that are given, where there is none before."""
+        """Return dependent values after `changed` was set, `in_hand` while dragging; `before` is None for a new
+        scene."""
         return {}
 
     def action(self, name: str) -> Values:
-        """The values that a button of a group sets; ValueError, in words, where there are none."""
+        """Return the values that a button of a group sets. Raises ValueError, with a sentence, if there are none."""
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:
@@ -113,7 +113,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return frozenset()
 
     def off_default(self) -> Values:
-        """The linked parameters that are not at their defaults, nor follow from others."""
+        """Return the linked parameters that are not at their defaults and do not depend on others."""
         values, derived = self.values, self.derived()
         return {
             name: values[name]
@@ -168,7 +168,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
             raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {cls.__name__}")
 
     def differing(self, values: Values) -> frozenset[str]:
-        """The names of those values that are others than the scene's own; ValueError for a parameter that it lacks."""
+        """Return the names of values that differ from the scene's. Raises ValueError for unknown parameters."""
         self._check_known(values)
         return frozenset(name for name, value in values.items() if self.values[name] != value)
 
@@ -186,12 +186,14 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @cached_property
     def shown(self) -> Picture:
-        """The picture of the scene in the frame that fits it; ValueError where doubles hold no answer."""
+        """The picture of the scene in the fitted frame. Raises ValueError if doubles cannot represent it."""
         return draw(self).picture
 
     def frame(self, source: str = "") -> Columns:
-        """The numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`: of the first that
-        has any, where none is named. ValueError, with the names of those, for a source without numbers."""
+        """Return the numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`.
+
+        The default is the first source with numbers. Raises ValueError, with the names of those, for a source that has
+        none."""
         return with_units(self.shown, axes_of_columns(self.sheet()), source)
 
     def __setattr__(self, name: str, value: Any) -> None:

@@ -94,10 +94,10 @@ class SceneInfo(param.Parameterized):
 
     @classmethod
     def preset_all(cls, label: str) -> Values:
-        """The values that taking a preset sets: of all parameters that presets speak about."""
+        """Return the values that a preset sets, one for each parameter that any preset names."""
         return {name: cls.preset_value(label, name) for name in cls.preset_names()}
 
     @classmethod
     def preset_value(cls, label: str, name: str) -> Any:
-        """Return the values of a preset; parameters that it does not name have their defaults."""
+        """Return the value of a parameter in a preset; its default if the preset does not name it."""
         return cls.presets[label].get(name, cls.param[name].default)

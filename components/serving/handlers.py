@@ -50,7 +50,7 @@ class LectureHandler(RequestHandler):
     """A handler whose failures are said in a sentence."""
 
     log_level = logging.INFO
-    """Logger for the line of a successful request."""
+    """Level of the log line of a successful request."""
 
     @property
     def context(self) -> Context:

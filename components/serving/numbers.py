@@ -63,7 +63,7 @@ class NumbersRoute:
         return {}
 
     def start(self) -> None:
-        """The worker has no time for other jobs."""
+        """Start nothing: this address has no background work."""
 
     async def end(self) -> None:
-        """The allowance is used up."""
+        """End nothing: this address has no background work."""

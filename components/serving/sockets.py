@@ -31,7 +31,7 @@ MOST_WAITING = 8
 CHEAP, SURCHARGE = 0.01, 8
 """Seconds of a processor that an answer may take; of what is more its visitor waits so many times as long as well."""
 MOST_PINGS = 30
-"""Maximum number of messages from a visitor between two of ours."""
+"""Number of pings from a visitor, between two of ours, that close the socket."""
 MOST_MISSED = 2
 """Pings that may go without an answer."""
 
