@@ -69,7 +69,7 @@ class AccuracyCase:
 
     @cached_property
     def named(self) -> dict[str, Run]:
-        """The best runs of the methods that the plot names."""
+        """The last runs of the lines that have a name in the plot."""
         return {slug: self.ends[slug] for slug in [one for one in NAMED if one in self.ends][:MOST_NAMES]}
 
     @property

@@ -136,7 +136,7 @@ class MassesCase(Case):
 
     @property
     def by_mass(self) -> bool:
-        """Whether only one mass is moved at the start, which the visitor chooses."""
+        """Whether a hand holds one mass at the start, which the visitor chooses."""
         return self.starts in ("pluck", "mass")
 
     @cached_property
