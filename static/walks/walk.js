@@ -21,6 +21,8 @@ export class Walk {
   /** @type {page.Lesson | null} what the step teaches, once it has been answered */
   lesson = null
 
+  isRevealing = false // until the picture without covers: covered ones that were on their way take no answer back
+
   /** @type {Card | null} */
   card = null
 
@@ -139,7 +141,8 @@ export class Walk {
     const isAnother =
       place !== this.place || numbers !== this.numbers || page !== this.card?.page || this.seed !== this.card?.seed
     this.numbers = numbers
-    if (isAnother || (this.lesson && isAsked)) this.#lay(place, isAsked)
+    if (!isAsked) this.isRevealing = false
+    if (isAnother || (this.lesson && isAsked && !this.isRevealing)) this.#lay(place, isAsked)
     this.state = shown.state
     this.card?.update(shown)
     this.lecture.classes.led?.walked(this)
@@ -286,6 +289,7 @@ export class Walk {
     if (!this.card || this.lesson || step !== this.step.id) return
     if (!lesson) return this.card.refuse(refused)
     this.lesson = lesson
+    this.isRevealing = true
     if (lesson.right !== null) {
       this.answers.keep(step, {said: this.card.question.said(), right: lesson.right, title: lesson.title})
     }

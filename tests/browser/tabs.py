@@ -75,7 +75,7 @@ class Tabs:
         if tab.page.is_closed() or len(tab.context.pages) > 1:
             return tab.close()
         tab.page.unroute_all()
-        tab.page.emulate_media(media="null")
+        tab.page.emulate_media(media="null", reduced_motion="null", color_scheme="null")
         tab.context.set_offline(False)
         tab.page.route(home, lambda route: route.fulfill(body=EMPTY, content_type="text/html"))
         tab.page.goto(home)

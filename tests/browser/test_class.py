@@ -78,7 +78,9 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     lecture.reload()
     lecture.wait_for_function("oscillations.walks.walk?.lesson")  # what has been shown is not asked once more
     counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
-    assert phones[0].evaluate("oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null")
+    phones[0].wait_for_function(
+        "oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null"
+    )
     by_another_window(lecture)
 
 

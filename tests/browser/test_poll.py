@@ -60,7 +60,7 @@ def test_a_poll_stands_between_two_steps(class_of: tuple[Page, Page, Page], scre
     screenshot(lecture, "poll-hall")
     clicked(lecture)
     lecture.wait_for_function(AT, arg="last")
-    lecture.keyboard.press("PageUp")
+    clicked(lecture, "PageUp")
     lecture.wait_for_function(AT, arg="speed")
 
 

@@ -76,6 +76,16 @@ def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> 
     arrived(page, "d31-03")
 
 
+def test_a_picture_that_was_on_its_way_does_not_take_the_answer_back(walk: Callable[..., Page]) -> None:
+    page = walk("d31-03")
+    page.locator(".answers button").first.click()
+    page.evaluate("""oscillations.walks.walk.show(false)
+      oscillations.messages.send({type: "set", values: {}})""")
+    page.wait_for_function(f"{QUIET} && !oscillations.shown.state.covered.length")
+    passed(page)
+    assert page.evaluate("oscillations.walks.walk.lesson !== null")
+
+
 def test_leaving_keeps_the_state_that_was_reached(walk: Callable[..., Page]) -> None:
     page = walk("d31-02")
     page.get_by_label("Your answer").fill(f"{2 * doubled(page):.2f}")
