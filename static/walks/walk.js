@@ -142,7 +142,8 @@ export class Walk {
       place !== this.place || numbers !== this.numbers || page !== this.card?.page || this.seed !== this.card?.seed
     this.numbers = numbers
     if (!isAsked) this.isRevealing = false
-    if (isAnother || (this.lesson && isAsked && !this.isRevealing)) this.#lay(place, isAsked)
+    const isTakenBack = isAsked && !this.isRevealing
+    if (isAnother || (this.lesson && isTakenBack)) this.#lay(place, isTakenBack)
     this.state = shown.state
     this.card?.update(shown)
     this.lecture.classes.led?.walked(this)
@@ -153,9 +154,9 @@ export class Walk {
     return state.covered.length > (this.sheet.steps[place]?.reveals.covered.length ?? 0)
   }
 
-  /** @param {number} place @param {boolean} isAsked */
-  #lay(place, isAsked) {
-    if (place !== this.place || isAsked) this.lesson = null
+  /** @param {number} place @param {boolean} isTakenBack */
+  #lay(place, isTakenBack) {
+    if (place !== this.place || isTakenBack) this.lesson = null
     this.card?.leave()
     this.place = place
     if (!this.step) return
