@@ -36,6 +36,21 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
 @pytest.fixture
 def failing(server: Server, browser: Browser) -> Iterator[Open]:
     """Pages for a class in which requests are made to fail, which browsers note as errors."""
+    with _opened(browser, server) as go:
+        yield go
+
+
+@contextmanager
+def walked(browser: Browser, folder: Path, name: str, walk: str) -> Iterator[Open]:
+    """Pages of a server that has a walk from a file."""
+    (folder / f"{name}.toml").write_text(walk, encoding="utf-8")
+    with serving(folder / "log", environment={"WALKS": str(folder)}) as server, _opened(browser, server) as go:
+        yield go
+
+
+@contextmanager
+def _opened(browser: Browser, server: Server) -> Iterator[Open]:
+    """Pages of a server, each in its own context."""
     contexts = []
 
     def go(query: str, width: int, height: int) -> Page:
@@ -47,24 +62,6 @@ def failing(server: Server, browser: Browser) -> Iterator[Open]:
     yield go
     for context in contexts:
         context.close()
-
-
-@contextmanager
-def walked(browser: Browser, folder: Path, name: str, walk: str) -> Iterator[Open]:
-    """Pages of a server that has a walk from a file."""
-    (folder / f"{name}.toml").write_text(walk, encoding="utf-8")
-    contexts = []
-    with serving(folder / "log", environment={"WALKS": str(folder)}) as server:
-
-        def go(query: str, width: int, height: int) -> Page:
-            contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
-            page = contexts[-1].new_page()
-            page.goto(f"{server.url}?{query}")
-            return page
-
-        yield go
-        for context in contexts:
-            context.close()
 
 
 def taught(window: Open, query: str) -> tuple[Page, str]:
