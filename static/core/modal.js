@@ -15,11 +15,11 @@ export function shapesOf({ends, omega: {length: count}}) {
   if (found) return found
   if (known.size >= MOST_KNOWN) known.clear()
   const shapes = new Float64Array(count * count)
-  const isFree = ends === "free-free"
-  const parts = isFree ? 2 * count : ends === "fixed-free" ? 2 * (2 * count + 1) : 2 * (count + 1)
-  const size = isFree ? Math.sqrt(2 / count) : ends === "fixed-free" ? Math.sqrt(8 / parts) : Math.sqrt(4 / parts)
+  const [isFree, isHalf] = [ends === "free-free", ends === "fixed-free"]
+  const parts = 2 * (isFree ? count : isHalf ? 2 * count + 1 : count + 1)
+  const size = Math.sqrt((isHalf ? 8 : 4) / parts)
   for (let j = 0; j < count; j++) {
-    const number = isFree ? j : ends === "fixed-free" ? 2 * j + 1 : j + 1
+    const number = isFree ? j : isHalf ? 2 * j + 1 : j + 1
     for (let p = 0; p < count; p++) {
       const turn = isFree ? number * (2 * p + 1) + count : 2 * number * (p + 1)
       shapes[j * count + p] = isFree && !j ? Math.sqrt(1 / count) : size * sinOfPart(turn % (2 * parts), parts)
