@@ -4,6 +4,7 @@ import {element, marked} from "../core/dom.js"
 import {orderOf} from "../questions/order.js"
 import {mark} from "../questions/question.js"
 import {grouped} from "../questions/word_groups.js"
+import {haveAnswered} from "./counts.js"
 import {sureness} from "./sureness.js"
 
 const FEW = 5 // answers of which no share is told
@@ -34,11 +35,9 @@ export function brief(view, code, moderate) {
 
 /** @param {page.RemoteView} view */
 function answeredBy({question, tally, here}) {
-  const answered = tally?.now.answered ?? 0
-  const of = answered > here ? "" : ` of ${here}` // some have left since
   const turn = question.vote > 1 ? `Vote ${question.vote}: ` : ""
   const closed = question.closed && !question.lesson ? ". The vote is closed." : ""
-  return `${turn}${answered}${of} have answered${closed}`
+  return `${turn}${haveAnswered(tally?.now.answered ?? 0, here)}${closed}`
 }
 
 /**

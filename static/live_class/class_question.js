@@ -2,6 +2,7 @@
 
 import {element} from "../core/dom.js"
 import {Card} from "../walks/card.js"
+import {haveAnswered} from "./counts.js"
 import {Delivery} from "./delivery.js"
 import {ask, insist, pause} from "./requests.js"
 import {Sureness} from "./sureness.js"
@@ -68,8 +69,7 @@ export class ClassQuestion {
     const {split, lesson} = this.question ?? {}
     if (lesson) return split?.judges && split.answered ? rightOf(split) : ""
     const {answered, here} = this.following.news
-    if (!answered || !here) return ""
-    return answered > here ? `${answered} have answered.` : `${answered} of ${here} have answered.`
+    return answered && here ? `${haveAnswered(answered, here)}.` : ""
   }
 
   /** Says by now how many have answered. */

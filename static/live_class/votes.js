@@ -3,6 +3,7 @@
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/claim.js"
 import {ask} from "./requests.js"
+import {haveAnswered} from "./counts.js"
 import {countedOf} from "./earlier.js"
 import {sureness} from "./sureness.js"
 
@@ -116,10 +117,9 @@ export class Votes {
     const before = beside ? `, outlined: ${tally?.before ? "first vote" : "earlier class"}` : ""
     const turn = tally && tally.vote > 1 && !walk.lesson ? `Vote ${tally.vote}: ` : ""
     const answered = tally?.now.answered ?? 0
-    const of = answered > here ? "" : ` of ${here}` // some have left since
     const drawn = tally?.now.sketches.length ?? 0
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
-    const words = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    const words = `${turn}${haveAnswered(answered, here)}${this.isOpen ? some + before : ""}`
     this.status.textContent = tally ? words : "" // what is not counted yet is not 0
     const isTakenBack = this.teach.isTakenBack(walk)
     card.ready()
