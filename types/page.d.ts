@@ -356,7 +356,7 @@ declare namespace page {
   }
 
   /** Buttons of a remote control. */
-  type Deed = "next" | "back" | "show" | "votes" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "allow" | "remove" | "end"
+  type Deed = "next" | "back" | "show" | "derive" | "again" | "poll" | "sure" | "countdown" | "closing" | "blank" | "close" | "go" | "allow" | "remove" | "end"
 
   /** Any request of the instructor's page to the room. */
   interface Ordered {

@@ -16,7 +16,6 @@ Deed: TypeAlias = Literal[
     "next",
     "back",
     "show",
-    "votes",
     "derive",
     "again",
     "poll",

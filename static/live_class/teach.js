@@ -154,7 +154,6 @@ export class Teach {
     else if (deed === "taken") this.#pass()
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
-    else if (deed === "votes") this.votes.open()
     else if (deed === "poll") this.poll()
     else if (deed === "sure") this.askSure()
     else if (deed === "countdown") this.countDown()
