@@ -1,4 +1,4 @@
-"""The code of a room, which is read aloud, and the keys of those who come in."""
+"""The code of a room, which can be read aloud, and the keys of its members."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def new_word() -> str:
 
 
 def join_key(key: str) -> str:
-    """The word that a room's QR code carries beside the code: known to who has its key, and guessed by nobody."""
+    """Return the secret in a room's QR code. It follows from the room's key and cannot be guessed."""
     return sha256(f"join {key}".encode()).hexdigest()[:12]
 
 

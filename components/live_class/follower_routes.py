@@ -1,4 +1,4 @@
-"""The live class over HTTP, as a phone uses it: come in, hear what is new, answer."""
+"""The live class over HTTP for a phone: enter, get updates, answer."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ MOST_STREAMS = 8
 
 
 class Follower(ClassHandler):
-    """The handler of a follower's requests: who has a token of the room, or its key."""
+    """The base handler of a follower's requests; requires a token of the room, or its key."""
 
     leads = False
 
@@ -87,14 +87,14 @@ class MovedByCode(LectureHandler):
 
 
 class Enter(ClassHandler):
-    """The handler that gives a token for a code: to whoever has one, but not to who tries many."""
+    """The handler that gives a token for a code, with a limit on wrong codes."""
 
     async def post(self, code: str) -> None:
         room = await self._shown(code) or await self._typed(code)
         self.reply(Entered(code=room.code, token=self.classes.registry.token(room)))
 
     async def _shown(self, code: str) -> ClassRoom | None:
-        """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""
+        """Return the room of a QR code, which the network's count of wrong codes does not limit."""
         try:
             room = await self.outcome(self.classes.registry.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
@@ -118,7 +118,7 @@ class Enter(ClassHandler):
 
 
 class Events(Follower):
-    """The stream of all that is new: server-sent events. Who reads too slowly is left out, and then gets the latest."""
+    """The stream of updates, as server-sent events. A slow reader skips some, and then gets the latest."""
 
     _pipe: IOStream
     _behind = 0.0
@@ -143,7 +143,7 @@ class Events(Follower):
         self._pipe.set_nodelay(True)
         room.polls.pop(self.name, None)  # it is counted once
         room.seen[self.name] = monotonic()
-        room.listeners.add(self)  # before the first pause: what is told in it is not missed
+        room.listeners.add(self)  # before the first await, so that no update is missed
         try:
             self.write(self._all())
             await asyncio.wait_for(self.flush(), GIVEN_UP)
@@ -155,7 +155,7 @@ class Events(Follower):
             room.listeners.discard(self)
 
     async def _stay(self, own: list[RoomListener]) -> None:
-        """Among one's own streams, until it ends."""
+        """Count this stream among the follower's open streams."""
         own.append(self)
         for older in own[:-MOST_STREAMS]:
             older.end()
@@ -168,7 +168,7 @@ class Events(Follower):
             self._room.seen[self.name] = monotonic()
 
     def _all(self) -> bytes:
-        """The room as it is, and what an instructor's page alone is told, from where it knows the room."""
+        """Send the current room, and to an instructor's page also the news that it has missed."""
         missed = self._room.untold(self._known) if self.leads else []
         self._known = self._room.number
         return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
@@ -187,7 +187,7 @@ class Events(Follower):
         return True
 
     def _send(self, data: bytes) -> None:
-        """Send an event, past the pipe where nothing is on its way: its own accounts take four fifths of the time."""
+        """Send an event straight to the socket if Tornado's buffer is empty; its bookkeeping takes 80 % of the time."""
         if self._pipe.closed():
             return
         try:
@@ -237,7 +237,7 @@ class Now(Follower):
 
 
 class Answers(Follower):
-    """The handler of one's own answer, and, once the answer is shown, of the lesson on it."""
+    """The handler of a follower's answer and, when the right answer is shown, of the lesson on it."""
 
     async def put(self, code: str) -> None:
         room = await self.entered(code)
@@ -267,7 +267,7 @@ class Answers(Follower):
 
 
 class TimeOfDay(ClassHandler):
-    """The handler that tells the server's clock, in ms: from how long it takes a page knows how far its own is off."""
+    """The handler of the server's clock, in ms; a page estimates the error of its own from the round trip."""
 
     def get(self) -> None:
         self.reply(1000 * time())

@@ -38,7 +38,7 @@ class ClassHandler(VisitorHandler):
     async def prepare(self) -> None:
         await super().prepare()
         self.set_header("Cache-Control", "no-store")
-        self.set_header("Lecture-Version", version())  # a page of another one loads anew
+        self.set_header("Lecture-Version", version())  # a page of another version reloads
         origin = self.request.headers.get("Origin", "")
         own = f"{self.request.protocol}://{self.request.host}"
         if origin and origin != own and not self.context.goes_by(origin):

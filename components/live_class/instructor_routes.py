@@ -56,8 +56,8 @@ class OpenClass(Opener):
 
 
 class LeadClass(Opener):
-    """The handler of an instructor's page: it gives one that comes back its room, which it opens anew where the server
-    has lost it, and obeys its orders."""
+    """The handler of an instructor's page: executes its orders, and gives a returning page its room, which it opens
+    again if the server has lost it."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)

@@ -1,4 +1,4 @@
-"""Moderation: the answers in words that the instructor shows the hall, and those that are removed."""
+"""Moderation: the instructor shows answers in words to the hall, and removes others."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from components.language.room import Moderate, WordGroup
 from components.walks.questions.words import normalized
 
 MOST = 500
-"""Answers to one vote that can be shown, and as many that can be removed."""
+"""Maximum number of shown answers to one vote, and of removed ones."""
 
 
 class Moderation(Struct, frozen=True, kw_only=True):
-    """The normalized answers to one vote that are shown, and those that are removed."""
+    """The shown and the removed answers to one vote, normalized."""
 
     question: str = ""
     shown: tuple[str, ...] = ()
     removed: tuple[str, ...] = ()
 
     def after(self, order: Moderate, question: str) -> Moderation:
-        """Return it after an order; ValueError, in words, where too many were moderated. Another vote begins anew."""
+        """Return the moderation after an order; another vote starts with none. ValueError for too many answers."""
         before = self if self.question == question else Moderation(question=question)
         text = normalized(order.text)
         shown = tuple(one for one in before.shown if one != text)
@@ -33,7 +33,7 @@ class Moderation(Struct, frozen=True, kw_only=True):
         return replace(before, **{"shown": shown, "removed": removed, **added})
 
     def moderated(self, words: Iterable[WordGroup], question: str) -> tuple[WordGroup, ...]:
-        """Return the groups without those that are removed, and which of them are shown."""
+        """Return the groups without the removed ones, each marked if it is shown."""
         if self.question != question:
             return tuple(words)
         shown, removed = set(self.shown), set(self.removed)

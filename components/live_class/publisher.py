@@ -1,4 +1,4 @@
-"""The publisher: from an instructor's session to the class, made ready once for all who follow, and not too often."""
+"""The publisher: sends pictures of an instructor's session to the class, encoded once for all, at a limited rate."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Publisher:
             self._task = asyncio.create_task(self._run())
 
     def end(self) -> None:
-        """End the publishing: nothing more is told, not even what waits for a store that is away."""
+        """End the publishing; a picture that waits for the store is dropped."""
         self._make = None
         if self._task:
             self._task.cancel()
@@ -59,7 +59,7 @@ class Publisher:
         except AwayError:
             return False
         except (ClosedError, FullError):
-            pass  # the instructor's page is told by the room's own news; a full store is looked after
+            pass  # the room's own news inform the instructor's page; the upkeep handles a full store
         except Exception:
             log.exception("A picture could not be made ready for a class")
         return True

@@ -1,4 +1,4 @@
-"""The questions of the walks as a class is asked them: what a step teaches, and what is right of an answer."""
+"""The questions of the walks for a class: the lesson of a step, and the judgement of an answer."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
 SURE = {1: "guessed", 2: "fairly sure", 3: "certain"}
-"""The levels at which somebody is sure of an answer, in words."""
+"""How sure a student is of an answer, by level."""
 ReadWalks = Mapping[tuple[str, str], Walk]
 """Walks from files, by name and text."""
 
@@ -36,7 +36,7 @@ class BusyError(ValueError):
 
 
 class QuestionBank:
-    """The questions of walks, and all else that a room must know of them."""
+    """The questions of walks, with everything that a room needs of them."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks = walks
@@ -48,7 +48,7 @@ class QuestionBank:
         self._anew = lru_cache(maxsize=5000)(self._judged_anew)
 
     def read_own(self, own: Mapping[str, str], before: ReadWalks) -> ReadWalks:
-        """Walks from files, their texts by name: those read before are not read again; WalkError for what is none."""
+        """Read walks from texts by name; `before` has the ones read earlier. Raises WalkError for an invalid one."""
         known = steps_of(self._walks.values())
         return {(name, text): before.get((name, text)) or read_walk(text, name, known) for name, text in own.items()}
 
@@ -57,37 +57,37 @@ class QuestionBank:
         return QuestionBank({**self._walks, **{name: walk for (name, _), walk in own.items()}}, self._scenes)
 
     async def try_own(self, name: str, text: str, network: str = "") -> Walk:
-        """The walk of a file; WalkError, in words, for what is none to be asked, BusyError where others come first."""
+        """Read the walk of a file. Raises WalkError if it is invalid, and BusyError if others come first."""
         replied = await wrap_future(self.apart.ask(Reading(name, text), network))
         if not replied.walk:
             raise (BusyError if replied.is_busy else WalkError)(replied.refused)
         return replied.walk
 
     def step(self, walk: str, step: str) -> Step:
-        """ValueError, in words, where there is none."""
+        """Return a step. Raises ValueError, with a sentence, if there is none."""
         for one in self._walks[walk].steps if walk in self._walks else ():
             if one.id == step:
                 return one
         raise ValueError(f"The step “{excerpt(step)}” cannot be asked in a class: the server does not know its walk.")
 
     def listed(self, walk: str) -> tuple[Listed, ...]:
-        """The steps of a walk by their titles; none where it is not known."""
+        """Return the steps of a walk by their titles; empty for an unknown walk."""
         steps = self._walks[walk].steps if walk in self._walks else ()
         return tuple(Listed(step=one.id, title=rich(one.title)) for one in steps)
 
     def put(self, walk: str, step: str, vote: int) -> PutTo:
-        """A question as it is told to all."""
+        """Return a question for everyone in the room."""
         found = self.step(walk, step)
         steps = self._walks[walk].steps
         place = " · ".join(filter(None, (place_in_lecture(found.slides), f"{steps.index(found) + 1} of {len(steps)}")))
         return PutTo(walk=walk, step=step, card=step_card(walk, found, self._scenes), place=place, vote=vote)
 
     def lesson(self, given: Given) -> Lesson:
-        """The lesson of a step for an answer, or for none; ValueError for what is no answer to it."""
+        """Return the lesson of a step, with an answer or without. Raises ValueError for an answer that does not fit."""
         return self.step(given.walk, given.step).lesson(given, self._subject(given.walk, given.step))
 
     def judge(self, given: Given) -> Judged:
-        """An answer with what is to be known of it later; ValueError, in words, for what is none to its question."""
+        """Return an answer with its judgement. Raises ValueError, with a sentence, if it does not fit the question."""
         found = self.step(given.walk, given.step).judged(given, self._subject(given.walk, given.step))
         if found is None:
             raise ValueError(UNFIT)
@@ -104,7 +104,7 @@ class QuestionBank:
         return self.step(given.walk, given.step).written(given, self._subject(given.walk, given.step))
 
     def judges(self, walk: str, step: str) -> bool:
-        """Whether an answer to it is right or wrong."""
+        """Return True if answers to a step can be right or wrong."""
         return self.step(walk, step).judges
 
     def asked(self, walk: str, step: str) -> str:
@@ -117,18 +117,18 @@ class QuestionBank:
         return self._walks[walk].steps.index(self.step(walk, step)) + 1
 
     def features(self, walk: str, step: str) -> tuple[str, ...]:
-        """The names of the features of a right sketch."""
+        """Return the names of the features of a correct sketch."""
         return tuple(one.name for one in self.unanswered(walk, step).findings)
 
     def notes(self, walk: str, step: str) -> tuple[str, ...]:
-        """The instructor's notes on a step, a paragraph for each of their lines."""
+        """Return the instructor's notes on a step, a paragraph for each line."""
         return tuple(map(rich, self.step(walk, step).noted))
 
     def _unanswered(self, walk: str, step: str) -> Lesson:
         return self.lesson(Given(walk=walk, step=step))
 
     def read(self, kept: bytes) -> Judged | None:
-        """An answer as it was kept; None where its step is another by now, to which it is no answer."""
+        """Return a stored answer, or None if its step has changed so that the answer does not fit."""
         known = _JUDGED.decode(kept)
         if known.form == self._form(known.walk, known.step):
             return known
@@ -137,12 +137,12 @@ class QuestionBank:
 
     @staticmethod
     def voted(kept: bytes) -> Voted:
-        """An answer as it was kept, without what is known of it."""
+        """Return a stored answer without its judgement."""
         known = _JUDGED.decode(kept)
         return Voted(**{name: getattr(known, name) for name in Voted.__struct_fields__})
 
     def _judged_anew(self, kept: bytes) -> dict[str, Any] | None:
-        """Return what is known of an answer by now, without the answer: thousands of these are remembered."""
+        """Return the current judgement of an answer, without the answer, because thousands are cached."""
         known = _JUDGED.decode(kept)
         try:
             judged = self.judge(Given(**{name: getattr(known, name) for name in Given.__struct_fields__}))
@@ -151,7 +151,7 @@ class QuestionBank:
         return {name: getattr(judged, name) for name in ("number", "right", "has", "form")}
 
     def _form_of(self, walk: str, step: str) -> str:
-        """A hash of a step, by which it is told from one of the same name in an earlier file."""
+        """Return a hash of a step, which distinguishes it from one of the same name in an earlier file."""
         try:
             return sha256(msgspec.json.encode(self.step(walk, step))).hexdigest()[:12]
         except ValueError:

@@ -1,4 +1,4 @@
-"""The rooms of one replica: who follows, what was told last, and what the instructor asks for."""
+"""The rooms of one replica: their followers, their latest parts, and the instructor's orders."""
 
 from __future__ import annotations
 
@@ -43,13 +43,13 @@ from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, Full
 from components.walks.questions.question import Judged
 
 LONGEST_COUNT = 600_000.0
-"""Milliseconds from which a vote is counted down at most."""
+"""Longest countdown of a vote, in milliseconds."""
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
 FIRST, LAST = 1, 9
 """Votes on one question."""
 SPARE = 50
-"""Answers to a vote besides two of each phone that has been here: some change their phones, none casts thousands."""
+"""Answers to a vote beyond two for each phone that has been here: some students change phones."""
 MOST_OWN = 5
 """Walks from files that a room keeps."""
 TRIES = 3
@@ -72,7 +72,7 @@ class Registry:
         self._keys = keys or Keys()
         self.rooms: dict[str, ClassRoom] = {}
         self._coming: dict[str, list[ClassRoom]] = {}
-        """Rooms that the store is being asked for: they hear what is told meanwhile."""
+        """Rooms that are being loaded from the store; they get the updates that arrive meanwhile."""
         self._name = token_hex(6).encode()
         self.slices = Slices()
 
@@ -95,12 +95,12 @@ class Registry:
         raise ClosedError(NO_PLACE)
 
     def is_own(self, key: str) -> bool:
-        """Whether a key may have been made by a server with this one's passphrase."""
+        """Return True if a server with this one's passphrase may have made the key."""
         return self._keys.is_own(key)
 
     async def reopen(self, code: str, key: str, control: str = "", owner: str = "") -> ClassRoom:
-        """The room of a key that a server gave, opened anew where it is not there; ClosedError, or ValueError in words,
-        where it cannot be. `control` is what was kept of the key of its remote control, `owner` as in `open`."""
+        """Return the room of a server's key; open it again if it is lost. `control` is the stored digest of its
+        remote control's key, `owner` as in `open`. Raises ClosedError, or ValueError with a sentence."""
         if not self.is_own(key) or await asyncio.to_thread(self._keys.code_of, key) != code:
             raise ValueError(NOT_OF_IT)
         room = await self._found(code)
@@ -116,8 +116,8 @@ class Registry:
         return self._asked(room)
 
     async def followed(self, code: str, token: str) -> ClassRoom | None:
-        """The room of a follower's token; None where there is none, or the token is not of it. ClosedError where it was
-        ended."""
+        """Return the room of a follower's token, or None if there is none or the token belongs to another. Raises
+        ClosedError if the class has ended."""
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
@@ -127,21 +127,21 @@ class Registry:
         return None
 
     async def room(self, code: str) -> ClassRoom:
-        """ClosedError where there is none."""
+        """Return the room of a code. Raises ClosedError if there is none."""
         room = await self._found(code)
         if not room.parts:
             raise ClosedError("No class has this code now. A code has four letters and digits.")
         return self._asked(room)
 
     async def led(self, code: str, key: str) -> ClassRoom:
-        """The room of an instructor; ClosedError for who is none, which does not tell whether there is such a room."""
+        """Return the room of a key. Raises ClosedError for another key, also if there is no such room."""
         room = await self._found(code)
         if not is_key(key, room.parts.get("key", b"")):
             raise ClosedError("The class was lost. Press T: the phones come back.")
         return self._asked(room)
 
     async def _found(self, code: str) -> ClassRoom:
-        """The room as it is known here, or to the store; without parts where there is none."""
+        """Return the room from here or from the store; it has no parts if there is none."""
         if code in self.rooms:
             return self.rooms[code]
         room, nobody = ClassRoom(code, {}), ClassRoom(code, {})
@@ -158,13 +158,13 @@ class Registry:
         return room if parts and is_open else nobody
 
     def _asked(self, room: ClassRoom) -> ClassRoom:
-        """The room of this code that is kept here, now counted as asked for: the given one if none came before it."""
+        """Return the room that is kept here under its code, by default the given one, and note that it is in use."""
         there = self.rooms.setdefault(room.code, room)
         there.asked = monotonic()
         return there
 
     async def obey(self, room: ClassRoom, order: Order, network: str = "") -> None:
-        """Do what the instructor's page asks; ValueError, in words, for what cannot be. `network` is where it is."""
+        """Execute an order of the instructor's page, from `network`. Raises ValueError, with a sentence."""
         match order:
             case RunClock():
                 now = 1000 * time()
@@ -187,16 +187,16 @@ class Registry:
             case DescribeScreen():
                 await self._keep(room, screen=order)
             case EndRoom():
-                with suppress(AwayError, FullError):  # where it cannot be counted, it ends all the same
+                with suppress(AwayError, FullError):  # if this cannot be counted, the class still ends
                     for ended in (room.parts["key"], room.code.encode()):
                         await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
 
     async def _put(self, room: ClassRoom, order: PutQuestion) -> None:
-        """Put a question; one that is put already keeps what was asked of it."""
+        """Put a question. If it is the current one, it keeps its settings."""
         put, walk, step, asked = room.question, order.walk, order.step, order.vote
         same = (put.walk, put.step) == (walk, step)
-        again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
+        again = max(put.vote, min(asked, put.vote + 1, LAST))  # a repeated order has no effect
         vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
         is_same = same and vote == put.vote
         answered = order.answered or (is_same and (put.lesson is not None or put.answered))
@@ -211,7 +211,7 @@ class Registry:
         await self._keep(room, question=msgspec.structs.replace(asked_anew, **stands))
 
     async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure | CountDown) -> None:
-        """Change the question that is put; ValueError, in words, where none is."""
+        """Change the current question. Raises ValueError, with a sentence, if there is none."""
         put, changed = room.question, dict[str, Any]()
         if not put.step:
             raise ValueError("No question is open now.")
@@ -233,7 +233,7 @@ class Registry:
         await self._keep(room, picture=picture)
 
     async def _take(self, room: ClassRoom, name: str, text: str, network: str) -> None:
-        """A walk from the instructor's file, once; ValueError, in words, for what is none."""
+        """Read a walk from the instructor's file, once. Raises ValueError, with a sentence, if it is invalid."""
         own = {**room.own, name: text}
         if own == room.own:
             return
@@ -244,7 +244,7 @@ class Registry:
             room.reading = asked, asyncio.ensure_future(self.bank.try_own(name, text, network))
         elif room.reading[0] != asked:
             raise BusyError("Another walk is being read. Try again in a moment.")
-        reading = room.reading[1]  # one that is asked for again, since no answer came, is waited for
+        reading = room.reading[1]  # a repeated order waits for the first reading
         try:
             walk = await reading
         finally:
@@ -254,10 +254,10 @@ class Registry:
         await self._keep(room, walks={**room.own, name: text})
 
     async def _restore(self, room: ClassRoom, answers: Mapping[str, Voted]) -> None:
-        """Keep answers that a server has lost, but none in place of a newer one; they are judged when they are read.
+        """Restore answers that a server has lost, without replacing newer ones. They are judged when they are read.
 
-        ValueError, in words, for those to a question that there is not, and for too many. An answer counts as one of
-        a phone that is here if this server did not give the name that it comes under.
+        Raises ValueError, with a sentence, for an unknown question and for too many answers. If this server did not
+        give the name of an answer, the answer counts towards the limit of the phones that are here.
         """
         bank, now = self.bank_of(room), round(time())
         for walk, step in {(given.walk, given.step) for given in answers.values()}:
@@ -275,12 +275,12 @@ class Registry:
             raise ValueError(f"{left_out} answers were not kept: more than the phones of this class can have given.")
 
     async def copied(self, room: ClassRoom, question: str) -> dict[str, Voted]:
-        """The answers to a vote by the names of those who gave them, for the instructor's page to keep."""
+        """Return the answers to a vote by voter, for the copies on the instructor's page."""
         votes = await self.store.votes(room.code, question)
         return dict(zip(votes, await self.slices.map(self.bank.voted, votes.values()), strict=True))
 
     def bank_of(self, room: ClassRoom) -> QuestionBank:
-        """The server's walks, and those that the instructor has handed to the room."""
+        """Return the questions of the server's walks and of the walks from the instructor's files."""
         own = room.parts.get("walks", b"")
         if not room.bank or room.bank[0] != own:
             room.walks = self.bank.read_own(room.own, room.walks)
@@ -291,31 +291,31 @@ class Registry:
         await self.tell(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
 
     async def tell(self, room: ClassRoom, parts: Parts) -> None:
-        """Tell a room new parts: its followers here at once, the others by the store, as soon as that answers."""
+        """Send new parts to the followers of a room: here at once, at other replicas through the store."""
         room.tell(parts)
         try:
             await self.write(room, parts)
         except AwayError:
             pass
-        except ClosedError:  # the store has forgotten it, or it is over and has been left
+        except ClosedError:  # the store has lost the room, or the class is over
             if self.rooms.get(room.code) is not room:
                 raise
 
     async def decide(self, room: ClassRoom, digits: str, is_in: bool) -> None:
-        """Let in the remote control that shows these digits, or send it away; ValueError, in words, where none does."""
+        """Accept or reject the remote control with these digits. Raises ValueError, with a sentence, if none has."""
         await self.tell(room, decided(room.parts, digits, is_in))
 
     async def write(self, room: ClassRoom, parts: Parts) -> None:
-        """Keep parts of a room that its followers here know already, and tell the other replicas."""
+        """Store parts that the followers here already have, and send them to the other replicas."""
         room.unsaved |= parts
         if not await self.store.keep(room.code, {**parts, "by": self._name}):
             raise ClosedError("This class is over.")
         room.unsaved = {name: part for name, part in room.unsaved.items() if parts.get(name) is not part}
 
     async def vote(self, room: ClassRoom, voter: str, vote: Given) -> None:
-        """Keep an answer; ValueError, in words, for one that comes too late or is none.
+        """Store an answer. Raises ValueError, with a sentence, if it is late or invalid.
 
-        Where there are more answers than phones may be here, the newest token that is not here any more makes way.
+        If there are more answers than phones can have given, the answer of the newest absent token is removed.
         """
         put = room.question
         if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson or put.closed:
@@ -334,25 +334,24 @@ class Registry:
 
     @staticmethod
     def _most(room: ClassRoom) -> int:
-        """The number of answers to a vote that phones which have been here can have given."""
+        """Return the largest number of answers that the phones of this class can have given to a vote."""
         return min(MOST_VOTES, SPARE + 2 * room.peak)
 
     def token(self, room: ClassRoom) -> str:
-        """A new follower's token."""
+        """Return a token for a new follower."""
         return self._keys.new_token(room.parts["key"])
 
     async def follows(self, room: ClassRoom, name: str) -> bool:
-        """Whether somebody follows, here or at another replica."""
+        """Return True if somebody with this name follows, here or at another replica."""
         return room.follows(name) or name in await self.store.named(room.code)
 
     async def given(self, room: ClassRoom, question: str) -> list[Judged]:
-        """The answers to a vote; those known last where the store is away."""
+        """Return the answers to a vote, or the last known ones if the store is unavailable."""
         votes = await self.votes(room, question)
         return [one for one in await self.slices.map(self.bank_of(room).read, votes.values()) if one]
 
     async def votes(self, room: ClassRoom, question: str) -> Parts:
-        """The answers to a vote as they are kept, by the names of those who gave them; those known last where the store
-        is away."""
+        """Return the stored answers to a vote by voter, or the last known ones if the store is unavailable."""
         try:
             room.votes[question] = await self.store.votes(room.code, question)
         except AwayError:
@@ -380,7 +379,7 @@ class Registry:
         )
 
     async def _split(self, room: ClassRoom) -> Split | None:
-        """The answers to the question that is put, for those who gave them; None where the store is away."""
+        """Return how the class answered the current question, for its phones, or None if the store is unavailable."""
         with suppress(AwayError):
             if tally := await self.tally(room):
                 now, judges = tally.now, self.bank_of(room).judges(tally.walk, tally.step)
@@ -390,19 +389,19 @@ class Registry:
         return None
 
     async def count(self, room: ClassRoom) -> None:
-        """Tell all who are here how many have answered the question that is put."""
+        """Send the number of answers to the current question to everyone in the room."""
         room.recount = False
         answered = len(await self.votes(room, _question(room.question))) if room.question.step else 0
         if answered != room.answered:
             room.change(answered=answered)
 
     def leave(self, room: ClassRoom) -> None:
-        """Somebody has gone: a room that nobody is in is not kept here."""
+        """Drop a room here if nobody is in it any more."""
         if not room.used and self.rooms.get(room.code) is room:
             del self.rooms[room.code]
 
     def hear(self, code: str, parts: Parts) -> None:
-        """Pass on what the store tells of a room; without parts the room has ended."""
+        """Pass on an update from the store; one without parts means that the room has ended."""
         room = self.rooms.get(code)
         if not parts:
             self.rooms.pop(code, None)
@@ -419,16 +418,16 @@ def _question(of: PutTo | Given) -> str:
 
 
 def _unjudged(given: Voted, now: float) -> bytes:
-    """An answer that is given back, as it is kept; none was given later than now."""
+    """Return a restored answer in its stored form, dated no later than now."""
     told = msgspec.structs.asdict(given) | {"at": min(given.at, now)}
     return msgspec.json.encode(Judged(**told))
 
 
 def _locks(key: str, owner: str) -> Parts:
-    """The parts of a new room: its key, that of its QR code, and its owner."""
+    """Return the parts of a new room: the hashes of its key and of its QR code's key, and its owner."""
     return {"key": digest(key), "join": digest(join_key(key)), **({OWNER: owner.encode()} if owner else {})}
 
 
 def _ended(name: bytes) -> str:
-    """The name under which the end of a room is counted: by its code, or by the digest of its key."""
+    """Return the name that counts the end of a room, by its code or by the digest of its key."""
     return f"ended {name.decode()}"

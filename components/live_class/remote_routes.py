@@ -45,7 +45,7 @@ class RemoteHandler(ClassHandler):
     """Answers a phone in the instructor's hand."""
 
     async def _there(self, code: str) -> ClassRoom:
-        """The room of a ticket; those who have shown none are not told whether there is such a room."""
+        """Return the room of a ticket. The refusal for a wrong ticket does not reveal if the room exists."""
         room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
         if room is None:
             raise RefusedError(403, NOT_IN)
@@ -80,7 +80,7 @@ class RemoteControl(RemoteHandler):
         self.reply(paired)
 
     async def get(self, code: str) -> None:
-        """Reply with its contents if they differ from the state that it shows; with null until it has been let in."""
+        """Reply with the contents if they differ from the shown state, or with null before the phone is let in."""
         room = await self._there(code)
         if is_in(room.parts, self.word):
             if self.get_query_argument("after", "") == room.number:

@@ -1,6 +1,6 @@
-"""Phones as remote controls of a room: those that wait, by the two digits that they show, and the one that is let in.
+"""Phones as remote controls of a room: the waiting ones, by the two digits that they show, and the connected one.
 
-All of it is kept with the room, so that a first screen which was away, or was loaded anew, still learns who waits.
+The room stores them, so that a first screen that reconnects or reloads still learns who waits.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def waiting(parts: Parts) -> dict[str, Waiting]:
 
 
 def new_digits(taken: Container[str]) -> str:
-    """Two, to be compared on two screens; ValueError where as many phones wait as there are."""
+    """Return two digits to compare on two screens. Raises ValueError if all are in use by waiting phones."""
     free = [digits for digits in map(str, DIGITS) if digits not in taken]
     if not free:
         raise ValueError("Too many remote controls are waiting. Try again in a minute.")
@@ -52,7 +52,7 @@ def begun(digits: str, key: str) -> Parts:
 
 
 def decided(parts: Parts, digits: str, is_in: bool) -> Parts:
-    """The parts by which it is let in or sent away; ValueError, in words, where none waits with these digits."""
+    """Return the parts that accept or reject a phone. Raises ValueError, with a sentence, if none has these digits."""
     one = waiting(parts).get(digits)
     if one is None:
         raise ValueError("No remote control with these digits is waiting.")

@@ -1,4 +1,4 @@
-"""A room as one replica knows it, and who of those here hears of it."""
+"""A room in one replica, and its listeners there."""
 
 from __future__ import annotations
 
@@ -18,79 +18,79 @@ from components.live_class.store import Parts
 from components.walks.walk import Walk
 
 SILENCE = 15.0
-"""Seconds after which those who follow hear something, whatever happens."""
+"""Longest silence towards a follower, in seconds."""
 ASKED = 5.0
-"""Seconds for which somebody who asks, once a second without a stream, is counted."""
+"""Seconds for which a follower without a stream counts as present after a request; there is one a second."""
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
-"""The parts that followers hear of."""
+"""The parts that are sent to followers."""
 LEADERS = ("deed", "step", "answers")
-"""The parts that the instructor's page alone hears of, as they come; the store keeps nothing of them."""
+"""The parts that are sent only to the instructor's page; the store does not keep them."""
 KEPT = 16
-"""Of which so many are told once more to a page that has missed them."""
+"""Number of these that are sent again to a page that has missed them."""
 OBEYED = 10.0
-"""Seconds for which a deed is worth doing: to a page that was away longer it would come out of nowhere."""
+"""Seconds for which an order of a remote control is valid; later it would surprise the instructor."""
 
 Kind = TypeVar("Kind")
 
 
 class RoomListener(Protocol):
-    """A listener: somebody who hears what is told of a room."""
+    """A listener, which gets the events of a room."""
 
     @property
     def leads(self) -> bool: ...
 
     @property
     def name(self) -> str:
-        """The name of a follower, of whom two tabs are one."""
+        """The name of a follower; two tabs of one browser share it."""
 
     def hear(self, event: bytes) -> bool:
-        """Take an event; False where earlier ones are still on their way, so that this one is left out."""
+        """Take an event; return False if it was left out because earlier ones are still being sent."""
 
     def end(self) -> None: ...
 
 
 class ClassRoom:
-    """A room as this replica knows it."""
+    """A room in this replica."""
 
     def __init__(self, code: str, parts: Parts) -> None:
         self.code = code
         self.parts: dict[str, bytes] = dict(parts)
         self.listeners: set[RoomListener] = set()
         self.streams: dict[str, list[RoomListener]] = {}
-        """The listeners that have a name, by that name."""
+        """The named listeners, by name."""
         self.polls: dict[str, float] = {}
-        """When each of those who have no stream has asked last, by name."""
+        """Time of the last request of each follower without a stream, by name."""
         self.seen: dict[str, float] = {}
-        """When each stream has begun or ended, by the name of who had it."""
+        """Time at which the last stream of each follower began or ended, by name."""
         self.asked = monotonic()
-        """When somebody has asked for it last."""
+        """Time of the last request for this room."""
         self.here = 0
         self.peak = 0
-        """The most that have been here at once."""
+        """Largest number of followers at one time."""
         self.answered = 0
-        """The number of answers to the question that is put, as those who are here were told it."""
+        """Number of answers to the current question that was last sent to the room."""
         self.recount = False
-        """Whether answers have come since they were counted."""
+        """True if answers have arrived since the last count."""
         self.lost = False
         self.missed = 0
-        """The times in a row that it was not found in the store."""
+        """Number of consecutive times that the store did not have it."""
         self.unsaved: dict[str, bytes] = {}
-        """Parts that the store has not taken as yet: newer than what it has."""
+        """Parts that are not yet in the store, newer than its own."""
         self.votes: dict[str, Parts] = {}
         self._decoded: dict[str, tuple[bytes, Any]] = {}
         self.bank: tuple[bytes, QuestionBank] | None = None
-        """The questions of walks from files, beside the part that they were read from."""
+        """The part with the walks from files, and the question bank that was read from it."""
         self.walks: ReadWalks = {}
-        """Walks from files, as they were read."""
+        """The walks that were read from files."""
         self.reading: tuple[tuple[str, str], asyncio.Future[Walk]] | None = None
-        """The walk from a file that is being read for it: its name and text, and what it will be."""
+        """The walk from a file that is being read: its name and text, and the future result."""
         self._replica = token_hex(3)
         self._count = 0
         self._own: deque[tuple[float, News]] = deque(maxlen=KEPT)
         self._waiting: tuple[str, ...] = ()
         self._led = 0.0
-        """When a page of the instructor's that has no stream has asked last."""
+        """Time of the last request of an instructor's page that has no stream."""
 
     @property
     def number(self) -> str:
@@ -98,13 +98,12 @@ class ClassRoom:
 
     @property
     def used(self) -> bool:
-        """Whether anybody is in it, or on the way: one who asks now and then, or whose stream has not begun; or
-        something that is not saved."""
+        """True if the room has a listener, a recent request or unsaved parts."""
         return bool(self.listeners or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
     def following(self) -> set[str]:
-        """The names of those who follow, by a stream or by asking."""
+        """The names of the followers, with a stream or with repeated requests."""
         late = monotonic() - ASKED
         asking = (one for one, seen in self.polls.items() if seen > late)
         return {*(listener.name for listener in self.listeners if not listener.leads), *asking}
@@ -115,7 +114,7 @@ class ClassRoom:
 
     @property
     def names(self) -> set[str]:
-        """The names of those who follow here, or have until a moment ago: a phone between two streams is not gone."""
+        """The names of present and recent followers here; a phone between two streams is not gone."""
         now = monotonic()
         self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
         self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
@@ -123,7 +122,7 @@ class ClassRoom:
 
     @property
     def places(self) -> int:
-        """The number of places that are taken here: those of phones that were here a moment ago count."""
+        """The number of places that are taken here, also by phones that left a moment ago."""
         return len(self.polls) + max(len(self.streams), len(self.seen))
 
     def follows(self, name: str) -> bool:
@@ -131,13 +130,12 @@ class ClassRoom:
         return name in self.streams or max(self.polls.get(name, 0.0), self.seen.get(name, 0.0)) > late
 
     def voter(self, token: str) -> str:
-        """The name of a follower by a token of this room; "" for what is none."""
+        """Return the name of a follower by a token of this room, or "" for any other text."""
         return voter_of(token, self.parts.get("key", b""))
 
     @property
     def is_led(self) -> bool:
-        """Whether a page of the instructor's is here: it keeps the room alive, and a store that forgot it hears it
-        anew."""
+        """True if an instructor's page is here; it keeps the room alive, and restores it if the store loses it."""
         return monotonic() - self._led < 2 * SILENCE or any(listener.leads for listener in self.listeners)
 
     @property
@@ -146,7 +144,7 @@ class ClassRoom:
         return tuple(waiting(self.parts))
 
     def part(self, name: str, kind: type[Kind]) -> Kind | None:
-        """A part as it is now; decoded once, however many ask."""
+        """Return the current value of a part, decoded only once."""
         part = self.parts.get(name)
         if part is None:
             return None
@@ -171,14 +169,14 @@ class ClassRoom:
         return News(number=self.number, lost=self.lost, remotes=remotes, **known)
 
     def polled(self, word: str, leads: bool) -> None:
-        """Somebody asks who has no stream."""
+        """Note a request of somebody without a stream."""
         if leads:
             self._led = monotonic()
         else:
             self.polls[name_of(word)] = monotonic()
 
     def untold(self, number: str) -> list[News]:
-        """The news for the instructor's page alone since a state that it knows."""
+        """Return the news only for the instructor's page since a state that it knows."""
         replica, _, count = number.partition(".")
         if replica != self._replica or not count.isdecimal():
             return []
@@ -187,7 +185,7 @@ class ClassRoom:
         return [own for own in missed if int(own.number.partition(".")[2]) > int(count)]
 
     def tell(self, parts: Parts) -> None:
-        """Take new parts in, and tell all who are here: one encoded event, the same for all."""
+        """Take new parts, and send everyone in the room the same encoded event."""
         self._count += 1
         self.recount = self.recount or bool({"answers", "question"} & parts.keys())
         if "question" in parts:
@@ -198,7 +196,7 @@ class ClassRoom:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
-            if "answers" in own:  # they are counted anew: of many, the last says as much, and no deed makes way
+            if "answers" in own:  # they are counted again, so the last one is enough, and removes no order
                 self._own = deque((one for one in self._own if not one[1].answers), KEPT)
             news = msgspec.convert({"number": self.number, **told}, News)
             self._own.append((monotonic(), news))
@@ -207,14 +205,13 @@ class ClassRoom:
             self._say_waiting()
 
     def look(self) -> None:
-        """Say what changes by itself: a phone waits no longer."""
+        """Send changes that come with time: a phone has stopped waiting."""
         if self.waiting != self._waiting:
             self._count += 1
             self._say_waiting()
 
     def change(self, **facts: Any) -> None:
-        """Tell all who are here, those without a stream too, how it stands with the room itself: `here`,
-        `answered`, `lost`."""
+        """Set facts about the room, `here`, `answered` or `lost`, and send them to everyone in it."""
         self._count += 1
         for name, fact in facts.items():
             setattr(self, name, fact)
@@ -232,14 +229,14 @@ class ClassRoom:
                 listener.hear(event)
 
     def end(self) -> None:
-        """The class is over."""
+        """End the class for everyone in the room."""
         self.say(News(number=self.number, ended=True))
         for listener in list(self.listeners):
             listener.end()
 
 
 def name_of(word: str) -> str:
-    """The name of a follower in a token; a key is its own."""
+    """Return the name of a follower in a token; a key is its own name."""
     return word.partition(".")[0]
 
 

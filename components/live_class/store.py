@@ -10,9 +10,9 @@ from time import monotonic, time
 from typing import NamedTuple
 
 LIFE = 4 * 3600.0
-"""Seconds after the last sign of its instructor, after which a room ends, whoever follows."""
+"""Seconds from the last sign of its instructor to the end of a room, even if phones still follow."""
 ALONE = 20 * 60.0
-"""Seconds after which a room ends that nobody leads or follows: a break is shorter."""
+"""Seconds after which a room without instructor and followers ends; a break is shorter."""
 QUIET = 60.0
 """Seconds of it after which the room makes way for another where all are taken."""
 MOST_ROOMS = 500
@@ -25,7 +25,7 @@ ALL_BYTES = 44 * 2**20
 RESERVE = 12 * 2**20
 """Bytes of these that answers leave to the pictures and questions of the rooms."""
 OF_AN_ANSWER = 160
-"""Bytes that a store needs for an answer besides its own; measured: 80 in Valkey, 122 in memory."""
+"""Overhead of an answer in a store, in bytes; measured: 80 in Valkey, 122 in memory."""
 OF_A_VOTE = 400
 """Bytes that a store needs for the first answer to a vote; measured: 390 in Valkey."""
 OWNER = "owner"
@@ -33,14 +33,14 @@ OWNER = "owner"
 MOST_COUNTS = 20_000
 """Names under which something is counted at a time."""
 SLOTS = 12
-"""Parts of a span by which things are counted: what has happened is forgotten within one part after the span."""
+"""Parts of a span in which events are counted; an event is forgotten at most one part after the span."""
 SEEN = 30.0
 """Seconds for which a replica's word on how many follow it holds."""
 
 Parts = Mapping[str, bytes]
 """A room by the names of its parts."""
 Hear = Callable[[str, Parts], None]
-"""Called with the code of a room and the parts of it that are new; with none where the room has ended."""
+"""Called with the code of a room and its new parts, or with no parts if the room has ended."""
 
 
 class AwayError(Exception):
@@ -62,7 +62,7 @@ def size_of(parts: Parts) -> int:
 
 
 def slot_of(now: float, seconds: float) -> int:
-    """The number of the part of a span of so many seconds, of `SLOTS` parts, that an instant is in."""
+    """Return the number of the part of a span that an instant is in; a span has `SLOTS` parts."""
     return int(now * SLOTS // seconds)
 
 
@@ -71,30 +71,30 @@ class Store(ABC):
 
     The bytes of all rooms are limited. One owner's rooms may grow as long as they take no more than what is then free,
     so that each of n greedy owners leaves the others a share. `OWNER` is the part that names the owner of a room; a
-    room without it has a share of its own.
+    room without it has a separate share.
     """
 
     @abstractmethod
     async def open(self, code: str, parts: Parts) -> bool:
-        """A new room, in place of one that is alone where all are taken; False where there is one of that code, or no
-        place for any."""
+        """Open a room, in place of an abandoned one if all are taken. Return False if the code is taken or there is no
+        place."""
 
     @abstractmethod
     async def parts(self, code: str) -> Parts: ...
 
     @abstractmethod
     async def keep(self, code: str, parts: Parts) -> bool:
-        """Parts that take the place of those of their names, a sign of the instructor (also without any): all who
-        listen are told, and the room lives on. False where it is not there. FullError where the parts are too large for
-        the share of its owner."""
+        """Replace parts of a room and send them to all listeners. Even without parts this is a sign of the instructor,
+        which keeps the room alive. Return False if there is no such room. Raises FullError if the parts are too large
+        for the share of its owner."""
 
     @abstractmethod
     async def tell(self, code: str, parts: Parts) -> None:
-        """Tell all who listen, and keep nothing."""
+        """Send parts to all listeners without storing them."""
 
     @abstractmethod
     async def end(self, code: str) -> None:
-        """Forget the room and all answers; who listens is told no parts."""
+        """Delete the room and all answers; listeners get an update without parts."""
 
     @abstractmethod
     async def rooms(self) -> int:
@@ -104,8 +104,8 @@ class Store(ABC):
     async def vote(
         self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES, replace: bool = True
     ) -> bool:
-        """Keep an answer in place of the voter's last to the same question, which stands where `replace` is not set;
-        False where there are so many. FullError where the room, or its owner, has too many bytes."""
+        """Store an answer; it replaces the voter's last one to the same question only if `replace`. Return False if
+        there are `most` already. Raises FullError if the room, or its owner, has too many bytes."""
 
     @abstractmethod
     async def unvote(self, code: str, question: str, voter: str) -> None:
@@ -121,31 +121,32 @@ class Store(ABC):
 
     @abstractmethod
     async def present(self, code: str, replica: str, names: Collection[str]) -> int:
-        """Note who is here at a replica, and how many are at any: a phone with two is one. They keep the room alive."""
+        """Note who is here at a replica, and return how many are at any. A phone at two counts once. They keep the
+        room alive."""
 
     @abstractmethod
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
-        """Note who follows a replica, or has until a moment ago."""
+        """Note the present and recent followers at a replica."""
 
     @abstractmethod
     async def named(self, code: str) -> set[str]:
-        """The names of those who follow any replica."""
+        """Return the names of the followers at all replicas."""
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         """Count `more` of something, and return how often it has happened in the last so many seconds at all replicas.
 
-        The span slides: everything counts for all of it, and for a twelfth of it longer at most. AwayError where a new
-        name finds no place: it is not known then how often it has happened.
+        The span slides: an event counts for all of it, and for at most a twelfth of it longer. Raises AwayError if
+        there is no place for a new name, because its count is then unknown.
         """
 
     @abstractmethod
     async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
-        """Keep something for a while, in place of what was lent under this name; it can be taken once, with the key."""
+        """Lend something for a while, in place of an earlier loan of this name; it can be taken once, with the key."""
 
     @abstractmethod
     async def take(self, name: str, key: bytes) -> bytes:
-        """Return what was lent under a name, now taken; b"" where nothing was, or with another key."""
+        """Take a loan by its name and key; return b"" if there is none or the key is wrong."""
 
     @abstractmethod
     async def time(self) -> float:
@@ -153,11 +154,11 @@ class Store(ABC):
 
     @abstractmethod
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
-        """Tell of all that is kept and told from the moment on that `ready` is called; AwayError when that ends."""
+        """Call `hear` with all updates after the call of `ready`. Raises AwayError when the updates end."""
 
     @abstractmethod
     async def close(self) -> None:
-        """Let go of connections."""
+        """Close the connections."""
 
 
 class _Lent(NamedTuple):
@@ -170,14 +171,14 @@ class _Lent(NamedTuple):
 class _Count:
     until: float
     slots: dict[int, int] = field(default_factory=dict)
-    """How often it has happened in each part of the span."""
+    """The number of events in each part of the span."""
 
 
 @dataclass
 class _Room:
     parts: dict[str, bytes]
     led: float
-    """Until when the last sign of its instructor holds."""
+    """Time until which the last sign of its instructor is valid."""
     ends: float
     votes: dict[str, dict[str, bytes]] = field(default_factory=dict)
     here: dict[str, tuple[Collection[str], float]] = field(default_factory=dict)
@@ -325,7 +326,7 @@ class MemoryStore(Store):
         return sum(known.slots.values())
 
     def _forget_counts(self, now: float) -> None:
-        """Forget those that are over, at most once a second."""
+        """Delete the rooms that are over, at most once a second."""
         if now >= self._counts_looked + 1:
             self._counts = {one: count for one, count in self._counts.items() if count.until > now}
             self._counts_looked = now

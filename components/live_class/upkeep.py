@@ -1,4 +1,4 @@
-"""Upkeep of the rooms: listening to the store, looking who is there, and coming back when the store was away."""
+"""Upkeep of the rooms: listens to the store, counts who is here, and recovers after an outage of the store."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from components.live_class.store import AwayError, FullError, Parts
 log = logging.getLogger(__name__)
 
 AGAIN = 0.5
-"""Seconds until a store that was away is asked again."""
+"""Seconds until an unavailable store is tried again."""
 PATIENCE = 3
 """Looks at a store in which a room is not found until it has ended: its instructor's replica may write it back."""
 TRIES = 5
@@ -27,7 +27,7 @@ FAREWELL = 1.0
 COUNTING = 1.0
 """Seconds between counts of who is here."""
 CROWD = 500
-"""Followers whose phones are told the number of answers at each count; of twice as many at every second count."""
+"""Followers for each further second between counts of the answers; with fewer, there is a count every second."""
 SKEW = 0.2
 """Seconds by which the clocks of replicas may differ: followers of another one see the instructor's so much off."""
 
@@ -41,7 +41,7 @@ class Upkeep:
         self._tasks: list[asyncio.Task[None]] = []
         self._round = 0
         self._named: dict[str, frozenset[str]] = {}
-        """Who follows here, by room, as the store was told last."""
+        """The followers here, by room, that were last sent to the store."""
         self._full = False
         self.listening = False
         self.rooms = 0
@@ -65,7 +65,7 @@ class Upkeep:
         await self.registry.store.close()
 
     async def _left(self, room: ClassRoom) -> None:
-        """Whoever followed here is counted where they come back."""
+        """Remove this replica's followers from the store; they count again at the replica that they return to."""
         await self.registry.store.present(room.code, self._replica, ())
 
     async def _listen(self) -> None:
@@ -95,7 +95,7 @@ class Upkeep:
             log.exception("News of a live class could not be read")
 
     async def _return(self, back: asyncio.Event, lost: float) -> None:
-        """Look up what was said meanwhile, and tell a store what it has forgotten of the rooms that are led here."""
+        """Load missed updates, and restore rooms that are led here if the store has lost them."""
         await back.wait()
         self.listening = True
         if lost:
@@ -126,13 +126,13 @@ class Upkeep:
             room.tell(changed)
 
     async def _save(self, room: ClassRoom) -> None:
-        """Where the store has forgotten the room, its instructor's replica comes first."""
+        """Store unsaved parts. If the store has lost the room, the instructor's replica restores it first."""
         if room.unsaved:
             with suppress(ClosedError):
                 await self.registry.write(room, dict(room.unsaved))
 
     async def _looked_up(self, room: ClassRoom) -> Parts:
-        """The parts of a room in the store, asked anew where others were told meanwhile, which may be newer."""
+        """Return the parts of a room in the store; ask again if newer ones may have arrived meanwhile."""
         for _ in range(TRIES):
             number = room.number
             parts = await self.registry.store.parts(room.code)
@@ -150,7 +150,7 @@ class Upkeep:
                 await self._safely(self._look_at(room))
 
     async def _safely(self, act: Awaitable[None]) -> None:
-        """Look after one room. A fault there is logged, and is no matter of the others."""
+        """Look after one room. A fault there is logged and does not affect the others."""
         try:
             await act
         except (AwayError, ClosedError):
@@ -171,7 +171,7 @@ class Upkeep:
         self.skew = skew
 
     async def _look_at(self, room: ClassRoom) -> None:
-        """Who is here, told where it has changed, and to all who might wonder whether anybody speaks at all."""
+        """Count who is here. Send a changed number at once, and otherwise a sign of life now and then."""
         turn = self._round % int(SILENCE / COUNTING) == 0
         room.look()
         if not room.lost:

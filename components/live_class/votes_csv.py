@@ -58,7 +58,7 @@ class VoteRows:
 
 
 async def numbered(registry: Registry, names: Iterable[str], code: str) -> dict[str, int]:
-    """A number for each name, in an order that tells nothing of when somebody came: their tokens begin with that."""
+    """Return a number for each name, in an order that does not reveal the times in the tokens."""
     hashed = await registry.slices.map(lambda name: (sha256(f"{code} {name}".encode()).digest(), name), names)
     return {name: number for number, (_, name) in enumerate(sorted(hashed), start=1)}
 

@@ -30,7 +30,7 @@ export function shapesOf({ends, omega: {length: count}}) {
 }
 
 /**
- * sin(pi n/parts), n from 0 to 2 parts: of an angle of at most an eighth of a turn.
+ * sin(pi n/parts), n from 0 to 2 parts, from an angle of at most an eighth of a turn.
  * @param {number} n @param {number} parts @returns {number}
  */
 function sinOfPart(n, parts) {
@@ -56,7 +56,7 @@ export function displaced(modes, t) {
 }
 
 /**
- * The displacement of the mass in hand; those of all masses are named by their numbers.
+ * Returns the displacement of the selected mass, and sets the displacements of all masses under their numbered names.
  * @param {page.Modal} signal @param {number} t @param {Named} named
  */
 export function modal(signal, t, named) {

@@ -1,4 +1,4 @@
-// Small pictures in motion: those in view play, unless the visitor asks for less motion.
+// Small pictures in motion.
 
 const still = matchMedia("(prefers-reduced-motion: reduce)")
 

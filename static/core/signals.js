@@ -79,7 +79,7 @@ export function polynomial(number, named) {
 }
 
 /**
- * A shape with its numbers worked out: `moving` are those that are none yet.
+ * A shape with evaluated numbers; `moving` are the ones that depend on the instant.
  * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
  */
 export function atInstant({spec, moving}, all) {

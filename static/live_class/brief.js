@@ -1,4 +1,4 @@
-// The instructor's brief on a remote control: the question, who has answered, what is right, the split, the notes.
+// The instructor's brief on a remote control: the question, the number of answers, the split with the right one, notes.
 
 import {element, marked} from "../core/dom.js"
 import {orderOf} from "../questions/order.js"
@@ -7,10 +7,10 @@ import {grouped} from "../questions/word_groups.js"
 import {haveAnswered} from "./counts.js"
 import {sureness} from "./sureness.js"
 
-const FEW = 5 // answers of which no share is told
-const [LOW, HIGH] = [0.3, 0.7] // shares of right answers between which talk among students helps
+const FEW = 5 // with fewer answers there is no advice
+const [LOW, HIGH] = [0.3, 0.7] // shares of right answers between which a discussion helps
 
-/** Whether all who are here have answered. @param {page.RemoteView | null} view */
+/** True if everyone who is here has answered. @param {page.RemoteView | null} view */
 export function haveAllAnswered(view) {
   return Boolean(view?.here && view.tally && view.tally.now.answered >= view.here)
 }
@@ -41,7 +41,7 @@ function answeredBy({question, tally, here}) {
 }
 
 /**
- * The answers with the right one marked; a number and how many have it; features of a sketch.
+ * Rows with counts: the options with the right one marked, the features of a sketch, or the right answers.
  * @param {page.RemoteView} view @param {page.StepCard} card @param {string} code
  */
 function split({tally, lesson, judges}, card, code) {
@@ -72,7 +72,7 @@ function row(html, count, all, isRight = false) {
 /** @param {string} words */
 const told = words => (words ? [element("p", {}, words)] : [])
 
-/** A hint of peer instruction. @param {page.RemoteView} view */
+/** The advice to let students discuss, as in peer instruction. @param {page.RemoteView} view */
 function advice({question, tally, judges}) {
   const answered = tally?.now.answered ?? 0
   if (!tally || !judges || question.lesson || answered < FEW) return []

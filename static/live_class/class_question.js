@@ -48,7 +48,7 @@ export class ClassQuestion {
     else this.#resend()
     this.#say()
     if (this.card && question.lesson) await this.#teach(question.lesson)
-    if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson) // of answers that came back
+    if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson) // restored answers change it
   }
 
   /** Says whether the question takes answers, and whether the class has this phone's. */
@@ -64,7 +64,7 @@ export class ClassQuestion {
     this.status.textContent = parts.filter(Boolean).join(" ")
   }
 
-  /** The answers of the class in a sentence: how many, and once the answer is shown how many are right. */
+  /** The answers of the class in a sentence: their number, and with the shown answer the number of right ones. */
   #ofAll() {
     const {split, lesson} = this.question ?? {}
     if (lesson) return split?.judges && split.answered ? rightOf(split) : ""
@@ -72,7 +72,7 @@ export class ClassQuestion {
     return answered && here ? `${haveAnswered(answered, here)}.` : ""
   }
 
-  /** Says by now how many have answered. */
+  /** Updates the number of answers. */
   count() {
     if (this.card && !this.card.walk.lesson) this.#say()
   }
@@ -221,13 +221,13 @@ export class ClassQuestion {
     this.#say()
   }
 
-  /** The lesson with the split. There is nothing here to try with. @param {Card} card @param {page.Lesson} lesson */
+  /** Shows the lesson with the split, without things to try. @param {Card} card @param {page.Lesson} lesson */
   #show(card, lesson) {
     card.teach({...lesson, next: ""})
     this.#split(card, lesson)
   }
 
-  /** The counts of the class, at each option. @param {Card} card @param {page.Lesson} lesson */
+  /** Shows the counts of the class at each option. @param {Card} card @param {page.Lesson} lesson */
   #split({question}, lesson) {
     const {split} = this.question ?? {}
     if (!split?.options.length) return
@@ -262,7 +262,7 @@ export class ClassQuestion {
   }
 }
 
-/** A tally of a split, without what phones are not told. @param {page.Split} split @returns {page.Tally} */
+/** A tally from a split; the missing fields are empty. @param {page.Split} split @returns {page.Tally} */
 function tallyOf({answered, right, options, having}) {
   const now = {answered, options, having, numbers: [], sketches: [], sure: [], words: []}
   return {walk: "", step: "", vote: 1, before: null, features: [], right, now}

@@ -1,4 +1,4 @@
-// The live class as an ordinary page knows it: one is opened or joined here; what it is made of is fetched then.
+// Opens or joins a live class from an ordinary page; the modules for that are loaded on demand.
 
 import {later} from "../later.js"
 import {inWords} from "../core/notes.js"
@@ -8,7 +8,7 @@ export class Classes {
   /** @type {import("./teach.js").Teach | null} the class that this page leads */
   led = null
 
-  code = "" // of the class whose numbers and order of answers this page has: it leads the class, or has led it
+  code = "" // of the class that this page leads or has led, for the order of its answers
 
   put = "" // the step that the lecture asks while this page looks around
 
@@ -38,25 +38,25 @@ export class Classes {
     this.opening = false
   }
 
-  /** A vote A to D, on what is asked aloud. */
+  /** Starts a vote A to D on a question asked aloud. */
   poll() {
     if (this.led) this.led.poll()
     else this.lecture.page.notice.tell("A vote needs a live class: press T.")
   }
 
-  /** Asks those who answer how sure they are. */
+  /** Asks the students how sure they are of their answers. */
   askSure() {
     if (this.led) this.led.askSure()
     else this.lecture.page.notice.tell("How sure a class is can be asked in a live class: press T.")
   }
 
-  /** A countdown of the vote. */
+  /** Starts or extends the countdown of the vote. */
   countDown() {
     if (this.led) this.led.countDown()
     else this.lecture.page.notice.tell("A countdown needs a vote of a live class: press T.")
   }
 
-  /** Whether this page has the numbers of a class: it leads one, has led one, or is about to come back to its own. */
+  /** True if this page has the numbers of a class: it leads one, has led one, or is about to return to its own. */
   get hasNumbers() {
     return Boolean(this.code || tabStorage.text(LED))
   }
@@ -72,7 +72,7 @@ export class Classes {
 
   asked = false
 
-  /** A tab that leads a class goes on with it; one of a follower on their own knows the way back. */
+  /** Continues the class of this tab; the tab of a follower who looks around gets a way back. */
   async #kept() {
     if (tabStorage.text(LED)) await this.begin()
     const left = tabStorage.text(LEFT)

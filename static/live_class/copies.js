@@ -1,4 +1,4 @@
-// Copies of a class in its instructor's browser, so that a server that has lost the class has it again.
+// Copies of a class in its instructor's browser, to restore it on a server that has lost it.
 
 import {LED, browserStorage, tabStorage} from "../core/storage.js"
 import {Refusal, ask, pause} from "./requests.js"
@@ -12,13 +12,13 @@ const LONGEST = 40000 // characters of an order
 const AGAIN = 1000 // ms until it is sent again
 
 /**
- * A room, the remote control that was let in, the question that is put, the last vote on each, the last of
- * which the answer was shown, and when it was led.
+ * A room, its remote control, the current question, the last vote on each question and the last one with a shown
+ * answer, and the time when it was last led.
  * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean,
  *   sure: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
- *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
- * @typedef {Record<string, page.Voted>} Ballot by the names of those who gave them
+ *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room a lost one is not completely restored
+ * @typedef {Record<string, page.Voted>} Ballot by voter
  */
 
 export class Copies {
@@ -28,7 +28,7 @@ export class Copies {
   /** @type {number | undefined} */
   timer
 
-  isBehind = false // it has no copies of what was answered before: they are taken without pauses
+  isBehind = false // copies of earlier answers are missing, so they are fetched without pauses
 
   /** @param {Room} room */
   constructor(room) {
@@ -66,7 +66,7 @@ export class Copies {
     if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), this.isBehind ? 0 : COPYING)
   }
 
-  /** All that was answered before this computer led the class. */
+  /** Copies the answers from before this computer led the class. */
   async #copyAll() {
     const {code, key} = this.room
     /** @type {page.StepSummary[]} */
@@ -82,7 +82,7 @@ export class Copies {
     this.#wait()
   }
 
-  /** Answers to one vote are kept here as well. */
+  /** Copies the answers to one vote. */
   async #copy() {
     const {code, key} = this.room
     const [vote] = this.stale
@@ -91,7 +91,7 @@ export class Copies {
     const answers = await ask(path, {word: key}).catch(() => null)
     if (answers) {
       this.answers.set(vote, answers)
-      browserStorage.keep(copyOf(GIVEN, code, vote), answers) // of too many this page alone has them
+      browserStorage.keep(copyOf(GIVEN, code, vote), answers) // if there are too many, only this page has them
     } else this.stale.add(vote)
     this.isBehind &&= Boolean(answers) && this.stale.size > 0
     this.timer = undefined
@@ -103,18 +103,18 @@ export class Copies {
     return this.room.last?.[question] ?? 0
   }
 
-  /** Whether the class has seen the answer to a question since the last vote. @param {string} question */
+  /** True if the class has seen the answer to a question since the last vote. @param {string} question */
   isAnswered(question) {
     return this.last(question) > 0 && this.room.shown?.[question] === this.last(question)
   }
 
-  /** A walk from a file that is asked goes along. @param {string} name @param {string} text */
+  /** Adds a walk from a file to the copies. @param {string} name @param {string} text */
   take(name, text) {
     this.walks.set(name, text)
     browserStorage.keep(copyOf(WALK, this.room.code, name), text)
   }
 
-  /** Opens the room anew, with all that was asked and answered in it. */
+  /** Opens the room again, with its questions and answers. */
   async restore() {
     const {code, key, control = "", put} = this.room
     this.save({isLost: true})
@@ -134,7 +134,7 @@ export class Copies {
     this.save({isLost: false})
   }
 
-  /** Gives an order; one refused for good holds up nothing. @param {page.Order} order @returns {Promise<void>} */
+  /** Gives an order; a final refusal does not stop later ones. @param {page.Order} order @returns {Promise<void>} */
   async #order(order) {
     const {code, key} = this.room
     try {
@@ -153,7 +153,7 @@ export class Copies {
     browserStorage.forget(ROOM, ...copies())
   }
 
-  /** The class that this browser led until a moment ago, if it goes on. */
+  /** The class that this browser led until recently, if it continues. */
   static async find() {
     const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
     if (!room) return null
@@ -175,7 +175,7 @@ export class Copies {
 }
 
 /**
- * Takes the lead of a class, with a word from the computer that has led it.
+ * Takes the lead of a class, with a word from the computer that leads it.
  * @param {string} code @param {string} word
  */
 export async function takeOver(code, word) {
@@ -183,18 +183,18 @@ export async function takeOver(code, word) {
   const {query, walks, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
   for (const [name, text] of Object.entries(walks)) browserStorage.keep(copyOf(WALK, room.code, name), text)
   browserStorage.keepOrSay(ROOM, room)
-  tabStorage.keep(LED, "open") // the page that follows comes back to it by itself
+  tabStorage.keep(LED, "open") // the next page of this tab returns to it
   location.replace(`./?${query}`)
 }
 
-/** The names of all that is kept here of classes, "class-given EUW5 d31/d31-03/1". */
+/** The names of all copies of classes, "class-given EUW5 d31/d31-03/1". */
 const copies = () => browserStorage.names().filter(name => name.startsWith(GIVEN) || name.startsWith(WALK))
 
 /** @param {string} kind @param {string} code @param {string} of a vote or walk */
 const copyOf = (kind, code, of) => `${kind} ${code} ${of}`
 
 /**
- * The copies kept of a class, by what they are of.
+ * The copies of one kind of a class, by vote or walk.
  * @template Value @param {string} kind @param {string} code @param {(name: string) => Value} read
  */
 function copied(kind, code, read) {

@@ -1,15 +1,15 @@
-// The votes of an earlier class, from its CSV: an outline beside those of today.
+// The votes of an earlier class, from its CSV, which are outlined behind the current ones.
 
 import {bare} from "../core/plain.js"
 
 const LARGEST = 5e6 // characters of a file
 const NEEDED = ["walk", "step", "vote", "answer"]
-const FIRST = "1" // vote: later ones are after talk
+const FIRST = "1" // vote: later ones follow a discussion
 
 /** Answers by question, "d31/d31-03". @typedef {Map<string, string[]>} Earlier */
 
 /**
- * The answers in a file; an error in words for one that is no table of a class, or of walks that are not here.
+ * Reads the answers in a file; throws an error with a sentence if it is no table of a class, or has no known walk.
  * @param {string} text @param {string[]} walks @returns {Earlier}
  */
 export function earlier(text, walks) {
@@ -36,7 +36,7 @@ export function earlier(text, walks) {
 }
 
 /**
- * Answers counted as those of a step are; null for a kind of which the table does not tell enough.
+ * Counts answers like the votes on a step; null if the table has too little data for this kind of question.
  * @param {string[]} answers @param {page.StepCard} step @returns {page.Counted | null}
  */
 export function countedOf(answers, step) {
@@ -51,7 +51,7 @@ export function countedOf(answers, step) {
   return step.plot || !numbers.length ? null : {...nothing, answered: numbers.length, numbers}
 }
 
-/** A text without signs and spaces, in which its two spellings differ. @param {string} text */
+/** A text without signs and spaces, in which the table and the page may differ. @param {string} text */
 const letters = text => text.normalize("NFKC").replaceAll(/[^\p{L}\p{N}]/gu, "")
 
 /** The cells of a CSV by rows. @param {string} text */
@@ -62,7 +62,7 @@ function table(text) {
   const whole = text.replace(/^\ufeff/, "")
   while (cells.lastIndex < whole.length) {
     const match = cells.exec(whole)
-    if (!match) break // a quote that is not closed
+    if (!match) break // an unclosed quote
     rows[rows.length - 1].push(match[1]?.replaceAll('""', '"') ?? match[2])
     if (match[3] !== ",") rows.push([])
   }

@@ -1,4 +1,4 @@
-// The page of who follows a class: the instructor's messages, drawn by the same modules, without a session.
+// The page of a follower: draws the instructor's messages with the same modules, without a session.
 
 import {unpacked} from "../net/columns.js"
 import {element, frame} from "../core/dom.js"
@@ -16,7 +16,7 @@ import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
 const PATIENCE = 10000 // ms for a sheet
-const RENEWED = "class-renewed" // when a page of another version was last loaded anew
+const RENEWED = "class-renewed" // when a page of another version was last reloaded
 const PAUSE = 10000 // ms until it may be once more
 const AGAIN = 500 // ms until it is fetched again
 const OVER = "The class is over. Thank you for coming."
@@ -29,7 +29,7 @@ export class Following {
   /** @type {Drawn} */
   shown
 
-  /** @type {Partial<page.News>} all that has been told, the newest of each */
+  /** @type {Partial<page.News>} the latest news of each kind */
   news = {}
 
   sheets = new Sheets(PATIENCE)
@@ -133,7 +133,7 @@ export class Following {
     document.documentElement.dataset.ready = "true"
   }
 
-  /** A case that a reply speaks of is looked at on one's own. @param {page.State} state */
+  /** Opens a case that a reply mentions on a separate page. @param {page.State} state */
   open(state) {
     this.bar.leave({...state, step: "", covered: []})
     location.assign(`./?scene=${state.scene}`)

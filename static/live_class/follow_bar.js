@@ -1,4 +1,4 @@
-// The bars around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
+// The bars around a follower's picture: the place in the lecture, the connection, and the way to look around.
 
 import {element} from "../core/dom.js"
 import {Countdown} from "./countdown.js"

@@ -12,7 +12,7 @@ export class JoinBadge {
     this.element.append(marked("span", {class: "class-square", "aria-hidden": "true"}, square))
   }
 
-  /** Beside the scene that stands. @param {HTMLElement} root of its page */
+  /** Puts the badge on the page of the current scene. @param {HTMLElement} root of its page */
   stand(root) {
     if (this.element.parentElement === root) return
     root.append(this.element)

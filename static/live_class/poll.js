@@ -1,11 +1,11 @@
-// A vote on a question asked aloud: a step with four answers of which none is right, on what is shown.
+// A vote on a question asked aloud: a step on the current picture, with four answers and no right one.
 
 import {ALOUD, shownBy, stepText, walkText} from "../walks/draft.js"
 
 const LETTERS = ["A", "B", "C", "D"]
 
 /**
- * Leaves the step of a walk that stands, as it stands, and puts the vote; why it cannot be, or "".
+ * Leaves the current step and puts the vote; resolves with a reason if that is not possible, else "".
  * @param {LectureHost} lecture @returns {Promise<string>}
  */
 export async function poll({walks, messages, kept}) {

@@ -9,9 +9,9 @@ import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
 import {Refusal, ask, insist, isMissing} from "./requests.js"
 
-const DOUBTS = 30 // looks at a class that is not there until that is believed: its server may begin anew
-const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
-const BUZZ = 200 // ms for which it vibrates once all have answered
+const DOUBTS = 30 // looks until a missing class counts as over, because its server may be restarting
+const ASKING = 1000 // ms between requests for its contents
+const BUZZ = 200 // ms of vibration when everyone has answered
 const DEEDS = /** @type {[string, page.Deed][]} */ ([
   ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["How sure?", "sure"],
   ["30 s", "countdown"],
@@ -34,7 +34,7 @@ export async function control(code, ticket) {
 }
 
 /**
- * A page that is loaded anew has its key still.
+ * Returns the key of this remote control, which a reloaded page still has.
  * @param {string} code @param {string} ticket @param {(why: string) => void} say @returns {Promise<page.Paired>}
  */
 async function pairedWith(code, ticket, say) {
@@ -92,7 +92,7 @@ class Remote {
   }
 
   body = this.#body()
-  isPressed = false // a finger is on it: nothing moves under it
+  isPressed = false // while a finger is on it, nothing moves
 
   #body() {
     const body = element("div", {class: "remote-body"})
@@ -112,7 +112,7 @@ class Remote {
     this.body.replaceChildren(...brief(this.view, this.code, moderate))
   }
 
-  /** Buttons stay in their places: one that changes under a finger would not be pressed. */
+  /** The buttons stay in the document: a press on one that is replaced meanwhile would be lost. */
   buttons = DEEDS.map(([name, deed]) => ({
     name,
     deed,
@@ -130,7 +130,7 @@ class Remote {
     }
   }
 
-  /** Buttons that do something else now. @param {boolean} isBlank @returns {Partial<Record<page.Deed, string>>} */
+  /** Labels of buttons with a new effect. @param {boolean} isBlank @returns {Partial<Record<page.Deed, string>>} */
   #words(isBlank) {
     const counts = this.countdown.left > 0
     const closes = this.view?.question.closes

@@ -1,23 +1,23 @@
-// The stream of what is new in a live class: taken up anew where it breaks, and replaced by questions where none comes.
+// The stream of updates of a live class: reopened if it breaks, and replaced by polling if nothing comes through.
 
 import {Refusal, ask, asked, pause, pauseAfter} from "./requests.js"
 
-const PATIENCE = 3000 // ms until an attempt that brings nothing is given up
-const HASTE = 150 // ms, in its place, for the first try of a page that wakes: its old connections may be dead
+const PATIENCE = 3000 // ms without data until an attempt is given up
+const HASTE = 150 // the same for the first try of a page that wakes, whose old connections may be dead
 const SLOWING = 1.5 // times as long for each try after it
 const HASTY = 6 // tries of a page that wakes
-const BUSY = 250 // ms of a patience, in which a page that was too busy to listen hears what has come
+const BUSY = 250 // extra ms, so that a busy page can read data that has arrived
 const CONNECTIONS = 6 // that a browser keeps to one server
-const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
+const SILENCE = 25000 // ms after which a stream is reopened: the server sends something every 15 s
 const ASKING = 1000 // ms between questions
-const TRIAL = 60000 // ms, after which a stream is tried again where none came through
+const TRIAL = 60000 // ms until a stream is tried again during polling
 const SLEEP = 1e8 // ms, more than a day: until the page is seen again
-const DOUBT = 30000 // ms for which a class is not there until that is believed: its server may begin anew
-const NOW = "at once" // why an attempt ends that is followed by another without a pause
+const DOUBT = 30000 // ms until a missing class counts as over, because its server may be restarting
+const NOW = "at once" // the reason to end an attempt and start the next without a pause
 
 /**
- * A state, by how the room is asked: by a stream of events or by a question for what is new now; how long nothing may
- * come; whether dead connections are used up meanwhile; which state follows where nothing came, and whether at once.
+ * A state: the kind of request, a stream of events or one for the news until now; the longest silence; if dead
+ * connections are used up meanwhile; the next state if nothing comes, and if there is a pause before it.
  * @typedef {{by: "events" | "now", patience: number, probes?: boolean, late: string, rests?: boolean}} StreamState
  * @type {Record<string, StreamState>}
  */
@@ -41,19 +41,19 @@ function woken(by) {
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
  *   connected: (is: boolean, why?: string) => void, outdated?: () => void,
  *   sleeps?: boolean, doubt?: number}} StreamListener
- * One that `sleeps` has no stream while its page is hidden: a phone in a pocket is not counted. `doubt` is the time
- * in ms for which a class is not there until that is believed.
+ * A listener that `sleeps` has no stream while its page is hidden: a phone in a pocket is not counted. `doubt` is the
+ * time in ms until a missing class counts as over.
  */
 export class Stream {
   state = "events"
-  number = "" // of the last that was heard
-  heardAt = 0 // by the time of day: it goes on while a phone sleeps
-  knockAt = 0 // when a stream is tried beside the questions
-  tries = 0 // that failed since something was heard
-  missedAt = 0 // when the server has first said that there is no such class
+  number = "" // of the last state that was received
+  heardAt = 0 // by the time of day, which continues while a phone sleeps
+  knockAt = 0 // when a stream is tried during polling
+  tries = 0 // failed tries since the last data
+  missedAt = 0 // when the server first reported that there is no such class
   over = false
 
-  /** Ends the attempt or the pause that is on. */
+  /** Ends the current attempt or pause. */
   control = new AbortController()
 
   listening = new AbortController()
@@ -75,7 +75,7 @@ export class Stream {
     return STATES[this.state].by
   }
 
-  /** The server is there, as is known; or a page wakes: it has slept through what was said, its stream may be dead. */
+  /** Tries again at once: the server is known to be up, or the page wakes with a stream that may be dead. */
   wake() {
     this.tries = 0
     this.missedAt = 0
@@ -95,7 +95,7 @@ export class Stream {
     if (!this.sleeps && Date.now() - this.heardAt > SILENCE) this.control.abort()
   }
 
-  /** One attempt after the other. */
+  /** Makes one attempt after the other. */
   async #go() {
     if (this.sleeps) await this.#rest(SLEEP)
     if (this.over) return
@@ -128,7 +128,7 @@ export class Stream {
     return pauseAfter(this.tries++)
   }
 
-  /** All that a stream brings, until it ends. @param {AbortSignal} signal */
+  /** Reads a stream until it ends. @param {AbortSignal} signal */
   async #read(signal) {
     const came = this.#expect()
     try {
@@ -143,7 +143,7 @@ export class Stream {
     }
   }
 
-  /** A question for what is new now, and the time until the next. @param {AbortSignal} signal */
+  /** Requests the news until now, and returns the time until the next request. @param {AbortSignal} signal */
   async #look(signal) {
     const came = this.#expect()
     const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)
@@ -153,7 +153,7 @@ export class Stream {
     return ASKING
   }
 
-  /** Gives the attempt up where nothing comes in time. @returns {() => void} to be called when something came */
+  /** Ends the attempt if nothing comes in time. @returns {() => void} to be called when data come */
   #expect() {
     const {control} = this
     const {patience, probes, late, rests} = STATES[this.state]
@@ -174,7 +174,7 @@ export class Stream {
     }
   }
 
-  /** Asking costs the server more than a stream: now and then one is tried, beside the asking. */
+  /** Tries a stream now and then during polling, which costs the server more. */
   async #knock() {
     this.knockAt = Date.now() + TRIAL
     const control = new AbortController()
@@ -187,7 +187,7 @@ export class Stream {
         this.wake()
       })
     } catch {
-      // Nothing comes through as yet.
+      // Streams do not come through yet.
     }
     clearTimeout(timer)
   }
@@ -221,7 +221,7 @@ export class Stream {
 }
 
 /**
- * Each connection that died while the phone slept takes a request with it: these take all that the browser keeps.
+ * Uses up the connections that died while the phone slept, with one request for each that the browser keeps.
  * @param {AbortSignal} signal when something has come, or nothing will
  */
 function probe(signal) {

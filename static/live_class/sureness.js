@@ -1,4 +1,4 @@
-// The question how sure somebody is of an answer: three levels, sent with it and counted with it.
+// Confidence in an answer: three levels, which are sent and counted with it.
 
 import {chip, element} from "../core/dom.js"
 
@@ -23,7 +23,7 @@ export class Sureness {
     changed()
   }
 
-  /** Marks the level that is chosen. @param {number} level */
+  /** Marks the chosen level. @param {number} level */
   put(level) {
     this.level = level
     for (const [i, one] of this.chips.entries()) one.setAttribute("aria-pressed", String(i + 1 === level))
@@ -31,7 +31,7 @@ export class Sureness {
 }
 
 /**
- * The levels with their counts, and how many of each are right once the answer is shown.
+ * The levels with their counts and, if the answer is shown, the number of right ones.
  * @param {page.Counted} counted @param {boolean} isShown
  */
 export function sureness({sure}, isShown) {

@@ -1,4 +1,4 @@
-// The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
+// The instructor's side of a live class: sends the page's picture, clock and question to the class.
 
 import {button, chip, element} from "../core/dom.js"
 import {inWords, note} from "../core/notes.js"
@@ -16,10 +16,10 @@ import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
 
 const LOOK = 50 // ms between looks at the clock
-const OFF = 0.04 // s by which followers may be off before they are told anew
+const OFF = 0.04 // s by which followers may be off before they get the clock again
 const AGAIN = 1000 // ms until an order is sent again
 const PASSED = "led by another computer"
-const SAVING = 60000 // ms between notes that the class goes on
+const SAVING = 60000 // ms between notes that the class continues
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 
@@ -27,13 +27,13 @@ export class Teach {
   /** @type {Partial<page.News>} */
   news = {}
 
-  /** @type {page.RunClock | null} what followers were told of the clock */
+  /** @type {page.RunClock | null} the clock that was last sent to followers */
   told = null
 
-  /** @type {string} the question that followers have, as it is named here */
+  /** @type {string} the name of the followers' question */
   put = ""
 
-  /** @type {page.WalkSheet | undefined} its walk: one that is read from its file anew is another */
+  /** @type {page.WalkSheet | undefined} its walk; a file that is read again gives a new one */
   sheet
 
   away = false
@@ -79,7 +79,7 @@ export class Teach {
   /** @type {Promise<void> | null} */
   reopening = null
 
-  /** The server has lost the class: it has it again from here. */
+  /** Restores a class that the server has lost. */
   reopen() {
     this.reopening ??= this.#restore().finally(() => (this.reopening = null))
     return this.reopening
@@ -102,7 +102,7 @@ export class Teach {
     this.votes.count()
   }
 
-  /** The session that is there now shows what it shows to all. */
+  /** Makes the current session publish its picture to the class. */
   lead() {
     if (this.away) this.stream.wake()
     this.lecture.messages.send({type: "lead", code: this.room.code, key: this.room.key})
@@ -145,7 +145,7 @@ export class Teach {
     if (news.deed) this.#obey(news)
   }
 
-  /** Does what the remote control asks for. @param {Partial<page.News>} news */
+  /** Executes an order of the remote control. @param {Partial<page.News>} news */
   #obey({deed, step}) {
     const {walks} = this.lecture
     const {walk} = walks
@@ -171,7 +171,7 @@ export class Teach {
     walk.card?.derive()
   }
 
-  /** Whether it was done. @param {page.Order} order @returns {Promise<boolean>} */
+  /** Gives an order; resolves with true on success. @param {page.Order} order @returns {Promise<boolean>} */
   order(order) {
     const done = this.orders.then(() => this.#sent(order))
     this.orders = done
@@ -179,12 +179,12 @@ export class Teach {
   }
 
   /**
-   * Nothing overtakes it: what nobody answers is asked until somebody does.
+   * Repeats an order until the server answers; no later order overtakes it.
    * @param {page.Order} order @returns {Promise<boolean>}
    */
   async #sent(order) {
     const {code, key} = this.room
-    if (this.isOver || (order.type === "clock" && order !== this.told)) return false // the clock has been told anew
+    if (this.isOver || (order.type === "clock" && order !== this.told)) return false // a newer clock is on its way
     try {
       await ask(`${code}/lead`, {method: "POST", body: order, word: key})
       return true
@@ -200,11 +200,11 @@ export class Teach {
     }
     await pause(AGAIN)
     if (order.type !== "clock") return this.#sent(order)
-    if (order === this.told) this.told = null // it is told as it stands by now
+    if (order === this.told) this.told = null // the current clock is sent instead
     return false
   }
 
-  /** Where followers would see another instant than this page, they are told. */
+  /** Sends the clock if followers would see another instant than this page. */
   #look() {
     this.badge.stand(this.lecture.page.root)
     this.#describe()
@@ -223,7 +223,7 @@ export class Teach {
     this.order(this.told)
   }
 
-  /** A remote control learns what its buttons do. */
+  /** Describes the screen to a remote control, if it has changed. */
   #describe() {
     if (!this.copies.room.control || this.away) return
     const screen = describedScreen(this.lecture.walks, {
@@ -238,7 +238,7 @@ export class Teach {
     this.described = described
   }
 
-  /** A vote that closes at the end of its countdown is closed once. */
+  /** Closes a vote once at the end of its countdown, if it was set to close. */
   #closeInTime() {
     const {countdown, news} = this
     if (!countdown.isOver || !news.question?.closes || this.closedAt === countdown.until) return
@@ -246,18 +246,18 @@ export class Teach {
     this.close()
   }
 
-  closedAt = 0 // the end of the countdown after which it was closed last
+  closedAt = 0 // the end of the last countdown that has closed a vote
 
-  described = "" // what a remote control was told last
+  described = "" // the last description that was sent
 
-  /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
+  /** Called after every change in a walk; null when it is left. @param {Walk | null} walk */
   walked(walk) {
-    if (!this.news.number) return // it is not known yet what has been asked
-    if (walk?.numbers) return walk.go(walk.place) // in a class all have the numbers of the file
+    if (!this.news.number) return // the current question is not known yet
+    if (walk?.numbers) return walk.go(walk.place) // everyone in a class has the numbers of the file
     if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) this.#arrive(walk)
     else if (walk?.card && this.votes.card !== walk.card) {
       this.votes.begin(walk)
-      if (walk.lesson && this.shown) this.votes.open() // its card has been laid anew
+      if (walk.lesson && this.shown) this.votes.open() // its card is new
       else if (this.shown) this.#put(walk) // its answer was taken back
     }
     if (walk?.lesson && !this.shown) {
@@ -270,7 +270,7 @@ export class Teach {
 
   shown = false
 
-  /** Another step: one whose answer the class has seen is shown with it. @param {Walk | null} walk */
+  /** Called for another step; shows its answer if the class has seen that. @param {Walk | null} walk */
   async #arrive(walk) {
     const isShown = this.#isShown(walk)
     const isTakenBack = this.isTakenBack(walk)
@@ -283,12 +283,12 @@ export class Teach {
     if (isAnswered && put === this.put && !walk.lesson) walk.show(true)
   }
 
-  /** Whether the class has seen the answer to this question, which is hidden again. @param {Walk | null} walk */
+  /** True if the class has seen the answer to this question and it is hidden again. @param {Walk | null} walk */
   isTakenBack(walk) {
     return Boolean(this.news.question?.answered && !walk?.lesson && this.#isAsked(walk))
   }
 
-  /** Whether the class has seen the answer: a page loaded anew does not ask once more. @param {Walk | null} walk */
+  /** True if the class has seen the answer; then a reloaded page does not ask again. @param {Walk | null} walk */
   #isShown(walk) {
     return !this.sheet && this.news.question?.lesson && this.#isAsked(walk)
   }
@@ -299,7 +299,7 @@ export class Teach {
     return nameOf(walk) === `${question?.walk}/${question?.step}`
   }
 
-  /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */
+  /** Sends a walk from a file to the room before its first question. @param {Walk} walk */
   async #put({sheet: {name}, step, walks: {own, texts}}) {
     const {put} = this
     if (own.has(name)) {
@@ -308,24 +308,24 @@ export class Teach {
       this.copies.take(name, text)
     }
     if (put !== this.put) return
-    const [vote, answered] = [this.copies.last(put), this.copies.isAnswered(put)] // it comes back as it was left
+    const [vote, answered] = [this.copies.last(put), this.copies.isAnswered(put)] // restore its earlier state
     this.order({type: "put", walk: name, step: step.id, vote, answered})
   }
 
-  /** Asks for a vote on what is asked aloud. */
+  /** Starts a vote on a question asked aloud. */
   async poll() {
     const refused = await poll(this.lecture)
     if (refused) this.lecture.page.notice.tell(refused)
   }
 
-  /** Asks of those who answer how sure they are. */
+  /** Asks the students how sure they are of their answers. */
   askSure() {
     const {walk} = this.lecture.walks
     if (walk?.step && !walk.lesson) this.order({type: "sure"})
     else this.lecture.page.notice.tell("How sure the class is can be asked while a question is open.")
   }
 
-  /** Counts down, or longer where it counts already. */
+  /** Starts a countdown, or extends a running one. */
   countDown() {
     const {walk} = this.lecture.walks
     const {question} = this.news
@@ -336,7 +336,7 @@ export class Teach {
     this.order({type: "countdown", seconds: isOn ? MORE : FIRST, closes})
   }
 
-  /** Whether the vote closes at the end of its countdown: the other way than before. */
+  /** Switches whether the vote closes at the end of its countdown. */
   closeAtEnd() {
     this.order({type: "countdown", seconds: 0, closes: !this.news.question?.closes})
   }
@@ -349,7 +349,7 @@ export class Teach {
     this.order({type: "close"})
   }
 
-  /** Puts the question once more, after talk; what was voted before is shown with the new votes. */
+  /** Puts the question again after a discussion; the first votes are outlined behind the new ones. */
   again() {
     const {walk} = this.lecture.walks
     if (!walk?.step || walk.lesson) return
@@ -360,11 +360,11 @@ export class Teach {
   }
 
   end() {
-    clearInterval(this.looking) // nothing more is said to a class that is over
+    clearInterval(this.looking) // a class that is over gets no more orders
     this.order({type: "end"})
   }
 
-  /** Another computer leads: this page keeps what it shows, the code of the class too. */
+  /** Another computer leads now; this page keeps its picture and the code of the class. */
   #pass() {
     this.#leave()
     this.sign.disabled = this.badge.element.disabled = true
@@ -399,17 +399,17 @@ export class Teach {
   }
 }
 
-/** The question that a walk stands at. @param {Walk | null} walk */
+/** The current question of a walk. @param {Walk | null} walk */
 const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
-/** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
+/** The room for which this browser has the key, or a new one. @param {LectureHost} lecture */
 export async function teach(lecture) {
   const copies = (await Copies.find()) ?? new Copies(await opened())
-  tabStorage.keep(LED, "open") // this tab comes back to it by itself
+  tabStorage.keep(LED, "open") // this tab returns to it after a reload
   return new Teach(lecture, copies)
 }
 
-/** A new room, with the instructors' passphrase where the server asks for one. @returns {Promise<page.Opened>} */
+/** A new room, with the instructors' passphrase if the server asks for one. @returns {Promise<page.Opened>} */
 async function opened(phrase = "") {
   try {
     return await ask("", {method: "POST", word: encodeURIComponent(phrase)})
@@ -421,7 +421,7 @@ async function opened(phrase = "") {
   }
 }
 
-/** The passphrase that is typed; nothing where it is given up. @param {string} sentence @returns {Promise<string>} */
+/** The typed passphrase, or nothing if the dialog was closed. @param {string} sentence @returns {Promise<string>} */
 function passphrase(sentence) {
   const field = element("input", {type: "password", name: "passphrase", autocomplete: "current-password"})
   const label = element("label", {}, element("span", {}, "Passphrase"), field)

@@ -1,4 +1,4 @@
-// The server's clock as this browser can know it: from the fastest of several requests, with the bound of its error.
+// An estimate of the server's clock from the fastest of several requests, with a bound of its error.
 
 import {ask} from "./requests.js"
 
@@ -6,14 +6,14 @@ const FIRST = [3, 12] // requests, at least and at most
 const THEN = [1, 3]
 const LIMIT = 2000 // ms for one: what takes longer says little
 const CLOSE = 10 // ms: more requests need not better such a bound
-const AGAIN = 60000 // ms, after which it is measured anew
+const AGAIN = 60000 // ms until it is measured again
 const DRIFT = 1e-4 // of the time since: clocks of phones run fast or slow by a fifth of that
 
 export class Timing {
   offset = 0 // ms to be added to this browser's clock
   within = Infinity // ms by which that was off at most
   at = 0 // when it was measured, by this browser's clock
-  apart = 0 // the time of day less this browser's clock, then
+  apart = 0 // the time of day minus this browser's clock at that time
 
   /** @param {() => void} [changed] called when the bound is another */
   constructor(changed = () => {}) {
@@ -33,7 +33,7 @@ export class Timing {
     return clock() + this.offset
   }
 
-  /** While a phone sleeps its clock may stand: the time of day serves until the server has been asked. */
+  /** Uses the time of day until the next measurement, because the clock of a sleeping phone may stop. */
   #wake() {
     const apart = Date.now() - clock()
     this.offset += apart - this.apart
@@ -42,7 +42,7 @@ export class Timing {
     this.measured = this.measure(FIRST)
   }
 
-  /** The server looked at its clock between sending and receiving: the middle is off by half of that at most. */
+  /** Measures once. The server read its clock within the round trip, so its middle is off by at most half of it. */
   async measure([least, most] = THEN) {
     const sent = clock()
     const server = await ask("time", {signal: AbortSignal.timeout(LIMIT)}).catch(() => null)
@@ -56,5 +56,5 @@ export class Timing {
   }
 }
 
-/** It never jumps, as that of the day may. */
+/** The browser's clock, which never jumps, unlike the time of day. */
 const clock = () => performance.timeOrigin + performance.now()

@@ -1,4 +1,4 @@
-// The answers of the hall in front: a count, then bars, dots or sketches when they are asked for.
+// The answers of the class on the instructor's page: a count, then bars, dots or sketches on demand.
 
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/claim.js"
@@ -7,13 +7,13 @@ import {haveAnswered} from "./counts.js"
 import {countedOf} from "./earlier.js"
 import {sureness} from "./sureness.js"
 
-const MOMENT = 250 // ms between counts; one that fails is taken anew
+const MOMENT = 250 // ms between counts; a failed one is repeated
 
 export class Votes {
   /** @type {page.Tally | null} */
   tally = null
 
-  /** @type {import("../walks/card.js").Card | null} the card that they stand on */
+  /** @type {import("../walks/card.js").Card | null} the card that shows them */
   card = null
 
   /** @type {import("../questions/question.js").Tallied | null} */
@@ -49,7 +49,7 @@ export class Votes {
     )
   }
 
-  /** A question begins, or its card is another. @param {import("../walks/walk.js").Walk | null} walk */
+  /** Called for a new question or a new card. @param {import("../walks/walk.js").Walk | null} walk */
   begin(walk) {
     this.#clear()
     this.isOpen = false
@@ -60,12 +60,12 @@ export class Votes {
     else this.element.remove()
   }
 
-  /** Whether the filled button shows the votes of a class, before it shows the answer. */
+  /** True if the filled button shows the votes of a class before the answer. */
   get waits() {
     return Boolean(this.card) && !this.isOpen && !this.teach.lecture.walks.walk?.lesson
   }
 
-  /** Whether the question can be put once more. */
+  /** True if the question can be put again. */
   get canRepeat() {
     return this.isOpen || Boolean(this.teach.news.question?.closed)
   }
@@ -75,7 +75,7 @@ export class Votes {
     this.update()
   }
 
-  /** After the answer the explanation is then seen. */
+  /** Hides the votes, so that the explanation is visible after the answer. */
   close() {
     const {walk} = this.teach.lecture.walks
     this.isOpen = false
@@ -90,7 +90,7 @@ export class Votes {
     this.layer = null
   }
 
-  /** Asks for the answers, not more often than they can be looked at. */
+  /** Requests the answers, with a pause between two counts. */
   async count() {
     this.again = true
     if (this.counting || !this.card) return
@@ -120,7 +120,7 @@ export class Votes {
     const drawn = tally?.now.sketches.length ?? 0
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
     const words = `${turn}${haveAnswered(answered, here)}${this.isOpen ? some + before : ""}`
-    this.status.textContent = tally ? words : "" // what is not counted yet is not 0
+    this.status.textContent = tally ? words : "" // a missing count is not 0
     const isTakenBack = this.teach.isTakenBack(walk)
     card.ready()
     const {closed} = this.teach.news.question ?? {}
@@ -142,7 +142,7 @@ export class Votes {
     if (this.isOpen && tally) this.#draw(walk, tally)
   }
 
-  /** The answers that are outlined: of the first vote, or of an earlier class. @param {page.Tally} tally */
+  /** The outlined answers: the first vote, or an earlier class. @param {page.Tally} tally */
   #beside({walk, step, before}) {
     const answers = this.earlier.get(`${walk}/${step}`)
     return before ?? (answers && this.card ? countedOf(answers, this.card.walk.step) : null)

@@ -7,14 +7,14 @@ import {atInstant} from "../core/signals.js"
 const SIDE = 54 // of a lone mass, in pixels; n + 1 masses share its area
 const WIDEST = 0.75 // of a spacing
 const REACH = 24 // pixels from a mass within which a pointer takes it
-/** Teeth of a spring up to so many masses; a line with more. @type {[number, number][]} */
+/** Number of masses and teeth of a spring up to it; with more masses a spring is a line. @type {[number, number][]} */
 const TEETH = [
   [4, 9],
   [12, 4],
 ]
 
 /**
- * Where the masses are: [x, y] of each, and of its place at rest.
+ * The position of each mass, its place at rest, and its displacement.
  * @param {AtInstant<page.Beads>} s @param {Named} all
  */
 function places(s, all) {
@@ -85,7 +85,7 @@ function nearest(s, all, at) {
 }
 
 /**
- * A pointer near one of many masses has the grip of the stage go there.
+ * Moves the grip of the stage to the mass near the pointer, if there are many.
  * @param {import("./stage.js").Stage} stage @param {PartHost} page
  */
 export function pointed(stage, page) {

@@ -1,5 +1,5 @@
-// The picture of a chain under the curves of a plot: the displacement of each mass by colour, one column a mass, with
-// the time downwards. It is made once a change.
+// The picture of a chain under the curves of a plot: one column per mass, coloured by its displacement, with the time
+// axis down. It is painted only after a change.
 
 import {isCovered} from "../compare/cover.js"
 import {colour, element, long, svg} from "../core/dom.js"
@@ -7,11 +7,11 @@ import {displaced} from "../core/modal.js"
 import {clamp} from "../core/ruler.js"
 
 const ROWS = 240
-const MOST = 30_000 // of the picture's points, each a sum over all modes
-const SHADE = 0.7 // the power of a displacement that is its shade, so that ripples are seen
+const MOST = 30_000 // points of the picture, each a sum over all modes
+const SHADE = 0.7 // exponent of the shade, so that small ripples are visible
 
 export class Field {
-  /** @type {Drawn["view"]["signals"] | null} those that it was made of */
+  /** @type {Drawn["view"]["signals"] | null} the signals of the current picture */
   drawn = null
 
   /** @param {import("./plots.js").Plot} plot */
@@ -55,7 +55,7 @@ export class Field {
     context.putImageData(picture, 0, 0)
   }
 
-  /** Where the columns of the masses are: half a spacing stays free at a wall. @param {Canvas | PlotHost} plot */
+  /** The box of the columns; half a spacing stays free at a wall. @param {Canvas | PlotHost} plot */
   #box(plot) {
     const {top, height} = plot.frame
     const [left, right] = [plot.px(0.5), plot.px(this.canvas.width + 0.5)]

@@ -70,7 +70,7 @@ export class ModeButtons {
   }
 }
 
-/** The share of each mode in the energy that is not that of a drift. @param {page.Modal} signal */
+/** The share of each mode in the energy without a drift. @param {page.Modal} signal */
 function energies({omega, sizes}) {
   const found = omega.map((w, j) => (w * sizes[j]) ** 2)
   const all = found.reduce((sum, one) => sum + one, 0) || 1

@@ -116,7 +116,7 @@ class Bars {
   /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
   update({now, before}, lesson) {
     this.leave()
-    // Of another number of phones it is the shares that can be compared.
+    // Shares can be compared even if the two votes have different numbers of phones.
     const sizes = [now, before].map(
       counted => counted?.options.map(count => count / Math.max(1, counted.answered)) ?? [],
     )

@@ -1,4 +1,4 @@
-// The question for a few words; of a class's answers the hall sees those that the instructor shows.
+// The question for a few words; the hall sees only the answers of a class that the instructor shows.
 
 import {element} from "../core/dom.js"
 import {Question} from "./question.js"
@@ -56,7 +56,7 @@ export class Words extends Question {
   }
 }
 
-/** The answers that the instructor shows. Where no hall looks on, all of them, with buttons that show and remove. */
+/** The shown answers in a hall, else all of them, with buttons to show and remove each. */
 class Shown {
   /** @param {Words} question */
   constructor({page, element: field}) {

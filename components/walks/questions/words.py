@@ -1,4 +1,4 @@
-"""The question for a few words: no answer is right, and the instructor chooses those that the hall sees."""
+"""The question for a few words: no answer is right, and the instructor chooses which ones the hall sees."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from components.walks.questions.question import Judged, Judgement, Question, Wri
 from components.walks.subject import Subject
 
 MOST_GROUPS = 200
-"""Groups of equal answers that are told: the newest ones."""
+"""Maximum number of groups of equal answers that are sent; they are the newest."""
 JOINER = "\u200d"
-"""It joins the parts of one emoji."""
+"""The character that joins the parts of one emoji."""
 
 
 class WordsStep(Question, frozen=True, kw_only=True, tag="words"):
@@ -58,7 +58,7 @@ class WordsStep(Question, frozen=True, kw_only=True, tag="words"):
 
 
 def tidied(text: str) -> str:
-    """Return a text in one line, without signs that cannot be seen or that turn the direction of what follows."""
+    """Return a text in one line, without invisible characters and marks that change the direction of text."""
     seen = (sign if sign == JOINER or unicodedata.category(sign)[0] != "C" else " " for sign in text)
     return " ".join("".join(seen).split()).strip(JOINER)
 
