@@ -61,6 +61,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         says="the time window; empty for the scene's own choice.",
         allowed="a time window is a finite time above 0 s",
     )
+    view: str
+    """The view that is shown, of a scene with views."""
     hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
 
     @classmethod

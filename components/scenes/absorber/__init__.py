@@ -152,7 +152,6 @@ class Absorber(Scene):
         Group("", (x1_0, x2_0, v1_0, v2_0), "Start", folded=True, form=Forms.rest),
     )
 
-    view: str
     views = (
         View(
             "Goals", "Meet all three goals, then meet them with less mass *m*_2.",

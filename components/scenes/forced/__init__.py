@@ -81,7 +81,6 @@ class Forced(Scene):
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
     curve, axes, scale = CURVE, UNITS, SCALE
-    view: str
     views = (
         View(
             "Response", "Drag *ω*: where does mass 1 swing farthest, where not at all, and when against the push?",

@@ -94,7 +94,6 @@ class ModesScene(Scene):
         chain.chain_group(m1, m2, k1, k2),
         chain.dashpots_group(c1, c2, Seen.view["roots"]),
     )
-    view: str
     views = (
         View(
             "Hunt",
