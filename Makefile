@@ -158,7 +158,8 @@ readme: $(VENV)/test.stamp
 
 # Pins stay as they are unless asked for: make lock ARGS=--upgrade
 lock: $(VENV)/test.stamp
-	$(LOCK) $(ARGS) requirements.in --output-file requirements.txt
+	$(LOCK) $(ARGS) pyproject.toml --output-file requirements.txt
+	$(LOCK) $(ARGS) pyproject.toml --extra notebook -c requirements.txt --output-file requirements-notebook.txt
 	$(LOCK) $(ARGS) requirements-test.in --output-file requirements-test.txt
 
 docker:

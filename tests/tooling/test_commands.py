@@ -10,6 +10,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from http.client import HTTPConnection
@@ -29,7 +30,7 @@ from tools.audit import findings
 from tools.cut import CUTS, KEPT, cut
 from tools.readme import table
 
-LOCKS = ("requirements.txt", "requirements-test.txt")
+LOCKS = ("requirements.txt", "requirements-notebook.txt", "requirements-test.txt")
 STRANGER = 65534  # a user of this machine who owns nothing
 PAGES = {name: (ROOT / name).read_text("utf-8") for name in ("README.md", "CONTRIBUTING.md", "docs/deployment.md")}
 SCENES_PAGE = (ROOT / "docs" / "scenes.md").read_text(encoding="utf-8")
@@ -97,10 +98,14 @@ def test_every_requirement_is_pinned_and_hashed_and_no_host_is_named(name: str) 
 
 @pytest.mark.parametrize("name", LOCKS)
 def test_the_lock_holds_what_is_asked_for(name: str) -> None:
-    asked = re.findall(r"^([a-z][\w-]*)", (ROOT / name).with_suffix(".in").read_text(), re.M)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    asked = {
+        "requirements.txt": project["dependencies"],
+        "requirements-notebook.txt": project["dependencies"] + project["optional-dependencies"]["notebook"],
+        "requirements-test.txt": re.findall(r"^[a-z].*", (ROOT / "requirements-test.in").read_text(), re.M),
+    }[name]
     pinned = {package for package, *_ in PIN.findall((ROOT / name).read_text())}
-    assert asked
-    assert set(asked) <= pinned
+    assert {Requirement(need).name for need in asked} <= pinned
 
 
 @pytest.mark.parametrize("name", LOCKS)
@@ -115,9 +120,10 @@ def test_what_a_package_needs_with_extras_is_pinned_with_them(name: str) -> None
     assert [str(need) for need in needs if not need.extras <= extras[canonicalize_name(need.name)]] == []
 
 
-def test_both_locks_agree() -> None:
-    app, test = ({p: v for p, v, *_ in PIN.findall((ROOT / name).read_text())} for name in LOCKS)
-    assert {p: test[p] for p in app.keys() & test.keys()} == {p: app[p] for p in app.keys() & test.keys()}
+def test_the_locks_agree() -> None:
+    app, *others = ({p: v for p, v, *_ in PIN.findall((ROOT / name).read_text())} for name in LOCKS)
+    for other in others:
+        assert {p: other[p] for p in app.keys() & other.keys()} == {p: app[p] for p in app.keys() & other.keys()}
 
 
 # Commands
