@@ -39,7 +39,7 @@ WALLS = {
 }
 WALLS_IMPORT = "from components.scenes.walls import Walls"
 SCREENS = {
-    "friction": ("A dashpot takes the energy: a swing dies, or never begins", "Heavy", "It creeps back:"),
+    "friction": ("A dashpot takes the energy: the swinging dies out, or never begins", "Heavy", "It creeps back."),
     "walls": ("Between two walls the stiffnesses of both springs add", "Soft", "With a quarter of the stiffness"),
 }
 
