@@ -2,7 +2,7 @@
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
-import {SUCH} from "../questions/question.js"
+import {SUCH, mark} from "../questions/question.js"
 import {ask, claim} from "./claim.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
@@ -37,10 +37,10 @@ export class Card {
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     const parts = [...given(step), asks, this.question.element, this.after]
     this.body = element("div", {class: "card-body"}, ...parts)
-    this.body[walk.isTour ? "append" : "prepend"](this.#head())
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
     const foot = element("div", {class: "foot"}, this.refusal, this.back, this.skip, this.forward)
     this.element.append(foot) // stays visible
+    ;(walk.isTour ? foot : this.body).prepend(this.#head())
     this.question.changed = () => this.ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
@@ -50,6 +50,8 @@ export class Card {
     this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
     page.heading[walk.isTour ? "before" : "after"](this.line)
+    this.verdict = element("p", {class: "verdict", role: "status"})
+    page.heading.before(this.verdict)
     this.#ask()
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
@@ -99,12 +101,23 @@ export class Card {
     this.#release()
     this.#confine()
     claim(page, lesson.title)
+    this.#judge(lesson.right)
     this.question.teach(lesson)
     this.after.replaceChildren(...this.#meaning(lesson))
     if (this.walk.isTour) this.after.after(this.question.element)
     page.live.find(this.after)
     page.redraw()
     this.ready()
+  }
+
+  /** Says above the claim whether the answer is right: on a phone the answers are further down. @param {boolean | null}
+   * right */
+  #judge(right) {
+    if (right === null) return
+    const sign = mark(right)
+    sign.setAttribute("aria-hidden", "true")
+    this.verdict.replaceChildren(sign, ` Your answer is ${right ? "right" : "wrong"}.`)
+    if (this.walk.isTour) this.verdict.scrollIntoView({block: "nearest"})
   }
 
   /** Opens the formulas of the step over the paper, or closes them. */
@@ -213,6 +226,7 @@ export class Card {
     this.observer.disconnect()
     this.element.remove()
     this.line.remove()
+    this.verdict.remove()
     this.page.root.classList.remove("walked", "tour")
     claim(this.page)
   }

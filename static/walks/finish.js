@@ -1,7 +1,8 @@
-// The end of a walk with scenes to try: how many answers were right, and these scenes in motion.
+// The end of a walk with scenes to try: which answers were right, and these scenes in motion.
 
 import {chip, element, marked} from "../core/dom.js"
 import {play} from "../core/moving.js"
+import {mark} from "../questions/question.js"
 
 export class Finish {
   /** @param {import("./walk.js").Walk} walk */
@@ -17,8 +18,10 @@ export class Finish {
     const cards = trials.map(card)
     const sentences = [this.#score(), ...end].filter(Boolean)
     this.element.replaceChildren(
-      element("h1", {id: "finish-title"}, "Done. Now with your own hands:"),
+      element("h1", {id: "finish-title"}, "Done"),
       marked("p", {}, sentences.join(" ")),
+      this.#results(),
+      element("h2", {}, "Now with your own hands"),
       ...cards,
       element(
         "div",
@@ -37,6 +40,19 @@ export class Finish {
     const answered = steps.map(step => this.walk.answers.of(step.id)).filter(Boolean)
     const right = answered.filter(answer => answer?.right).length
     return answered.length ? `${right} of your ${answered.length} answers ${right === 1 ? "was" : "were"} right.` : ""
+  }
+
+  /** Each step with its result in a word: its claim, or the question if it was skipped. */
+  #results() {
+    const rows = this.walk.sheet.steps.map(step => {
+      const kept = this.walk.answers.of(step.id)
+      const words = marked("span", {}, kept ? kept.title : this.walk.numbered(step).question)
+      if (!kept) return element("li", {}, element("span", {class: "skipped"}, "–"), words, element("b", {}, "skipped"))
+      const sign = mark(kept.right)
+      sign.setAttribute("aria-hidden", "true")
+      return element("li", {}, sign, words, element("b", {}, kept.right ? "right" : "wrong"))
+    })
+    return element("ol", {class: "results"}, ...rows)
   }
 
   /** Takes the pictures from the start page. @param {HTMLElement[]} cards */

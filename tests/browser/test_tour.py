@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -15,7 +16,11 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 STEPS = [step for step in load_walks(())["tour"].steps if isinstance(step, ChoiceStep)]
 AT = "id => oscillations?.walks?.walk?.step?.id === id && document.querySelector('.asked')"
-MARKED = ".answers button:has-text('your answer') .judged"
+FITS = """() => {
+  const [foot, answer] = [".foot", ".answers button:last-child"].map(one => document.querySelector(one))
+  return answer.getBoundingClientRect().bottom <= foot.getBoundingClientRect().top
+}"""
+"""The last answer is above the buttons, which stay visible at the bottom of the screen."""
 
 
 @pytest.fixture
@@ -30,15 +35,18 @@ def bottom(page: Page, selector: str) -> float:
     return float(page.locator(selector).last.evaluate("one => one.getBoundingClientRect().bottom"))
 
 
-def test_all_of_a_question_is_on_the_first_screen(tour: Page) -> None:
+@pytest.mark.parametrize("size", [(390, 844), (320, 568)], ids=str)
+def test_all_of_a_question_is_on_the_first_screen(tour: Page, size: tuple[int, int]) -> None:
+    tour.set_viewport_size({"width": size[0], "height": size[1]})
     for step in STEPS:
         tour.wait_for_function(AT, arg=step.id)
         expect(tour.locator(".answers button")).to_have_count(3)
-        parts = (".asked-line", "h1", ".block.plot:visible", ".answers button")
+        tour.wait_for_function(FITS)
+        parts = (".asked-line", "h1", ".block:is(.stage, .plot):visible", ".answers button")
         places = [bottom(tour, part) for part in parts]
         assert places == sorted(places), (step.id, places)
-        foot = tour.locator(".foot").evaluate("one => one.getBoundingClientRect().top")
-        assert places[-1] <= foot, (step.id, places, foot)
+        expect(tour.locator(".foot .ruler .here")).to_be_in_viewport(ratio=1)
+        expect(tour.locator(".foot")).to_contain_text(f"{STEPS.index(step) + 1} of {len(STEPS)}")
         tour.get_by_role("button", name="Skip").click()
 
 
@@ -56,6 +64,10 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
         tour.locator(f".answers [data-option='{i}']").tap()
         forward.click()
         expect(tour.get_by_role("heading", level=1)).to_have_text(step.title)
+        verdict = tour.get_by_role("status").filter(has_text=f"Your answer is {how}.")
+        expect(verdict).to_be_in_viewport(ratio=1)
+        expect(verdict.locator("svg")).to_be_visible()
+        assert bottom(tour, ".verdict") < bottom(tour, "h1")
         reply = tour.locator(f".answers [data-option='{i}'] .line")
         expect(reply).to_have_text(step.options[i].reply.replace("*", ""))
         expect(tour.get_by_role("button", name="Skip")).to_have_count(0)
@@ -64,10 +76,16 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
         ]
         assert order == sorted(order), (step.id, order)
         forward.click()
-    end = tour.get_by_role("dialog", name="Done. Now with your own hands:")
+    end = tour.get_by_role("dialog", name="Done")
     expect(end).to_be_visible()
     counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
     expect(end.locator("p")).to_contain_text(counts[how])
+    results = end.locator(".results li")
+    expect(results).to_have_count(len(STEPS))
+    for row, step in zip(results.all(), STEPS, strict=True):
+        said = step.question if how == "nothing" else step.title
+        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
+        expect(row).to_contain_text("skipped" if how == "nothing" else how)
     expect(end.locator("a.scene-card svg")).to_have_count(3)
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
     end.get_by_role("link", name="Calm a machine").click()
