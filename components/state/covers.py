@@ -14,6 +14,7 @@ A cover is named by its kind and its name in the sheet or the picture:
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -203,16 +204,24 @@ def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
 
 
 def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bool) -> dict[str, AnySignal]:
-    """Return the signals without the named ones. Signals that a hand sets keep their initial values; if everything is
-    at rest, the others are zero, as far as dependent signals allow."""
-    begun = starts(picture.signals, picture.scalars)
+    """Return the signals without the named ones. Signals that a hand sets and chains keep their initial values; if
+    everything is at rest, the others are zero, as far as dependent signals allow."""
+    begun, held = starts(picture.signals, picture.scalars), _held(scene)
     rest = {
-        name: derived(begun[name] if name in _held(scene) else 0.0)
+        name: _resting(signal, begun[name] if name in held else 0.0)
         for name, signal in picture.signals.items()
-        if name in names
-        and (name in _held(scene) or (all_rest and (isinstance(signal, Modal) or not spoken_of(signal))))
+        if name in names and (name in held or isinstance(signal, Modal) or (all_rest and not spoken_of(signal)))
     }
     return {**(picture.signals if all_rest else _less(picture.signals, names)), **rest}
+
+
+def _resting(signal: AnySignal, start: float) -> AnySignal:
+    """Return a signal at rest: a chain in its initial shape, without its frequencies and velocities."""
+    if not isinstance(signal, Modal):
+        return derived(start)
+    shape = tuple(size * math.sin(phase) for size, phase in zip(signal.sizes, signal.phases, strict=True))
+    still = {"omega": (0.0,) * len(shape), "phases": (math.pi / 2,) * len(shape), "line": (signal.line[0], 0.0)}
+    return changed(signal, sizes=shape, **still)
 
 
 @cache

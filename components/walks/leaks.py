@@ -133,9 +133,11 @@ def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator
         yield from (name for item in block.items for name in LIVE.findall(_text(item, picture)))
     elif isinstance(block, TableBlock) and TABLE not in covers:
         yield from (name for row in block.rows for cell in row for name in LIVE.findall(_text(cell, picture)))
-    elif isinstance(block, PlotBlock) and PLOT + block.name not in covers:
-        for term in block.heading:
+    elif isinstance(block, PlotBlock):
+        for term in block.heading:  # a cover hides only the numbers that no other part of the scene has
             yield from LIVE.findall(term.variants.get(picture.forms.get(term.form, "formula"), ""))
+        if PLOT + block.name in covers:
+            return
         yield from (one.text for one in block.handles if one.text)
         yield from (name for one in block.marks if one.at in picture.scalars for name in LIVE.findall(one.html))
         yield from _labelled(block.shapes, picture)

@@ -16,7 +16,7 @@ from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"
 """The walks that the lecture brings along."""
-ORDER = ("tour", "d31", "d32-33", "d34")
+ORDER = ("tour", "d31", "d32-33", "d34", "waves")
 LARGEST = 48_000
 """Bytes of a file."""
 MOST_STEPS = MOST_LINKS = 60

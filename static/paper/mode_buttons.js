@@ -9,7 +9,7 @@ const MOST = 8
 const HALL = 4
 const TAKES_PART = 0.002 // of the energy
 const DOTTED = 12 // masses, up to which a shape has a dot for each
-const [WIDE, HIGH] = [66, 40]
+const [WIDE, HIGH, NUMBER] = [66, 40, 12] // NUMBER: the width of the number, left of the shape
 
 export class ModeButtons {
   /** @type {page.Modal | null} */
@@ -38,9 +38,12 @@ export class ModeButtons {
     const alone = view.values[this.block.chosen]
     const rank = new Map(order.map((j, place) => [j, place]))
     const shown = order.toSorted((i, j) => i - j)
-    this.row.replaceChildren(
-      ...shown.map(j => this.#button(signal, j, shares[j], alone === String(j + 1), (rank.get(j) ?? 0) >= HALL)),
-    )
+    const focused = this.row.contains(document.activeElement) ? document.activeElement?.textContent : null
+    const made = shown.map(j => this.#button(signal, j, shares[j], alone === String(j + 1), (rank.get(j) ?? 0) >= HALL))
+    this.row.replaceChildren(...made)
+    const pressed = made.find(one => one.ariaPressed === "true")
+    if (pressed) this.row.scrollLeft = pressed.offsetLeft - WIDE
+    made.find(one => one.textContent === focused)?.focus({preventScroll: true})
   }
 
   /**
@@ -51,7 +54,10 @@ export class ModeButtons {
     const count = signal.omega.length
     const shape = shapesOf(signal).subarray(j * count, (j + 1) * count)
     const size = Math.max(...shape.map(Math.abs)) * 2.3
-    const points = Array.from(shape, (x, p) => [((p + 1) / (count + 1)) * WIDE, HIGH / 2 - (x / size) * HIGH])
+    const points = Array.from(shape, (x, p) => [
+      NUMBER + ((p + 1) / (count + 1)) * (WIDE - NUMBER),
+      HIGH / 2 - (x / size) * HIGH,
+    ])
     const line = svg("polyline", {class: "ln", points: points.join(" ")})
     line.style.strokeWidth = `${1 + 2 * Math.sqrt(share)}px`
     const dots = count <= DOTTED ? points.map(([cx, cy]) => svg("circle", {class: "body", cx, cy, r: 2.5})) : []

@@ -22,7 +22,7 @@ from tests.walks.voters import answers
 pytestmark = pytest.mark.browser
 Take = Callable[[Page, str], Path]
 WALKS = load_walks(())
-NAMES = spread(["tour", "d31", "d32-33", "d34"], 4)
+NAMES = spread(["tour", "d31", "d32-33", "d34", "waves"], 5)
 SIZE = {"width": 1280, "height": 720}
 VOTERS = 57
 PHONES = ((390, 844), (360, 640), (844, 390))

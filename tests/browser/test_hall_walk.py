@@ -22,7 +22,19 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
-WORST = ("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16", "tour-04")
+WORST = (
+    "d31-02",
+    "d31-07",
+    "d31-09",
+    "d34-02",
+    "d34-05",
+    "d34-06",
+    "d34-09",
+    "d34-10",
+    "d34-16",
+    "tour-04",
+    "waves-05",
+)
 """The steps that need the most room of their kind, and the one that leaves the most."""
 ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
 UNFOLD = """open => {
@@ -55,7 +67,7 @@ def wordiest(step: Step) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES if WHOLE else SIZES[:1])
-@pytest.mark.parametrize("name", spread(["d34", "d31", "d32-33", "tour"], 4))
+@pytest.mark.parametrize("name", spread(["d34", "d31", "d32-33", "waves", "tour"], 5))
 def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server, page: Page) -> None:
     page.set_viewport_size({"width": width, "height": height})
     page.goto(f"{server.url}?walk={name}&projector")

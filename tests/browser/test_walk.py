@@ -346,7 +346,7 @@ def show_everything(page: Page) -> None:
     page.wait_for_function("parts => oscillations.shown.state.show?.length === parts.length", arg=parts)
 
 
-@pytest.mark.parametrize("name", spread(["tour", "d31", "d32-33", "d34"], 4))
+@pytest.mark.parametrize("name", spread(["tour", "d31", "d32-33", "d34", "waves"], 5))
 def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
     page = walk(f"{name}-01")
     for i in range(page.evaluate("oscillations.walks.walk.sheet.steps.length")):

@@ -11,6 +11,7 @@ import pytest
 from components.language.signals import Modal
 from components.scenes import SCENES
 from components.scenes.chain import Chain
+from components.state.covers import without
 from physics.oscillator import Oscillator
 from tests.page.scripts import call
 from tests.page.told import Page
@@ -135,6 +136,16 @@ def test_a_change_of_sixty_masses_is_small(view: str) -> None:
     for number, one in enumerate(values, start=1):
         page.say({"type": "set", "values": one, "number": number})
     assert max(len(packet["data"]) for packet in page.packets[1:]) <= 3000
+
+
+def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
+    scene = Chain(ends="free-free")
+    left, _ = without(Chain, scene.shown, ("plot:field",))
+    signal, axis = left.signals["x"], left.axes["y"]
+    assert isinstance(signal, Modal) and not any(signal.omega)
+    for t in (0.0, 0.7):
+        found = call("static/core/modal.displaced", signal, t)
+        np.testing.assert_allclose(found, axis.places(displacements(scene)[0]), atol=1e-12)
 
 
 def test_the_panel_face_draws_the_masses_by_colour() -> None:

@@ -84,7 +84,7 @@ def test_each_scene_has_a_picture_whose_parts_move_in_the_frame(slug: str) -> No
 
 def test_the_lectures_own_walks_are_listed() -> None:
     page = walked([]).start.asked({}) or ""
-    assert re.findall(r'href="\?walk=([\w-]+)"', page) == ["tour", "tour", "d31", "d32-33", "d34"]
+    assert re.findall(r'href="\?walk=([\w-]+)"', page) == ["tour", "tour", "d31", "d32-33", "d34", "waves"]
 
 
 def test_the_page_is_small() -> None:

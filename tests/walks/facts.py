@@ -9,6 +9,7 @@ from scipy.optimize import brentq
 from components.scenes import SCENES
 from components.state.standing import Standing
 from components.walks.links import standing_at
+from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes
 from physics.damped import DampedOscillator
 from physics.driven import magnification
@@ -67,6 +68,8 @@ fastest = FreeDecay(oscillator=car, x_0=0.05, v_0=0.0).first_top_speed or 0.0
 at_top_speed = car.motion(0.05, 0.0, [fastest])
 to_equilibrium = (FreeDecay(oscillator=car, x_0=0.05, v_0=0.0).first_zero or 0.0) - fastest
 half_power = [bob.omega_n * (math.hypot(1, bob.zeta) + way * bob.zeta) for way in (-1, 1)]
+eight, seventeen = UniformChain(N=8, m=0.5, k=2.0), UniformChain(N=17, m=0.25, k=4.0)
+plucked = eight.drawn_modes(eight.pluck(3, 0.4), [0.0] * 8).energy
 
 
 def longer(one: DampedOscillator) -> float:
@@ -97,6 +100,7 @@ ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "d34-08": (equal.modes().ratio.tolist(), [1, -1, 0]),
     "d34-13": ([pushed[1]], [-pushed[1], 0, 1 / slowly.k1 + 0.5, 1 / (slowly.k1 + slowly.k2)]),
     "d34-16": ([48.0], [math.sqrt(250e3 / 100), 60, 24]),
+    "waves-04": ([eight.omega[7]], [eight.string_omega[7], 4.0, 2.0]),
 }
 
 # The periods of sketched curves; of a beat, or of a swing that grows, that of what swings.
@@ -213,6 +217,13 @@ STATED: dict[str, dict[str, float]] = {
     "d34-14": {"0.618": equal.modes().omega[0], "1.618": equal.modes().omega[1], "2.5": 2.5, "5": 5, "−5": -5},
     "d34-15": {"25": end_of("?scene=forced&m1=2&k1=4&k2=2&omega=1"), "12": 1 / growth, "0.95": 0.95, "1": 1},
     "d34-16": {"50": math.sqrt(250e3 / 100)},
+    "waves-01": {
+        **{str(j): j for j, energy in enumerate(plucked, 1) if energy < 1e-20},
+        "4.5": 100 * plucked[-2:].sum() / plucked.sum(),
+        "7": len(plucked) - 1,
+    },
+    "waves-04": {"9": eight.N + 1},
+    "waves-05": {"0.695": eight.omega[0], "0.698": eight.string_omega[0]},
     "tour-03": {"6.28": bob.omega_n},
     "tour-05": {"50": math.sqrt(250e3 / 100)},
 }

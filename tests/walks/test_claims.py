@@ -16,6 +16,7 @@ from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.sketch import SketchStep
+from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.damped import DampedOscillator
 from physics.driven import magnification
@@ -23,7 +24,7 @@ from physics.forced import particular_solution
 from physics.free_decay import FreeDecay
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
-from tests.walks.facts import beats, hanging, home, plain, slowly
+from tests.walks.facts import beats, eight, hanging, home, plain, seventeen, slowly
 
 STEPS = steps_of(load_walks(()).values())
 
@@ -231,3 +232,49 @@ def test_friction_passes_energy_from_the_fast_mode_to_the_slow_one() -> None:
     energies = [free_modes(chain, x, v).energy for x, v in zip(motion.x.T[::20], motion.v.T[::20], strict=True)]
     slow, fast = np.array(energies).T
     assert slow[0] < 1e-12 * fast[0] and slow.max() > 1e-3 * fast[0] and slow[-1] > 10 * fast[-1]
+
+
+def silent(step: str, number: int) -> list[float]:
+    """The silent modes of the case that a reply of a step shows."""
+    return standing_at(where(step, number), SCENES).shown.columns["silent"]["silent_j"].tolist()
+
+
+def test_a_pluck_starts_no_mode_with_a_node_at_it() -> None:
+    """waves-01: none at mass 2 or mass 4 of eight, the even ones at the middle of seven."""
+    for p, modes in ((2, []), (3, [3, 6]), (4, [])):
+        energy = eight.drawn_modes(eight.pluck(p, 0.4), np.zeros(8)).energy
+        assert [j for j in range(1, 9) if energy[j - 1] < 1e-20] == modes
+    middle = UniformChain(N=7, m=1.0, k=1.0)
+    energy = middle.drawn_modes(middle.pluck(4, 1.0), np.zeros(7)).energy
+    assert [j for j in range(1, 8) if energy[j - 1] < 1e-20] == [2, 4, 6]
+    assert {2.0, 4.0, 6.0} <= set(silent("waves-01", 2))
+
+
+def test_a_free_end_swings_almost_twice_as_far_as_the_pulse() -> None:
+    """waves-03: and sends a pulse back that is upright; waves-02: a wall sends back one that is upside down."""
+    for step, sign in (("waves-02", -1), ("waves-03", 1)):
+        case = standing_at(STEPS[step].state, SCENES).scene.of()
+        chain = UniformChain(N=50, m=case.m, k=case.k, ends=case.ends)
+        x = chain.motion(*case.started, np.linspace(0.0, case.lasting / 2, 400)).x
+        if sign > 0:
+            assert 1.7 * 0.4 < x[-1].max() < 2 * 0.4
+        back = x[:, 300]
+        assert sign * back[np.abs(back).argmax()] > 0.25
+
+
+def test_more_masses_on_one_string_leave_its_slow_modes() -> None:
+    """waves-05, with where its wrong answers would be right: the same m and k, or eight masses with the new ones."""
+    assert seventeen.omega[[0, -1]] / eight.omega[[0, -1]] == pytest.approx([1.0, 2.0], rel=0.03)
+    longer = UniformChain(N=17, m=0.5, k=2.0)
+    assert longer.omega[[0, -1]] / eight.omega[[0, -1]] == pytest.approx([0.5, 1.0], rel=0.02)
+    stiffer = UniformChain(N=8, m=0.25, k=4.0)
+    assert stiffer.omega == pytest.approx(2 * eight.omega)
+
+
+def test_ten_half_waves_are_eight_turned_over_and_nine_are_rest() -> None:
+    """waves-06: at eight masses."""
+    p = np.arange(1, 9)
+    assert np.sin(10 * p * np.pi / 9) == pytest.approx(-np.sin(8 * p * np.pi / 9), abs=1e-14)
+    assert np.sin(9 * p * np.pi / 9) == pytest.approx(np.zeros(8), abs=1e-14)
+    energy = eight.drawn_modes(np.sin(10 * p * np.pi / 9), np.zeros(8)).energy
+    assert energy[:7].max() < 1e-24 < energy[7]

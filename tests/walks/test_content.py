@@ -62,7 +62,7 @@ def test_a_walk_opens_and_everything_it_names_is_there(name: str) -> None:
 
 def test_every_slide_has_its_step() -> None:
     assert {slide for step in STEPS.values() for slide in step.slides} == SLIDES
-    assert [len(WALKS[name].steps) for name in ("d31", "d32-33", "d34", "tour")] == [16, 10, 21, 5]
+    assert [len(WALKS[name].steps) for name in ("d31", "d32-33", "d34", "waves", "tour")] == [16, 10, 21, 6, 5]
     assert [step.id for step in WALKS["d34"].steps] == [f"d34-{i:02}" for i in range(1, 22)]
     assert sum(step.planned for step in WALKS["tour"].steps) == 10
 
@@ -70,7 +70,7 @@ def test_every_slide_has_its_step() -> None:
 def test_a_lecture_has_a_shorter_walk_and_ends_in_five_sentences() -> None:
     assert [step.id[-2:] for step in WALKS["d34"].steps if step.core] == ["02", "08", "10", "12", "14", "16"]
     assert [step.id[-2:] for step in WALKS["d32-33"].steps if step.core] == ["01", "04", "06", "10"]
-    for name in ("d31", "d32-33", "d34"):
+    for name in ("d31", "d32-33", "d34", "waves"):
         assert len(WALKS[name].end) == 5 and all(words(sentence) <= 30 for sentence in WALKS[name].end)
     assert walk_sheet(WALKS["d34"], SCENES).end[1].startswith("In the slow mode")
 

@@ -326,7 +326,7 @@ def test_a_walk_may_end_with_scenes_to_try() -> None:
 
 def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8-sig")  # as Notepad may save it
-    assert list(all_walks([tmp_path], SCENES)) == ["tour", "d31", "d32-33", "d34", "mine"]
+    assert list(all_walks([tmp_path], SCENES)) == ["tour", "d31", "d32-33", "d34", "waves", "mine"]
     (tmp_path / "mine.toml").write_text(GOOD.replace("k2=3", "k2=-3"), encoding="utf-8")
     with pytest.raises(WalkError, match=r"mine, step 1 \(first\), state"):
         all_walks([tmp_path], SCENES)

@@ -96,6 +96,7 @@ class Chain(CaseScene):
         says="is the width of the pulse: its standard deviation. Any value above 0.",
     )  # fmt: skip
     way = one_of("across", {"across": "Transverse", "along": "Longitudinal"}, "The masses move")
+    physical = (ends, starts)
     views = (
         View(
             "Wave", "Watch the pulse meet the wall: does it come back upright or upside down? Then free the end.",

@@ -100,7 +100,7 @@ def shapes() -> list[AnyShape]:
         chain,
         *shown_by(c.graspable, *shown_by(c.is_across, circle(at, middle - up, 0, grab=hand("y", middle)))),
         *shown_by(c.graspable, *shown_by(c.way == "along", circle(at + beside, middle, 0, grab=hand("x", at)))),
-        text(ends[1], 14, f"mass {c.name}: {c.x:+} {Y.unit_text}", "end", tint="ink", style="t1 halo"),
+        *shown_by(c.picks, text(ends[1], 14, f"mass {c.name}: {c.x:+} {Y.unit_text}", "end", style="t1 halo")),
     ]
 
 
@@ -131,7 +131,7 @@ def field() -> Block:
 
 
 def energies() -> Block:
-    legend = f"energy of each mode, in all {ENERGY.text(c.E)} {ENERGY.unit}"
+    legend = f"energy of each mode, in all {c.E} J"
     return ENERGY.block(
         curve(c.bars, "none", "slow", words=legend, fill=1.0, columns=("bar_j", "bar")),
         title="Energy of each mode: it never changes",
