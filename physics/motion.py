@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cached_property, lru_cache
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -171,6 +171,24 @@ class Harmonic:
     def _base(self, t: Array) -> Array:
         start, rate = self.line
         return start + rate * t
+
+
+class SampledCycle(NamedTuple):
+    """A motion that repeats after `period` in s: its values and rates of change (n,) at equal steps from 0 to it."""
+
+    period: float
+    values: Array
+    rates: Array
+
+    def at(self, t: Array) -> Array:
+        """Return the values (n,) at the times t (n,) in s, as the browser joins the samples."""
+        steps = len(self.values) - 1
+        place = np.mod(t, self.period) / self.period * steps
+        i = np.minimum(place.astype(int), steps - 1)
+        s, rise = place - i, self.values[i + 1] - self.values[i]
+        first, last = self.rates[i] * self.period / steps, self.rates[i + 1] * self.period / steps
+        found: Array = self.values[i] + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)))
+        return found
 
 
 @dataclass(frozen=True, eq=False)

@@ -134,7 +134,12 @@ class PushedMass:
 
     def lines(self, count: int) -> list[PushLine]:
         """The lines 0 to `count` of the push and of the steady motion, within 5 u."""
-        return [PushLine(n, f, self._moved_by(n, f)) for n, f in ((n, self.push.line(n)) for n in range(count + 1))]
+        return [self.line(n) for n in range(count + 1)]
+
+    def line(self, n: int) -> PushLine:
+        """Line n of the push and of the steady motion, within 5 u."""
+        f = self.push.line(n)
+        return PushLine(n, f, self._moved_by(n, f))
 
     def _moved_by(self, n: int, f: complex) -> complex:
         turn = n * Fraction(self.push.omega)
@@ -263,11 +268,8 @@ class PushedMass:
     def _from_rest(self, places: "TimesInPieces") -> dict[tuple[int, int], PhasePoint]:
         """x and v at the start of each piece of each period in which a time is, from rest."""
         exactly = _Exact(context(6 * _DIGITS), self)
-        state, period, found = (
-            exactly.jump.at((exactly.ctx.zero, exactly.ctx.zero)),
-            0,
-            dict[tuple[int, int], PhasePoint](),
-        )
+        state, period = exactly.jump.at((exactly.ctx.zero, exactly.ctx.zero)), 0
+        found = dict[tuple[int, int], PhasePoint]()
         pieces = sorted(set(zip(places.period, places.piece.tolist(), strict=True)))
         for number in sorted({number for number, _ in pieces}):
             state, period = exactly.periods(state, number - period), number

@@ -1,52 +1,59 @@
-"""Steady motions under a periodic push as values: exact at given times, playable piece by piece.
+"""Motions under a push in doubles, for drawing: within 1e-9 of the largest value.
 
-In a piece in which the force is F + F' tau, x = constant + slope tau + a free motion, with slope = F'/k and constant =
-(F - c slope)/k. In doubles a quick push cancels: the error is some 4 max(1, omega/omega_n)^2 u of the largest x.
+In a piece in which the force is F + F' tau the motion from x_0, v_0 is that of physics.pushed,
+
+    x = A x_0 + B v_0 + F/m E2 + F'/m E3,
+
+with A, B, E2, E3 by the form that keeps its digits: a power series at first, then exponentials. The steady motion
+starts at the fixed point of a period, (1 - M) state = q. Where 1 - M loses more than five digits, near the resonance of
+a harmonic or for a very quick push, the state comes from numbers of mpmath.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import NamedTuple
+from functools import cached_property, reduce
+from itertools import pairwise
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from physics.damped import DampedOscillator, Fading
+from physics.damped import DampedOscillator
 from physics.exact import Array
-from physics.motion import Elementary, ExactMotion
-from physics.periodic import PeriodicPush
+from physics.motion import Elementary, ExactMotion, SampledCycle
+from physics.periodic import PeriodicPush, Piece
+from physics.pushed import PushedMass
+
+_SINGULAR = 1e-5  # of the determinant of 1 - M, below which doubles keep too few digits
+_TERMS = 28  # of the power series, up to the phase 1
+_SHORT = 1e-3  # of z, below which (1 - (1 - exp(-z))/z)/z takes four terms of its series
+_FEWEST, _MOST, _PER_SWING = 256, 1024, 16  # samples: the fewest, the most, those of a swing
+
+_PERIODS = 2.0**60  # beyond so many, times are not told apart
+
+V = TypeVar("V", float, Array)  # at one time or at several
 
 
-class PlayedPiece(NamedTuple):
-    """A piece of a period by the numbers that play it: constant + slope tau + free, tau in s since `begin` in s."""
+class PushResponse(NamedTuple):
+    """A, B, E2, E3 and the rate of B (n,) at some times after the start of a piece, in powers of s."""
 
-    begin: float
-    constant: float
-    slope: float
-    free: Fading
-
-
-class PlayedPieces(NamedTuple):
-    """A motion of a period in s, in pieces."""
-
-    period: float
-    pieces: tuple[PlayedPiece, ...]
-
-    def at(self, t: Array) -> Array:
-        """The values (n,) at the times t (n,) in s, in doubles."""
-        rest, values = np.mod(t, self.period), np.zeros_like(t)
-        for begin, constant, slope, free in self.pieces:
-            tau = np.maximum(rest - begin, 0.0)
-            values = np.where(rest >= begin, constant + slope * tau + free.at(tau), values)
-        return values
+    A: Array
+    B: Array
+    E2: Array
+    E3: Array
+    slope: Array
 
 
 @dataclass(frozen=True, kw_only=True)
 class SteadyMotion:
-    """The steady motion of a damped oscillator with a spring under a push that repeats."""
+    """The steady motion of a damped oscillator with a spring under a push that repeats, and other motions under it.
+
+    The browser plays it by samples of a period, or if that is longer than the window up to `end` in s, of this window.
+    """
 
     oscillator: DampedOscillator
     push: PeriodicPush
+    end: float = math.inf
 
     def __post_init__(self) -> None:
         if not self.oscillator.k or self.push.once:
@@ -55,31 +62,173 @@ class SteadyMotion:
             )
 
     @cached_property
+    def mass(self) -> PushedMass:
+        return self.oscillator.pushed(self.push)
+
+    @property
+    def period(self) -> float:
+        """The period of the push in s."""
+        return 2 * math.pi / self.push.omega
+
+    @cached_property
     def x(self) -> ExactMotion:
         """The displacement in m."""
-        return self._quantity(0)
-
-    @cached_property
-    def v(self) -> ExactMotion:
-        """The velocity in m/s."""
-        return self._quantity(1)
-
-    def _quantity(self, i: int) -> ExactMotion:
-        mass, period = self.oscillator.pushed(self.push), self._played[i].period
+        t = self._instants
+        rest = t if t[-1] == self.period else np.mod(t, self.period)  # before an impulse at the end, not after it
         return Elementary(
-            symbol="xv"[i], exact=lambda t: mass.steady(t)[1 + i], played=self._played[i], omega=self.push.omega,
-            size=lambda: float(np.abs(mass.steady(np.linspace(0, period, 257))[1 + i]).max()),
-        )  # fmt: skip
+            symbol="x_p",
+            exact=lambda t: self.mass.steady(t).x,
+            played=SampledCycle(float(t[-1]), *self._in_pieces(rest, self.starts)),
+            size=lambda: self.size,
+            omega=max(self.oscillator.omega_d, self.push.omega),
+        )
 
     @cached_property
-    def _played(self) -> tuple[PlayedPieces, PlayedPieces]:
-        one, period = self.oscillator, 2 * math.pi / self.push.omega
-        found: tuple[list[PlayedPiece], list[PlayedPiece]] = ([], [])
-        for piece, (x, v) in zip(self.push.pieces, one.pushed(self.push).starts, strict=True):
-            slope = float(piece.rise) / period / one.k
-            constant = (float(piece.force) - one.c * slope) / one.k
-            free_x, free_v, _ = one.fading(x - constant, v - slope)
-            begin = float(piece.begin) * period
-            found[0].append(PlayedPiece(begin, constant, slope, free_x))
-            found[1].append(PlayedPiece(begin, slope, 0.0, free_v))
-        return PlayedPieces(period, tuple(found[0])), PlayedPieces(period, tuple(found[1]))
+    def force(self) -> ExactMotion:
+        """The push in N; a jump takes a sample."""
+        t, size = self._instants, abs(self.push.size)
+        F = self.force_at(t)
+        rates = np.gradient(F, t) if self.push.kind == "triangle" else np.zeros_like(F)
+        played = SampledCycle(float(t[-1]), F, rates)
+        return Elementary(symbol="F", exact=self.mass.force, played=played, size=lambda: size, omega=self.push.omega)
+
+    @cached_property
+    def size(self) -> float:
+        """The largest |x| in m."""
+        return float(np.abs(self.at(np.linspace(0.0, self.period, _MOST + 1))[0]).max())
+
+    @cached_property
+    def starts(self) -> list[tuple[float, float]]:
+        """x and v at the start of each piece."""
+        maps, whole = self._maps, self._period_map
+        if self.push.alternates:  # the fixed point of half a period, turned over
+            whole = _one_by_one(maps[: len(maps) // 2])
+            whole[:2] *= -1
+        (a, b, p), (c, d, q), _ = whole.tolist()
+        below = (1 - a) * (1 - d) - b * c
+        if not below > _SINGULAR:
+            return self.mass.starts
+        return self._through(((1 - d) * p + b * q) / below, (c * p + (1 - a) * q) / below)
+
+    def at(self, t: Array) -> tuple[Array, Array]:
+        """The steady x and v (n,) at the times t (n,) in s."""
+        return self._in_pieces(np.mod(t, self.period), self.starts)
+
+    def force_at(self, t: Array) -> Array:
+        """F (n,) in N at the times t (n,) in s; impulses left out."""
+        share, F = np.mod(t, self.period) / self.period, np.zeros_like(t)
+        for piece in self.push.pieces:
+            began = float(piece.begin)
+            F = np.where(share >= began, float(piece.force) + float(piece.rise) * (share - began), F)
+        return F
+
+    def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
+        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s, in rising order, at a resonance too."""
+        counts, places = np.unique(np.floor(np.minimum(t / self.period, _PERIODS)), return_inverse=True)
+        state, states = np.array([x_0, v_0, 1.0]), []
+        for before, count in pairwise((0.0, *counts.tolist())):
+            state = np.linalg.matrix_power(self._period_map, int(count - before)) @ state
+            states.append(state)
+        x, v, _ = np.array(states)[places].T
+        return self._in_pieces(np.maximum(t - counts[places] * self.period, 0.0), self._through(x, v))
+
+    def _through(self, x: V, v: V) -> list[tuple[V, V]]:
+        """x and v at the start of each piece of a period, from those before it."""
+        states = [(x, v + self._jump)]
+        for into_x, into_v, _ in self._maps[:-1]:
+            x, v = states[-1]
+            states.append(((into_x[0] * x + into_x[1] * v + into_x[2]), (into_v[0] * x + into_v[1] * v + into_v[2])))
+        return states
+
+    @cached_property
+    def _period_map(self) -> Array:
+        jump = np.eye(3)
+        jump[1, 2] = self._jump
+        return _one_by_one([jump, *self._maps])
+
+    @property
+    def _jump(self) -> float:
+        """The velocity in m/s that an impulse adds."""
+        return self.push.size / self.oscillator.m if self.push.impulsive else 0.0
+
+    @cached_property
+    def _instants(self) -> Array:
+        """The times in s at which a motion is sampled, from 0 to the end of a period or beyond that of the window."""
+        whole = self.period <= self.end
+        span = self.period if whole else 1.02 * self.end  # samples repeat: they must not begin again in the window
+        swings = self.oscillator.omega_d * span / (2 * math.pi)
+        return np.linspace(0.0, span, 8 * math.ceil(min(max(_PER_SWING * swings, _FEWEST), _MOST) / 8) + 1)
+
+    @cached_property
+    def _maps(self) -> list[Array]:
+        """The map of each piece, from x, v and 1 at its start to those at its end: a matrix (3, 3)."""
+        one, found = self.oscillator, []
+        for piece in self.push.pieces:
+            r = self._response(np.array([float(piece.end - piece.begin) * self.period]))
+            x, v = self._forced(piece, r.E2, r.E3), self._forced(piece, r.B, r.E2)
+            rows = [r.A, r.B, x], [-one.k / one.m * r.B, r.slope, v]
+            found.append(np.array([*([float(part[0]) for part in row] for row in rows), [0.0, 0.0, 1.0]]))
+        return found
+
+    def _in_pieces(self, rest: Array, starts: Sequence[tuple[float | Array, float | Array]]) -> tuple[Array, Array]:
+        """x and v (n,) at times from the start of a period, from those at the start of each of its pieces."""
+        one, values = self.oscillator, np.empty((2, rest.size))
+        begins = np.array([float(piece.begin) * self.period for piece in self.push.pieces])
+        places = np.searchsorted(begins, rest, side="right") - 1
+        for i, (piece, (x, v)) in enumerate(zip(self.push.pieces, starts, strict=True)):
+            here = places == i
+            x, v = np.broadcast_to(x, rest.shape)[here], np.broadcast_to(v, rest.shape)[here]
+            r = self._response(rest[here] - begins[i])
+            values[0, here] = r.A * x + r.B * v + self._forced(piece, r.E2, r.E3)
+            values[1, here] = r.slope * v - one.k / one.m * r.B * x + self._forced(piece, r.B, r.E2)
+        return values[0], values[1]
+
+    def _forced(self, piece: Piece, E: Array, integral: Array) -> Array:
+        return (float(piece.force) * E + float(piece.rise) / self.period * integral) / self.oscillator.m
+
+    def _response(self, tau: Array) -> PushResponse:
+        one = self.oscillator
+        (slow, fast), swing, square = one.rates, one.omega_d, one.k / one.m
+        apart, damping, faded = fast - slow, one.c / one.m, np.exp(-slow * tau)
+        turned = faded * np.cos(swing * tau)
+        grown = np.sin(swing * tau) / swing if swing else -np.expm1(-apart * tau) / apart if apart else tau
+        B = faded * grown
+        slope = (turned if swing else np.exp(-fast * tau)) - slow * B
+        A = turned + slow * B
+        E2 = (1 - A) / square
+        E3 = (tau - B - damping * E2) / square
+        parted = apart * tau > 1
+        E2[parted], E3[parted] = _of_exponentials(slow, fast, tau[parted])
+        early = max(one.omega_n, fast) * tau <= 1
+        E2[early], E3[early] = _series(damping, square, tau[early])
+        return PushResponse(A, B, E2, E3, slope)
+
+
+def _one_by_one(maps: list[Array]) -> Array:
+    """The map (3, 3) that applies these one after the other."""
+    return reduce(lambda done, one: one @ done, maps, np.eye(3))
+
+
+def _of_exponentials(slow: float, fast: float, tau: Array) -> tuple[Array, Array]:
+    """E2 and E3 (n,) where both exponentials have parted."""
+    (first, of_first), (second, of_second) = _means(slow * tau), _means(fast * tau)
+    scale = tau / (fast - slow) if tau.size else tau
+    return (first - second) * scale, (of_first - of_second) * scale * tau
+
+
+def _means(z: Array) -> tuple[Array, Array]:
+    """f = (1 - exp(-z))/z and (1 - f)/z (n,), regular at z = 0."""
+    short, safe = z < _SHORT, np.maximum(z, _SHORT)
+    f = np.where(short, 1 - z / 2 * (1 - z / 3 * (1 - z / 4)), -np.expm1(-safe) / safe)
+    return f, np.where(short, (1 - z / 3 * (1 - z / 4 * (1 - z / 5))) / 2, (1 - f) / safe)
+
+
+def _series(damping: float, square: float, tau: Array) -> tuple[Array, Array]:
+    """E2 and E3 (n,) as power series: each rate of change follows from the two before it."""
+    term, (before, now) = tau * tau / 2, (0.0, 1.0)
+    E2, E3 = np.zeros_like(tau), np.zeros_like(tau)
+    for n in range(3, _TERMS):
+        E2, E3 = E2 + now * term, E3 + now * term * (tau / n)
+        before, now = now, -damping * now - square * before
+        term = term * (tau / n)
+    return E2, E3

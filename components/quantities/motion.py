@@ -34,7 +34,7 @@ from components.quantities.axes import Axis
 from physics.chain import DrawnModes, UniformChain
 from physics.damped import Decay, Fading
 from physics.driven import Push
-from physics.motion import Harmonic
+from physics.motion import Harmonic, SampledCycle
 from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
@@ -172,6 +172,8 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
             return driven(size, time, numbers)
         case ModalPlay():
             return modal(size, time, numbers)
+        case SampledCycle(period, values, rates):
+            return sampled(time, period, size.places(values), size.places(rates))
     raise TypeError(f"{type(numbers).__name__} is not played by any signal")
 
 

@@ -48,7 +48,8 @@ def main() -> None:
         table = {name: measured(family, options.samples, options.seed) for name, family in FAMILIES.items()}
     options.out.mkdir(parents=True, exist_ok=True)
     text = markdown(table, options.samples, options.seed)
-    text += one_mass.table(options.samples, options.seed) + braked_chain.table(options.samples, options.seed)
+    for add in (one_mass.table, one_mass.push_table, braked_chain.table):
+        text += add(options.samples, options.seed)
     (options.out / "accuracy.md").write_text(text)
     write_csv(table, options.out / "accuracy.csv")
     print(text)

@@ -16,8 +16,11 @@ import numpy as np
 
 from physics.damped import DampedOscillator
 from physics.driven import DrivenOscillator
+from physics.periodic import PeriodicPush, PushKind
 from physics.reference_damped import damped_points, driven_points
+from physics.steady_motions import SteadyMotion
 from tests.physics.chain_truth import U, ulps
+from tests.physics.push_truth import closed_form
 
 Uniform = Callable[[float, float], float]
 FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {
@@ -50,6 +53,34 @@ def table(samples: int, seed: int) -> str:
         for method, found in worst.items():
             lines.append(f"| {family} | {method} | " + " | ".join(map(shown, found.values())) + " |")
     return "\n".join(lines) + "\n"
+
+
+def push_table(samples: int, seed: int) -> str:
+    """The worst errors of x in the steady motion under a push, in u of the largest x: in a file, and as it is drawn."""
+    lines = [
+        "",
+        f"# Accuracy under a push that repeats\n\n{samples} of each kind, seed {seed}, u of the largest x.",
+        "",
+    ]
+    lines += ["| push | in a file, u | drawn, u |", "|---|---|---|"]
+    kinds: tuple[PushKind, ...] = ("square", "triangle", "pulses", "impulses")
+    for kind in kinds:
+        random = Random(seed)
+        errors = np.array([push_errors(kind, random) for _ in range(samples)])
+        lines.append(f"| {kind} | " + " | ".join(map(shown, errors.max(axis=0))) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def push_errors(kind: PushKind, random: Random) -> tuple[float, float]:
+    """The errors of one oscillator, m = k = 1, ten times slower to ten times quicker than its push."""
+    push = PeriodicPush(kind=kind, omega=10 ** random.uniform(-1, 1), width=random.uniform(0.05, 0.95))
+    one = DampedOscillator(m=1.0, c=2 * 10 ** random.uniform(-6, 0.5), k=1.0)
+    motion, t = SteadyMotion(oscillator=one, push=push), random.uniform(0, 2 * math.pi / push.omega)
+    found = one.steady(push, [t]).x[0], motion.at(np.array([t]))[0][0]
+    with mp.workdps(250):
+        true = closed_form(motion.mass, mp.mpf(t) * mp.mpf(push.omega) / (2 * mp.pi))[0]
+        in_file, drawn = (float(abs(mp.mpf(float(x)) - true) / U / motion.size) for x in found)
+    return in_file, drawn
 
 
 def shown(error: float) -> str:

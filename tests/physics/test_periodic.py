@@ -19,6 +19,7 @@ from physics.pushed import PushedMass
 from physics.steady_motions import SteadyMotion
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
+from tests.physics.push_truth import closed_form
 
 U = 2.0**-53
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "periodic_cases.json").read_text())["cases"]
@@ -100,48 +101,6 @@ def test_slices_of_a_push_add_up_as_in_the_reference(case: dict[str, Any]) -> No
         assert len(sizes) == int(count)
 
 
-def divided(f: Any, nodes: list[Any], hair: Any) -> Any:
-    """The divided difference of f over nodes, equal ones a hair apart."""
-    apart: list[Any] = []
-    for z in nodes:
-        while any(abs(z - other) < hair / 2 for other in apart):
-            z += hair
-        apart.append(z)
-    return mp.fsum(f(z) / mp.fprod(z - other for other in apart if other is not z) for z in apart)
-
-
-def closed_form(mass: PushedMass, share: Any) -> tuple[Any, Any]:
-    """x and v of the steady motion by one divided difference for each kind of push."""
-    m, c, k, F = (mp.mpf(one) for one in (mass.m, mass.c, mass.k, mass.push.size))
-    T, w = 2 * mp.pi / mp.mpf(mass.push.omega), mp.mpf(mass.push.width)
-    root = mp.sqrt(mp.mpc(c * c - 4 * m * k))
-    p, hair = [(-c + root) / (2 * m), (-c - root) / (2 * m)], mp.mpf(10) ** (-mp.mp.dps // 5) / T
-    zero = mp.mpc(0)
-
-    def exp(z: Any) -> Any:
-        return mp.exp(z) if mp.re(z) > -1e4 else zero
-
-    def both(f: Any, zeros: int, factor: Any) -> tuple[Any, Any]:
-        x, v = (mp.re(divided(f, [zero] * n + p, hair)) for n in (zeros, zeros - 1))
-        return factor * x, factor * v
-
-    t, kind = share * T, mass.push.kind
-    if kind in ("square", "triangle"):
-        t, sign = (t, 1) if kind == "square" else (t + T / 4, 1)
-        while t >= T / 2:
-            t, sign = t - T / 2, -sign
-        zeros, factor = (1, 2 * F / m) if kind == "square" else (2, 8 * F / (m * T))
-        return both(lambda z: exp(z * t) / (1 + exp(z * T / 2)), zeros, sign * factor)
-    if kind == "pulses":
-        if share < w:
-            over = both(lambda z: (exp(z * t) - exp(z * (t + T - w * T))) / (1 - exp(z * T)) if z else 1 - w, 1, F / m)
-        else:
-            over = both(lambda z: (exp(z * t) - exp(z * (t - w * T))) / (1 - exp(z * T)) if z else -w, 1, F / m)
-        return over[0] + F * w / k, over[1]
-    at = [mp.re(divided(lambda z, n=n: z**n * exp(z * t) / (1 - exp(z * T)), p, hair)) for n in (0, 1)]
-    return F / m * at[0], F / m * at[1]
-
-
 @settings(max_examples=tries(160))
 @given(
     *[log_uniform(-40, 40)] * 4, st.floats(0.01, 0.99), st.floats(0.0, 0.999), st.sampled_from(PERIODIC), st.booleans()
@@ -157,8 +116,12 @@ def test_steady_motions_over_many_decades_are_within_4_u_of_closed_forms(
     whole = mass.steady(np.linspace(0, period, 33))
     with mp.workdps(250):
         true = closed_form(mass, mp.mpf(t) * mp.mpf(omega) / (2 * mp.pi))
-        for value, wanted, row in zip((motion.x, motion.v), true, (whole.x, whole.v), strict=True):
-            assert abs(value[0] - wanted) <= 4 * U * max(np.max(np.abs(row)), abs(float(wanted)))
+        drawn = SteadyMotion(oscillator=DampedOscillator(m=m, c=c, k=k), push=mass.push).at(np.array([t]))
+        swings = math.sqrt(k / m) * period  # whose phase has a rounding error of its own
+        for i, wanted in enumerate(true):
+            largest = max(np.max(np.abs(whole[1 + i])), abs(float(wanted)))
+            assert abs(motion[1 + i][0] - wanted) <= 4 * U * largest
+            assert abs(drawn[i][0] - wanted) <= (1e-9 + 1e-12 * swings) * largest
 
 
 @settings(max_examples=tries(100))
@@ -188,8 +151,8 @@ def test_the_dashpot_takes_the_work_of_all_lines(
 
 
 @each_steady
-def test_steady_motions_are_played_piece_by_piece(case: dict[str, Any]) -> None:
-    """Within some 4 max(1, omega/omega_n)^2 u of the largest, and a share of u for each radian of the period."""
+def test_steady_motions_are_drawn_and_played_within_a_tenth_of_a_pixel(case: dict[str, Any]) -> None:
+    """Samples join the motion within 1/2000 of the largest x, of which a plot has 100 pixels; doubles within 1e-13."""
     mass = mass_of(case)
     oscillator = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
     if not case["k"]:
@@ -197,13 +160,47 @@ def test_steady_motions_are_played_piece_by_piece(case: dict[str, Any]) -> None:
             SteadyMotion(oscillator=oscillator, push=mass.push)
         return
     motion = SteadyMotion(oscillator=oscillator, push=mass.push)
-    period = 2 * math.pi / case["omega"]
-    t = (np.arange(40) + 0.37) * period / 40
-    quick, turns = max(1.0, case["omega"] / oscillator.omega_n), max(1.0, oscillator.omega_n * period)
-    both: list[Any] = [motion.x, motion.v]
-    for one in both:
-        room = (16 * quick**2 + 4 * turns) * U * one.size()
-        assert one.played.at(t) == pytest.approx(one.at(t), abs=room)
+    t = np.sort(np.concatenate([np.array(case["t"]), (np.arange(40) + 0.37) * motion.period / 40]))
+    exact, (x, v) = mass.steady(t), motion.at(t)
+    assert x == pytest.approx(exact.x, abs=1e-13 * motion.size)
+    assert v == pytest.approx(exact.v, abs=1e-13 * np.max(np.abs(exact.v)))
+    played: Any = motion.x
+    assert played.played.at(t) == pytest.approx(exact.x, abs=5e-4 * motion.size)
+    assert np.max(np.abs(x)) <= 1.01 * motion.size
+
+
+@each_case
+def test_motions_from_a_start_are_drawn_within_1e_12(case: dict[str, Any]) -> None:
+    """At the resonance of a harmonic too."""
+    mass = mass_of(case)
+    if not case["k"] or mass.push.once:
+        return
+    oscillator = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    motion = SteadyMotion(oscillator=oscillator, push=mass.push)
+    t = np.linspace(0.0, 7.3 * motion.period, 200)
+    x, v = motion.from_start(0.3, -0.2, t)
+    rest, free = mass.from_rest(t), oscillator.motion(0.3, -0.2, t)
+    assert x == pytest.approx(rest.x + free.x, abs=1e-12 * np.max(np.abs(x)))
+    assert v == pytest.approx(rest.v + free.v, abs=1e-12 * np.max(np.abs(v)))
+
+
+@pytest.mark.parametrize("kind", ["square", "triangle", "pulses"])
+def test_a_force_is_drawn_as_it_is(kind: Any) -> None:
+    push = PeriodicPush(kind=kind, size=3.0, omega=0.7, width=0.3)
+    motion = SteadyMotion(oscillator=DampedOscillator(m=1.0, c=0.4, k=2.0), push=push)
+    t = (np.arange(150) + 0.3) * motion.period / 50
+    assert motion.force_at(t) == pytest.approx(motion.mass.force(t), abs=1e-12)
+    near, force = np.abs(np.diff(motion.force_at(t), append=0.0)) > 1.0, motion.force
+    played: Any = force
+    assert played.played.at(t)[~near] == pytest.approx(force.at(t)[~near], abs=0.02)
+
+
+def test_samples_of_a_long_period_cover_the_window() -> None:
+    """A push of 1000 s, in a window of 5 s: each swing has its samples."""
+    oscillator, push = DampedOscillator(m=1.0, c=0.4, k=40.0), PeriodicPush(kind="pulses", omega=2e-3 * math.pi)
+    motion: Any = SteadyMotion(oscillator=oscillator, push=push, end=5.0).x
+    t = np.linspace(0.0, 5.0, 97)
+    assert motion.played.at(t) == pytest.approx(motion.at(t), abs=1e-6)
 
 
 def test_a_line_that_is_missing_is_harmless() -> None:

@@ -1,0 +1,184 @@
+"""One oscillator under a push that repeats, from its initial conditions: its parts, and the harmonics of the push.
+
+A push F = f_0 + sum of f_n cos(n omega t + ..) moves the mass like so many sines at once: harmonic n by |X_n| =
+|f_n| M(n r)/k, with M the magnification of physics.driven and r = omega/omega_n.
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 1.4 and 2.1.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from physics.damped import DampedOscillator
+from physics.driven import highest
+from physics.exact import Array
+from physics.forced_vibration import VibrationBand
+from physics.free_decay import FreeDecay
+from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
+from physics.periodic import PeriodicPush
+from physics.pushed import PushedMass
+from physics.sampling import drawable
+from physics.steady_motions import SteadyMotion
+
+_APART, _LONG = 4.0, 12  # as in physics.forced_vibration
+_DRAWN, _NEAR = 100, 3  # lines that are drawn; lines next to the peak
+_ON_PEAK = 0.02  # distance of n r from the peak at which a harmonic without damping counts as on it
+
+
+class Harmonics(NamedTuple):
+    """Lines n (count,) of a push: |f_n| in N, and the amplitudes |X_n| in m of the motion, infinite at a resonance."""
+
+    n: Array
+    f: Array
+    X: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PushedVibration:
+    """A motion of a damped oscillator with a spring from x_0 in m and v_0 in m/s, in a window with the instants t (n,).
+
+    It has the names of ForcedVibration and of SampledVibration.
+    """
+
+    oscillator: DampedOscillator
+    push: PeriodicPush
+    x_0: float
+    v_0: float
+    t: Array
+
+    @cached_property
+    def steady(self) -> SteadyMotion:
+        return SteadyMotion(oscillator=self.oscillator, push=self.push, end=float(self.t[-1]))
+
+    @property
+    def exists(self) -> bool:
+        """True if there is a steady motion."""
+        return self.steady.mass.steady_exists
+
+    @cached_property
+    def largest(self) -> float:
+        """The largest |x| at these instants, in m."""
+        return float(np.abs(self.steady.from_start(self.x_0, self.v_0, self.t)[0]).max())
+
+    @cached_property
+    def is_fast(self) -> bool:
+        """True if the motion is too fast for a line."""
+        return not drawable(max(self.oscillator.omega_d, self.push.omega), self.t)
+
+    @cached_property
+    def split(self) -> bool:
+        """True if the motion is shown in its parts."""
+        return self._has_parts and not self.is_fast
+
+    @cached_property
+    def _has_parts(self) -> bool:
+        """True if there are parts, and these do not nearly cancel."""
+        return self.exists and self.steady.size <= _APART * max(self.largest, self.steady.size / _LONG)
+
+    @property
+    def tallest(self) -> float:
+        """The largest displacement in m; 1 if nothing moves."""
+        return (self._bound if self.is_fast else self.largest) or 1.0
+
+    @property
+    def bands(self) -> dict[str, VibrationBand]:
+        """The bands of x, and of the push over the stiffness, as far as they are too fast for a line."""
+        found, none = {}, np.zeros_like(self.t)
+        if self.is_fast:
+            found["x"] = VibrationBand(none - self._bound, none + self._bound)
+        if not drawable(self.push.omega, self.t):
+            high = self.push.size / self.oscillator.k
+            found["hold"] = VibrationBand(none - (high if self.push.alternates else 0.0), none + high)
+        return found
+
+    @cached_property
+    def x(self) -> ExactMotion:
+        """The displacement in m. It is played as the steady and the free part, or if these cancel by samples of it."""
+        free = self.oscillator
+        exact = lambda t: self.steady.mass.from_rest(t).x + free.motion(self.x_0, self.v_0, t).x  # noqa: E731
+        if self._has_parts:
+            return MotionPolynomial(((ONE, (self.x_p,)), (ONE, (self.transient.x,))), exact)
+        t = np.linspace(0.0, 1.02 * float(self.t[-1]), 1 + max(self.t.size, 512))  # samples repeat after the window
+        x, v = self.steady.from_start(self.x_0, self.v_0, t)
+        return Elementary(
+            symbol="x", exact=exact, played=SampledCycle(float(t[-1]), x, v), size=lambda: self.largest,
+            omega=max(self.oscillator.omega_d, self.push.omega),
+        )  # fmt: skip
+
+    @property
+    def x_p(self) -> ExactMotion:
+        """The steady part in m."""
+        return self.steady.x
+
+    @property
+    def drive(self) -> ExactMotion:
+        """The push in N."""
+        return self.steady.force
+
+    @cached_property
+    def transient(self) -> FreeDecay:
+        """The free motion that is left without the steady part."""
+        x, v = self.steady.at(np.zeros(1))
+        return FreeDecay(oscillator=self.oscillator, x_0=self.x_0 - float(x[0]), v_0=self.v_0 - float(v[0]))
+
+    @property
+    def _bound(self) -> float:
+        return self.steady.size + self.transient.reach() if self.exists else self.largest
+
+
+@dataclass(frozen=True, kw_only=True)
+class PushHarmonics:
+    """The harmonics of a push on a damped oscillator with a spring."""
+
+    oscillator: DampedOscillator
+    push: PeriodicPush
+
+    @property
+    def r(self) -> float:
+        return self.push.omega / self.oscillator.omega_n
+
+    @cached_property
+    def mass(self) -> PushedMass:
+        return self.oscillator.pushed(self.push)
+
+    def lines(self, n: Iterable[int]) -> Harmonics:
+        """Return these lines of the push and of the motion, within 5 u."""
+        found = [self.mass.line(one) for one in n]
+        return Harmonics(*(np.array([(one.n, abs(one.f), abs(one.X)) for one in found], float).T))
+
+    def drawn(self, end: float) -> Harmonics:
+        """Return the lines that the push has up to a frequency in rad/s, at most 100, and the first one."""
+        count = int(min(max(end / self.push.omega, 1.0), _DRAWN))
+        return self.lines(n for n in range(count + 1) if (self.push.has_line(n) if n else self.push.mean))
+
+    @property
+    def resonant(self) -> int:
+        """The n of a harmonic for which there is no steady motion, decided without error; 0 if there is none."""
+        return 0 if self.mass.steady_exists else self.mass.resonant_line or 0
+
+    @cached_property
+    def on_peak(self) -> int:
+        """The n whose frequency is on the peak of the response, whether the push has it or not; 0 if there is none.
+
+        n r is within 0.02 of the peak, or the response is at least 0.7 of its maximum.
+        """
+        peak = highest(self.oscillator.zeta)
+        if not peak or self.oscillator.zeta > 0.35:  # a wide peak is no peak
+            return 0
+        n = max(1, round(peak[0] / self.r))
+        return n if abs(n * self.r - peak[0]) <= max(0.7 * self.oscillator.zeta, _ON_PEAK) else 0
+
+    @cached_property
+    def strongest(self) -> tuple[int, float]:
+        """The n above 0 of the harmonic that moves the mass most, and |X_n| in m."""
+        near = round(1 / self.r) if self.r > 1e-12 else 0
+        candidates = {*range(1, 13), *range(max(1, near - _NEAR), near + _NEAR + 1)}
+        if self.push.kind == "pulses" and self.push.width < 0.05:
+            candidates |= set(range(1, 200))
+        found = self.lines(sorted(candidates))
+        best = int(np.argmax(found.X))
+        return int(found.n[best]), float(found.X[best])
