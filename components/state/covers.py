@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, TypeVar
@@ -24,9 +24,9 @@ from typing import Any, TypeVar
 from msgspec.structs import replace as changed
 
 from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
-from components.language.numbers import names_in
+from components.language.numbers import Expression, names_in
 from components.language.plots import Curve, Region
-from components.language.shapes import Label
+from components.language.shapes import AnyShape, Label
 from components.language.signals import AnySignal, CosineOf, Derived, Modal, SineOf
 from components.layout.sheet import blocks, in_force
 from components.quantities.axes import Axis, round_ticks
@@ -87,7 +87,8 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         return picture, ()
     drawn = [one for plot in plots(scene) for one in _drawn(plot)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
-    names = set(_named(covered, VALUE)) | _marks(covered) | (_still(scene) if STAGE in covered else set())
+    names = set(_named(covered, VALUE)) | _marks(covered)
+    names |= _still(scene) | (_turning(scene) & picture.signals.keys()) if STAGE in covered else set()
     stand = {block.name for block in in_force(scene.sheet(), picture.forms) if isinstance(block, PlotBlock)}
     seen = {name for one in drawn if one not in hidden and one.plot in stand for name in one.signals}
     names |= {name for one in hidden for name in one.signals} - seen
@@ -235,12 +236,28 @@ def _held(scene: type[Scene]) -> frozenset[str]:
 @cache
 def _still(scene: type[Scene]) -> frozenset[str]:
     """Visibility flags used only on static stages, safe to hide."""
+    return _only_on(scene, "still", lambda shape: shape.show)
+
+
+@cache
+def _turning(scene: type[Scene]) -> frozenset[str]:
+    """Motions that are drawn only on stages where they begin at their amplitudes, which are answers."""
+    return _only_on(scene, "turning", _moved_by)
+
+
+def _only_on(scene: type[Scene], style: str, of: Callable[[AnyShape], Iterable[str]]) -> frozenset[str]:
+    """The names that shapes on stages of this style have, without those that shapes on other stages have."""
     stages = [block for block in blocks(scene.sheet()) if isinstance(block, StageBlock)]
-    still, moving = (
-        {name for stage in stages if ("still" in stage.style) is rests for shape in stage.shapes for name in shape.show}
-        for rests in (True, False)
+    found, elsewhere = (
+        {name for stage in stages if (style in stage.style) is has for shape in stage.shapes for name in of(shape)}
+        for has in (True, False)
     )
-    return frozenset(still - moving)
+    return frozenset(found - elsewhere)
+
+
+def _moved_by(shape: AnyShape) -> Iterator[str]:
+    numbers = (getattr(shape, name) for name in shape.__struct_fields__)
+    yield from (name for number in numbers if isinstance(number, Expression) for name in names_in(number))
 
 
 def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:

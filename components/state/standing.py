@@ -77,6 +77,13 @@ class Standing:
         return unfitted(self.drawn.frame, self.drawn.fitted)
 
     @property
+    def seen_frame(self) -> Frame:
+        """The frame as the visitor sees it: axes with hidden numbers are wider."""
+        axes, frame = self.told[0].axes, self.drawn.frame
+        wide = {name: (axes[name].start, axes[name].end) for name in frame.ranges if f"ticks:{name}" in self.covered}
+        return msgspec.structs.replace(frame, ranges={**frame.ranges, **wide}) if wide else frame
+
+    @property
     def told(self) -> tuple[Picture, tuple[str, ...]]:
         """The picture to send, and the names of the quantities that are left out of it."""
         return told_of(self.kind, self.shown, self.before.shown if self.before else None, self.covered)
@@ -226,7 +233,7 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
     same = now if now and kind is now.kind else None
     frame = state.frame and checked(state.frame)
     if keeps and frame is None and same and _only_quantities(same.scene, scene):
-        frame = same.drawn.frame
+        frame = same.seen_frame
     told = other_in(kind, state.before if NEXT in state.covered else None)
     before = _before(told, scene, held, frame, same)
     asked = before or (same and same.before)

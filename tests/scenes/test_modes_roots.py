@@ -159,3 +159,10 @@ def test_without_dashpots_nothing_dies_and_both_modes_are_on_the_axis() -> None:
     assert sorted(s.imag for s in crosses(scene)) == pytest.approx([-2, -1, 1, 2])
     assert all(abs(s.real) < 1e-9 for s in crosses(scene))
     assert "ζ" not in said(scene) and "slow mode: " in said(scene)
+
+
+def test_motions_begin_again_when_they_have_died() -> None:
+    """The slow mode dies at 0.25 1/s; what is left at the end of the window is less than 2 %."""
+    braked, free = ModesScene(view="roots", c1=2.0, c2=1.0), ModesScene(view="roots")
+    assert braked.shown.axes["t"].end == pytest.approx(16.0)
+    assert free.shown.axes["t"].end == pytest.approx(8 * math.pi)

@@ -49,6 +49,16 @@ def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
             assert played(left, t)[name] == pytest.approx(place, rel=1e-12, abs=1e-12), name
 
 
+def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
+    """Its motion begins at its amplitude, from which the shape could be read."""
+    step = next(step for step in STEPS if step.id == "d34-07")
+    scene = standing_at(step.state, SCENES)
+    left, _ = without(scene.kind, scene.shown, step.cover)
+    bodies = {f"x{i}_{mode}" for i in (1, 2) for mode in ("slow", "fast")}
+    assert {scene.shown.signals[name] for name in bodies}.isdisjoint({derived(0.0)})
+    assert {name: left.signals[name] for name in bodies} == dict.fromkeys(bodies, derived(0.0))
+
+
 @every_step
 def test_of_what_is_covered_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
     """Not the parts of a motion either, whose start is an amplitude."""

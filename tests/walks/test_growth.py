@@ -12,6 +12,7 @@ from components.language.messages import Open
 from components.state.scene_sheet import plots
 from components.state.standing import Standing, changed
 from components.walks.loading import load_walks
+from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 
 CHANGED = 0.05
@@ -35,6 +36,26 @@ def spans(standing: Standing, shown: tuple[str, ...]) -> Iterator[tuple[str, flo
             if axis and not axis.log and y.size and np.ptp(y) > 0:
                 share = np.ptp(axis.places(y)) / abs(axis.place(axis.end) - axis.place(axis.start))
                 yield f"{plot.name}.{curve.y}", float(np.ptp(y)), float(share)
+
+
+SKETCHED = {
+    step.id: Subject(walk.name, step, SCENES)
+    for walk in load_walks(()).values()
+    for step in walk.steps
+    if isinstance(step, SketchStep) and any(cover.startswith("ticks:") for cover in step.cover)
+}
+
+
+@pytest.mark.parametrize("step", SKETCHED)
+def test_what_a_class_has_sketched_stays_in_the_frame(step: str) -> None:
+    """An axis with hidden numbers is wider than its curve; the answer keeps it."""
+    subject = SKETCHED[step]
+    asked = changed(subject.standing, Open(state=subject.opening), SCENES)
+    answered = changed(asked, Open(state=subject.answer, keeps=True), SCENES)
+    for name in [cover.removeprefix("ticks:") for cover in asked.covered if cover.startswith("ticks:")]:
+        before, after = asked.told[0].axes[name], answered.told[0].axes[name]
+        assert (before.start, before.end) == (after.start, after.end)
+        assert after.ticks
 
 
 @pytest.mark.parametrize("step", COMPARED)

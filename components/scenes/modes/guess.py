@@ -144,7 +144,7 @@ Lengths = Family[int, Scalar[Guess]]
 FORCES: tuple[tuple[list[LiveNumber[Guess]], Lengths | None, str, dict[ShownBy, str], str], ...] = (
     (N.need, P.need, "ink", {(ON_WIDE, AT_DESK): AT_FULL, (ON_WIDE, IN_HALL): SHORT}, "needed"),
     (N.give, P.give, "k", {ON_WIDE: "= force of the springs"}, "springs"),
-    (N.add, None, "F", {ON_WIDE: f"+ {N.you_add}"}, "hand"),
+    (N.add, None, "F", {ON_WIDE: f"+ {N.you_add}"}, "missing"),
 )
 """Each row of forces, the lengths of its arrows, its tint, and the words beside it, by the room that there is."""
 
@@ -300,12 +300,11 @@ def _over_shapes() -> tuple[Shape, ...]:
         line(w, SHAPE.y(var(P.row[1])), w, SHAPE.y(var(P.row[2])), tint="F", style="thick", show=P.gap),
         line(SHAPE.left, r, w, r, tint="F", style="dots", show=P.guess_in),
     ]
-    for mode, shift, ratio in zip(MODES, ((14, -8), (11, -14)), N.r, strict=True):
+    for mode, ratio in zip(MODES, N.r, strict=True):
         at, name = (SHAPE, var(T.w_of[mode]), var(P.r_of[mode])), f"{mode} mode {ratio}"
         shapes += [
             point(*at, 7, mode, show=P.seen[mode], style="ring"),
-            label(*at, mode, shift, name, show=(P.seen[mode], ON_WIDE)),
-            label(*at, mode, (6, -14), name, "middle", show=(P.seen[mode], ON_NARROW)),
+            label(*at, mode, (0, 0), name, "beside", show=P.seen[mode]),
         ]
     shapes += [point(SHAPE, var(T.w), var(P.row[i]), 6, f"m{i}", show=P.row_in[i]) for i in BOTH]
     return (*shapes, _guess_point(w, r))

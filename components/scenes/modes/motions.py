@@ -106,7 +106,7 @@ STATEMENTS: dict[str, str] = {
 def motion_title(mode: str) -> list[Shape]:
     """The title of a motion over its chain, with the shape under the arrows; its roots are in the words."""
     look: Looks = {"tint": mode, "style": "t2 b"}
-    lines = (B.name[mode], 0.03), (f"*X*_2/*X*_1 = {B.ratio[mode]}", 0.475)
+    lines = (f"{B.name[mode]}, {B.fate[mode]}", 0.03), (f"*X*_2/*X*_1 = {B.ratio[mode]}", 0.49)
     title = (text(chain.WALL * W, (TOPS[mode] + at) * H, f"{said}", "start", **look) for said, at in lines)
     missing = text(chain.WALL * W, (TOPS[mode] + 0.03) * H, "no second shape", "start", **look)
     return [*shown_by(Motions.drawn[mode], *title), *shown_by(Motions.missing[mode], missing)]

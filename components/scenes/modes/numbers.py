@@ -220,6 +220,11 @@ def _zeta(one: ComplexMode) -> float | None:
     return -_rate(one) / abs(one.exponents[0]) if one.swings else None
 
 
+def _fate(one: ComplexMode) -> str:
+    zeta = _zeta(one)
+    return "does not swing" if zeta is None else f"ζ = {three(zeta)}"
+
+
 def _quality(one: ComplexMode) -> float | None:
     return -abs(one.exponents[0]) / (2 * _rate(one)) if one.swings and _rate(one) else None
 
@@ -243,6 +248,7 @@ class BrakedNumbers(Declared[BrakedChain]):
     repeats = Family(MOTIONS, lambda place: of_motion(place, lambda one: OFTEN.get(one.repeats), str), "{}_repeats")
     ratio = Family(MOTIONS, lambda place: of_motion(place, shape), "{}_ratio")
     angle = Family(MODES, lambda place: of_motion(place, off_line), "{}_angle")
+    fate = Family(MODES, lambda place: of_motion(place, _fate, str), "{}_fate")
     cross = braked(lambda c: Decimal(c.damping[0]) * Decimal(c.system.k2))
     gap = braked(lambda c: c.gap)
     c1_met, c2_met = braked.both(lambda c: c.met, short)

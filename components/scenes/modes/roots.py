@@ -49,7 +49,7 @@ LASTING, TURNS, POINTS = 4.0, 8.0, 321
 """A motion is drawn in its plane for so many decay times, but no more turns."""
 TERMS = [(power, part) for part in range(3) for power in range(5)]
 """Each coefficient of P: the power of s, and that of the value on the path."""
-DIAMOND, SQUARE = "M0-6L6 0L0 6L-6 0Z", "M-4-4H4V4H-4Z"
+DIAMOND, SQUARE = "M0-17L17 0L0 17L-17 0Z", "M-4-4H4V4H-4Z"
 PLANE, SHAPES = PlotFrame("roots"), PlotFrame("shapes")
 
 
@@ -75,6 +75,12 @@ class RootPlane:
         """The place of the dashpots on the path."""
         one, two = self.braked.damping
         return float(self.braked.brakes) if self.grows == "both" else one if self.grows == "c1" else two
+
+    @property
+    def beta(self) -> str:
+        """The time c/k of the dashpots where it is one for both springs, else their proportion."""
+        (one, two), k1 = self.braked.damping, self.braked.system.k1
+        return f"β = {three(one / k1)} s" if k1 and not self.braked.gap else f"c₁ : c₂ = {three(one)} : {three(two)}"
 
     @property
     def omega(self) -> dict[str, float]:
@@ -111,7 +117,9 @@ class Axes(Declared[RootPlane]):
 
 class Texts(Declared[RootPlane]):
     out = LiveNumber[RootPlane](lambda c: ", ".join(map(three, c.beyond)))
-    grows = LiveNumber[RootPlane](lambda c: "both dashpots grow" if c.grows == "both" else f"{GROWING[c.grows]} grows")
+    grows = LiveNumber[RootPlane](
+        lambda c: f"both grow, {c.beta}" if c.grows == "both" else f"{GROWING[c.grows]} grows"
+    )
 
 
 class Curves(Declared[RootPlane]):
@@ -231,6 +239,10 @@ def _shapes() -> list[Shape]:
         for grows in GROWING:
             found += shown_by(P.held[j, grows], circle(x, y, 11, tint="ink", style="outline", grab=_hold(j, grows)))
     edge = PLANE.left + 4
+    found += [
+        text(edge, PLANE.top + 14, "○ no dashpot, □ endless", "start", tint="mute"),
+        *shown_by(P.met, text(edge, PLANE.top + 30, "◇ two pairs meet", "start", tint="mute")),
+    ]
     found += shown_by(
         P.out, arrow(edge + 34, Y0, edge, Y0, tint="ink", style="thin"), text(edge, Y0 + 21, f"{Texts.out}", "start")
     )
@@ -265,7 +277,7 @@ def picture(system: TwoMassChain, damping: Pair, grows: Varied, window: float | 
     im = replace(re, start=-high, end=high, drawn=(-high, high), unit="rad/s", ticks=nice_ticks(-end, end, 4))
     one = nice_axis(-1.1, 1.1, "m", 4, exact=True)
     own = {Axes.re: re, Axes.im: im, Axes.x1: one, Axes.x2: one}
-    axes = framed(frame, by_name({TimeAxes.t: time_axis(window or time_window(slow, fast)), **own}))
+    axes = framed(frame, by_name({TimeAxes.t: time_axis(window or _lasting(braked)), **own}))
     return Picture(
         columns=columns,
         axes=axes,
@@ -278,6 +290,14 @@ def picture(system: TwoMassChain, damping: Pair, grows: Varied, window: float | 
         values=BrakedNumbers.texts(braked, axes) | RootReadouts.texts(braked, axes) | Texts.texts(case, axes),
         forms=Motions.forms(braked),
     )
+
+
+def _lasting(braked: BrakedChain) -> float:
+    """The time in s after which the clock begins again: of the chain, or less if all drawn motions have died before."""
+    slow, fast = braked.system.modes().omega.tolist()
+    decay = min((-s.real for s in braked.exponents.values()), default=0.0)
+    window = time_window(slow, fast)
+    return min(window, LASTING / decay) if decay * window > LASTING else window
 
 
 def _paths(case: RootPlane) -> dict[str, Columns]:

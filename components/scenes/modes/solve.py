@@ -88,7 +88,7 @@ def turning_stage(name: str, what: str, title: Callable[[str], list[Shape]], *, 
     """The stage of two motions, one above the other."""
     label = f"{what}, and under each mass its complex amplitude as a rotating arrow"
     shapes = (shape for mode in chain.MODES for shape in (*title(mode), *_moving(mode)))
-    return stage(*shapes, name=name, label=label, grow=grow, phone=phone, height=370, style="still")
+    return stage(*shapes, name=name, label=label, grow=grow, phone=phone, height=370, style="still turning")
 
 
 def _always(text_: str) -> Paragraph:
@@ -162,12 +162,12 @@ def _modes() -> list[Paragraph]:
 def _moving(mode: str) -> list[Shape]:
     """A motion as a chain with its full swing as a ghost, and a rotating arrow under each mass."""
     top = TOPS[mode]
-    foot, axle = (top + 0.185) * H, (top + 0.345) * H
+    foot, axle = (top + 0.225) * H, (top + 0.345) * H
     places = [chain.rest(i) + METRE * W * var(Turning.x[i, mode]) for i in chain.BOTH]
-    shapes = [chain.standing_wall((top + 0.07) * H, 0.115 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
+    shapes = [chain.standing_wall((top + 0.07) * H, 0.155 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
     for i in chain.BOTH:
         full = chain.rest(i) + METRE * W * var(Turning.X[i, mode])
-        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
+        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full told"))
     shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
     for i, place in zip(chain.BOTH, places, strict=True):
         rest, tip = chain.rest(i), axle - METRE * W * var(Turning.y[i, mode])
@@ -186,7 +186,7 @@ def _mode_title(mode: str) -> list[Shape]:
     """The title of a mode over its chain, with its shape; on a phone that is under the arrows."""
     j = chain.MODES.index(mode)
     title, shape = f"{mode} mode, *ω*_{{{SIGNS[j]}}} = {N.omega[j]} rad/s", f"*X*_2/*X*_1 = {N.ratio[j]}"
-    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.475, ON_NARROW)
+    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.49, ON_NARROW)
     return [
         text(chain.WALL * W, (TOPS[mode] + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
         for words_, share, show in lines
