@@ -1,4 +1,4 @@
-"""'About these numbers': how far what is drawn may be off, and a few of its points in arbitrary precision."""
+"""The window 'About these numbers': error bounds of the drawn numbers, and a few points in arbitrary precision."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class CheckedPoint:
 
     @property
     def off(self) -> float:
-        """The difference in units in the last place (ulp) of the size that it is measured by."""
+        """The difference between `drawn` and `true` in ulp (units in the last place) of `true.size`."""
         with precise():
             unit = ulp(min(float(self.true.size), sys.float_info.max))
             return float(abs(Decimal(self.drawn) - self.true.value) / Decimal(unit))
@@ -69,18 +69,18 @@ class About:
 
 
 def few(column: Sized) -> list[int]:
-    """The indices of a few entries."""
+    """Return the indices of the entries at `SHARES` of the length."""
     return [round(share * (len(column) - 1)) for share in SHARES] if len(column) else []
 
 
 def few_of(column: Floats) -> list[float]:
-    """A few entries: the places of `rows`."""
+    """Return the entries at the indices `few`."""
     entries: list[float] = column[few(column)].tolist()
     return entries
 
 
 def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> Table:
-    """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
+    """Return a table with its bound: the error of `names` is at most `limit` ulp of `of`, rounded up to 3 digits."""
     limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
     bound = f"The error of {names} is at most {short(limit)} ulp of {of}."
     return Table(bound, limit, tuple(rows))
@@ -104,7 +104,7 @@ def rows(
     place: Place = TIME,
     at: list[int] | None = None,
 ) -> list[CheckedPoint]:
-    """Return `points` of curves named by their declarations."""
+    """Return `points` of curves that are named by declared objects."""
     return points(_by_name(names), columns, true, place, at)
 
 
@@ -115,7 +115,7 @@ def points(
     place: Place = TIME,
     at: list[int] | None = None,
 ) -> list[CheckedPoint]:
-    """Return a few points, or those at the indices `at`, of each named curve that is drawn, place by place."""
+    """Return points of the named curves, at the indices `at` (default: a few), ordered by place."""
     found = []
     for n, i in enumerate(few(columns[place.column]) if at is None else at):
         where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
@@ -132,13 +132,13 @@ def _by_name(names: Mapping[One, str]) -> dict[str, str]:
 
 
 def every_digit(value: float) -> str:
-    """Every digit of a place, so that the point can be recomputed."""
+    """Return a number with all its digits, so that a reader can recompute the point."""
     head, _, power = shortest(float(value)).replace("-", MINUS).partition("e")
     return head + (ten_to(int(power.replace(MINUS, "-"))) if power else "")
 
 
 def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -> str:
-    """A sentence on how far a conserved quantity strays from its level over the window."""
+    """Return a sentence that says by how much a conserved quantity changes over the window."""
     if not level:
         return f"{what} is 0: nothing moves."
     strays = float(np.max(np.abs(total / level - 1)))
@@ -147,12 +147,12 @@ def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -
 
 
 def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[One, str]) -> str:
-    """Return the sentence on curves that are drawn as bands, named by their declarations."""
+    """Return the sentence of `bands_among` for curves that are named by declared objects."""
     return bands_among(columns, _by_name(names))
 
 
 def bands_among(columns: Mapping[str, Columns], names: Mapping[str, str]) -> str:
-    """Return the sentence on which of the named curves are drawn as bands."""
+    """Return a sentence that says which of the named curves are drawn as bands."""
     drawn = columns.get(BAND, {})
     bands = list(dict.fromkeys(text for name, text in names.items() if band_columns(name)[0] in drawn))
     if not bands:
@@ -165,12 +165,12 @@ def bands_among(columns: Mapping[str, Columns], names: Mapping[str, str]) -> str
 
 
 def listed(names: Sequence[str]) -> str:
-    """a, b and c."""
+    """Return a list in words: a, b and c."""
     return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 
 def digits(value: Decimal) -> str:
-    """Twenty significant digits."""
+    """Return a number with twenty significant digits."""
     if not value:
         return "0"
     with precise():
@@ -182,7 +182,7 @@ def digits(value: Decimal) -> str:
 
 
 def reason_of(error: ValueError) -> str:
-    """The reason of an error for running text, without its full stop."""
+    """Return the message of an error without its full stop, for use inside a sentence."""
     text = as_on_screen(str(error)).rstrip(".")
     return re.sub(r"(?<=\d)e\+?(-?\d+)", lambda found: ten_to(int(found[1])), text)
 

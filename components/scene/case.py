@@ -1,7 +1,7 @@
 """A scene made of a case and its paper.
 
-A case is a class whose fields are the parameters of the scene; a paper builds the sheet with deferred expressions of
-it. The scene names both; everything that a picture has follows from what the paper uses.
+A case is a class whose fields are the parameters of the scene. A paper builds the sheet from placeholders for the
+attributes of the case. The scene names both; a picture has the attributes that the paper uses.
 """
 
 from __future__ import annotations
@@ -33,8 +33,7 @@ from components.scene.traces import Floats, samples
 
 
 class Case(ABC):
-    """The parameters of a scene, which are its fields, and the values that depend on them and on the time window of a
-    frame."""
+    """The parameters of a scene (the fields), and values that depend on them and on the time window of a frame."""
 
     window: float | None
 
@@ -50,7 +49,7 @@ class Case(ABC):
     @property
     @abstractmethod
     def highest(self) -> float:
-        """The highest frequency or rate in rad/s, which the curves are sampled for."""
+        """The highest frequency or rate in rad/s that the curves must resolve."""
 
     @property
     def resolved(self) -> float:
@@ -59,7 +58,7 @@ class Case(ABC):
 
     @cached_property
     def own_end(self) -> float:
-        """The end of the time window in s, without a frame."""
+        """The end of the time window in s that the scene chooses without a frame."""
         return self.window or self.lasting
 
     @property
@@ -99,15 +98,15 @@ class Case(ABC):
 
     @property
     def bands(self) -> Mapping[str, BandColumns] | None:
-        """The motions over time that are too fast for a line, with their bands; None to decide by their frequencies."""
+        """The motions that are drawn as bands, with these bands; None to decide by their frequencies."""
         return None
 
     def notes(self) -> tuple[str, ...]:
-        """Return sentences about this picture that the visitor must know."""
+        """Return sentences that tell the visitor how this picture differs from the exact motion."""
         return ()
 
     def about(self, shown: Picture) -> About | None:
-        """Return the errors of what is drawn."""
+        """Return the content of 'About these numbers', or None."""
         return None
 
 
@@ -135,10 +134,10 @@ def example(label: str, watch: str, given: Values | None = None, /, **values: An
 
 @dataclass(frozen=True)
 class ComparedNumber:
-    """A number of the case that is compared with another picture's; skipped if it is None or a text.
+    """A number of the case that is listed in a comparison with another picture; left out if it is None or a text.
 
-    It has the `name` of a live number; `of` is the attribute, if that has another name. An `angle` is compared by
-    difference.
+    `name` is its live number; `of` is the attribute, if that has another name. An `angle` is compared by difference,
+    other numbers by ratio.
     """
 
     name: str
@@ -173,7 +172,7 @@ class CaseScene(Scene):
     @classmethod
     @cache
     def written(cls) -> CasePaper:
-        """Return the paper, built once per process."""
+        """Return the paper with everything that it uses; built once per process."""
         book = book_of(cls.case)
         block = settled(cls.paper(), book)
         check_views(block, cls.views)

@@ -1,4 +1,4 @@
-"""The numbers of the plots of a picture: curves over time, bands and means of what is too fast, pairs of columns."""
+"""The numbers of a picture's plots: curves over time, bands and means of fast motions, pairs of columns."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from physics.valid import in_range
 
 
 def exact_values(motions: Mapping[str, ExactMotion], t: Floats) -> Columns:
-    """Return the numbers of motions at these instants. ValueError if they leave the range of doubles."""
+    """Return the numbers of motions at these instants. Raises ValueError if one leaves the range of doubles."""
     return {name: in_range(name, one.at(t)) for name, one in motions.items()}
 
 
 class BandColumns(NamedTuple):
     """The lower and the upper edge of a band (n,) over the instants of a picture.
 
-    `late` (m,) are the values of the motion at the last m of them, if a line shows it there because what is too fast
-    has died. All such motions of a picture have the same instants.
+    `late` (m,) are the values of the motion at the last m instants, if it is a line there because its fast part has
+    decayed. All motions of a picture with such a line have the same m.
     """
 
     low: Floats
@@ -34,11 +34,14 @@ class BandColumns(NamedTuple):
 class CaseCurves:
     """The curves of a picture over the instants `t` (n,) in s.
 
-    `drawn` are the curves and the edges of stacks, in the order of their columns. `fast` says how each is drawn if it
-    is too fast for a line: as its band, as a band that ends in a line, as its mean, or not at all. `stacks` are edges
-    that are averaged together. `motions` are all motions of the picture; `layers` maps motions in a stack to their
-    lower and upper edge. `given` are the bands if the case knows them, else they follow from the frequencies. Files
-    have the motions that are drawn and `named`.
+    `drawn`    the curves and the edges of stacks, in the order of their columns
+    `fast`     how each is drawn if it is too fast for a line: as a band, as a band that ends in a line, as its mean,
+               or not at all
+    `stacks`   edges that are averaged together
+    `motions`  all motions of the picture
+    `layers`   the lower and the upper edge of each motion in a stack
+    `named`    the motions that a file has, if they are drawn
+    `given`    bands that the case computes itself; None to compute them from the frequencies
     """
 
     t: Floats
@@ -70,7 +73,7 @@ class CaseCurves:
         return fast.union(*stacked) & self.drawn.keys()
 
     def traces(self, resolved: float) -> Traces:
-        """Return the motions drawn as lines, and the motions of a file with a sampling for this frequency (rad/s)."""
+        """Return the motions that are drawn as lines, and those of a file, which resolves this frequency (rad/s)."""
         shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
         return Traces(
             float(self.t[-1]),
@@ -85,13 +88,13 @@ class CaseCurves:
 
     @property
     def columns(self) -> dict[str, Columns]:
-        """The numbers that no signal gives, by source."""
+        """The bands and means, which no signal describes, by source."""
         means = {name: one.mean.at(self.t) for name, one in self.drawn.items() if name in self.averaged}
         return self._bands | ({TIME: means} if means else {})
 
     @property
     def _bands(self) -> dict[str, Columns]:
-        """The bands over the whole window, the bands that end when motions have decayed, and the lines from there."""
+        """The bands over the whole window, the bands that end when the motion has decayed, and the lines after them."""
         whole, ringing, late = Columns(), Columns(), Columns()
         for name in self.drawn:
             band = self._band(name) if name in self.too_fast and self.fast.get(name) in (BAND, RINGING) else None

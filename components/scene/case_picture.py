@@ -39,13 +39,13 @@ class CasePaper:
 
     @cached_property
     def other_axes(self) -> dict[str, PlotAxis]:
-        """The axes of numbers that no plot shows, by name: they always fit."""
+        """The axes that no plot has, used only to format numbers, by name. They always fit."""
         used = (use.axis for use in self.book.numbers.values() if use.axis)
         return {axis.name: axis for axis in used if axis.name not in self.axes}
 
     @cached_property
     def named(self) -> list[str]:
-        """The names of all attributes, in the order of their class, which files have too."""
+        """The names of all attributes, in the order of their class; a file has its columns in this order too."""
         return list(dict.fromkeys(one.called for one in attributes(self.book.kind)))
 
     @cached_property
@@ -61,13 +61,13 @@ class CasePaper:
 
     @cached_property
     def tables(self) -> dict[str, ExpressionRecord]:
-        """The expressions that have columns of curves, by name, in the order of their plots."""
+        """The curves with a column for x and one for y: their expressions by name, in the order of their plots."""
         items = [item for built in self.book.plots.values() for item in built.items]
         return {item.recorded.name: item.recorded for item in items if isinstance(item, PlottedCurve) and item.columns}
 
     @cached_property
     def paths(self) -> dict[str, list[str]]:
-        """The names of the motions of paths that do not cover the time window, by source, in the order of numbers."""
+        """The motions of paths over an interval other than the time window: names by source, ordered as `numbers`."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedPath)]
         found: dict[str, set[str]] = {}
         for one in items:
@@ -77,7 +77,7 @@ class CasePaper:
 
     @cached_property
     def layers(self) -> dict[str, tuple[str, str]]:
-        """The lower and the upper edge of each layer that is not its own upper edge."""
+        """The names of the lower and the upper edge of each layer, except the lowest layer, which is an edge itself."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedLayer)]
         return {one.recorded.name: (one.below, one.edge.name) for one in items if one.top is not None}
 
@@ -89,7 +89,7 @@ class CasePaper:
 
     @cached_property
     def fast(self) -> dict[str, str]:
-        """The way in which a motion too fast for a line is drawn, by name."""
+        """The way in which each motion is drawn if it is too fast for a line, by name: "band", "mean", ..."""
         edges = {edge: "mean" for stack in self.stacks for edge in stack}
         return edges | {one.recorded.name: one.fast for one in self.curves}
 
@@ -108,7 +108,7 @@ class CasePaper:
 
 @dataclass(frozen=True, eq=False)
 class CasePicture:
-    """The picture of a case: what its paper needs, computed."""
+    """The picture of a case: the values of everything that its paper uses."""
 
     paper: CasePaper
     case: Any
@@ -124,7 +124,7 @@ class CasePicture:
 
     @cached_property
     def numbers(self) -> dict[str, tuple[Any, Axis]]:
-        """All numbers that are not missing, with their axes."""
+        """All numbers that have a value, with their axes."""
         found: dict[str, tuple[Any, Axis]] = {}
         for name in self.paper.numbers:
             of, on = self.paper.book.numbers[name]

@@ -1,4 +1,4 @@
-"""The signals of a picture, from its motions; a motion made of others becomes a signal made of theirs."""
+"""Signals of a picture, made from its motions: a sum or product of motions becomes one of signals."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class _Signals:
                 self._define(name, MotionPolynomial(((ONE, (motion,)),)))
 
     def _name_of(self, motion: ExactMotion) -> str:
-        """The name of a motion, whose signal is defined; one without a name gets one."""
+        """Return the name of a motion after defining its signal; a motion without a name gets one."""
         if id(motion) not in self.names:
             self.names[id(motion)] = self._name_part(motion)
         name = self.names[id(motion)]
@@ -37,7 +37,7 @@ class _Signals:
         return name
 
     def _name_part(self, motion: ExactMotion) -> str:
-        """A free name for a motion that only others are made of, counted in a power of ten that suits its size."""
+        """Return a new name for a motion that is only a part of others; its axis has a power of ten for its size."""
         size, number, name = motion.size(), 2, motion.symbol
         while name in self.axes:
             number, name = number + 1, f"{motion.symbol}{number}"

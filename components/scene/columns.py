@@ -33,7 +33,7 @@ WHOLE = (
 class NumberTable(NamedTuple):
     """Columns for a file in SI units, the unit of each, and a sentence on its rows where they need one.
 
-    `plane` says that it is a path in a plane, of which no axis shows the times.
+    `plane`: the table is a path in a plane; no axis shows its times.
     """
 
     columns: Columns
@@ -43,10 +43,11 @@ class NumberTable(NamedTuple):
 
 
 def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[str, NumberTable]:
-    """Return the tables of a picture by name: each source that is drawn, or the table that files have in its place.
+    """Return the tables of a picture by name: one per drawn source, unless a `FileTable` replaces it.
 
-    `axes` are the names of the axes that columns are drawn on, by source and column. A source of motions over time
-    has all of them in its table, also those too fast to be drawn; the table of bands then covers the whole window.
+    `axes` are the names of the axes that columns are drawn on, by source and column. The table of a source over time
+    has all its motions, including those that are drawn as bands. If the table has only a part of the window, the
+    bands have a second table with all of it.
     """
     replaced = {source for table in picture.tables.values() for source in table.instead}
     found: dict[str, NumberTable] = {}
@@ -64,7 +65,7 @@ def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[s
 def _over_time(
     picture: Picture, source: str, trace: Traces, on: Mapping[str, Axis], axes: Mapping[str, Mapping[str, str]]
 ) -> dict[str, NumberTable]:
-    """The table of a source of motions, and where it has not all of the window, the table of their bands."""
+    """Return the table of motions over time, and the table of their bands if the first has not the whole window."""
     on = {**on, **{name: on[high] for name, (_, high) in trace.layers.items() if high in on}}
     motions = _table(trace.file, on)
     if trace.whole:
@@ -83,7 +84,7 @@ def _over_time(
 
 
 def _means(trace: Traces, columns: Columns) -> Columns:
-    """The columns that are drawn as means, of layers the differences of their edges."""
+    """Return the columns that are drawn as means; for a layer, the difference between its edges."""
     moving = trace.moving or ()
     known = trace.averaged & columns.keys()
     edges = {name: trace.edges(name) for name in moving if known.issuperset(trace.edges(name))}
@@ -93,7 +94,7 @@ def _means(trace: Traces, columns: Columns) -> Columns:
 
 
 def _table(columns: Columns, on: Mapping[str, Axis]) -> NumberTable:
-    """The columns that are drawn; a path in a plane keeps its times, though no axis shows them."""
+    """Return a table of the drawn columns; a path in a plane has its times too."""
     names = [name for name, column in columns.items() if len(column) and name in on and name != FLOOR]
     plane = TIME_AXIS in columns and TIME_AXIS not in names
     names = [TIME_AXIS, *names] if plane else names
@@ -103,9 +104,9 @@ def _table(columns: Columns, on: Mapping[str, Axis]) -> NumberTable:
 
 
 def with_units(picture: Picture, axes: Mapping[str, Mapping[str, str]], source: str = "") -> Columns:
-    """Return the columns of a table under names such as "x1 [m]"; of the first, if none is named.
+    """Return the columns of a table under names such as "x1 [m]". The default is the first table.
 
-    `axes` as in `tables_of`. ValueError, with their names, if there is no such table.
+    `axes` as in `tables_of`. Raises ValueError, with the names of all tables, if there is no such table.
     """
     found = tables_of(picture, axes)
     chosen = source or next(iter(found))
@@ -116,12 +117,12 @@ def with_units(picture: Picture, axes: Mapping[str, Mapping[str, str]], source: 
 
 
 def headed(name: str, unit: str) -> str:
-    """The name of a column with its unit, 1 for a pure number."""
+    """Return the name of a column with its unit in brackets; a pure number has the unit 1."""
     return f"{name} [{unit or 1}]"
 
 
 def unit_of(axis: Axis | None) -> str:
-    """The unit of a column in SI, whatever the axis counts in; without an axis it is a time."""
+    """Return the SI unit of a column that is drawn on this axis; without an axis it is a time."""
     if axis is None:
         return "s"
     if axis.si:
@@ -138,5 +139,5 @@ _ASCII = str.maketrans({
 
 
 def in_ascii(text: str) -> str:
-    """A text in letters that every program reads."""
+    """Return a text in ASCII: Greek letters as words, signs as ASCII signs."""
     return _RAISED.sub(lambda power: "^" + normalize("NFKC", power[0]), text).translate(_ASCII)

@@ -17,11 +17,10 @@ from components.scene.scene import Scene
 
 
 class SceneFace(param.Parameterized):
-    """A scene whose parameters can be set: one by one, or in a batch by `param.update`, with one picture.
+    """A scene whose parameters can be set: one by one, or several at once by `param.update`.
 
-    `value` is the current scene, which is immutable; the face has all its attributes. A ValueError (from
-    the limits of a parameter, from the physics, or for an ArithmeticError) and any other exception leave the face as
-    it was.
+    `value` is the current scene, which is immutable; the face has all its attributes. If a value is outside the limits
+    of its parameter or the physics refuses it, you get a ValueError, and the face is unchanged.
     """
 
     scene_kind: ClassVar[type[Scene]]
@@ -55,12 +54,12 @@ class SceneFace(param.Parameterized):
         return {name: ColumnDataSource(data=data) for name, data in self.value.shown.sources.items()}
 
     def set(self, values: Values) -> None:
-        """Set parameters in one batch, with one picture; after a ValueError the face is unchanged."""
+        """Set several parameters at once; after a ValueError the face is unchanged."""
         if self.value.differing(values):
             self.show(self.value.changed(values))
 
     def panel(self) -> Any:
-        """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""
+        """Return Panel widgets for the parameters and live Bokeh figures: components.panel_face.PanelFace."""
         from components.panel_face.face import PanelFace  # the server and the physics do not use it
 
         return PanelFace(self)

@@ -1,4 +1,4 @@
-"""Tables that only files have, in place of what a plot draws in pieces."""
+"""Tables of a file that replace sources of a plot, for curves that the plot draws in several pieces."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from components.scene.traces import Columns
 class FileTable:
     """A table of a file, computed when a file is written.
 
-    `instead` are the sources that it replaces, `units` the SI unit of each column. `drawn` names the columns of these
-    sources that a column belongs to, where they have other names: it is hidden with each. `note` explains the rows.
+    `instead`  the sources that it replaces
+    `units`    the SI unit of each column
+    `drawn`    for columns with another name in these sources: the names there; hiding one of them hides the column
+    `note`     a sentence that explains the rows
     """
 
     instead: tuple[str, ...]
@@ -24,7 +26,7 @@ class FileTable:
     note: str = ""
 
     def seen(self, sources: Mapping[str, Columns]) -> Columns:
-        """Return the columns of which something is drawn."""
+        """Return the columns of which at least a part is drawn."""
         known = {name for source in self.instead for name in sources.get(source, {})}
         visible = [name for name in self.units if known.issuperset(self.drawn.get(name, (name,)))]
         return {name: self._computed[name] for name in visible}

@@ -1,8 +1,8 @@
-"""The frame that a picture is drawn in: a value, so that a picture can keep it when parameters change.
+"""The frame of a picture: the ranges of its axes, its time window, scale and speed.
 
-A scene's `picture(frame)` uses the ranges in a frame and chooses the others; an empty frame gives the fitted one. A
-frame grows if the drawing would leave it, in steps of 1, 2, 5. A mostly empty axis is fitted again at the end of a
-drag.
+A scene's `picture(frame)` uses the ranges that the frame has and chooses the others; with an empty frame it chooses
+all. A new picture can keep the frame of the one before. The frame grows if the drawing would leave it, in steps of
+1, 2, 5. A mostly empty axis is fitted again at the end of a drag.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ FITTED = Frame()
 SIZES = ("window", "scale", "speed")
 """The numbers of a frame in addition to the ranges of its axes."""
 FEW = 0.3
-"""Marks that fill less of a frame than this give way to round numbers."""
+"""Share of a frame below which numbers that mark something are replaced by round numbers."""
 USED = 0.25
 """Used share of an axis below which it is fitted again at the end of a drag."""
 ALIKE, NOISE = 5e-4, 1e-14
-"""Relative differences that a screen does not show, and that are rounding errors, over a range."""
+"""Differences, relative to a range, that a screen does not show, and that are only rounding errors."""
 LARGEST = 1e307
 """Limit of growth by steps, near the largest double."""
 
@@ -48,7 +48,7 @@ class Windowed:
 
     @property
     def own_end(self) -> float:
-        """The end of the window that no frame has a say in."""
+        """The end of the window in s if the frame has none."""
         return self.window or self.lasting
 
     @property
@@ -57,7 +57,7 @@ class Windowed:
 
 
 def checked(frame: Frame) -> Frame:
-    """The frame; ValueError, in words, for one that nothing can be drawn in."""
+    """Return the frame. Raises ValueError, with a sentence, if nothing can be drawn in it."""
     for name, (low, high) in frame.ranges.items():
         if not (math.isfinite(low) and math.isfinite(high) and low != high):
             raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: its ends must differ.")
@@ -68,7 +68,7 @@ def checked(frame: Frame) -> Frame:
 
 
 def framed(frame: Frame, axes: Mapping[str, Axis]) -> dict[str, Axis]:
-    """The axes over the ranges of a frame, where it has one for them."""
+    """Return the axes, with the ranges that the frame has for them."""
     return {name: with_range(axis, _range_in(frame, name, axis)) for name, axis in axes.items()}
 
 
@@ -99,7 +99,7 @@ def with_range(axis: Axis, span: Range) -> Axis:
 
 
 def _rounded(axis: Axis, named: bool) -> Axis:
-    """The axis with round numbers, in another power of ten where its own does not suit the range."""
+    """Return the axis with round numbers, and with another power of ten if that suits the range better."""
     reach = max(abs(axis.start), abs(axis.end)) / axis.factor
     named_alike = axis.power == 1 and bool(axis.exponent) == bool(axis.suffix)
     if named_alike and not 1e-2 <= scale_by_ten(reach, -axis.exponent) < 1e5:
@@ -110,7 +110,7 @@ def _rounded(axis: Axis, named: bool) -> Axis:
 
 
 def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
-    """Return the parts of a frame that visibly differ from the fitted ones, or None."""
+    """Return a frame with only the parts that visibly differ from the fitted ones, or None if no part does."""
     known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
     sizes = {name: getattr(frame, name) for name in SIZES}
     rest = Frame(
@@ -133,10 +133,10 @@ def paced(frame: Frame, pace: Pace) -> Pace:
 
 
 def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None, still: Collection[str] = ()) -> Frame:
-    """The frame, wide enough for what must be seen on the axes; `scale` is the largest at which the stage has room.
+    """Return the frame, grown so that everything that must be visible on the axes fits.
 
-    Window and speed stay, and so does a range that holds what is drawn, or of an axis in `still`. Other ranges grow to
-    round numbers.
+    Window and speed stay. A range also stays if the drawing fits in it, or if its axis is in `still`; other ranges
+    grow to round numbers. `scale` is the largest scale at which the drawing fits on the stage.
     """
     spans = {name: _range_in(frame, name, axis) for name, axis in axes.items()}
     stay = {TIME_AXIS, *still}
@@ -146,8 +146,10 @@ def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None, st
 
 
 def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]], still: Collection[str] = ()) -> Frame:
-    """The frame, fitted again along each axis of which all that is `drawn`, on the axes of one picture or two, uses
-    less than a quarter. The time window stays, since curves fill it, and so do the axes in `still`."""
+    """Return the frame, fitted again along each axis that is mostly empty: `drawn` uses less than a quarter of it.
+
+    `drawn` has the axes of one picture, or of two that are compared. The time window stays, since curves always fill
+    it, and so do the axes in `still`."""
     if frame.given:
         return frame
     names = frame.ranges.keys() - {TIME_AXIS, *still}
@@ -176,7 +178,7 @@ def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Fra
 
 
 def _grown(span: Range, axis: Axis) -> Range:
-    """The range that holds what must be seen; an axis that runs downwards keeps its way."""
+    """Return the range, grown so that everything that must be visible fits; a reversed axis stays reversed."""
     (low, high), (least, most), (start, end) = ordered(span), axis.seen, ordered(axis.chosen)
     if most > high:
         high = _up(max(end, most))
@@ -186,7 +188,7 @@ def _grown(span: Range, axis: Axis) -> Range:
 
 
 def _up(value: float) -> float:
-    """A step of 1, 2, 5 above a value of either sign."""
+    """Return the next number 1, 2 or 5 times a power of ten above a value of either sign."""
     if not 0 < abs(value) < LARGEST:
         return value
     return round_up(value) if value > 0 else -round_down(-value)

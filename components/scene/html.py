@@ -1,4 +1,4 @@
-"""Texts of a sheet as whole HTML, with the numbers of a picture in them, for where no script fills them in."""
+"""Texts of a sheet as HTML with the numbers of a picture, for pages that have no script to fill them in."""
 
 from __future__ import annotations
 
@@ -28,24 +28,24 @@ def filled(html: Html, picture: Picture) -> Html:
 
 
 def words(block: WordsBlock, forms: Mapping[str, str]) -> Html:
-    """The sentences that are visible with the forms of a picture."""
+    """Return the sentences of a block that a picture shows."""
     return "".join(f"<p>{item.variants.get(forms.get(item.name, ''), '')}</p>" for item in block.items)
 
 
 def heading(terms: tuple[Term, ...], forms: Mapping[str, str]) -> Html:
-    """The heading of a plot: its formula, with a sample of each line."""
+    """Return the heading of a plot: its formula, with a sample of each line."""
     texts = [(term, term.variants.get(forms.get(term.form, "formula"), "")) for term in terms]
     return " ".join(f'<span class="sample {one.tint}">{SAMPLES[one.key]}</span> {text}' for one, text in texts if text)
 
 
 def table(block: TableBlock, forms: Mapping[str, str]) -> Html:
-    """A table without its empty rows."""
+    """Return a table without its empty rows."""
     body = [[cell.variants.get(forms.get(cell.name, ""), "") for cell in row] for row in block.rows]
     rows = [f"<td>{'</td><td>'.join(row)}</td>" for row in (list(block.head), *body) if any(row)]
     return f"<table><tr>{'</tr><tr>'.join(rows)}</tr></table>"
 
 
 def notes(picture: Picture) -> Html:
-    """The sentences about a picture; the first of a stage that is not drawn to scale is about that alone."""
+    """Return the notes of a picture. If the stage is not drawn to scale, the first note says so."""
     still = ("Numbers that move are those at *t* = 0.",) if picture.live else ()
     return rich(" ".join((*still, *picture.notes[picture.scale not in (None, 1.0) :])))

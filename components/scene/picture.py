@@ -22,28 +22,28 @@ from components.scene.traces import Columns, Traces
 Framing = Literal["fitted", "kept", "grown"]
 """Framing of a picture: it chooses its frame, keeps a given one, or widens it if something would leave it."""
 MOST_DRAWN = 64
-"""Number of cached pictures, shared by all visitors: held, undone and popular ones are needed again."""
+"""Number of cached pictures, shared by all visitors. Compared, undone and popular pictures are needed again."""
 ROUNDS = 3
-"""A frame that has grown along one axis may have to grow along another."""
+"""Limit of attempts: a frame that has grown along one axis may have to grow along another."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
     """Everything a scene shows for one set of parameters; data only, in SI units.
 
-    `columns`   numbers of the plots that no signal gives, by source and column
+    `columns`   numbers of curves that no signal describes, by source and column
     `axes`      range and labels of each axis, by name; TIME_AXIS is the time window of the clock
     `signals`   the moving numbers, by name: see components.quantities.motion
     `traces`    the signals that are drawn over time, by source
-    `tables`    the tables that files have in place of some sources, by name
+    `tables`    tables that replace some sources in a file, by name
     `pace`      the speeds of the clock
     `scalars`   numbers that the stage and the marks use
     `values`    the texts of the live numbers, by name
     `live`      the formats of numbers that change while playing, by signal
     `forms`     the current variant of a formula or sentence, by name; "" hides it
-    `notes`     sentences about this picture that the visitor must know (slowed down, drawn to a scale)
+    `notes`     sentences on how the picture differs from the exact motion (slowed down, movements at half size)
     `scale`     the scale of the stage, if it has one; `fits` is the one that suits the drawing
-    `spans`     the ends of the sliders that follow the scene, by parameter
+    `spans`     the ends of sliders whose range depends on the other parameters, by parameter
     """
 
     columns: dict[str, Columns]
@@ -63,19 +63,19 @@ class Picture:
 
     @cached_property
     def sources(self) -> dict[str, Columns]:
-        """All numbers of the plots, by source and column: of what runs over time, the physics' own, in doubles."""
+        """All numbers of the plots, by source and column. Curves over time have the exact numbers of the physics."""
         traced = {source: traces.columns for source, traces in self.traces.items()}
         return {name: {**traced.get(name, {}), **self.columns.get(name, {})} for name in {**traced, **self.columns}}
 
 
 def frame_of(picture: Picture) -> Frame:
-    """The frame that a picture is drawn in."""
+    """Return the frame that a picture is drawn in."""
     ranges = {name: (axis.start, axis.end) for name, axis in picture.axes.items()}
     return _frame(ranges, picture.scale, picture.pace)
 
 
 def fitted_to(picture: Picture) -> Frame:
-    """The frame that the scene would choose for a picture, in whatever frame it is drawn."""
+    """Return the frame that the scene would choose for a picture, which may be drawn in another one."""
     return _frame({name: axis.chosen for name, axis in picture.axes.items()}, picture.fits, picture.pace)
 
 
@@ -87,7 +87,7 @@ def _frame(ranges: dict[str, tuple[float, float]], scale: float | None, pace: Pa
 
 @dataclass(frozen=True)
 class Framed:
-    """A picture, its frame, and the fitted frame; `beside` is the held picture."""
+    """A picture, its frame, and the fitted frame; `beside` is the compared picture, if there is one."""
 
     picture: Picture
     frame: Frame
@@ -95,13 +95,12 @@ class Framed:
     beside: Picture | None = None
 
     def loosened(self, still: Collection[str] = ()) -> Frame:
-        """Return the frame, fitted again along each mostly empty axis, except those in `still`; the held picture counts
-        too."""
+        """Return the frame, fitted again along each axis that is mostly empty in both pictures, except in `still`."""
         return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one], still)
 
 
 class Drawable(Protocol):
-    """Anything that can be drawn; equal keys, equal pictures."""
+    """Anything that can be drawn. Two objects with equal keys have equal pictures."""
 
     @property
     def key(self) -> Hashable: ...
@@ -110,7 +109,7 @@ class Drawable(Protocol):
 
 @dataclass(frozen=True)
 class _Asked:
-    """A picture that is asked for: of a scene, in a frame."""
+    """The key of the cache: a scene and a frame."""
 
     key: Hashable
     scene: Drawable = field(compare=False)
@@ -119,8 +118,8 @@ class _Asked:
 
 @lru_cache(MOST_DRAWN)
 def _drawn(asked: _Asked) -> Framed:
-    """A picture that many pages may hold: its columns refuse to be written. ArithmeticError where a number cannot be
-    sent."""
+    """Return a picture with read-only columns, because many pages share it. Raises ArithmeticError for a number that
+    cannot be sent."""
     picture, frame = asked.scene.picture(asked.frame), asked.frame
     shown = replace(picture, pace=paced(frame, picture.pace))
     _check(shown)
@@ -131,7 +130,7 @@ def _drawn(asked: _Asked) -> Framed:
 
 
 def drawing(scene: Drawable, frame: Frame = FITTED) -> Framed:
-    """Return the picture of a scene in a frame, whose missing parts are fitted; cached for all visitors."""
+    """Return the picture of a scene in a frame; missing parts of the frame are fitted. Cached for all visitors."""
     return _drawn(_Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
 
 
@@ -143,11 +142,11 @@ def draw(
     before: Frame | None = None,
     along: Collection[str] = (),
 ) -> Framed:
-    """Return the picture of a scene, with the held one in the same frame; fitted if the given frame is not possible.
+    """Return the picture of a scene, with the compared picture in the same frame.
 
-    `before` is the fitted frame before a change of display; axes whose fitted range changed are fitted again. In a
-    frame that is kept for a drag `along` some axes, the other axes grow. Raises ValueError, with a sentence, if there
-    is no picture.
+    If the given frame is not possible, the picture is fitted. `before` is the fitted frame before a change of display;
+    axes whose fitted range changed are fitted again. During a drag `along` some axes, these keep their range and the
+    other axes grow. Raises ValueError, with a sentence, if there is no picture.
     """
     with in_words():
         drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before, along)
@@ -165,7 +164,7 @@ def _in_frame(scene: Drawable, framing: Framing, frame: Frame, before: Frame | N
 
 
 def _grown(drawn: Framed, scene: Drawable, before: Frame | None, along: Collection[str] = ()) -> Framed:
-    """The picture in a frame that holds it, but for the axes that a hand moves `along` and then the stage's scale."""
+    """Return the picture in a frame in which it fits. During a drag, the axes `along` it and the stage's scale stay."""
     if before is not None:
         drawn = drawing(scene, refitted(drawn.frame, before, drawn.fitted))
     for _ in range(ROUNDS):
@@ -177,9 +176,9 @@ def _grown(drawn: Framed, scene: Drawable, before: Frame | None, along: Collecti
 
 
 def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
-    """Return the picture with the held one in the same frame, which has room for both and is fitted to both.
+    """Return the picture with the compared one, in a frame in which both fit.
 
-    If the held scene cannot be drawn in that frame, it is left out.
+    If the compared scene cannot be drawn in that frame, it is left out.
     """
     try:
         beside = drawing(held, drawn.frame).picture

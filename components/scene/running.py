@@ -1,4 +1,4 @@
-"""Background work of a scene, such as a measurement: it can be started, watched and left."""
+"""Background work of a scene, such as a measurement that takes some seconds."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ Later = Callable[[Callable[[], None]], object]
 
 
 class Running(ABC):
-    """The work that a scene has done for one visitor's page; the scene names the class of its work."""
+    """Background work for the page of one visitor. A scene names its class in `work`."""
 
     def __init__(self, network: Callable[[], str] = lambda: "") -> None:
         """`network` is the visitor's network, or "" if unknown."""
         self.network = network
         self.heard: Callable[[], object] = lambda: None
-        """Called where there is something new, from any thread."""
+        """Called when there is news, from any thread."""
 
     @classmethod
     @abstractmethod
     def pending(cls) -> int:
-        """The number of works that run or wait in this process, for all visitors."""
+        """Return how many jobs of all visitors run or wait in this process."""
 
     @abstractmethod
     def progress(self, scene: Any) -> Progress:
-        """The progress of a scene's work."""
+        """Return the progress of the work of a scene."""
 
     @abstractmethod
     def news(self, scene: Any) -> Values:
-        """Values of parameters with the results so far."""
+        """Return the parameters that show the results so far, with their values."""
 
     @abstractmethod
     def obey(self, order: str, scene: Any) -> None:
-        """Start, cancel or skip. ValueError, in words, where that cannot be."""
+        """Start, cancel or skip the work. Raises ValueError, with a sentence, if that is not possible."""
 
     @abstractmethod
     def close(self) -> None:
-        """The visitor has left."""
+        """Stop, because the visitor has left."""

@@ -30,7 +30,7 @@ VIEW = "view"
 
 
 class _SceneMeta(ParameterizedMetaclass, ABCMeta):
-    """Gives a scene with views the parameter that chooses one; calling a scene makes its mutable face."""
+    """Metaclass: adds the parameter `view` to a scene with views; calling a scene class returns a `SceneFace`."""
 
     def __new__(mcs, name: str, bases: tuple[type, ...], given: dict[str, Any], **rest: Any) -> Any:
         if views := given.get("views", ()):
@@ -44,10 +44,10 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
 
 
 class Scene(SceneInfo, metaclass=_SceneMeta):
-    """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
+    """One idea of the lecture. A subclass is final: it declares parameters, a sheet, and `picture`.
 
-    `Scene.at(values)` is immutable, and `changed(values)` is another scene: the page knows only these.
-    `Scene(**values)` is a `SceneFace`, whose parameters can be set.
+    `Scene.at(values)` returns an immutable scene, and `changed(values)` another one; the page uses only these.
+    `Scene(**values)` returns a `SceneFace`, whose parameters can be set.
     """
 
     window = Quantity(
@@ -68,7 +68,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     @classmethod
     @abstractmethod
     def sheet(cls) -> Block:
-        """The arrangement of the paper: components.layout.sheet."""
+        """Return the arrangement of stage, plots and texts: components.layout.sheet."""
 
     @abstractmethod
     def picture(self, frame: Frame = FITTED) -> Picture:
@@ -77,16 +77,17 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
-        """A small picture for each preset that has one: SVG path data in a box of 128 by 46."""
+        """Return small pictures for presets, by label: SVG path data in a box of 128 by 46."""
         return {}
 
     def units(self) -> dict[str, Unit]:
-        """The current units of display and input, for quantities not shown in their own unit."""
+        """Return the units of quantities that are currently shown and typed in another unit than their own."""
         return {}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """Return dependent values after `changed` was set, `in_hand` while dragging; `before` is None for a new
-        scene."""
+        """Return the values that depend on the parameters `changed`. `in_hand` is True during a drag.
+
+        `before` is the scene before the change, None for a new scene."""
         return {}
 
     def action(self, name: str) -> Values:
@@ -103,15 +104,15 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @classmethod
     def is_checked(cls) -> bool:
-        """Return whether `about` compares what is drawn with exact numbers."""
+        """Return True if `about` compares the drawn numbers with exact ones."""
         return cls.about is not Scene.about
 
     def readouts(self) -> tuple[Readout, ...]:
-        """The numbers that are compared with another picture's."""
+        """Return the numbers that are listed in a comparison with another picture."""
         return ()
 
     def derived(self) -> frozenset[str]:
-        """The parameters that currently depend on others, so that links can omit them."""
+        """Return the parameters that currently depend on others; links omit them."""
         return frozenset()
 
     def off_default(self) -> Values:
@@ -132,8 +133,9 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @classmethod
     def at(cls, values: Values = NONE) -> Self:
-        """Return the scene with these values, the others at their defaults, and dependent values. Raises ValueError for
-        values that are not possible."""
+        """Return the scene with these values, and values that depend on them; the others have their defaults.
+
+        Raises ValueError for values that are not possible."""
         cls._check_known(values)
         return cls._settled(values, frozenset(values), None, in_hand=False)
 
@@ -182,7 +184,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @cached_property
     def key(self) -> Hashable:
-        """Equal for scenes that are the same to the last bit: -0.0 is not 0.0."""
+        """A key that is equal for scenes with the same bits in all values: -0.0 differs from 0.0."""
         exact = (repr(value) if isinstance(value, (float, list)) else value for value in self.values.values())
         return type(self), tuple(exact)
 
@@ -194,8 +196,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     def frame(self, source: str = "") -> Columns:
         """Return the numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`.
 
-        The default is the first source with numbers. Raises ValueError, with the names of those, for a source that has
-        none."""
+        The default is the first source with numbers. Raises ValueError for a source without numbers, with the names of
+        the sources that have some."""
         return with_units(self.shown, axes_of_columns(self.sheet()), source)
 
     def __setattr__(self, name: str, value: Any) -> None:

@@ -25,43 +25,44 @@ class SceneInfo(param.Parameterized):
     points: ClassVar[str]
     """The part of the lecture that it is about."""
     headline: ClassVar[str]
-    """Its claim, in a sentence."""
+    """What the scene shows, in a sentence."""
     equations: ClassVar[tuple[str, ...]]
     """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
-    """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
+    """The numbers that a screen reader announces when they change: the name of each, and its live numbers with unit."""
     views: ClassVar[tuple[View, ...]] = ()
-    """Its views; the first one opens. The parameter `view` is made from them. A scene that has none shows all of the
-    sheet."""
+    """Its views; it opens with the first one. The parameter `view` is made from them. A scene without views shows all
+    of the sheet."""
     old_view: ClassVar[str] = ""
-    """The view of an old link that has values and names no view, if that is not the first."""
+    """The view of a link with values but no view, from before there were views; "" for the first one."""
     old_views: ClassVar[Mapping[str, Mapping[str, str]]] = {}
-    """The views that old links name in another way: by the old parameter and its value."""
+    """The views that old links choose by another parameter: by its name and its value."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}
     watch: ClassVar[Mapping[str, str]] = {}
-    """A sentence for each preset on what to watch, said when it is taken."""
+    """A sentence for each preset on what to watch, shown when a visitor chooses it."""
     opens: ClassVar[Values] = {}
-    """The values that differ from the defaults where a page of it is opened without any parameter."""
+    """Values other than the defaults with which a link opens the scene if it has no parameters."""
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
-    """The title over the presets, and whether they are folded under it."""
+    """True if the presets are folded under the title `start`."""
     physical: ClassVar[tuple[AnyParameter, ...]] = ()
-    """The choices that make another system; the others only show it in another way."""
+    """The choices that change the physical system; other choices only change how it is shown."""
     reached: ClassVar[tuple[AnyParameter, ...]] = ()
-    """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
+    """The parameters that record a visitor's progress: links have them, comparisons do not."""
     places: ClassVar[tuple[str, ...]] = ()
-    """The actions that are places rather than commands: their buttons show whether the scene is there."""
+    """The actions that go to a certain setting, such as resonance: their buttons are marked while it is set."""
     steady: ClassVar[tuple[str, ...]] = ()
-    """The axes that are not fitted again when a hand lets go, however little of them is used."""
+    """The axes that are not fitted again at the end of a drag, even if they are mostly empty."""
     work: ClassVar[type[Running] | None] = None
-    """The work of a scene that measures instead of playing: its progress replaces the transport."""
+    """The background work of a scene that measures. The page shows its progress instead of the Play button."""
     onward: ClassVar[tuple[Onward, ...]] = ()
-    """The links to other scenes that take values along."""
+    """Links to other scenes, with values of this one."""
     shares: ClassVar[Mapping[str, str]] = {}
-    """Its parameters by their meaning in other scenes too: components.state.shared_system takes them along."""
+    """Parameters with a meaning that other scenes share, such as m1: a visitor keeps their values between scenes
+    (components.state.shared_system)."""
     sharing: ClassVar[Values] = {}
-    """Additional values that it must have, so that the shared parameters are visible."""
+    """Values that the scene needs, so that the shared parameters are visible."""
 
     @classmethod
     @cache
@@ -83,13 +84,13 @@ class SceneInfo(param.Parameterized):
     @classmethod
     @cache
     def preset_values(cls) -> list[tuple[str, list[Any]]]:
-        """The label of each preset, and the values of `preset_names` in it."""
+        """Return the values of `preset_names` in each preset, by label."""
         return [(label, list(cls.preset_all(label).values())) for label in cls.presets]
 
     @classmethod
     @cache
     def preset_names(cls) -> list[str]:
-        """The parameters that presets speak about."""
+        """Return the parameters that at least one preset sets."""
         return sorted({name for values in cls.presets.values() for name in values})
 
     @classmethod

@@ -1,4 +1,4 @@
-"""Curves over time: signals that the browser draws, and the physics' numbers of them; bands for what is too fast."""
+"""Curves over time: signals that the browser draws, their exact numbers, and bands for fast motions."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
 PER_PERIOD, FIRST_PERIODS = 20, 10
-"""The fewest points of a file in a period of the fastest motion, and the periods of a window too long for that."""
+"""Points of a file per period of the fastest motion, at least; and the periods of a file if the window has too many."""
 
 
 def samples(end: float, fastest: float) -> int:
-    """The times that a plot of [0, end] needs: 32 a cycle of the fastest motion (rad/s), within what a screen shows."""
+    """Return how many points a plot of [0, end] needs: 32 per cycle of the fastest motion (rad/s), within limits."""
     return int(min(max(PER_CYCLE * end * float(fastest) / (2 * np.pi), FEWEST), MOST)) + 1
 
 
@@ -42,11 +42,13 @@ def resolved(end: float, fastest: float) -> bool:
 class Traces:
     """Curves that the browser draws from signals, at `count` instants of [0, end] (s), and the same motions in a file.
 
-    `names` are the drawn curves. A curve has the name of its signal, or `signals` maps it to that. `exact` gives the
-    physics' numbers at any instants in SI units, when they are read. `fastest` is the frequency (rad/s) that a file has
-    to resolve, `moving` the columns of a file; None means the drawn ones. `layers` maps a column of a file to the lower
-    and the upper edge of the band that shows it. `averaged` are columns that the picture itself has, as means over a
-    period.
+    `names`     the drawn curves
+    `signals`   the signal of each curve, if it has another name
+    `exact`     a function that returns the exact numbers at given instants in SI units, called when they are read
+    `fastest`   the frequency (rad/s) that a file has to resolve
+    `moving`    the columns of a file; None means the drawn ones
+    `layers`    the lower and the upper edge of the band that shows a column of a file
+    `averaged`  columns that the picture has itself, as means over a period
     """
 
     end: float
@@ -66,12 +68,12 @@ class Traces:
 
     @cached_property
     def columns(self) -> Columns:
-        """The instants t and the numbers of each curve there."""
+        """The instants t and the numbers of each curve at them."""
         return _frozen(self.t, self._exact_drawn if self.names else {}, self.names)
 
     @property
     def drawn(self) -> Columns:
-        """The numbers of each curve alone, to be sent in place of its signal."""
+        """The numbers of each curve without t, to be sent in place of its signal."""
         return {name: column for name, column in self.columns.items() if name in self.names}
 
     @property
@@ -105,17 +107,17 @@ class Traces:
 
     @property
     def needed(self) -> frozenset[str]:
-        """The signals that the curves are drawn of."""
+        """The names of the signals of the curves."""
         return frozenset(self.signals.get(name, name) for name in self.names)
 
     def less(self, names: Iterable[str]) -> Traces:
-        """Return the curves except some, in a file too."""
+        """Return these curves without some, also in a file."""
         gone = frozenset(names)
         moving = self.moving and tuple(name for name in self.moving if not gone.intersection(self.edges(name)))
         return replace(self, names=tuple(name for name in self.names if name not in gone), moving=moving)
 
     def edges(self, name: str) -> tuple[str, ...]:
-        """The columns that show a motion: its curve, or the edges of its layer."""
+        """Return the columns that show a motion: its curve, or the edges of its layer."""
         return self.layers.get(name, (name,))
 
 
@@ -133,9 +135,9 @@ def over_time(
 ) -> dict[str, Traces]:  # fmt: skip
     """Return the curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
-    `exact` gives the physics' numbers of each signal. `moving` are the motions of a file, including motions too fast to
+    `exact` has the exact numbers of each signal. `moving` are the motions of a file, including motions too fast to
     be drawn; `layers` are motions that a plot shows between two edges, `averaged` the means. `moves` is the frequency
-    that a file resolves, if it is another one.
+    (rad/s) that a file resolves; it defaults to `fastest`.
     """
     between = {one.name: (low.name, high.name) for one, (low, high) in (layers or {}).items()}
     found = Traces(
@@ -158,9 +160,9 @@ def names_of(signals: Iterable[Name]) -> tuple[str, ...]:
 def trace(
     one: Name, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
 ) -> tuple[Columns, Columns]:
-    """Columns of the curve of a signal, and of its band, as `band_columns` calls them: one of the two is empty.
+    """Return columns of the curve of a signal, and of its band (named by `band_columns`): one of the two is empty.
 
-    `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
+    `curve` is the motion itself, if it is known to more digits than the sum of the components.
     """
     if curve is not None and drawable(max((component.omega for component in components), default=0.0), t):
         return {one.name: curve}, {}
@@ -171,12 +173,12 @@ def trace(
 
 
 def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
-    """The source of the bands, empty where there are none."""
+    """Return the source of the bands, empty if there are none."""
     return {BAND: bands and {"t": t, **bands}}
 
 
 def bands_about_zero(t: Floats, reach: Mapping[Any, Floats | float]) -> dict[str, Columns]:
-    """The source of the bands of signals that swing so far to both sides of 0."""
+    """Return the source of the bands of signals between minus and plus these amplitudes."""
     bands = Columns()
     for one, size in by_name(reach).items():
         high = np.full_like(t, size)
@@ -190,12 +192,12 @@ def band_columns(name: str) -> tuple[str, str]:
 
 
 def band(one: Name, source: str = BAND, **look: Any) -> Region:
-    """The band of a signal, for a plot."""
+    """Return the band of a signal, for a plot."""
     low, high = band_columns(one.name)
     return Region(source=source, x="", low=low, high=high, alpha=0.4, **look)
 
 
 def traced(one: Name, **look: Any) -> tuple[Curve, Region]:
-    """The line of a signal over time and its band, for a plot."""
+    """Return the line of a signal over time and its band, for a plot."""
     line = curve(one, **look)
     return line, band(one, tint=line.tint, group=line.group, of=one.name)
