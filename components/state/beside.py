@@ -1,7 +1,7 @@
-"""Hold: another scene of the same kind, drawn under the current one, in its frame and its view.
+"""The compared scene (the button Hold): another scene of the same class, drawn under the current one.
 
-The held values are quantities, and choices that make another system (`Scene.physical`). The current scene supplies the
-parameters of display, so a held picture survives every change of view.
+It keeps its quantities, and its choices that change the physical system (`Scene.physical`). Parameters that only
+change the display come from the current scene, so that both are drawn in the same view and frame.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ AnyScene = TypeVar("AnyScene", bound=Scene)
 
 @cache
 def holdable(scene: type[Scene]) -> dict[str, AnyParameter]:
-    """Return the parameters to hold; the others only set the display or record progress."""
+    """Return the parameters that a compared scene keeps; the others only set the display or record progress."""
     known = scene.linked().items()
     return {name: one for name, one in known if one not in scene.reached and not _is_view(scene, name, one)}
 
@@ -29,14 +29,16 @@ def _is_view(scene: type[Scene], name: str, parameter: AnyParameter) -> bool:
 
 
 def own_values(scene: Scene) -> dict[str, object]:
-    """The parameters that are not at their defaults, but for how a scene is shown."""
+    """Return the parameters that are not at their defaults, without those that only change the display."""
     known = holdable(type(scene))
     return {name: value for name, value in scene.off_default().items() if name in known}
 
 
 def shown_as(scene: AnyScene, other: Scene, *also: str) -> AnyScene:
-    """Return a scene with the display of another one of its kind, including its switched-off curves if they are
-    given."""
+    """Return a scene with the display parameters of another one of its class.
+
+    Switched-off curves are only copied if `also` contains `HIDDEN`.
+    """
     views = [name for name, one in scene.linked().items() if _is_view(type(scene), name, one)]
     return scene.changed({name: other.values[name] for name in views if name != HIDDEN or name in also})
 

@@ -1,4 +1,4 @@
-"""Commands: the values that a message of the page asks of a scene, or a refusal in words."""
+"""Commands: find the values that a message of the page sets in a scene, or refuse it with a sentence."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ Errors = dict[str, str]
 Command = SetValues | Typed | Act | Choose
 _MINUS = re.compile(r"(?<![\w)\]])-(?=\.?\d)")
 _SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+(?: =|:)")
-"""A reason's first word that keeps its own letters: k1 = 0, m g C, omega Xp, curve: ..."""
+"""First words of a reason that keep a small letter at the start of a sentence: k1 = 0, m g C, omega Xp, curve: ..."""
 _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
 class RefusalError(Exception):
-    """The refusal of a message, with a sentence for each thing that cannot be; nothing is changed."""
+    """A message is refused, with a sentence for each value that is not possible; the page does not change."""
 
     def __init__(self, errors: Errors) -> None:
         super().__init__(*errors.values())
@@ -55,7 +55,7 @@ def asked_values(scene: Scene, command: Command) -> Values:
 
 
 def refusal(scene: Scene, command: Command, error: ValueError) -> RefusalError:
-    """The refusal of values that are possible one by one, but that the physics refuses together."""
+    """Return the refusal of values that are possible one by one, but that the physics refuses together."""
     match command:
         case SetValues(values=values):
             return RefusalError({name: f"{sentence(error)} {_still(scene, name)}" for name in values})
@@ -127,7 +127,7 @@ def _still(scene: Scene, name: str) -> str:
 
 
 def sentence(error: ValueError) -> str:
-    """The sentence of an error of the physics for the screen, its numbers as they are typed: 1e300."""
+    """Return the message of an error of the physics as a sentence for the screen, with numbers as typed: 1e300."""
     text = _MINUS.sub(MINUS, _POWER.sub(r"e\1", str(error)))
     start = text[:1] if _SYMBOL.match(text) else text[:1].upper()
     return as_on_screen(start + text[1:]) + ("" if text.endswith((".", "!", "?")) else ".")

@@ -1,4 +1,4 @@
-"""The comparison with a picture held: its curves, what of it moves on the stage, and the ledger of numbers."""
+"""The comparison with another picture: its curves, its moving shapes on the stage, and a table of numbers."""
 
 from __future__ import annotations
 
@@ -32,8 +32,10 @@ COVERED = "?"
 
 
 def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
-    """Return the message part for the compared picture, without hidden items, and its packed numbers. `shown` is the
-    current picture as it is sent."""
+    """Return the part of the message about the compared picture, without hidden items, and its packed numbers.
+
+    `shown` is the current picture as it is sent.
+    """
     if now.held is None:
         return None, []
     kind, scene, other, covered = now.kind, now.scene, now.held, now.covered
@@ -67,8 +69,10 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
 
 
 def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns]:
-    """Return the sources with a column that differs from the current picture's, with numbers for the traces that are
-    not sent."""
+    """Return the sources of the compared picture that differ from the current one.
+
+    If `traced` is False, they include the numbers of curves that are otherwise sent as signals.
+    """
     ours, theirs = (one.columns if traced else one.sources for one in (held, shown))
     return {
         source: columns
@@ -84,7 +88,7 @@ def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
 
 @cache
 def on_stage(scene: type[Scene]) -> frozenset[str]:
-    """Return the quantities that position draggable shapes of a held picture, and those in labels of the stage."""
+    """Return the names of quantities for the stage of a compared picture: in draggable shapes and in labels."""
     placed = (name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
     stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
     labels = (shape.words for stage in stages for shape in stage.shapes if isinstance(shape, Label))
@@ -92,7 +96,7 @@ def on_stage(scene: type[Scene]) -> frozenset[str]:
 
 
 def _kept(scene: type[Scene]) -> Iterator[AnyShape]:
-    """Return the shapes of a scene that begin a motion when dragged, and the shapes marked `held`."""
+    """Yield the shapes that the compared picture also draws: draggable shapes that begin a motion, and `held` ones."""
     for block in blocks(scene.sheet()):
         if isinstance(block, (StageBlock, PlotBlock)):
             yield from (shape for shape in block.shapes if shape.held or (shape.grab and shape.grab.begins))
@@ -117,7 +121,7 @@ def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySigna
 
 @dataclass(frozen=True)
 class _Pair:
-    """Return one row: a readout of the held picture and of the current one, in a unit of the given size."""
+    """A row of the table: a readout of the compared picture and of the current one, in a unit of the given size."""
 
     held: Readout
     now: Readout
@@ -148,7 +152,7 @@ def _italic(symbol: str) -> str:
 
 
 def ledger(now: Standing) -> tuple[LedgerRow, ...]:
-    """Return at most ten rows: first the changed parameters, then the numbers that depend on them, then equal ones."""
+    """Return at most ten rows: first changed parameters, then numbers that depend on them, then equal numbers."""
     if now.held is None:
         return ()
     scene, other = now.scene, now.held
@@ -171,7 +175,7 @@ def _followed(scene: Scene, asked: Standing | None) -> set[str]:
 
 
 def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
-    """The quantities that the panel now shows."""
+    """Return the quantities that the panel currently shows."""
     scene = now.scene
     standing = [group for group in scene.groups if group.stands(now.shown.forms)]
     for name in dict.fromkeys(name for group in standing for name in group.names):

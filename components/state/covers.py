@@ -1,15 +1,15 @@
-"""Covers: parts of a page that are not sent until the visitor has made a prediction, so that nobody can find them.
+"""Covers: parts of a page that are hidden until the visitor has answered. They are not sent, so nobody can find them.
 
-A cover is named by its kind and its name in the sheet or the picture:
+A cover consists of its kind and a name in the sheet or the picture:
 
     plot:x2, curve:energy.T, band:energy.T_lo, mark:det.w_slow    a plot, or one curve, band, flag in it
     value:tau, form:why                                           a live number, a sentence
-    ticks:x                                                       the numbers at an axis, replaced by round numbers
-                                                                  over a wider range, which is no hint
-    numbers:x                                                     the same over the current range
+    ticks:x                                                       the numbers of an axis; round numbers over a wider
+                                                                  range replace them
+    numbers:x                                                     the same, but the range stays
     stage, table                                                  the numbers of the stage, which stops at the initial
                                                                   positions; a table
-    next                                                          everything that later changes affect
+    next                                                          everything that the next change affects
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"
 STAGE, TABLE, NEXT = "stage", "table", "next"
 ROOM = 0.5
-"""Factor by which the range of a covered axis is widened, so that it is no hint."""
+"""Share by which the range of a covered axis is widened, so that its ends give no hint."""
 _LIVE = re.compile(r'data-value="(\w+)"')
 
 
@@ -64,7 +64,7 @@ def coverable(scene: type[Scene], picture: Picture) -> set[str]:
 
 
 def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
-    """The covers, each once; ValueError, in words, for one that covers nothing in any picture."""
+    """Return the covers, each once. Raises ValueError, with a sentence, for one that covers nothing in any picture."""
     covers = tuple(dict.fromkeys(covered))
     for refusal in refused_covers(scene, picture, covers).values():
         raise ValueError(refusal)
@@ -72,16 +72,16 @@ def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str])
 
 
 def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> dict[str, str]:
-    """The covers that cover nothing, each with a sentence that says so."""
+    """Return the covers that cover nothing, each with a sentence for the visitor."""
     known = coverable(scene, picture) if covered else set()
     return {name: f"“{excerpt(name)}” cannot be covered here." for name in covered if name not in known}
 
 
 def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
-    """The picture without what is covered, and the names of the quantities that are left out with it.
+    """Return the picture without covered parts, and the names of the quantities that it lacks.
 
-    A covered curve takes its columns along, the motions that its dots show, and all that is made of them, but for what
-    another curve shows; bodies that a hand sets rest where they start.
+    If a curve is covered, its columns are left out, and its motions with everything that depends on them, unless
+    another curve shows them. Bodies that the visitor can drag stay at their initial positions.
     """
     if not covered:
         return picture, ()
@@ -114,10 +114,10 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
 def as_it_stood(
     scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return an earlier picture, shown while the next one is to be predicted.
+    """Return the picture from before a change, to be sent while the visitor predicts the next one.
 
-    Its stage is unchanged, apart from earlier covers, and only the marks are removed. The `forms` of the next picture
-    choose the visible controls.
+    New covers do not affect its stage, except that their marks are removed. The `forms` of the next picture decide
+    which controls are visible.
     """
     told, left_out = without(scene, before, covered)
     stood, _ = without(scene, before, covered[: covered.index(NEXT)])
@@ -155,7 +155,7 @@ def _curve(plot: str, curve: Curve) -> _Drawn:
 
 
 def _band(plot: str, band: Region) -> _Drawn:
-    """An envelope goes with its curve."""
+    """Return a band; a cover of its curve also covers the band."""
     covers = {f"band:{plot}.{band.low}", *(f"curve:{plot}.{name}" for name in (band.of, band.group) if name)}
     return _Drawn(plot, frozenset(covers), frozenset((band.source, name) for name in (band.x, band.low, band.high)))
 
@@ -169,7 +169,7 @@ def _named(covered: Iterable[str], kind: str) -> list[str]:
 
 
 def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
-    """The live numbers in what is covered: the headings of plots, the stage, tables."""
+    """Yield the live numbers in covered parts: the headings of plots, the stage, tables."""
     headings = heading_names(scene)
     open_ = {name for plot, names in headings.items() if PLOT + plot not in covered for name in names}
     yield from (name for plot in _named(covered, PLOT) for name in headings.get(plot, ()) if name not in open_)
@@ -185,7 +185,7 @@ def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
 def _traces_less(
     picture: Picture, signals: set[str], gone: set[tuple[str, str]]
 ) -> tuple[dict[str, Traces], dict[str, Columns]]:
-    """Return the remaining traces, and the columns, which replace traces of sources that also have hidden signals."""
+    """Return the remaining traces and columns. If a source also has a hidden signal, columns replace its traces."""
     left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
     lost = {source for source, one in left.items() if signals & one.needed}
     columns = dict(picture.columns)
@@ -205,8 +205,11 @@ def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
 
 
 def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bool) -> dict[str, AnySignal]:
-    """Return the signals without the named ones. Signals that a hand sets and chains keep their initial values; if
-    everything is at rest, the others are zero, as far as dependent signals allow."""
+    """Return the signals without the named ones.
+
+    A named signal that the visitor can drag, or a chain, keeps its initial values. With `all_rest`, every other named
+    signal that does not depend on another one is zero.
+    """
     begun, held = starts(picture.signals, picture.scalars), _held(scene)
     rest = {
         name: _resting(signal, begun[name] if name in held else 0.0)
@@ -227,7 +230,7 @@ def _resting(signal: AnySignal, start: float) -> AnySignal:
 
 @cache
 def _held(scene: type[Scene]) -> frozenset[str]:
-    """The motions that a hand on the stage begins: their start is among what is set, and no secret."""
+    """Return the motions that a drag on the stage starts. Their initial values are known parameters."""
     stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
     grabs = (shape.grab for block in stages for shape in block.shapes if shape.grab)
     return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis)
@@ -235,18 +238,18 @@ def _held(scene: type[Scene]) -> frozenset[str]:
 
 @cache
 def _still(scene: type[Scene]) -> frozenset[str]:
-    """Visibility flags used only on static stages, safe to hide."""
+    """Return scalars that switch shapes on, but only on stages without motion, so that they can be hidden."""
     return _only_on(scene, "still", lambda shape: shape.show)
 
 
 @cache
 def _turning(scene: type[Scene]) -> frozenset[str]:
-    """Motions that are drawn only on stages where they begin at their amplitudes, which are answers."""
+    """Return motions that only stages draw on which they begin at their amplitudes, which are answers."""
     return _only_on(scene, "turning", _moved_by)
 
 
 def _only_on(scene: type[Scene], style: str, of: Callable[[AnyShape], Iterable[str]]) -> frozenset[str]:
-    """The names that shapes on stages of this style have, without those that shapes on other stages have."""
+    """Return names in the shapes on stages of this style that no shape on another stage has."""
     stages = [block for block in blocks(scene.sheet()) if isinstance(block, StageBlock)]
     found, elsewhere = (
         {name for stage in stages if (style in stage.style) is has for shape in stage.shapes for name in of(shape)}
@@ -285,7 +288,7 @@ def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:
 
 
 def spoken_of(signal: AnySignal) -> frozenset[Any]:
-    """The signals and scalars that a signal is made of."""
+    """Return the signals and scalars that a signal depends on."""
     if isinstance(signal, Derived):
         return names_in(signal.value)
     if isinstance(signal, Modal):

@@ -34,10 +34,10 @@ class CsvTable:
 
 
 def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
-    """Return the numbers of all plots that are seen, a table a file; several are packed. `page` is its address.
+    """Return a file with the numbers of all visible plots: a CSV, or a ZIP of several. `page` is the page's address.
 
     A table of motions has at most 1281 rows, one of bands at most 681. The physics is evaluated at most once for each
-    of these instants, in the scenes with dashpots in arithmetic of 80 digits.
+    row; in the scenes with dashpots with 80 digits.
     """
     scene, head = told.scene, comments(told, picture, page)
     found = tables(told.kind, picture) or readouts(told, picture)
@@ -52,7 +52,7 @@ def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None
 
 
 def as_table(told: Standing, picture: Picture, page: str = "", name: str = "") -> File:
-    """One of the files of `as_file`: the table of a name, or the first; ValueError, with their names, for another."""
+    """Return the table with this name, or the first, as CSV. Raises ValueError, with all names, for another name."""
     found = {table.name: table for table in tables(told.kind, picture) or readouts(told, picture)}
     if name and name not in found:
         raise ValueError(f"“{excerpt(name)}” is not a table of these numbers: choose one of {', '.join(found)}.")
@@ -62,8 +62,9 @@ def as_table(told: Standing, picture: Picture, page: str = "", name: str = "") -
 
 
 def as_csv(table: CsvTable, head: Iterable[str]) -> bytes:
-    """One table, unrounded, under lines that begin with #. All is ASCII and no comment has a comma or a quotation mark:
-    a spreadsheet, which knows of no comments, shows each in one cell."""
+    """Return a table with unrounded numbers, under comments that begin with #.
+
+    The text is ASCII. Comments have no comma and no quotation mark, so a spreadsheet shows each in one cell."""
     text = io.StringIO(newline="")
     text.write(_noted([*head, *table.notes]))
     writer = csv.writer(text)
@@ -77,7 +78,7 @@ def _noted(head: Iterable[str]) -> str:
 
 
 def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
-    """The head of a file: the link, the parameters, the equations, the plots that the numbers belong to."""
+    """Return the head of a file: the link, the parameters, the equations, the plots that the numbers belong to."""
     scene, alone = told.scene, replace(told, covered=(), step="")
     link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + alone.query.replace(",", "%2C")
     title = f"Oscillations: {scene.title}: {scene.headline}"
@@ -86,7 +87,7 @@ def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
 
 
 def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
-    """The parameters that count, a line each: none of another system, or of another way to begin."""
+    """Yield a line for each parameter that has an effect in the current state of the scene."""
     apart = (group for group in scene.groups if group.apart and not group.stands(picture.forms))
     idle = {name for group in apart for name in group.names}
     for name, parameter in scene.linked().items():
@@ -101,7 +102,7 @@ def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
 
 
 def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
-    """The columns of each plot, a line each; the edges of a stack are explained by its layers."""
+    """Yield a line with the columns of each plot; the layers of a stack explain its edges."""
     found, home = tables_of(picture, column_axes(scene)), _home(picture)
     for plot in plots(scene):
         sources = {*(curve.source for curve in plot.curves), *(layer.source for layer in plot.regions)}
@@ -114,7 +115,7 @@ def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
 
 
 def _home(picture: Picture) -> dict[str, str]:
-    """The table that has the numbers of a source, where that is another."""
+    """Return the table with the numbers of a source, if a `FileTable` replaces it."""
     return {source: name for name, table in picture.tables.items() for source in table.instead}
 
 
@@ -137,7 +138,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
 
 
 def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
-    """The readouts of a picture as a table, where no plot is seen, unless one of them is covered."""
+    """Return the readouts of a picture as a table, if no plot is visible and no readout is covered."""
     covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
     found = told.scene.readouts()
     if not found or any(one.is_in(covered) for one in found):

@@ -1,7 +1,7 @@
 """The encoding of a picture: the signals that the browser draws, and the numbers of curves that have no signal.
 
-Drawing does not need doubles. The numbers are integers from 0 to 65535 over three heights of the frame, which is 70
-steps per pixel.
+Drawing does not need doubles. The numbers are integers from 0 to 65535 over three times the height of the frame: about
+70 steps per pixel.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ ColumnAxes = Mapping[str, Mapping[str, str]]
 """The axis that each column of each source is drawn on."""
 
 COARSE = 2**16 - 1
-"""Steps of a column that is drawn."""
+"""Largest integer of a column that is drawn."""
 FINE = 2**24 - 1
-"""Steps of numbers that more is made of than a curve: as fine as float32."""
+"""Largest integer of the samples of a signal, from which other numbers are computed: as precise as float32."""
 
 
 def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[PagePicture, list[Steps]]:
-    """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
+    """Return the message part for a picture, and the numbers after it: its columns, then the samples of signals."""
     columns, numbers = columns_of(picture.columns, axes, picture.axes)
     signals, runs = signals_of(picture.signals)
     view = PagePicture(
@@ -52,7 +52,7 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
 
 
 def traces_of(picture: Picture) -> dict[str, Trace]:
-    """The signals that the browser draws over time, by source."""
+    """Return the signals that the browser draws over time, by source."""
     return {
         source: Trace(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
         for source, one in picture.traces.items()
@@ -74,7 +74,7 @@ def columns_of(
                 on.setdefault(axis, []).append(len(values))
                 values.append(known[name])
     numbers: dict[int, Steps] = {}
-    for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
+    for axis, places in on.items():  # one axis at a time: a scene may have a hundred columns
         ends = accumulate((len(values[i]) for i in places), initial=0)
         stand = axes[axis].places(np.concatenate([values[i] for i in places]))
         found = steps(stand, *span(axes[axis].ruler), COARSE)
@@ -83,7 +83,7 @@ def columns_of(
 
 
 def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:
-    """Return the signals of the message, and the numbers of the sampled ones."""
+    """Return the signals for the message, and the numbers of sampled signals."""
     signals: dict[str, AnySignal] = {}
     numbers: list[Steps] = []
     for name, signal in given.items():
@@ -95,7 +95,7 @@ def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], li
 
 
 def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:
-    """The signal with runs in place of its numbers, and these."""
+    """Return the signal without its samples (only their ranges), and the samples."""
     told: dict[str, Samples] = {}
     numbers: list[Steps] = []
     for name in ("y", "dy"):
@@ -107,14 +107,14 @@ def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:
 
 
 def span(ruler: Ruler) -> tuple[float, float]:
-    """The range of the steps of what is drawn on an axis: its frame, and as much again on either side."""
+    """Return the range that the integers of an axis cover: its frame, and as much again on either side."""
     low, high = sorted((ruler.start, ruler.end))
     return low - (high - low), high + (high - low)
 
 
 def steps(values: Floats, low: float, high: float, count: int) -> Steps:
-    """The nearest of `count` + 1 places from low to high; what is outside is at the first or the last."""
-    half = high / 2 - low / 2  # all of it may be more than a double holds
+    """Return the nearest of `count` + 1 equal steps from low to high; numbers outside are clipped."""
+    half = high / 2 - low / 2  # the whole range may be larger than the largest double
     if not half > 0:
         return np.zeros(len(values), np.int32)
     shares = (np.minimum(np.maximum(values, low), high) / 2 - low / 2) / half

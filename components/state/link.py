@@ -2,8 +2,8 @@
 
 A link has the scene, the parameters that differ from their defaults, the parts of the frame that are not fitted
 (frame.x=-2,2 is a range, frame.window a time window), the curves switched off, the covers (cover=plot:x2,value:tau),
-and the held parameters: held.k=20, or held=default if all have their defaults. The parameters from before a predicted
-change are written the same way: before.k=20. A list of parts, show=stage,plot:x, replaces the parts of the view.
+and the parameters of the compared scene: held.k=20, or held=default if all have their defaults. The parameters from
+before a predicted change are written the same way: before.k=20. A list of parts, show=stage,plot:x, replaces the view.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ DEFAULT = "default"
 DIGITS = 4
 """Digits of a number of a frame in a link; narrow ranges get more, so that their ends differ."""
 MOST_ROOM = 1.02
-"""Relative widening of a range that is acceptable for fewer digits."""
+"""Factor by which a range may be widened so that it needs fewer digits."""
 AUTOMATIC = "auto"
-"""The word of a quantity that the scene chooses itself."""
+"""The word in a link for a quantity that the scene chooses itself."""
 
 
 @dataclass(frozen=True)
@@ -60,13 +60,13 @@ class Link:
     show: tuple[str, ...] = ()
 
     def as_opened(self, scenes: Mapping[str, type[Scene]]) -> Link:
-        """Return the link of a state; for a missing part, the value with which the scene opens."""
+        """Return the link of a state; missing parts have the value with which the scene opens."""
         bare = self == Link(self.slug)
         return Link(self.slug, scenes[self.slug].opens) if bare else self
 
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
-    """Parse a query key by key. Valid keys are used, invalid ones are reported. The default scene is the first one."""
+    """Parse a query. Valid keys are used, invalid ones are reported. The default scene is the first one."""
     slug, problems = _read_slug(args.get("scene", ()), scenes)
     kind, known = scenes[slug], scenes[slug].linked()
     values: dict[str, object] = {}
@@ -98,15 +98,15 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
 
 
 def _old_view(scene: type[Scene], key: str, given: Sequence[bytes]) -> str:
-    """The view that an old link names by another parameter or value, "" for none."""
+    """Return the view that an old link chooses by another parameter, "" for none."""
     return scene.old_views.get(key, {}).get(_only(key, given), "") if key in scene.old_views else ""
 
 
 def write_query(state: State, scene: type[Scene]) -> str:
-    """The text after the question mark that brings a state of the scene back.
+    """Return the text after the question mark of a link to a state.
 
-    Its slug comes first, then the view and what differs from the default, then the frame;
-    numbers are the shortest text that reads back as the same double.
+    The slug of the scene comes first, then the view and everything that differs from the default, then the frame.
+    Numbers have as many digits as are needed to read back the same double.
     """
     view = {VIEW: scene.views[0].slug} if scene.views else {}
     own = view | state.parameters | ({} if state.hidden is None else {HIDDEN: list(state.hidden)})
@@ -115,14 +115,14 @@ def write_query(state: State, scene: type[Scene]) -> str:
     for which, others in ((HELD, state.held), (BEFORE, state.before)):
         if others is not None:
             written |= {f"{which}.{name}": _written(value) for name, value in others.items()} or {which: DEFAULT}
-    if len(written) == 1 and not state.covered:  # alone, the name of a scene opens it otherwise
+    if len(written) == 1 and not state.covered:  # a link with only the scene opens it with `Scene.opens`
         written |= {name: _written(scene.param[name].default) for name in scene.opens}
     lists = {SHOW: state.show, COVER: state.covered}
     return urlencode(written | {key: ",".join(names) for key, names in lists.items() if names}, safe=",:")
 
 
 def step_query(step: str) -> str:
-    """The query that opens a step of a walk, "d34/d34-07", or "d34/d34-07/5" with the numbers of a seed."""
+    """Return the query that opens a step of a walk, "d34/d34-07", or "d34/d34-07/5" with the numbers of a seed."""
     return urlencode(dict(zip(("walk", "step", "seed"), step.split("/"), strict=False)))
 
 
@@ -133,7 +133,7 @@ def _frame_parts(frame: Frame) -> dict[str, str]:
 
 
 def _brief(span: Range) -> Range:
-    """A range in few digits, with room for all of the other."""
+    """Return a range with few digits that contains the given one."""
     low, high = ordered(span)
     wide = _towards(low, ROUND_FLOOR), _towards(high, ROUND_CEILING)
     if wide[1] - wide[0] > MOST_ROOM * (high - low):
@@ -147,7 +147,7 @@ def _towards(value: float, way: str) -> float:
 
 
 def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
-    """Set one key's value of the held scene, or of the scene before a change."""
+    """Set the value of one key in the compared scene, or in the scene before a change."""
     which, dot, name = key.partition(".")
     if dot:
         return {name: _read(holdable(scene), name, given)}
@@ -157,7 +157,7 @@ def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[st
 
 
 def _with_part(frame: Frame, name: str, text: str) -> Frame:
-    """The frame, with one more part of it as a link gives it."""
+    """Return the frame with one more part, read from a link."""
     try:
         part = {name: parse_number(text)} if name in SIZES else {"ranges": {**frame.ranges, name: _range(text)}}
         return checked(replace(frame, **part))
@@ -200,7 +200,7 @@ def _read_slug(given: Sequence[bytes], scenes: Mapping[str, type[Scene]]) -> tup
 
 
 def _read(known: Mapping[str, AnyParameter], key: str, given: Sequence[bytes]) -> object:
-    """The value of one key; ValueError, naming the key, where it has none."""
+    """Return the value of one key. Raises ValueError, with the key, if it is not possible."""
     if key not in known:
         raise ValueError(f"“{excerpt(key)}” is not a parameter of this scene.")
     parameter = known[key]

@@ -1,7 +1,7 @@
-"""Predictions: cover everything that depends on a change, for visitors who want to predict it.
+"""Predictions: a visitor changes a parameter and predicts the result; everything that depends on it is covered.
 
-Until they reveal it, the server sends the picture from before the change. So the result is not sent, sizes do not
-change, and the stage is still.
+Until the visitor reveals the result, the server sends the picture from before the change. So the result is not in the
+browser, and nothing moves or changes its size.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from components.state.scene_sheet import plots
 def told_of(
     scene: type[Scene], shown: Picture, before: Picture | None, covered: tuple[str, ...]
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return the picture to send, and the names of the quantities that are left out of it."""
+    """Return the picture to send, without covered parts, and the names of the quantities that it lacks."""
     if before is None:
         return without(scene, shown, covered)
     return as_it_stood(scene, before, covered, shown.forms)
@@ -34,7 +34,7 @@ def covers_after(scene: Scene, after: Picture, before: Picture, covered: tuple[s
 
 
 def put_last(covered: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the covers before a change. The covers for its results will follow NEXT, which separates the two."""
+    """Return the covers with NEXT as the last one. Covers for the results of a change will be after NEXT."""
     return (*(name for name in covered if name != NEXT), NEXT)
 
 
@@ -77,6 +77,6 @@ def _columns(plot: PlotBlock) -> Iterator[tuple[str, str]]:
 
 
 def _is_other(before: Picture, after: Picture, source: str, name: str) -> bool:
-    """A missing column may have been replaced by another one."""
+    """Return True if the new picture has a column that the old one did not have, or had with other numbers."""
     now, old = (picture.sources.get(source, {}).get(name) for picture in (after, before))
     return now is not None and (old is None or not np.array_equal(old, now))

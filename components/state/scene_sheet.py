@@ -1,4 +1,4 @@
-"""The sheet of a scene: all that the browser must know of it once, the same for every visitor, built once a process."""
+"""The sheet of a scene: the arrangement of its parts, the same for every visitor, built once per process."""
 
 from __future__ import annotations
 
@@ -55,8 +55,9 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 
 @cache
 def usual(scene: type[Scene]) -> bytes:
-    """Return the preset dictionary for the compression of messages about the scene: the text of its first picture, in
-    six digits, which are the same on every machine."""
+    """Return the preset dictionary for the compression of messages about the scene.
+
+    It is the text of the scene's first picture, with six digits, so that it is the same on every machine."""
     first = scene.at()
     view, _ = view_of(first.shown, column_axes(scene))
     told = Shown(
@@ -78,25 +79,25 @@ def usual(scene: type[Scene]) -> bytes:
 
 @cache
 def sheet_json(scene: type[Scene]) -> bytes:
-    """The sheet as the browser reads it."""
+    """Return the sheet as the browser reads it."""
     sheet = scene_sheet(scene)
     return msgspec.json.encode(replace(sheet, paper=with_figures(sheet.paper)))
 
 
 @cache
 def sheet_address(scene: type[Scene]) -> str:
-    """The address of the sheet, under the hash of its content, so that it never changes."""
+    """Return the address of the sheet, which contains the hash of its content, so that caches can keep it."""
     return f"sheets/{scene.slug}.{sha256(sheet_json(scene)).hexdigest()[:16]}.json"
 
 
 def plots(scene: type[Scene]) -> Iterator[PlotBlock]:
-    """The plots of a scene's sheet."""
+    """Return the plots of a scene's sheet."""
     return (block for block in blocks(scene.sheet()) if isinstance(block, PlotBlock))
 
 
 @cache
 def live_names(scene: type[Scene]) -> frozenset[str]:
-    """Return the live numbers in the texts of the sheet, in all forms."""
+    """Return the names of the live numbers in all texts of the sheet."""
     return frozenset(_named(msgspec.to_builtins(scene_sheet(scene))))
 
 
@@ -118,7 +119,7 @@ def _without_headings(part: Any) -> Any:
 
 
 def _named(part: Any) -> Iterator[str]:
-    """Live numbers in HTML, and in the words of a stage."""
+    """Yield the names of live numbers in HTML, and in the words of a stage."""
     if isinstance(part, str):
         yield from LIVE.findall(part)
     elif isinstance(part, (list, tuple)):
@@ -132,5 +133,5 @@ def _named(part: Any) -> Iterator[str]:
 
 @cache
 def column_axes(scene: type[Scene]) -> dict[str, dict[str, str]]:
-    """The axis that each column of each source is drawn on: {source: {column: axis}}."""
+    """Return the axis on which each column of each source is drawn: {source: {column: axis}}."""
     return axes_of_columns(scene.sheet())

@@ -1,4 +1,4 @@
-"""The part of a picture that is sent: what the shown parts of the sheet need."""
+"""The part of a picture that is sent: the curves and motions that the visible parts of the sheet need."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from components.state.standing import Standing
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
 """A string in JSON, and the colon after it if it is a key."""
 MOST_LISTS = 300
-"""Views, and lists of parts, that a process remembers."""
+"""Number of views and lists of parts whose needs a process remembers."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class SentParts:
 
 
 def sent_parts(now: Standing) -> SentParts | None:
-    """Return the parts of a picture that the shown parts of a page need; None if the scene shows all of its sheet."""
+    """Return the needs of the visible parts of a page; None if the whole sheet is visible."""
     if not (now.kind.views or now.show):
         return None
     return _sent_parts(now.kind, now.scene.values.get(VIEW, ""), now.show)
@@ -58,7 +58,7 @@ def drawn_on(now: Standing) -> ColumnAxes:
 
 
 def sent_picture(now: Standing, picture: Picture) -> Picture:
-    """Return the picture without the curves and motions that no shown part needs; texts all stay."""
+    """Return the picture without the curves and motions that no visible part needs; it keeps all texts."""
     parts = sent_parts(now)
     if parts is None:
         return picture

@@ -1,7 +1,7 @@
-"""The shared system: several scenes show the same physical system, so its values are kept from scene to scene.
+"""The shared system: several scenes show the same physical system, so its values stay from scene to scene.
 
-A system is kept whole, from a scene that has changed it, to every scene that shows it or a part of it. A scene that
-shows its default system drops the shared one.
+If a visitor has changed the system in one scene, every scene that shows it, or a part of it, takes over its values. A
+scene that shows its default system drops the shared one.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Shared = Mapping[str, object]
 
 
 def taken_along(scene: Scene, before: Shared) -> Shared:
-    """The shared values that leave a scene, to which others have brought `before`."""
+    """Return the shared values after a visit to a scene; `before` are the shared values from earlier scenes."""
     if any(getattr(scene, name) != value for name, value in scene.sharing.items()):
         return before
     kind = type(scene)

@@ -1,4 +1,4 @@
-"""The standing: the complete state of a page as one frozen value, and the new value after a message."""
+"""The standing of a page: its complete state as one frozen value, and the new value after a message."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ Scenes = Mapping[str, type[Scene]]
 class Standing:
     """A scene, its picture, and everything else of a page that a message can change.
 
-    `held`     the scene held for comparison, drawn like the current one
+    `held`     the compared scene, drawn in the frame and view of the current one
     `before`   the standing before a change that is to be predicted; it is sent in place of this one
     `covered`  the plots, numbers and sentences that are not sent
     `step`     the current step of a walk, "d34/d34-07"; with a seed "d34/d34-07/5"
-    `show`     the shown parts, in place of the parts of the view
-    `shared`   the system that other scenes take over
+    `show`     the visible parts, if they are not those of the view
+    `shared`   values of the physical system that other scenes take over
     `in_hand`  True during a drag; the axes along it then stay
     `number`   the number of the last message, so that a repeated one is ignored
     `own`      walks from the visitor's files, by name
@@ -68,7 +68,7 @@ class Standing:
 
     @property
     def asked(self) -> Standing:
-        """The standing that is sent in its place."""
+        """The standing whose picture is sent: the one before a change, while the change is being predicted."""
         return self.before or self
 
     @cached_property
@@ -90,7 +90,7 @@ class Standing:
 
     @cached_property
     def state(self) -> State:
-        """The part of it that links and messages carry."""
+        """The part of the standing that links and messages contain."""
         own = self.scene.off_default()
         return State(
             scene=self.scene.slug,
@@ -105,7 +105,7 @@ class Standing:
         )
 
     def is_told_like(self, other: Standing) -> bool:
-        """Return True if the browser would get the same of both; False also if finding out would take long."""
+        """Return True if both send the same to the browser; False also if a longer comparison would be needed."""
         pairs = zip(self._drawn_of, other._drawn_of, strict=True)
         return all(mine is its for mine, its in pairs) and self._marks == other._marks
 
@@ -119,28 +119,28 @@ class Standing:
 
     @property
     def query(self) -> str:
-        """The link to it."""
+        """The query of the link to this standing."""
         return step_query(self.step) if self.step else write_query(self.state, self.kind)
 
 
 def fitted(scene: Scene) -> Standing:
-    """Return the standing of a page that shows only a scene, in the fitted frame."""
+    """Return the standing of a page with a scene in the fitted frame, without anything else."""
     return Standing(scene=scene, drawn=draw(scene))
 
 
 def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
-    """The standing after a message; RefusalError, with a sentence for each reason, where that cannot be."""
+    """Return the standing after a message. Raises RefusalError, with a sentence for each reason."""
     return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
 
 
 def with_values(
     now: Standing, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
 ) -> Standing:
-    """Return the standing with other values, in its frame, which grows if necessary. During a drag (`holding`), only
-    the axes that the hand does not move `along` grow.
+    """Return the standing with other values, in its frame, which grows if necessary.
 
-    A field sets the window; a change of display refits what it affects. Raises ValueError, with a sentence, for values
-    that the scene cannot have.
+    During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. A
+    change of display refits the axes that it affects. Raises ValueError, with a sentence, for values that the scene
+    cannot have.
     """
     scene = now.scene.changed(values, in_hand=now.in_hand or holding)
     if scene is now.scene and not released:
@@ -152,7 +152,7 @@ def with_values(
 def _redrawn(
     now: Standing, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
 ) -> Standing:
-    """Return the standing with another scene of its kind, in its frame; a change of display `refits` axes."""
+    """Return the standing with another scene of its class, in its frame. With `refits`, axes may be fitted again."""
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
         frame = msgspec.structs.replace(frame, window=None)
@@ -161,8 +161,11 @@ def _redrawn(
 
 
 def _done(now: Standing, command: Command) -> Standing:
-    """Return the standing after a drag. The frame grows if necessary, and mostly empty axes are fitted again, but not
-    in a step of a walk, before a prediction is revealed, or along the drag."""
+    """Return the standing after a command.
+
+    The frame grows if necessary. At the end of a drag, mostly empty axes are fitted again, except the axes along the
+    drag. They are not fitted in a step of a walk or while something is covered.
+    """
     said, along = (command.holding, command.along) if isinstance(command, SetValues) else (None, ())
     values = asked_values(now.scene, command)
     try:
@@ -178,9 +181,9 @@ def _done(now: Standing, command: Command) -> Standing:
 
 
 def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standing:
-    """The standing, in which all that has changed since `before` is covered, where that is to be predicted.
+    """Return the standing with covers for everything that has changed since `before`, if the visitor predicts.
 
-    A prediction that `begins` with the change is there as soon as these are two; a view is no change.
+    A prediction `begins` with the first change of a parameter that is not only a change of display.
     """
     if NEXT not in after.covered or before is None or (begins and not moved(after.scene, before.scene)):
         return replace(after, before=None)
@@ -190,7 +193,7 @@ def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standi
 
 
 def _shown_like(before: Standing, after: Standing) -> Standing:
-    """An earlier standing, shown as the present one is."""
+    """Return an earlier standing with the display parameters and the compared scene of the current one."""
     scene = shown_as(before.scene, after.scene, HIDDEN)
     if scene is before.scene and _key(before.held) == _key(after.held):
         return before
@@ -202,8 +205,10 @@ def _key(scene: Scene | None) -> object:
 
 
 def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
-    """Return the standing after a link to a scene that names no parameters. The shared system is dropped if the scene
-    cannot show it."""
+    """Return the standing after a message that opens a state.
+
+    A scene that is opened with `carried` takes over the values of the shared system, unless it cannot show them.
+    """
     state = said.state
     if state.scene not in scenes:
         raise RefusalError({"state": f"“{excerpt(state.scene)}” is not a scene. Still drawn as before."})
@@ -225,8 +230,8 @@ def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
 def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *, keeps: bool = False) -> Standing:
     """Return the standing for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
 
-    Anything the state omits is taken from `now`. A state that `keeps` the frame shows other quantities in it; another
-    scene, window or display is fitted.
+    Anything the state omits is taken from `now`. With `keeps`, the frame stays if only quantities change; for another
+    scene, window or display it is fitted.
     """
     scene, held = scene_in(kind, state), other_in(kind, state.held)
     held = held and shown_as(held, scene)
@@ -238,7 +243,7 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
     before = _before(told, scene, held, frame, same)
     asked = before or (same and same.before)
     if asked and asked.frame == frame:
-        frame = asked.drawn.frame  # whole: what is then revealed is seen in it
+        frame = asked.drawn.frame  # not only the parts in the state, so that the answer is drawn in the same frame
     if same and (scene.key, _key(held), frame) == (same.scene.key, _key(same.held), same.frame):
         drawn = same.drawn
     else:
@@ -267,7 +272,7 @@ def _only_quantities(before: Scene, after: Scene) -> bool:
 def _before(
     scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: Standing | None
 ) -> Standing | None:
-    """Return the standing before a change to be predicted, from a state; the existing one if it is the same."""
+    """Return the standing before a predicted change, from a state; the existing standing if it is the same."""
     if scene is None:
         return None
     if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:

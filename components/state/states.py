@@ -32,14 +32,14 @@ def state_in(link: Link) -> State:
 
 
 def strange_axes(picture: Picture, state: State) -> Iterator[str]:
-    """A sentence for each axis that a state names and that its picture does not have."""
+    """Yield a sentence for each axis in a state that its picture does not have."""
     for name in state.frame.ranges if state.frame else ():
         if name not in picture.axes:
             yield f"frame.{excerpt(name)}: “{excerpt(name)}” is not an axis of this picture."
 
 
 def strange_curves(kind: type[Scene], state: State) -> Iterator[str]:
-    """A sentence for each curve that a state switches off and that the scene does not have."""
+    """Yield a sentence for each switched-off curve in a state that the scene does not have."""
     blocks = list(plots(kind))
     drawn = {curve.group for plot in blocks for curve in plot.curves}
     drawn |= {band.group for plot in blocks for band in plot.regions}
@@ -49,9 +49,9 @@ def strange_curves(kind: type[Scene], state: State) -> Iterator[str]:
 
 
 def scene_in(kind: type[Scene], state: State) -> Scene:
-    """The scene of a state.
+    """Return the scene of a state.
 
-    ValueError, naming the parameter, for one that the scene does not have or that cannot have such a value.
+    Raises ValueError, with the name of the parameter, for an unknown parameter or an impossible value.
     """
     known = kind.linked()
     hidden = {} if state.hidden is None else {HIDDEN: chosen(known[HIDDEN], list(state.hidden))}
@@ -59,10 +59,9 @@ def scene_in(kind: type[Scene], state: State) -> Scene:
 
 
 def other_in(kind: type[Scene], values: Mapping[str, Value] | None) -> Scene | None:
-    """Return the held scene of a state, or the one from before a predicted change. Its display is not part of the
-    state.
+    """Return the scene with these values: the compared scene of a state, or the one from before a predicted change.
 
-    Raises ValueError as `scene_in` does.
+    The values have no display parameters. Raises ValueError as `scene_in` does.
     """
     if values is None:
         return None
@@ -72,12 +71,12 @@ def other_in(kind: type[Scene], values: Mapping[str, Value] | None) -> Scene | N
 
 
 def stated_own(scene: Scene) -> dict[str, Value]:
-    """The parameters of a scene that are not at their defaults, but for how it is shown, as a state carries them."""
+    """Return the parameters that are not at their defaults, in the form of a state, without display parameters."""
     return stated_all(own_values(scene))
 
 
 def stated_all(values: Values) -> dict[str, Value]:
-    """Values of parameters as a state carries them."""
+    """Return values of parameters in the form of a state: choices and lists as words."""
     return {name: stated(value) for name, value in values.items()}
 
 

@@ -1,7 +1,7 @@
 """The encoding of a message: one block of bytes, compressed once for all receivers.
 
-It has a line of JSON and, for a picture, the numbers of its columns. A message about a scene is compressed with the
-scene's `usual` text as preset dictionary, which the browser has in its sheet.
+It has a line of JSON and, for a picture, the numbers of its columns. A message about a scene is compressed with a
+preset dictionary, the `usual` text, which the browser has in the scene's sheet.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from numpy.typing import NDArray
 from components.language.messages import Said, Told
 
 Steps = NDArray[np.int32]
-"""Numbers of a column, in whole steps of a range."""
+"""Numbers of a column as integers."""
 WINDOW = 2**15
-"""Bytes that deflate looks back."""
+"""Number of bytes that deflate looks back."""
 ORDER = 4
-"""Neighbours on a curve differ little, their differences less, and so on: fourth differences are sent."""
+"""Order of the differences that are sent: for smooth curves, fourth differences are small and compress well."""
 
 
 class Packet(TypedDict):
-    """A message, packed. `sheet` is the address of the sheet whose usual text it refers to, or ""."""
+    """A packed message. `sheet` is the address of the sheet with its preset dictionary, or ""."""
 
     sheet: str
     data: bytes
 
 
 def _plain(value: object) -> float:
-    """NumPy's scalars, which pictures are full of, as Python's."""
+    """Convert NumPy's scalars, of which pictures have many, to Python's floats."""
     if isinstance(value, np.floating):
         return float(value)
     raise TypeError(f"{type(value).__name__} does not cross")
@@ -44,12 +44,12 @@ _encoder = msgspec.json.Encoder(enc_hook=_plain)
 
 
 def as_json(value: object) -> bytes:
-    """Anything of the page language as the browser reads it."""
+    """Return a value of a message type as JSON."""
     return _encoder.encode(value)
 
 
 def packed(told: Told, columns: Sequence[Steps] = (), *, sheet: str = "", usual: bytes = b"") -> Packet:
-    """A message made ready; `usual` is the text in the sheet."""
+    """Return a packed message; `usual` is the preset dictionary."""
     known = (usual,) if usual else ()
     deflate = zlib.compressobj(6, zlib.DEFLATED, -15, zlib.DEF_MEM_LEVEL, zlib.Z_DEFAULT_STRATEGY, *known)
     data = deflate.compress(as_json(told) + b"\n" + _in_bytes(columns)) + deflate.flush()
@@ -57,11 +57,13 @@ def packed(told: Told, columns: Sequence[Steps] = (), *, sheet: str = "", usual:
 
 
 def _in_bytes(columns: Sequence[Steps]) -> bytes:
-    """Four times as many bytes as there are numbers: all first bytes of the fourth differences, all second ones, and so
-    on. A difference d >= 0 is 2d, one below is -2d - 1."""
+    """Return the fourth differences of the columns in bytes: all first bytes, then all second ones, and so on.
+
+    A difference d >= 0 is written as 2d, a negative one as -2d - 1.
+    """
     if not columns:
         return b""
-    before = np.zeros(ORDER, np.int32)  # each column begins as if it came from 0
+    before = np.zeros(ORDER, np.int32)  # zeros before each column, so that its first differences are defined
     differences = np.diff(np.concatenate([part for column in columns for part in (before, column)]), ORDER)
     ends = accumulate((len(column) + ORDER for column in columns), initial=-ORDER)
     whole = np.concatenate([differences[start + ORDER : end] for start, end in pairwise(ends)])
@@ -80,7 +82,7 @@ def on_page(packet: Packet) -> str:
 
 
 def decoded(data: object) -> Said:
-    """A message of the browser; ValueError, in words, for what our page does not send."""
+    """Return a message of the browser. Raises ValueError, with a sentence, for anything that our page does not send."""
     try:
         said: Said = msgspec.convert(data, Said)
     except (msgspec.ValidationError, RecursionError) as error:
