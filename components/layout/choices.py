@@ -1,4 +1,4 @@
-"""Choices: the values that a parameter other than a number may have, and their words in links and messages."""
+"""Choices: the values of parameters that are not numbers, and the words for them in links and messages."""
 
 import re
 
@@ -14,27 +14,27 @@ _ITEM = re.compile(r"[A-Za-z0-9_.:+-]{1,40}")
 
 
 def word(value: object) -> str:
-    """The word for one value: signed, true, 0.5."""
+    """Return the word for a value of a choice: signed, true, 0.5."""
     if isinstance(value, bool):
         return "true" if value else "false"
     return shortest(value) if isinstance(value, float) else str(value)
 
 
 def stated(value: object) -> Value:
-    """A parameter's value as a state carries it: numbers as they are, all else by its words."""
+    """Return a parameter's value in the form of a state: numbers stay, other values become words."""
     if isinstance(value, list):
         return [word(item) for item in value]
     return value if value is None or (isinstance(value, float) and not isinstance(value, bool)) else word(value)
 
 
 def options(parameter: AnyParameter) -> dict[str, object]:
-    """The values to choose from, by word."""
+    """Return the values to choose from, by word."""
     values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
     return {word(value): value for value in values}
 
 
 def labelled(parameter: AnyParameter) -> tuple[Option, ...]:
-    """The values of the choice, by word, with their labels."""
+    """Return the labels of the values of a choice, by word."""
     labels = getattr(parameter, "names", None) or {}
     by_word = {word(value): label for label, value in labels.items()}
     return tuple(Option(value, by_word.get(value, value)) for value in options(parameter))

@@ -36,15 +36,17 @@ Pictures = Mapping[str, list[AnyShape]]
 
 @dataclass(frozen=True)
 class Group:
-    """Parameters under a title; the hint names another way to set them.
+    """Parameters under a title in the control panel.
 
-    A group with an empty title continues the one before; if it is folded, the hint is the button that opens it.
-
-    `actions` are buttons, (name, label): the scene's `action(name)` returns the values that they set. A `folded` group
-    opens on request, or if one of its values is not the default. A group is visible while the picture has `form`.
-    `pictures` makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts
-    for `rich`, under the controls. While a `dense` group is visible, the panel has smaller gaps. Values of a group
-    `apart` have an effect only while its form is visible.
+    `title`     the title; a group with an empty title continues the one before
+    `hint`      a text that names another way to set them; in a folded group without title, the button that opens it
+    `actions`   buttons, (name, label); the scene's `action(name)` returns the values that they set
+    `folded`    True if the group is closed until the visitor opens it or one of its values is not the default
+    `form`      the group is visible while the picture has this form
+    `pictures`  small pictures for the values of a choice: the shapes of a stage for each value
+    `facts`     rows of cells under the controls, texts for `rich`
+    `dense`     True if the panel has smaller gaps while the group is visible
+    `apart`     True if its values have an effect only while its form is visible
     """
 
     title: str
@@ -77,8 +79,11 @@ def panel(
     watch: Mapping[str, str] | None = None,
     places: Iterable[str] = (),
 ) -> Panel:
-    """The panel of a scene: `drawings` are outlines of presets by label, `watch` what to watch in each, `places` the
-    actions that are places."""
+    """Return the panel of a scene.
+
+    `drawings` are outlines of presets by label, `watch` the sentences of presets on what to watch, `places` the actions
+    whose buttons are marked while the scene has their values.
+    """
     return Panel(
         start=start,
         folded=folded,
@@ -100,7 +105,7 @@ def _preset_buttons(
 
 
 def preset_name(label: str) -> str:
-    """The name by which a page knows a preset, whatever it is called there."""
+    """Return the name of a preset in messages, which does not depend on its label on the page."""
     return "-".join(re.findall(r"\w+", label.lower()))
 
 
@@ -118,7 +123,7 @@ def _section(group: Group, places: frozenset[str]) -> GroupSection:
 
 
 def control(parameter: AnyParameter, pictures: Pictures | None = None) -> ControlRow:
-    """A slider with a field for a quantity, joined buttons or small pictures for anything else."""
+    """Return the control of a parameter: a slider with a field for a quantity, else buttons or small pictures."""
     return _slider(parameter) if isinstance(parameter, Quantity) else _choice(parameter, pictures or {})
 
 
@@ -153,8 +158,10 @@ def settings(
     units: Mapping[str, Unit],
     spans: Mapping[str, tuple[float, float]],
 ) -> dict[str, Setting]:
-    """The settings of all controls for these values: `units` are those shown in place of a quantity's own, `spans` the
-    ends of the sliders that follow the scene."""
+    """Return the settings of all controls for these values.
+
+    `units` replace the units of some quantities, `spans` the ends of some sliders.
+    """
     found: dict[str, Setting] = {}
     for name, parameter in parameters.items():
         value = values.get(name)
@@ -167,7 +174,7 @@ def settings(
 
 @lru_cache(2000)
 def _setting(quantity: Quantity, value: float | None, unit: Unit | None, span: tuple[float, float] | None) -> Setting:
-    """Remembered, as a change moves one of many."""
+    """Return the setting of one control. Cached, because a change affects only a few of many controls."""
     text = "" if value is None else shortest(value) if quantity.scale == "count" else tidy(value)
     own = Setting(value=value, text=text.replace("-", MINUS), soft=span, changed=value != quantity.default)
     if unit is None or value is None:

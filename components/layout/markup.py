@@ -28,11 +28,11 @@ _WORD = re.compile(r"[\w #.-]{0,100}")
 _LENGTH = re.compile(r"([+-]?\d?\d?(\.\d+)?[a-z%]*\s*)+")
 _LEADS = re.compile(r"\?scene=\w+")
 _DECLARED = re.compile("<[!?]")
-"""Comments and the like, which HTML and XML end at different places."""
+"""Comments and declarations. They are rejected, because HTML and XML parsers end them at different places."""
 
 
 def check_markup(html: str) -> None:
-    """ValueError, in words, for anything but a short list of elements and attributes."""
+    """Raise ValueError, with a sentence, for elements and attributes that are not in a short list."""
     strange = _DECLARED.findall(html)
     try:
         tree = ElementTree.fromstring(f"<p>{html}</p>")

@@ -1,7 +1,7 @@
-"""The plots: Bokeh figures without data, built once a process and mounted by every visitor's browser.
+"""The plots: Bokeh figures without data, built once per process and used by every visitor's browser.
 
-A session owns only its numbers. A figure knows the names of its columns; the browser fills them from the one message
-that answers a change, and draws the time cursor, the labels at the curves' ends and the handles over the figure.
+A session has only the numbers. A figure has the names of its columns; the browser fills them with the numbers of each
+message, and draws the time cursor, the labels at the ends of curves and the handles over the figure.
 """
 
 from __future__ import annotations
@@ -33,22 +33,22 @@ TIME = "time"
 BAND = "band"
 """The source of the bands that replace curves too fast to be drawn."""
 RINGING, LATE = "ringing", "late"
-"""The sources of bands that end where motions have rung down, and of the lines from there."""
+"""The sources of bands that end when the fast part of a motion has decayed, and of the lines after them."""
 FLOOR = "zero"
-"""The column that a stack of bands begins at; files leave it out."""
+"""The column of zeros at the bottom of a stack of layers; files leave it out."""
 USUAL_ROOM = Room()
 NUMBERS = 30
-"""Pixels for the numbers under a plot; two plots next to each other need the same number for equal frames."""
+"""Height in pixels of the numbers under a plot, the same for all plots, so that neighbours have equal frames."""
 HEADING = 24
-"""The height of the heading over a plot; likewise."""
+"""Height in pixels of the heading over a plot, the same for all plots."""
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
 def curve(y: Name, *, source: str = "", x: Name | None = None, label: str = "", read: str = "", **look: Any) -> Curve:
-    """A line of a plot: a column, or a signal over time; `x` defaults to the plot's abscissa.
+    """Return a line of a plot: a column, or a signal over time. `x` defaults to the abscissa of the plot.
 
-    `label` is at its right end and in the tooltip, `read` only in the tooltip; its `group` defaults to `y`. The other
-    fields are those of components.language.plots.Curve.
+    `label` is at its right end and in the tooltip, `read` only in the tooltip. `group` defaults to `y`. The other
+    fields are described in components.language.plots.Curve.
     """
     named = {"group": y.name, "label": runs(label), "read": plain_text(read or label)}
     return Curve(y=y.name, source=source or _source(y), x=called(x), **(named | _named(look)))
@@ -64,7 +64,7 @@ def region(
     read: str = "",
     **look: Any,
 ) -> Region:
-    """A filled region between two columns or signals over time: an envelope, or a layer of a stack."""
+    """Return a filled region between two columns or signals over time: a band, or a layer of a stack."""
     ends = {"low": low.name, "high": high.name, "source": source or _source(low), "x": called(x)}
     return Region(label=runs(label), read=plain_text(read or label), **(ends | _named(look)))
 
@@ -75,12 +75,12 @@ def _source(one: Name) -> str:
 
 
 def _named(look: dict[str, Any]) -> dict[str, Any]:
-    """Names in place of declarations."""
+    """Replace declared objects by their names."""
     return {key: value.name if isinstance(value, Named) else value for key, value in look.items()}
 
 
 def mark(at: Name, **look: Any) -> Mark:
-    """A line with a flag at a scalar: components.language.plots.Mark."""
+    """Return a line with a flag at a scalar: components.language.plots.Mark."""
     return Mark(at=at.name, **_named(look))
 
 
@@ -135,10 +135,10 @@ def plot(
     cursor: str = "",
     **details: Unpack[Details],
 ) -> PlotBlock:
-    """A plot as a block of the sheet.
+    """Return a plot as a block of the sheet.
 
-    `x` and `y` are axes of the picture, `title` is its text alternative, `x_column` has the abscissae, else the times.
-    `cursor="time"` draws the instant shown and lets it be dragged. `shapes` speak of this plot by its PlotFrame.
+    `x` and `y` are axes of the picture, `title` is for screen readers. `x_column` has the abscissae, by default times.
+    `cursor="time"` draws a draggable line at the current instant. `shapes` over the plot use its `PlotFrame`.
     """
     given: Details = {**USUAL, **details}
     given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
@@ -164,16 +164,16 @@ def plot(
 
 
 def with_figures(block: Block) -> Block:
-    """A block with the figures of its plots, which the browser alone needs."""
+    """Return a block whose plots have their figures, which only the browser needs."""
     if isinstance(block, (Row, ColumnBlock)):
         return replace(block, blocks=tuple(map(with_figures, block.blocks)))
     return replace(block, figure=_written(figure_of(block))) if isinstance(block, PlotBlock) else block
 
 
 def figure_of(block: PlotBlock) -> BokehPlot:
-    """A figure of a plot for one visitor alone, without data like the template."""
+    """Return a new figure of a plot for one visitor, without data."""
     figure_ = _figure(block.curves, block.regions, block.room, block.x_labels, block.plain)
-    if block.modal:  # lines of a grid would cut the picture under them
+    if block.modal:  # grid lines would cross the picture under them
         figure_.xgrid.visible = figure_.ygrid.visible = False
     return figure_
 
@@ -204,15 +204,17 @@ def _figure(
 
 
 def _written(figure_: BokehPlot) -> dict[str, Any]:
-    """A document of this figure alone, as Bokeh writes it."""
+    """Return a Bokeh document with only this figure, as JSON."""
     document = Document()
     document.add_root(figure_)
     return dict(document.to_json(deferred=False))
 
 
 def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> None:
-    """Regions under curves. The name of a renderer is its place in the block, "regions.0": the browser asks there for
-    its colour, its width and its group."""
+    """Draw regions, and curves over them.
+
+    A renderer is named by its index in the block, "regions.0", so that the browser finds its colour, width and group.
+    """
     sources = _sources(curves, regions)
     for n, one in enumerate(regions):
         area = VArea(x=one.x, y1=one.low, y2=one.high, fill_alpha=one.alpha)
@@ -227,7 +229,7 @@ def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region
 
 
 def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str, ColumnDataSource]:
-    """The sources by name, with empty columns."""
+    """Return the sources by name, with empty columns."""
     columns: dict[str, set[str]] = {}
     for curve_ in curves:
         columns.setdefault(curve_.source, set()).update((curve_.x, curve_.y))
@@ -240,7 +242,7 @@ def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str
 
 
 def _lines(figure_: BokehPlot, x_labels: bool, plain: bool) -> None:
-    """Axes that have no lines, a grid at their numbers, and lines at zero."""
+    """Add axes without lines, grid lines at their numbers, and lines at zero."""
     for axis in (*figure_.xaxis, *figure_.yaxis):
         axis.ticker = FixedTicker(ticks=[])
         axis.axis_line_color = axis.minor_tick_line_color = axis.major_tick_line_color = None

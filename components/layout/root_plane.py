@@ -7,9 +7,9 @@ from components.layout.stage import Shape, line, rectangle, text, wall
 
 
 def root_plane(sides: tuple[Number, Number, Number, Number], x0: Number, y0: Number, below_zero: str) -> list[Shape]:
-    """Return the shapes under the roots, in a frame with these sides: left, right, top, bottom.
+    """Return the background shapes of a frame with these sides in pixels: left, right, top, bottom.
 
-    The place s = 0 is at (x0, y0). Roots on the right need `below_zero`, which is why the band there is hatched.
+    s = 0 is at (x0, y0). The right half plane is hatched, because roots there need `below_zero`: negative damping.
     """
     left, right, top, bottom = sides
     legend = "up: swings faster", "left: dies faster", f"right: only for {below_zero}"

@@ -28,7 +28,7 @@ from components.layout.choices import labelled
 from components.layout.text import rich
 
 MOST_TIMES = 50
-"""So many times as much as its neighbour a block may take."""
+"""Largest ratio of the shares of two neighbouring blocks."""
 Paragraph = str | Forms
 """A text, or several forms of it."""
 
@@ -42,7 +42,7 @@ def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Blo
 
 
 def _sharing(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
-    """Blocks that share what room is left; ValueError where one would get next to none of it."""
+    """Return blocks that share the remaining room. Raises ValueError if one would get almost none of it."""
     shares = [block.grow for block in blocks if block.grow]
     least, most = min(shares, default=1.0), max(shares, default=1.0)
     if most > MOST_TIMES * least:
@@ -61,7 +61,7 @@ def stage(
     style: str = "",
     name: str = "",
 ) -> Block:
-    """The stage. `label` describes it for screen readers; a second one has a `name`."""
+    """Return a stage. `label` describes it for screen readers; a second stage needs a `name`."""
     place: dict[str, Any] = {"grow": grow, "basis": basis, "phone": phone, "height": height}
     part = f"stage:{name}" if name else "stage"
     return StageBlock(shapes=shapes, label=label, part=part, widest=widest, style=style, **place)
@@ -70,7 +70,7 @@ def stage(
 def words(
     *paragraphs: Paragraph, name: str = "", style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
 ) -> Block:
-    """Sentences and formulas; a step of a walk can show a block that has a `name`."""
+    """Return a block of sentences and formulas. With a `name`, a step of a walk can show it."""
     items, part = tuple(map(_item, paragraphs)), f"words:{name}" if name else ""
     return WordsBlock(items=items, part=part, style=style, grow=grow, basis=basis, phone=phone)
 
@@ -83,14 +83,14 @@ def table(
     phone: int = 50,
     style: str = "",
 ) -> Block:
-    """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
+    """Return a table of cells, each a paragraph as in `words`. The first cell of a row is its name."""
     cells = tuple(tuple(map(_item, line)) for line in rows)
     heads = tuple(map(rich, head))
     return TableBlock(head=heads, rows=cells, part="table", style=style, grow=grow, basis=basis, phone=phone)
 
 
 def either(form: Name, /, **variants: str) -> Forms:
-    """A text in several forms: the picture's form of that name chooses the variant, "" for none."""
+    """Return a text with several variants. The picture's form `name` says which one is shown, "" for none."""
     return Forms({name: rich(text) for name, text in variants.items()}, form.name)
 
 
@@ -99,7 +99,7 @@ def _item(paragraph: Paragraph) -> Forms:
 
 
 def when(form: Name, block: Block) -> Block:
-    """The block, standing only while the picture has a form of that name: how a scene has several views."""
+    """Return the block, which is then visible only while the picture has the form `name`."""
     return replace(block, form=form.name)
 
 
@@ -109,7 +109,7 @@ def desk(block: Block) -> Block:
 
 
 def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, phone: int = 50, style: str = "") -> Block:
-    """Joined buttons for the two to four options of a parameter.
+    """Return joined buttons for the two to four options of a parameter.
 
     In the style "views" they are to the right of the headline and switch the views of the scene.
     """
@@ -126,17 +126,17 @@ def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, pho
 
 
 def modes(parameter: str, label: str, of: str, chosen: str, sets: dict[str, str], phone: int = 50) -> Block:
-    """Buttons with the shapes of the modes of a modal signal: components.language.blocks.ModesBlock."""
+    """Return buttons with the shapes of the modes of a modal signal: components.language.blocks.ModesBlock."""
     return ModesBlock(part="modes", name=parameter, label=label, of=of, chosen=chosen, sets=sets, phone=phone)
 
 
 def term(
     curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | None = None, **forms: str
 ) -> Term:
-    """One term of a plot's heading: the formula of a curve, its line sample and its switch.
+    """Return a term of a plot's heading: the formula of a curve, a sample of its line, and its switch.
 
-    `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`. `form` names
-    the picture's form that chooses the variant; it defaults to the curve's.
+    `key` is the kind of line: sum, line, dash, band or none. `forms` are formulas in LaTeX by variant; a single one is
+    called `formula`. `form` names the picture's form that chooses the variant; it defaults to the one of the curve.
     """
     return phrase(curve, key, tint, form=form, **{name: f"${latex}$" if latex else "" for name, latex in forms.items()})
 
@@ -144,7 +144,7 @@ def term(
 def phrase(
     curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | None = None, **forms: str
 ) -> Term:
-    """A term of a heading with words in place of formulas."""
+    """Return a term of a heading with words in place of formulas."""
     variants = {name: rich(text) for name, text in forms.items()}
     group = curve if isinstance(curve, str) else curve.name
     chosen = form.name if form else group
@@ -152,7 +152,7 @@ def phrase(
 
 
 def blocks(block: Block) -> Iterator[Block]:
-    """A block and all that it holds."""
+    """Yield a block and all blocks inside it."""
     yield block
     if isinstance(block, (Row, Column)):
         for inner in block.blocks:
@@ -169,7 +169,7 @@ def in_force(block: Block, forms: Mapping[str, str]) -> Iterator[Block]:
 
 
 def axes_of_columns(sheet: Block) -> dict[str, dict[str, str]]:
-    """The axis that each column of each source is drawn on: {source: {column: axis}}."""
+    """Return the axis on which each column of each source is drawn: {source: {column: axis}}."""
     axes: dict[str, dict[str, str]] = {}
     for plot in (block for block in blocks(sheet) if isinstance(block, PlotBlock)):
         for curve in plot.curves:

@@ -25,16 +25,16 @@ from components.language.text import Html, Runs, TextRun
 from components.layout.markup import check_markup
 from components.quantities.numbers import excerpt
 
-_SENTENCES = 2048  # kept; those with numbers in them, or from anybody's file, have no end
+_SENTENCES = 2048  # a limit, because texts with numbers and texts of visitors' files are unlimited in number
 _SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
-_ONE_OVER = {"2": "½", "4": "¼"}  # one sign each, so that a line stays low
+_ONE_OVER = {"2": "½", "4": "¼"}  # fractions of one character, so that a line stays low
 _SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
-# Signs that the converter takes for letters, whose spaces are too wide, or that are another φ than in texts.
+# Signs that the converter treats as letters, signs with too wide spaces, and φ in the shape that texts have.
 _OPERATORS = {
     "<mi>&#x000B1;</mi>": "<mo>&#x000B1;</mo>",
     "&#x003D5;": "&#x003C6;",
@@ -43,7 +43,7 @@ _OPERATORS = {
     # Time derivatives, which WebKit sets too high: static/styles/text.css.
     **{f"<mo>{dots}</mo></mover>": f'<mo class="dots">{dots}</mo></mover>' for dots in ("&#x002D9;", "&#x000A8;")},
 }
-# WebKit sets the sign of an index as one between two numbers.
+# WebKit puts spaces around the sign of an index, as between two numbers.
 _INDEX_SIGN = re.compile(r"(<msub(?:sup)?><mi>[^<]*</mi>(?:<mrow>)?<mo)(>&#x0(?:002B|2212|00B1);</mo>)")
 _PRIMED = re.compile(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>")
 _PRIMED_POWER = re.compile(r"<msup>(<mi>\w</mi>)<mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
@@ -60,13 +60,13 @@ def kept(make: Callable[[str], str]) -> Callable[[str], str]:
 
 @kept
 def mathml(latex: str) -> str:
-    """MathML of a formula; its live numbers are elements with a `data-value` attribute.
+    """Return the MathML of a formula; its live numbers are elements with a `data-value` attribute.
 
-    ValueError, in words, for what is no formula, or would be more than one.
+    Raises ValueError, with a sentence, for a text that is not exactly one formula.
     """
     try:
         markup = _converted(latex)
-    except Exception as error:  # whatever the converter, made for formulas that are right, stumbles over
+    except Exception as error:  # the converter raises many kinds of errors for wrong formulas
         raise ValueError(f"“{excerpt(latex)}” cannot be set as a formula") from error
     try:
         check_markup(markup)
@@ -88,7 +88,7 @@ def _converted(latex: str) -> str:
     markup = _INDEX_SIGN.sub(r'\1 lspace="0" rspace="0"\2', markup)
     markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
     markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
-    # Not the minus of a difference, which needs its spaces.
+    # The minus of a difference keeps its spaces.
     markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
@@ -101,15 +101,17 @@ _INLINE = re.compile(
 
 _FORMULA = re.compile(r"\$[^$]+\$|\[\w+\|\$[^$]+\$\]")
 _CLOSING = tuple(",.;:!?)")
-"""Punctuation that belongs to the line of the formula before it."""
+"""Punctuation that stays on the same line as the formula before it."""
 _UNIT = re.compile(r"(?<=[\d}]) (?=(?:%|[kmcµ]?(?:m|s|g|N|J|W|V|Hz|rad|ft)(?:[²³]|/\w+²?)?)(?![\w}|]))")
-"""The space between a number and its unit, where no line ends."""
+"""The space between a number and its unit, at which a line must not break."""
 
 
 @kept
 def rich(text: str) -> Html:
-    """HTML of a sentence; what is strong or coloured may hold the others. ValueError, in words, as for a formula, and
-    for a colour that there is not."""
+    """Return the HTML of a sentence; strong or coloured words may contain symbols and formulas.
+
+    Raises ValueError, with a sentence, for a wrong formula or an unknown colour.
+    """
     html = _set(text)
     check_markup(html)
     return html
@@ -141,7 +143,7 @@ def _markup(match: re.Match[str], indexed: bool) -> Html:
         return f'<span class="n" data-value="{match["value"]}"></span>'
     if match["symbol"]:
         return f'<span class="v">{escape(match["symbol"])}</span>'
-    # Elsewhere an underscore is an underscore.
+    # In other places an underscore is an ordinary character.
     return f"<sub>{escape(_index(match))}</sub>" if indexed else escape(match[0])
 
 
@@ -151,7 +153,7 @@ def _index(match: re.Match[str]) -> str:
 
 @lru_cache(maxsize=_SENTENCES)
 def runs(text: str) -> Runs:
-    """The pieces of a short text in a drawing; ValueError for what a drawing cannot set."""
+    """Return the pieces of a short text in a drawing. Raises ValueError for notations that a drawing does not have."""
     found: list[TextRun] = []
     end = 0
     for match in _INLINE.finditer(text):
@@ -172,5 +174,5 @@ def runs(text: str) -> Runs:
 
 
 def plain(text: str) -> str:
-    """A text without its marks, for the read-out at the pointer and for names that are read aloud."""
+    """Return a text without notation, for the tooltip of a curve and for screen readers."""
     return "".join(run.text for run in runs(text))

@@ -15,16 +15,16 @@ from components.layout.text import rich
 from components.quantities.parameters import AnyParameter, names_of
 
 KEYS = "keys"
-"""The name of the key controls among the parts that a task speaks of."""
+"""The name of the key controls in `View.names`."""
 
 
 @dataclass(frozen=True)
 class View:
     """A view of a scene: the name on its tab, and a task.
 
-    `keys` are the parameters that the task names: their controls are the first of the panel. `names` are the parts that
-    the task speaks of, such as "stage", "plot:x" and "keys": a phone's first screen has all of them. `word` is its name
-    in links, by default the first word of its name.
+    `keys` are the parameters that the task names: their controls are the first ones in the panel. `names` are the parts
+    that the task is about, such as "stage", "plot:x" and "keys"; all of them fit on the first screen of a phone. `word`
+    is the name of the view in links, by default the first word of its name.
     """
 
     name: str
@@ -60,7 +60,7 @@ def check_views(sheet: Block, views: Sequence[View]) -> None:
 
 
 def shown_blocks(block: Block, view: str, show: Sequence[str] = ()) -> Iterator[Block]:
-    """Yield the blocks without blocks inside that a view shows; those named in `show`, if it has any names."""
+    """Yield the blocks that a view shows, or the ones named in `show`; rows and columns themselves are left out."""
     if not show and block.views and view not in block.views:
         return
     if isinstance(block, (Row, Column)):

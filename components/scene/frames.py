@@ -149,7 +149,8 @@ def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]], s
     """Return the frame, fitted again along each axis that is mostly empty: `drawn` uses less than a quarter of it.
 
     `drawn` has the axes of one picture, or of two that are compared. The time window stays, since curves always fill
-    it, and so do the axes in `still`."""
+    it, and so do the axes in `still`.
+    """
     if frame.given:
         return frame
     names = frame.ranges.keys() - {TIME_AXIS, *still}

@@ -87,7 +87,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         """Return the values that depend on the parameters `changed`. `in_hand` is True during a drag.
 
-        `before` is the scene before the change, None for a new scene."""
+        `before` is the scene before the change, None for a new scene.
+        """
         return {}
 
     def action(self, name: str) -> Values:
@@ -135,7 +136,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     def at(cls, values: Values = NONE) -> Self:
         """Return the scene with these values, and values that depend on them; the others have their defaults.
 
-        Raises ValueError for values that are not possible."""
+        Raises ValueError for values that are not possible.
+        """
         cls._check_known(values)
         return cls._settled(values, frozenset(values), None, in_hand=False)
 
@@ -197,7 +199,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         """Return the numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`.
 
         The default is the first source with numbers. Raises ValueError for a source without numbers, with the names of
-        the sources that have some."""
+        the sources that have some.
+        """
         return with_units(self.shown, axes_of_columns(self.sheet()), source)
 
     def __setattr__(self, name: str, value: Any) -> None:

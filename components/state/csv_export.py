@@ -64,7 +64,8 @@ def as_table(told: Standing, picture: Picture, page: str = "", name: str = "") -
 def as_csv(table: CsvTable, head: Iterable[str]) -> bytes:
     """Return a table with unrounded numbers, under comments that begin with #.
 
-    The text is ASCII. Comments have no comma and no quotation mark, so a spreadsheet shows each in one cell."""
+    The text is ASCII. Comments have no comma and no quotation mark, so a spreadsheet shows each in one cell.
+    """
     text = io.StringIO(newline="")
     text.write(_noted([*head, *table.notes]))
     writer = csv.writer(text)

@@ -57,7 +57,8 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 def usual(scene: type[Scene]) -> bytes:
     """Return the preset dictionary for the compression of messages about the scene.
 
-    It is the text of the scene's first picture, with six digits, so that it is the same on every machine."""
+    It is the text of the scene's first picture, with six digits, so that it is the same on every machine.
+    """
     first = scene.at()
     view, _ = view_of(first.shown, column_axes(scene))
     told = Shown(
