@@ -50,8 +50,8 @@ export class Card {
     this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
     page.heading[walk.isTour ? "before" : "after"](this.line)
-    this.verdict = element("p", {class: "verdict", role: "status"})
-    page.heading.before(this.verdict)
+    this.judgement = element("p", {class: "judgement", role: "status"})
+    page.heading.before(this.judgement)
     this.#ask()
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
@@ -116,8 +116,8 @@ export class Card {
     if (right === null) return
     const sign = mark(right)
     sign.setAttribute("aria-hidden", "true")
-    this.verdict.replaceChildren(sign, ` Your answer is ${right ? "right" : "wrong"}.`)
-    if (this.walk.isTour) this.verdict.scrollIntoView({block: "nearest"})
+    this.judgement.replaceChildren(sign, ` Your answer is ${right ? "right" : "wrong"}.`)
+    if (this.walk.isTour) this.judgement.scrollIntoView({block: "nearest"})
   }
 
   /** Opens the formulas of the step over the paper, or closes them. */
@@ -226,7 +226,7 @@ export class Card {
     this.observer.disconnect()
     this.element.remove()
     this.line.remove()
-    this.verdict.remove()
+    this.judgement.remove()
     this.page.root.classList.remove("walked", "tour")
     claim(this.page)
   }

@@ -67,7 +67,7 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
         verdict = tour.get_by_role("status").filter(has_text=f"Your answer is {how}.")
         expect(verdict).to_be_in_viewport(ratio=1)
         expect(verdict.locator("svg")).to_be_visible()
-        assert bottom(tour, ".verdict") < bottom(tour, "h1")
+        assert bottom(tour, ".judgement") < bottom(tour, "h1")
         reply = tour.locator(f".answers [data-option='{i}'] .line")
         expect(reply).to_have_text(step.options[i].reply.replace("*", ""))
         expect(tour.get_by_role("button", name="Skip")).to_have_count(0)
