@@ -8,7 +8,7 @@ from pathlib import Path
 from components.scenes import SCENES
 from components.session.worker import prepare, work
 from components.walks.registry import all_walks
-from physics.accuracy_worker import restrain
+from physics.integrators.accuracy_worker import restrain
 
 NICENESS = 5
 """On a busy machine the server has three times the time of this process, for which visitors wait too."""

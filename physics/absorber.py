@@ -24,8 +24,8 @@ from numpy.polynomial.polynomial import polyder, polyroots, polyval
 from numpy.typing import ArrayLike, NDArray
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array, exact, precise, rounded
 from physics.forced import particular_solution
+from physics.precision.exact import Array, exact, precise, rounded
 from physics.valid import DOUBLES, check_finite, check_not_negative, check_positive, finite_array
 
 _BITS = 120  # of a modulus before it is rounded to the 53 of a double

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike
 
 from physics.absorber import alone, checked_damping, swing_and_stroke
 from physics.coupled import TwoMassChain
-from physics.exact import Array, binary, exact, precise
 from physics.particular import from_roots, particular_solution
+from physics.precision.exact import Array, binary, exact, precise
 
 _COMFORT = 2.0**60  # omega, the damping and F_0/m1 within this and its inverse: no product leaves the doubles
 

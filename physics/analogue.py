@@ -11,8 +11,8 @@ from math import sin
 from types import SimpleNamespace
 from typing import Any
 
-from physics.exact import exact, precise, rounded
 from physics.pendulum import Pendulum
+from physics.precision.exact import exact, precise, rounded
 from physics.valid import DOUBLES, check_finite, check_positive
 
 Formula = Callable[[Any], Decimal]

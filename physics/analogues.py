@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from physics.analogue import Analogue, Constant, Parameter
-from physics.exact import PI
+from physics.precision.exact import PI
 
 G = 9.81  # m/s^2, where gravity is not a parameter
 

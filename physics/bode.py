@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from physics.damped_chain import DampedChain
 from physics.driven import Drive, DrivenOscillator
-from physics.polynomials import (
+from physics.precision.polynomials import (
     DIGITS,
     Polynomial,
     added,
@@ -32,7 +32,7 @@ from physics.polynomials import (
     reduced,
     trimmed,
 )
-from physics.roots import horner, roots
+from physics.precision.roots import horner, roots
 
 _SAME = 1e-50  # relative distance of two roots of 120 digits that are one
 

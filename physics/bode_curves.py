@@ -29,8 +29,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.damped_chain import Complexes, DampedChain
-from physics.exact import Array, binary, exact, precise
 from physics.particular import from_roots
+from physics.precision.exact import Array, binary, exact, precise
 from physics.valid import finite_array
 
 _COMFORT = 2.0**60  # omega, the dampings and F_0/m1 within this and its inverse: no product leaves the doubles

@@ -27,10 +27,10 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.exact import NOISE, PI, Array, exact, precise, rounded
 from physics.motion import ExactMotion, Harmonic, harmonic_motion
 from physics.oscillator import phase_of
-from physics.polynomials import context
+from physics.precision.exact import NOISE, PI, Array, exact, precise, rounded
+from physics.precision.polynomials import context
 from physics.sampling import Sinusoid
 from physics.sinusoids import ExactSinusoid, added
 from physics.valid import check_positive, finite_array

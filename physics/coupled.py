@@ -24,8 +24,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import Array, exact, precise, rounded, snapped, split, sum_of
 from physics.oscillator import phase_of
+from physics.precision.exact import Array, exact, precise, rounded, snapped, split, sum_of
 from physics.sinusoids import ExactSinusoid, added, apart
 from physics.valid import check_not_negative, check_positive, finite_array, in_range
 

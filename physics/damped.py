@@ -27,11 +27,11 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.curves import ScaledCurve, combined, product, turning
-from physics.elementary import SMALLEST_EXPONENT, exponential
-from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
 from physics.oscillator import OscillatorMotion, phase_of
 from physics.periodic import PeriodicPush
+from physics.precision.curves import ScaledCurve, combined, product, turning
+from physics.precision.elementary import SMALLEST_EXPONENT, exponential
+from physics.precision.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
 from physics.pushed import PushedMass, PushedMotion
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array
 

@@ -26,9 +26,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from physics.absorber import checked_damping, damped_lags, damped_solution, swing_and_stroke
 from physics.coupled import TwoMassChain
-from physics.exact import PI, Array, exact, precise, rounded
 from physics.laplace import Driven, Expansion, resolved
-from physics.roots import taxicab
+from physics.precision.exact import PI, Array, exact, precise, rounded
+from physics.precision.roots import taxicab
 from physics.valid import check_not_negative, in_range
 
 DIGITS = 120

@@ -25,11 +25,11 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.curves import combined, response, turning
 from physics.damped import DampedOscillator
-from physics.exact import Array, exact, precise, sum_of, within_an_ulp
 from physics.laplace import Expansion, expanded
-from physics.polynomials import Polynomial
+from physics.precision.curves import combined, response, turning
+from physics.precision.exact import Array, exact, precise, sum_of, within_an_ulp
+from physics.precision.polynomials import Polynomial
 from physics.transient import EXACT, Effort, summed
 from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array, in_range
 

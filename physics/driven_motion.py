@@ -23,9 +23,9 @@ from typing import NamedTuple
 import numpy as np
 
 from physics.coupled import QUANTITIES, FreeModes, Mode
-from physics.curves import early
-from physics.exact import Array, exact, precise
 from physics.onset import EARLY, onset
+from physics.precision.curves import early
+from physics.precision.exact import Array, exact, precise
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, Weighted, added, total
 from physics.valid import rows_in_range
 

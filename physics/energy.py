@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import Motion, TwoMassChain
-from physics.exact import Array
+from physics.precision.exact import Array
 from physics.valid import in_range, rows_in_range
 
 _NAMES = [f"the energy {name}" for name in ("T1", "T2", "V1", "V2")]

@@ -22,7 +22,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.exact import Array
+from physics.precision.exact import Array
 
 MOST_SHARE = 0.1
 """Largest standard error of a frequency over itself; beyond it the numbers are not to be trusted."""

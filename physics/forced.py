@@ -31,9 +31,7 @@ from physics.coupled import (
     each_mass,
     started,
 )
-from physics.curves import ScaledCurve, combined, product, response, turning
 from physics.driven_motion import NONE, AlsoSummed, driven_values
-from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
     at_natural_frequency,
@@ -43,6 +41,8 @@ from physics.particular import (
     particular_solution,
     rounded_amplitudes,
 )
+from physics.precision.curves import ScaledCurve, combined, product, response, turning
+from physics.precision.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.sinusoids import ExactSinusoid, added
 from physics.valid import finite_array
 

@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from physics.driven import Drive, DrivenOscillator, Push, drawn
-from physics.exact import Array
 from physics.free_decay import FreeDecay
 from physics.motion import ONE, Elementary, ExactMotion, Harmonic, MotionPolynomial, harmonic_motion
+from physics.precision.exact import Array
 from physics.sampling import Sinusoid, drawable
 from physics.transient import FILE
 from physics.valid import in_range

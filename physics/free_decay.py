@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.damped import DampedOscillator, Decay, Fading
-from physics.exact import Array, exact, precise, rounded, sum_of
 from physics.motion import Elementary, ExactMotion
 from physics.oscillator import OscillatorMotion
+from physics.precision.exact import Array, exact, precise, rounded, sum_of
 from physics.valid import finite_array, in_range
 
 _LIGHT, _HEAVY = 0.5, 2.0  # of zeta: beyond them the energy lost has a form without a difference

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from physics.coupled import FreeModes, Motion
-from physics.exact import Array, exact, precise, rounded
 from physics.motion import Elementary, ExactMotion, Harmonic, harmonic_motion, superposed
+from physics.precision.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid
 
 QUARTER = math.pi / 2

@@ -11,9 +11,9 @@ from operator import attrgetter
 
 import numpy as np
 
-from physics.exact import Array, exact, precise, rounded, sin_cos
 from physics.motion import Elementary, ExactMotion, Harmonic, computed_by, constant
 from physics.oscillator import Oscillator, OscillatorConstants, OscillatorMotion
+from physics.precision.exact import Array, exact, precise, rounded, sin_cos
 from physics.sampling import Sinusoid
 
 QUARTER = pi / 2

@@ -23,9 +23,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.energy import half_square
-from physics.exact import Array, exact, precise, rounded, snapped, split, two_sum
 from physics.motion import ExactMotion, computed_by
 from physics.oscillator import Oscillator, OscillatorMotion
+from physics.precision.exact import Array, exact, precise, rounded, snapped, split, two_sum
 from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Datum = Literal["equilibrium", "separate"]

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from physics.exact import Array
+from physics.precision.exact import Array
 
 CUSP_EXCESS = sqrt(3) - 1
 LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g

@@ -17,8 +17,8 @@ from itertools import combinations, zip_longest
 from typing import Any, NamedTuple
 
 from physics.coupled import TwoMassChain
-from physics.polynomials import Polynomial, added, context, numbers, order, product, trimmed
-from physics.roots import horner, mismatch, roots, taxicab
+from physics.precision.polynomials import Polynomial, added, context, numbers, order, product, trimmed
+from physics.precision.roots import horner, mismatch, roots, taxicab
 
 Rows = tuple[Any, ...]  # numbers of mpmath for x1, x2, the elongation x2 - x1 and, where they belong, v1 and v2
 

@@ -12,7 +12,7 @@ import math
 from decimal import Decimal
 
 from physics.coupled import FreeModes, TwoMassChain
-from physics.exact import PI, exact, precise, rounded
+from physics.precision.exact import PI, exact, precise, rounded
 
 Pair = tuple[float, float]
 QUARTER = math.pi / 2

@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import TwoMassChain, Vector, free_modes
-from physics.exact import Array, exact, precise
+from physics.precision.exact import Array, exact, precise
 from physics.valid import check_finite, check_not_negative
 
 _WHOLE = Context(prec=10_000, Emin=MIN_EMIN, Emax=MAX_EMAX, traps=[Inexact])

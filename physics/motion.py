@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from physics.exact import Array
+from physics.precision.exact import Array
 from physics.sampling import CurveOrBand, Sinusoid, curve_or_band, highest_drawn, root_mean_square
 
 ONE = Decimal(1)

@@ -13,7 +13,7 @@ from decimal import Decimal
 import numpy as np
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array, binary, exact, pair_product, precise, shifted, two_product
+from physics.precision.exact import Array, binary, exact, pair_product, precise, shifted, two_product
 
 EARLY = 1.125  # rad
 _TERMS = 10  # the next one is below 1e-18 of the first

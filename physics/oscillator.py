@@ -23,7 +23,7 @@ from math import atan2, inf, pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.exact import PI, Array, angle, binary, exact, on_circle, precise, rounded
+from physics.precision.exact import PI, Array, angle, binary, exact, on_circle, precise, rounded
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array, rows_in_range
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import TwoMassChain
-from physics.exact import (
+from physics.precision.exact import (
     Array,
     DoubleDouble,
     exact,

@@ -24,7 +24,7 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import PI, Array, angle, exact, on_circle, precise, rounded
+from physics.precision.exact import PI, Array, angle, exact, on_circle, precise, rounded
 from physics.valid import check_positive, finite_array
 
 HALF_TURN = pi  # the double, 1.2e-16 below the number: the largest amplitude

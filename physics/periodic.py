@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, NamedTuple, get_args
 
-from physics.turns import cospi, sinpi
+from physics.precision.turns import cospi, sinpi
 from physics.valid import check_finite, check_positive
 
 PushKind = Literal["square", "triangle", "pulses", "impulses", "step", "impulse"]

@@ -21,7 +21,6 @@ from math import sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import PI, Array, exact, precise, rounded
 from physics.lanchester import (
     CUSP_EXCESS,
     EXCESS_AT_LATENESS,
@@ -37,6 +36,7 @@ from physics.lanchester import (
     lanchester,
     period_excess,
 )
+from physics.precision.exact import PI, Array, exact, precise, rounded
 from physics.valid import check_positive, finite_array, in_range, rows_in_range
 
 __all__ = [

@@ -25,10 +25,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.exact import FINE, PI, Array, exact, precise, remainders, two_product, two_sum
 from physics.laplace import NOTHING, Expansion, expanded
 from physics.periodic import PeriodicPush, Piece
-from physics.polynomials import Polynomial, context
+from physics.precision.exact import FINE, PI, Array, exact, precise, remainders, two_product, two_sum
+from physics.precision.polynomials import Polynomial, context
 from physics.transient import DIGITS, Effort, in_pairs
 from physics.valid import check_not_negative, finite_array, in_range
 

@@ -15,11 +15,11 @@ import numpy as np
 
 from physics.damped import DampedOscillator
 from physics.driven import highest
-from physics.exact import Array
 from physics.forced_vibration import VibrationBand
 from physics.free_decay import FreeDecay
 from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
 from physics.periodic import PeriodicPush
+from physics.precision.exact import Array
 from physics.pushed import PushedMass
 from physics.sampling import drawable
 from physics.steady_motions import SteadyMotion

@@ -28,8 +28,8 @@ from numpy.typing import ArrayLike
 from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from physics.damped_chain import Complexes, DampedChain
-from physics.exact import Array, precise, sum_of
-from physics.polynomials import Polynomial, added, positive_roots, product
+from physics.precision.exact import Array, precise, sum_of
+from physics.precision.polynomials import Polynomial, added, positive_roots, product
 from physics.valid import finite_array
 
 _STEPS, _DECADES = 300, 3

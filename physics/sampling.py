@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from physics.exact import Array, sin_cos
+from physics.precision.exact import Array, sin_cos
 from physics.valid import DOUBLES
 
 SAMPLES_PER_CYCLE = 12  # the least; a peak is then drawn at 97 % or more of its height

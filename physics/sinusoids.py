@@ -24,8 +24,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from physics.curves import ScaledCurve
-from physics.exact import (
+from physics.precision.curves import ScaledCurve
+from physics.precision.exact import (
     FINE,
     PI,
     Array,

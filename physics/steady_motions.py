@@ -19,9 +19,9 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from physics.damped import DampedOscillator
-from physics.exact import Array
 from physics.motion import Elementary, ExactMotion, SampledCycle
 from physics.periodic import PeriodicPush, Piece
+from physics.precision.exact import Array
 from physics.pushed import PushedMass
 
 _SINGULAR = 1e-5  # of the determinant of 1 - M, below which doubles keep too few digits

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array
+from physics.precision.exact import Array
 
 
 @dataclass(frozen=True, eq=False)

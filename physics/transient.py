@@ -34,13 +34,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from physics.absorber import damped_solution
 from physics.coupled import QUANTITIES, Motion, TwoMassChain
-from physics.curves import ScaledCurve, product, rounded_once, scaled_sum
-from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
-from physics.exact import Array, angle, pair_product, precise, rounded
 from physics.forced import REST, forced_motion
 from physics.laplace import Driven, Expansion, expansion, resolved
 from physics.particular import at_natural_frequency
-from physics.roots import taxicab
+from physics.precision.curves import ScaledCurve, product, rounded_once, scaled_sum
+from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
+from physics.precision.exact import Array, angle, pair_product, precise, rounded
+from physics.precision.roots import taxicab
 from physics.valid import check_finite, check_not_negative, finite_array, in_range
 
 Complexes = NDArray[np.complex128]

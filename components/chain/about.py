@@ -14,9 +14,9 @@ from components.scene.about import CheckedPoint, Place, Table, drift, few_of, po
 from components.scene.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain
 from physics.energy import chain_energy
-from physics.exact import precise
-from physics.problem import Problem
-from physics.reference import Point, modal_points, modes_of
+from physics.integrators.problem import Problem
+from physics.precision.exact import precise
+from physics.reference.driven_chain import Point, modal_points, modes_of
 
 MASSES = {f"x{i}": f"$x_{i}$" for i in BOTH}
 DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))

@@ -9,7 +9,7 @@ import param
 from components.quantities.parameters import Quantity, Values, mass, not_negative, one_of, positive, stiffness
 from components.scene import Scene
 from physics.damped import DampedOscillator
-from physics.exact import exact, precise, rounded
+from physics.precision.exact import exact, precise, rounded
 
 DAMPED_ONLY = "a dashpot only takes energy: c is a finite number, 0 or more"
 

@@ -8,7 +8,7 @@ from decimal import Decimal
 from typing import NamedTuple
 
 from components.quantities.numbers import MINUS, raised
-from physics.exact import PI, precise
+from physics.precision.exact import PI, precise
 
 Dimension = tuple[int, int, int, int, int]
 """Powers of kg, m, s, A and rad."""

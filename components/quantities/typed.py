@@ -15,7 +15,7 @@ from decimal import Decimal, Overflow
 
 from components.quantities.measures import Measure, measure
 from components.quantities.numbers import LONGEST_INPUT, NoNumberError, excerpt, in_doubles, parse_number, plain_number
-from physics.exact import PI, precise
+from physics.precision.exact import PI, precise
 
 LARGEST_POWER = 1000
 

@@ -18,8 +18,8 @@ from components.layout.text import rich
 from components.quantities.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
 from components.quantities.refusals import SORRY, as_on_screen, in_words, report
 from components.scene.traces import BAND, Columns, Floats, band_columns
-from physics.exact import precise
-from physics.reference import Point
+from physics.precision.exact import precise
+from physics.reference.driven_chain import Point
 
 SHARES = (0.21, 0.55, 0.93)
 """Positions of the points in a column: not round numbers."""

@@ -17,7 +17,8 @@ from components.session.opening import opened
 from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Errand, Replied
 from components.state.link import Link
-from physics import exact, sinusoids, transient
+from physics import sinusoids, transient
+from physics.precision import exact
 from physics.transient import DRAWING, EXACT, DampedModes, Effort
 from tests.attack.extremes import Values
 from tests.attack.greedy import GREEDY

@@ -19,7 +19,7 @@ from physics.absorber import damped_amplitude
 from physics.bode_curves import bode_curves
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
-from physics.reference_braked import braked_exponents, braked_lags, braked_points, braked_swings
+from physics.reference.damped_chain import braked_exponents, braked_lags, braked_points, braked_swings
 from physics.transient import DampedModes
 from tests.bench.one_mass import shown
 from tests.physics.chain_truth import U, ulps

@@ -1,4 +1,5 @@
-"""Methods with fixed steps, compiled: the stepping functions of physics.integrators as numba makes them of Python.
+"""Methods with fixed steps, compiled: the stepping functions of physics.integrators.fixed_steps as numba makes them of
+Python.
 
 A run is one loop over the outputs, compiled too; between blocks of it the clock is looked at. What numba takes to
 compile is no part of a run: `compiled_methods` has all of it done.
@@ -13,11 +14,20 @@ from typing import Any
 import numba
 import numpy as np
 
-from physics.accuracy import System, entered
-from physics.exact import Array
-from physics.integrators import FIXED_STEP, STEPPING, StepState, advance_of, begun, constants, exploded, right_hand_side
-from physics.problem import Problem, StoppedError, Trajectory, Watch, trajectory
-from physics.solvers import METHODS, Method
+from physics.integrators.accuracy import System, entered
+from physics.integrators.fixed_steps import (
+    FIXED_STEP,
+    STEPPING,
+    StepState,
+    advance_of,
+    begun,
+    constants,
+    exploded,
+    right_hand_side,
+)
+from physics.integrators.problem import Problem, StoppedError, Trajectory, Watch, trajectory
+from physics.integrators.solvers import METHODS, Method
+from physics.precision.exact import Array
 
 BLOCK = 2**14
 """Steps, at least, between two looks at the clock."""
@@ -41,7 +51,7 @@ def through(
 
 
 def run_compiled(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
-    """A run of physics.integrators.run_fixed, compiled."""
+    """A run of physics.integrators.fixed_steps.run_fixed, compiled."""
     h, state = begun(problem, steps)
     advance = advance_of(method, right_hand_side(problem), compiler)
     given = (constants(problem), STEPPING[method].numbers(problem, h), h)

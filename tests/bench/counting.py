@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from physics.accuracy import SYSTEMS, Run
-from physics.integrators import STEPPING
-from physics.problem import Problem, Watch
-from physics.race import counts
-from physics.solvers import METHODS
+from physics.integrators.accuracy import SYSTEMS, Run
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.problem import Problem, Watch
+from physics.integrators.race import counts
+from physics.integrators.solvers import METHODS
 from tests.bench.record import Report
 
 

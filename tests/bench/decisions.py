@@ -28,8 +28,8 @@ from components.scenes import SCENES
 from components.serving.assets import static_files, written_files
 from components.serving.scripts import FIRST
 from components.state.scene_sheet import plots as scene_plots
-from physics import exact
 from physics.coupled import TwoMassChain, free_motion
+from physics.precision import exact
 from tests.bench.accuracy_table import drawn, errors
 from tests.bench.float_chains import METHODS
 from tests.physics.chain_families import FAMILIES

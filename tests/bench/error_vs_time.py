@@ -1,4 +1,4 @@
-"""Error against run time, outside the browser: physics.race as tables, data and figures.
+"""Error against run time, outside the browser: physics.integrators.race as tables, data and figures.
 
     make bench                              every system and method, up to 1 s a run, about ten minutes
     make bench ARGS=--quick                 two systems, few methods, 0.3 s a run, about a minute
@@ -22,9 +22,9 @@ from importlib.metadata import version
 from pathlib import Path
 
 from components.scenes.accuracy.measuring import LIVE
-from physics.accuracy import SYSTEMS, Limits, Run
-from physics.race import measure
-from physics.solvers import METHODS, Method
+from physics.integrators.accuracy import SYSTEMS, Limits, Run
+from physics.integrators.race import measure
+from physics.integrators.solvers import METHODS, Method
 from tests.bench.counting import counted
 from tests.bench.record import Report, recalled, record
 from tests.bench.studies import costs, digits, lengths

@@ -13,12 +13,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from physics.accuracy import MARKS, Run, System
 from physics.coupled import TwoMassChain
-from physics.integrators import FIXED_STEP
-from physics.price import LEAST, at_cost, at_error
-from physics.solvers import METHODS
-from physics.stability import amplification, stability_limit, stable_steps
+from physics.integrators.accuracy import MARKS, Run, System
+from physics.integrators.fixed_steps import FIXED_STEP
+from physics.integrators.price import LEAST, at_cost, at_error
+from physics.integrators.solvers import METHODS
+from physics.integrators.stability import amplification, stability_limit, stable_steps
 
 matplotlib.rcParams |= {"svg.hashsalt": "bench", "axes.grid": True, "grid.alpha": 0.3, "font.size": 9}
 FAMILIES = {slug: method.family for slug, method in METHODS.items()}

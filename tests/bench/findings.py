@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from physics.accuracy import SYSTEMS, Run
-from physics.integrators import STEPPING
-from physics.price import Price, grouped, in_doubles, prices
-from physics.solvers import METHODS
-from physics.stiffness import stiffness
+from physics.integrators.accuracy import SYSTEMS, Run
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.price import Price, grouped, in_doubles, prices
+from physics.integrators.solvers import METHODS
+from physics.integrators.stiffness import stiffness
 
 Runs = Mapping[str, list[Run]]
 WANTED = (1e-3, 1e-6, 1e-9)

@@ -17,7 +17,7 @@ import numpy as np
 from physics.damped import DampedOscillator
 from physics.driven import DrivenOscillator
 from physics.periodic import PeriodicPush, PushKind
-from physics.reference_damped import damped_points, driven_points
+from physics.reference.damped import damped_points, driven_points
 from physics.steady_motions import SteadyMotion
 from tests.physics.chain_truth import U, ulps
 from tests.physics.push_truth import closed_form

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from components.scenes.accuracy.measuring import decoded_run
-from physics.accuracy import SYSTEMS, Run
+from physics.integrators.accuracy import SYSTEMS, Run
 from tests.bench.studies import Curves
 
 GROWTH = ("error_growth", "energy_growth")

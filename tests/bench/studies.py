@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from physics.accuracy import SYSTEMS, Limits, Run, System
 from physics.coupled import TwoMassChain
-from physics.exact import Array
-from physics.integrators import STEPPING as STEPS
-from physics.problem import Problem, StoppedError, Watch
-from physics.race import Bench, bench_of, clock, yardstick
-from physics.reference import Reference, reference
-from physics.solvers import METHODS
+from physics.integrators.accuracy import SYSTEMS, Limits, Run, System
+from physics.integrators.fixed_steps import STEPPING as STEPS
+from physics.integrators.problem import Problem, StoppedError, Watch
+from physics.integrators.race import Bench, bench_of, clock, yardstick
+from physics.integrators.solvers import METHODS
+from physics.precision.exact import Array
+from physics.reference.driven_chain import Reference, reference
 
 LENGTHS = (5, 10, 20, 50, 100, 200, 500)
 OUTPUTS = 100

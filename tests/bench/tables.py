@@ -8,10 +8,10 @@ from itertools import zip_longest
 from math import pi
 from pathlib import Path
 
-from physics.accuracy import SYSTEMS, Run, System
-from physics.price import Price, at_error, grouped, in_doubles, prices
-from physics.solvers import ATOL, METHODS
-from physics.stiffness import stiffness
+from physics.integrators.accuracy import SYSTEMS, Run, System
+from physics.integrators.price import Price, at_error, grouped, in_doubles, prices
+from physics.integrators.solvers import ATOL, METHODS
+from physics.integrators.stiffness import stiffness
 from tests.bench.findings import findings
 from tests.bench.record import Report
 

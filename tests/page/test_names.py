@@ -20,7 +20,7 @@ from components.scene.traces import BAND
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
 from components.state.scene_sheet import live_names, plots, scene_sheet
-from physics.accuracy import SYSTEMS
+from physics.integrators.accuracy import SYSTEMS
 from tests.page.hand import draw, grabs, sets
 from tests.scenes.checks import choices
 

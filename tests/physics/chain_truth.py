@@ -13,7 +13,7 @@ from functools import cached_property
 import mpmath as mp
 import numpy as np
 
-from physics.reference import envelope
+from physics.reference.driven_chain import envelope
 
 U = 2.0**-53
 SETUP_BITS = 6000

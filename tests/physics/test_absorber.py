@@ -21,7 +21,7 @@ from physics.absorber import (
 )
 from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
-from physics.reference_single import steady
+from physics.reference.single import steady
 from tests.grids import tries
 from tests.physics.chain_cases import law_of, log_uniform
 from tests.physics.chain_truth import LARGEST, close, exactly

@@ -7,11 +7,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from physics.accuracy import MARKS, SYSTEMS, Limits, Run, System, entered
 from physics.coupled import TwoMassChain
-from physics.race import STANDS, Ladder, bench_of, measure, yardstick
-from physics.reference import reference
-from physics.solvers import METHODS
+from physics.integrators.accuracy import MARKS, SYSTEMS, Limits, Run, System, entered
+from physics.integrators.race import STANDS, Ladder, bench_of, measure, yardstick
+from physics.integrators.solvers import METHODS
+from physics.reference.driven_chain import reference
 
 U = 2.0**-53
 ONCE = Limits(seconds=60.0, rounds=1, visit=0.0)

@@ -13,7 +13,7 @@ from physics.absorber import damped_amplitude, damped_solution
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
 from physics.particular import particular_solution
-from physics.reference_braked import braked_exponents, braked_points
+from physics.reference.damped_chain import braked_exponents, braked_points
 from physics.transient import DampedModes
 
 PLAIN = TwoMassChain(m1=2, m2=1, k1=4, k2=2)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
-from physics.exact import sin_cos
+from physics.precision.exact import sin_cos
 from tests.grids import tries
 from tests.physics.chain_cases import chain_of, chain_with, each_case, each_family
 from tests.physics.chain_families import drawn

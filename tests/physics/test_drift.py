@@ -5,10 +5,10 @@ from math import inf, isinf
 import numpy as np
 import pytest
 
-from physics.accuracy import SYSTEMS
-from physics.drift import PERIODS, drifts, exact
-from physics.integrators import STEPPING
-from physics.stability import stable_count
+from physics.integrators.accuracy import SYSTEMS
+from physics.integrators.drift import PERIODS, drifts, exact
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.stability import stable_count
 
 THREE = ("euler", "verlet", "rk4")
 

@@ -7,9 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath.ctx_mp import MPContext
 
-from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
-from physics.exact import two_sum
-from physics.roots import mismatch, roots
+from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
+from physics.precision.exact import two_sum
+from physics.precision.roots import mismatch, roots
 from tests.grids import tries
 
 thorough = settings(max_examples=tries(200))

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from physics.exact import (
+from physics.precision.exact import (
     binary,
     on_circle,
     pair_product,

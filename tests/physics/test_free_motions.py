@@ -9,9 +9,9 @@ import pytest
 
 from physics.coupled import FreeModes, TwoMassChain, free_modes
 from physics.energy import chain_energy
-from physics.exact import Array
 from physics.free_motions import FreeMotions
 from physics.motion import Elementary, ExactMotion, Harmonic
+from physics.precision.exact import Array
 from physics.sampling import Sinusoid
 
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)

@@ -8,11 +8,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from physics.exact import Array
 from physics.free_oscillation import FreeOscillation
 from physics.motion import Elementary, Harmonic
 from physics.oscillator import Oscillator
-from physics.reference_single import oscillator_points
+from physics.precision.exact import Array
+from physics.reference.single import oscillator_points
 
 T = np.linspace(0.0, 3.0, 301)
 

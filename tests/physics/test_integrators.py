@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from physics import solvers
 from physics.coupled import TwoMassChain
-from physics.integrators import FIXED_STEP, STEPPING, TABLEAUX, WEIGHTS, run_fixed
-from physics.problem import Problem, StoppedError, Watch
-from physics.reference import reference
-from physics.solvers import METHODS
-from physics.stability import amplification, stability_limit, stable_count, stable_steps
+from physics.integrators import solvers
+from physics.integrators.fixed_steps import FIXED_STEP, STEPPING, TABLEAUX, WEIGHTS, run_fixed
+from physics.integrators.problem import Problem, StoppedError, Watch
+from physics.integrators.solvers import METHODS
+from physics.integrators.stability import amplification, stability_limit, stable_count, stable_steps
+from physics.reference.driven_chain import reference
 
 CHAIN = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=3.0)
 FREE = Problem(chain=CHAIN, x_0=(1.0, -0.5), v_0=(0.2, 0.3), t=0.25 * np.arange(61.0))

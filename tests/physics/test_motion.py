@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from physics.damped import DampedOscillator
-from physics.exact import Array
 from physics.free_decay import FreeDecay
 from physics.motion import Elementary, Harmonic, MotionPolynomial, constant, harmonic_motion, superposed
+from physics.precision.exact import Array
 from physics.sampling import Sinusoid
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
-from physics.reference_single import period_ratio, swing
+from physics.reference.single import period_ratio, swing
 from tests.grids import tries
 
 U = 2.0**-53

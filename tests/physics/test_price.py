@@ -4,8 +4,8 @@ from math import sqrt
 
 import pytest
 
-from physics.accuracy import Run
-from physics.price import at_cost, at_error, grouped, price, prices
+from physics.integrators.accuracy import Run
+from physics.integrators.price import at_cost, at_error, grouped, price, prices
 
 
 def run(method, time, error, evaluations=1000, **more):

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain, Kind
-from physics.polynomials import added, positive_roots, product
+from physics.precision.polynomials import added, positive_roots, product
 from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases, sizes

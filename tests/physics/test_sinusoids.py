@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from physics.exact import exact
+from physics.precision.exact import exact
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
 from tests.grids import tries
 from tests.physics.chain_truth import U

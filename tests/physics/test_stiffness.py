@@ -5,8 +5,8 @@ from math import pi
 import pytest
 
 from components.scenes.accuracy.recorded import recorded
-from physics.accuracy import SYSTEMS, Run
-from physics.stiffness import stiffness
+from physics.integrators.accuracy import SYSTEMS, Run
+from physics.integrators.stiffness import stiffness
 
 KINDS = {
     "benign": "neither",

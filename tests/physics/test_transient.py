@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
-from physics.polynomials import context
+from physics.precision.polynomials import context
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes, _decimal
 from tests.grids import WHOLE, tries
 from tests.physics.chain_cases import chain_with, law_of

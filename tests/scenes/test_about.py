@@ -1,4 +1,4 @@
-"""About these numbers: every point within its bound, and true by formulas that physics.reference does not share."""
+"""About these numbers: every point within its bound, and true by formulas that the reference does not share."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from components.quantities.numbers import parse_number
 from components.scene import Scene
 from components.scene.about import NO_BAND, SHARES, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
-from physics.reference import Point
+from physics.reference.driven_chain import Point
 from tests.page.told import Page
 from tests.scenes.about_truth import chain_flow, damped_flow, flight_flow, oscillator_flow, pendulum_flow, swing_at
 
@@ -186,7 +186,7 @@ TRUTHS: list[tuple[str, dict[str, Any], str, Flow]] = [
 
 @pytest.mark.parametrize(("slug", "values", "place", "truth"), TRUTHS)
 def test_what_is_called_true_is_true(slug: str, values: dict[str, Any], place: str, truth: Flow) -> None:
-    """Worked out by other means than physics.reference: matrix exponentials, Taylor series, linear equations."""
+    """Worked out by other means than the reference: matrix exponentials, Taylor series, linear equations."""
     scene, known = opened(slug, values), 0
     about = told_by(scene)
     assert about is not None

@@ -16,9 +16,9 @@ from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.prices import price_list, time_text, unreached
 from components.scenes.accuracy.recorded import recorded
 from components.scenes.accuracy.studies import LASTING, step_explosion
-from physics.accuracy import MARKS, SYSTEMS, Run, entered
 from physics.coupled import TwoMassChain
-from physics.solvers import METHODS
+from physics.integrators.accuracy import MARKS, SYSTEMS, Run, entered
+from physics.integrators.solvers import METHODS
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import check_picture
 

@@ -8,11 +8,11 @@ import pytest
 
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.recorded import recorded
-from physics.accuracy import PERIODS, SYSTEMS, Run
-from physics.integrators import STEPPING
-from physics.price import Price, prices
-from physics.solvers import METHODS
-from physics.stability import stable_count
+from physics.integrators.accuracy import PERIODS, SYSTEMS, Run
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.price import Price, prices
+from physics.integrators.solvers import METHODS
+from physics.integrators.stability import stable_count
 
 WANTED = (1e-3, 1e-6, 1e-9)
 both = pytest.mark.parametrize("compiled", [False, True], ids=["python", "compiled"])

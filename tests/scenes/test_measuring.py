@@ -15,8 +15,8 @@ import psutil
 import pytest
 
 from components.scenes.accuracy.measuring import WAITING, Job, Measuring
-from physics.accuracy import SYSTEMS, entered
-from physics.accuracy_worker import decoded_system, encoded_system
+from physics.integrators.accuracy import SYSTEMS, entered
+from physics.integrators.accuracy_worker import decoded_system, encoded_system
 from tests.bench.visitor import Visitor
 from tests.serving.server import ROOT, Server, serving
 
@@ -178,7 +178,7 @@ def test_a_worker_that_does_not_end_is_ended(tmp_path: Path, monkeypatch: pytest
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of memory are the operating system's")
 def test_a_worker_has_little_memory() -> None:
-    code = "from physics.accuracy_worker import MEMORY, restrain; restrain(); bytearray(MEMORY)"
+    code = "from physics.integrators.accuracy_worker import MEMORY, restrain; restrain(); bytearray(MEMORY)"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=False)
     assert told.returncode == 1 and "MemoryError" in told.stderr
 

@@ -9,9 +9,9 @@ import pytest
 
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import records
-from physics.accuracy import SYSTEMS, Run
 from physics.coupled import free_modes
 from physics.forced import forced_motion
+from physics.integrators.accuracy import SYSTEMS, Run
 from tests.scenes.presets import readout, taken
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from physics.accuracy import SYSTEMS, Run, entered
+from physics.integrators.accuracy import SYSTEMS, Run, entered
 from tests.bench import error_vs_time, studies
 from tests.bench.findings import findings
 from tests.bench.record import recalled, record, slim
@@ -96,9 +96,9 @@ def test_findings_are_read_off_the_runs() -> None:
 
 
 def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations() -> None:
-    from physics.problem import Watch
-    from physics.race import counts
-    from physics.solvers import METHODS
+    from physics.integrators.problem import Watch
+    from physics.integrators.race import counts
+    from physics.integrators.solvers import METHODS
 
     problem = SYSTEMS["dashpot"].problem(5, 100)
     found = {}

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from physics.accuracy import SYSTEMS
-from physics.integrators import STEPPING
-from physics.problem import Problem, StoppedError, Watch
-from physics.solvers import METHODS
+from physics.integrators.accuracy import SYSTEMS
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.problem import Problem, StoppedError, Watch
+from physics.integrators.solvers import METHODS
 from tests.bench.compiled import run_compiled
 
 DRIVEN = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))

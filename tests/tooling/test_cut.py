@@ -15,8 +15,8 @@ from subprocess import PIPE
 import pytest
 
 from components.scenes.accuracy.measuring import LIVE
-from physics.accuracy import SYSTEMS
-from physics.accuracy_worker import encoded_system
+from physics.integrators.accuracy import SYSTEMS
+from physics.integrators.accuracy_worker import encoded_system
 from tests.serving.server import ROOT
 from tools.cut import cut
 
@@ -64,5 +64,5 @@ def test_every_scene_is_made(packages: Path) -> None:
 @pytest.mark.slow
 def test_every_method_measures(packages: Path) -> None:
     order = {"system": encoded_system(SYSTEMS["benign"]), "seconds": 0.01, "budget": 60, "methods": list(LIVE)}
-    said = run(packages, "-m", "physics.accuracy_worker", order=json.dumps(order)).splitlines()
+    said = run(packages, "-m", "physics.integrators.accuracy_worker", order=json.dumps(order)).splitlines()
     assert {line["run"]["method"] for line in map(json.loads, said) if "run" in line} == set(LIVE)

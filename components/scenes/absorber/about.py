@@ -11,8 +11,8 @@ from components.scene.about import NO_BAND, About, bounded, few, rows
 from components.scenes.absorber.curves import Axes
 from components.scenes.absorber.curves import Sweep as S
 from components.scenes.absorber.duty import Duty
-from physics.reference import Point
-from physics.reference_single import steady_points, stroke_points
+from physics.reference.driven_chain import Point
+from physics.reference.single import steady_points, stroke_points
 
 
 def absorber_about(picture: Picture, duty: Duty) -> About:

@@ -18,8 +18,8 @@ from components.scene.traces import Columns, Floats, Traces, samples
 from components.scenes.absorber.duty import Duty
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion
-from physics.exact import exact, precise, rounded
 from physics.forced import DrivenModes
+from physics.precision.exact import exact, precise, rounded
 
 TOP = (15.0, 20.0)
 """The reach of the axes of swing and stroke, over the static deflection."""

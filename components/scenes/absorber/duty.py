@@ -25,9 +25,9 @@ from physics.absorber import (
 )
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion, TwoMassChain
-from physics.exact import exact, precise, rounded
 from physics.forced import REST, DrivenModes, antiresonance, driven_modes
 from physics.oscillator import Oscillator
+from physics.precision.exact import exact, precise, rounded
 from physics.transient import DRAWING, DampedModes
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2

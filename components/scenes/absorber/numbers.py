@@ -12,7 +12,7 @@ from components.quantities.numbers import short, three
 from components.scenes.absorber.curves import Axes as A
 from components.scenes.absorber.duty import AWAY, Duty
 from physics.absorber import den_hartog, highest_peak
-from physics.exact import exact, precise
+from physics.precision.exact import exact, precise
 
 number = LiveNumber[Duty]
 

@@ -26,7 +26,7 @@ from components.scenes.accuracy.watch import WATCH
 from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
 from components.scenes.accuracy.words import cell_texts
-from physics.accuracy import SYSTEMS, System
+from physics.integrators.accuracy import SYSTEMS, System
 
 OWN = "own"
 

@@ -6,9 +6,9 @@ from functools import cache
 
 from components.quantities.axes import Axis, log_axis, nice_axis
 from components.quantities.declared import Declared, DrawnAxis, by_name
-from physics.accuracy import MARKS, Run
-from physics.drift import PERIODS
-from physics.price import LEAST
+from physics.integrators.accuracy import MARKS, Run
+from physics.integrators.drift import PERIODS
+from physics.integrators.price import LEAST
 
 REACH, LOW, TOP = 3.2, 0.4, 3.0
 """The reach of the plot of the amplification in h omega, and its ends downward and upward."""

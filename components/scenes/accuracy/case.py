@@ -11,10 +11,10 @@ import numpy as np
 from components.scenes.accuracy.data import MORE, Known, compiled_only, picked_run
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.prices import PriceRow, price_list, unreached
-from physics.accuracy import Run, System, entered
-from physics.drift import Drift, drifts, exact
-from physics.price import at_cost, at_error
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Run, System, entered
+from physics.integrators.drift import Drift, drifts, exact
+from physics.integrators.price import at_cost, at_error
+from physics.integrators.solvers import METHODS
 
 DRIFTING = ("euler", "verlet", "rk4")
 """The methods whose motion is drawn."""

@@ -14,9 +14,9 @@ from components.quantities.declared import Column, Declared, DrawnAxis, by_name
 from components.quantities.numbers import short, ten
 from components.scene.traces import Columns
 from components.scenes.accuracy.axes import Axes
-from physics.accuracy import MARKS, Run
-from physics.price import LEAST, grouped
-from physics.solvers import ATOL, METHODS
+from physics.integrators.accuracy import MARKS, Run
+from physics.integrators.price import LEAST, grouped
+from physics.integrators.solvers import ATOL, METHODS
 
 MORE = "more"
 """The group of the methods that are recorded only; switched off until asked for."""

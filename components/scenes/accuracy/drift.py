@@ -15,8 +15,8 @@ from components.scene.traces import Columns
 from components.scenes.accuracy.axes import Axes
 from components.scenes.accuracy.case import AccuracyCase
 from components.scenes.accuracy.words import Numbers as N
-from physics.drift import PERIODS, Drift
-from physics.solvers import METHODS
+from physics.integrators.drift import PERIODS, Drift
+from physics.integrators.solvers import METHODS
 
 LOOKS = {"euler": ("T", "dash"), "verlet": ("m1", "line"), "rk4": ("V", "dash")}
 """Tint and line of each method."""

@@ -13,8 +13,8 @@ from components.scene.running import Running
 from components.scenes.accuracy.data import Known, Series
 from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.recorded import recorded, records
-from physics.accuracy import Run, System, entered
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Run, System, entered
+from physics.integrators.solvers import METHODS
 
 SCALE = "benign"
 """The system whose records stand behind a motion that has none."""

@@ -19,8 +19,8 @@ from time import monotonic
 from typing import Any, Literal
 
 from components.processes import started
-from physics.accuracy import Run, System, entered
-from physics.accuracy_worker import encoded_system
+from physics.integrators.accuracy import Run, System, entered
+from physics.integrators.accuracy_worker import encoded_system
 
 KEPT = 64
 """The number of finished measurements that are remembered."""
@@ -180,7 +180,7 @@ class Measuring:
 
     def _measure(self, job: Job) -> bool:
         """Read a worker until nothing more comes; whether it has come to its end."""
-        with started("physics.accuracy_worker") as process, self._ending(job):
+        with started("physics.integrators.accuracy_worker") as process, self._ending(job):
             assert process.stdin and process.stdout
             order = {
                 "system": encoded_system(job.system),

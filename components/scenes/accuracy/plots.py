@@ -22,9 +22,9 @@ from components.scenes.accuracy.data import ALONE, BEHIND, MORE, Kept
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.words import Forms
 from components.scenes.accuracy.words import Numbers as N
-from physics.accuracy import Run
-from physics.price import LEAST
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Run
+from physics.integrators.price import LEAST
+from physics.integrators.solvers import METHODS
 
 WORK = PlotFrame("work")
 LOOK: dict[str, Looks] = {

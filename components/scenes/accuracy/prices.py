@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 
 from components.quantities.numbers import short, three
 from components.scenes.accuracy.data import Known
-from physics.accuracy import Run
-from physics.price import Price, in_doubles, prices
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Run
+from physics.integrators.price import Price, in_doubles, prices
+from physics.integrators.solvers import METHODS
 
 PriceRow = tuple[str, tuple[str, ...]]
 """A method and its cells."""

@@ -10,7 +10,7 @@ from typing import Any
 
 from components.scenes.accuracy.data import Series
 from components.scenes.accuracy.measuring import decoded_run
-from physics.accuracy import SYSTEMS
+from physics.integrators.accuracy import SYSTEMS
 
 FOLDER = Path(__file__).with_name("recorded")
 

@@ -22,10 +22,10 @@ from components.scenes.accuracy.recorded import digits, recorded
 from components.scenes.accuracy.words import Numbers as N
 from components.scenes.accuracy.words import number
 from physics.coupled import TwoMassChain
-from physics.integrators import FIXED_STEP
-from physics.price import LEAST
-from physics.solvers import METHODS
-from physics.stability import amplification, stability_limit, stable_steps
+from physics.integrators.fixed_steps import FIXED_STEP
+from physics.integrators.price import LEAST
+from physics.integrators.solvers import METHODS
+from physics.integrators.stability import amplification, stability_limit, stable_steps
 
 ALIKE = {
     "euler": "Explicit Euler",

@@ -13,10 +13,10 @@ from components.scenes.accuracy.data import reached_text
 from components.scenes.accuracy.measurement import SCALE
 from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import Recorded, recorded, records
-from physics.accuracy import SYSTEMS, System
-from physics.solvers import METHODS
-from physics.stability import stable_count
-from physics.stiffness import Stiffness, stiffness
+from physics.integrators.accuracy import SYSTEMS, System
+from physics.integrators.solvers import METHODS
+from physics.integrators.stability import stable_count
+from physics.integrators.stiffness import Stiffness, stiffness
 
 CONTROLLED = ("drift", "time", "growth")
 """The views with their own controls."""

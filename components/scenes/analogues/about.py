@@ -9,7 +9,7 @@ from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, drift, few_of, rows
 from components.scenes.analogues.case import AnalogueCase
 from components.scenes.analogues.curves import Signals as S
-from physics.reference_single import oscillator_points, pendulum_points
+from physics.reference.single import oscillator_points, pendulum_points
 
 
 def analogue_about(picture: Picture, case: AnalogueCase) -> About:

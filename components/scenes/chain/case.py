@@ -15,8 +15,8 @@ from components.quantities.numbers import three
 from components.scene.case import Case
 from components.scene.traces import Columns, Floats
 from physics.chain import ChainEnds, ChainModes, DrawnModes, UniformChain
-from physics.exact import rounded
 from physics.motion import Elementary, ExactMotion, Harmonic, constant, harmonic_motion
+from physics.precision.exact import rounded
 from physics.valid import in_range
 
 PARTS: dict[str, float] = {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}

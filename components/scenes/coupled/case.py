@@ -23,7 +23,7 @@ from physics.coupled import FreeModes, free_modes
 from physics.free_motions import ChainMotions, FreeMotions
 from physics.modal_start import modes_given
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
-from physics.reference import points_of_modes
+from physics.reference.driven_chain import points_of_modes
 from physics.sampling import drawable, time_window
 from physics.valid import in_range
 

@@ -19,7 +19,7 @@ from components.scene.traces import Floats
 from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay, Moment
 from physics.motion import constant
-from physics.reference_damped import damped_points
+from physics.reference.damped import damped_points
 from physics.sampling import NOTHING_OSCILLATES, drawable, periods
 from physics.valid import in_range
 

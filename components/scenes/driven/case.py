@@ -24,7 +24,7 @@ from components.scene.traces import BAND, RINGING, Columns, Floats
 from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half
 from physics.forced_vibration import ForcedVibration, SampledVibration, rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
-from physics.reference_damped import driven_points, response_points
+from physics.reference.damped import driven_points, response_points
 from physics.sampling import periods
 
 KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")

@@ -16,7 +16,7 @@ from components.scene.case import Case
 from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.motion import constant
-from physics.reference_single import hanging_points
+from physics.reference.single import hanging_points
 from physics.sampling import periods
 
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}

@@ -18,8 +18,8 @@ from components.scenes.forced.dying import Dying
 from components.scenes.forced.response import Swings
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
-from physics.reference_braked import braked_lags, braked_points, braked_swings
-from physics.reference_single import steady_points
+from physics.reference.damped_chain import braked_lags, braked_points, braked_swings
+from physics.reference.single import steady_points
 from physics.sampling import drawable
 from physics.transient import DampedModes
 

@@ -16,8 +16,8 @@ from components.scenes.modes.sweep import Sweep
 from physics.coupled import TwoMassChain, free_modes
 from physics.damped_chain import DampedChain
 from physics.modes import determinant_curve
-from physics.reference import Point, determinants, modes_of
-from physics.reference_braked import braked_exponents
+from physics.reference.damped_chain import braked_exponents
+from physics.reference.driven_chain import Point, determinants, modes_of
 
 
 def guess_about(picture: Picture, chain: TwoMassChain) -> About:

@@ -37,8 +37,8 @@ from components.scene.frames import framed
 from components.scene.traces import Columns
 from components.scenes.modes.guess_case import AtFrequency, inside
 from physics.coupled import TwoMassChain
-from physics.exact import precise
 from physics.modes import determinant_curve
+from physics.precision.exact import precise
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,8 +12,8 @@ from components.chain import MODES
 from components.chain.parameters import Pair
 from components.quantities.axes import Axis
 from physics.coupled import TwoMassChain
-from physics.exact import exact, precise, within_an_ulp
 from physics.modes import Trial, TrialForces, trial, trial_forces
+from physics.precision.exact import exact, precise, within_an_ulp
 
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""

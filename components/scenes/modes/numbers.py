@@ -17,9 +17,9 @@ from components.quantities.numbers import plus, short, signed, three
 from components.scenes.modes.guess import Numbers as GuessNumbers
 from physics.coupled import Modes, TwoMassChain
 from physics.damped_chain import ComplexMode, ComplexModes, DampedChain, Kind
-from physics.exact import precise
 from physics.laplace import Driven, transform
 from physics.modes import Mixture, Quadratic
+from physics.precision.exact import precise
 
 MOTIONS = (*MODES, "third", "fourth")
 """Places of the free motions of a chain with dashpots, the first two of which are drawn."""

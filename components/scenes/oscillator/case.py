@@ -17,7 +17,7 @@ from components.scene.case import Case
 from components.scene.traces import Floats
 from physics.free_oscillation import FreeOscillation
 from physics.oscillator import Oscillator
-from physics.reference_single import oscillator_points
+from physics.reference.single import oscillator_points
 from physics.sampling import drawable, periods, time_window
 from physics.valid import in_range
 

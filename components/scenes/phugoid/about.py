@@ -10,7 +10,7 @@ from components.scene.about import About, bounded, drawn_as_bands, few_of, rows
 from components.scenes.phugoid.curves import Signals as S
 from components.scenes.phugoid.swing import Swing
 from physics.phugoid import flight, invariant
-from physics.reference_single import flight_points
+from physics.reference.single import flight_points
 
 FLIGHT, EACH_SWING = 32, 32
 """ulp: of the first swing of a flight, and by how much its phase adds to that in each later one."""

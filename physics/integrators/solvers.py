@@ -6,7 +6,7 @@
   dense eigensolver scipy.linalg.eigh, with the response to the drive in a form that stays regular at resonance,
   and in the usual one that does not;
 - exact steps: the matrix exponential from one output time to the next;
-- fixed steps: physics.integrators, the setting is the number of steps from one output time to the next;
+- fixed steps: physics.integrators.fixed_steps, the setting is the number of steps from one output time to the next;
 - chosen steps: SciPy's solvers, the setting is rtol. In solve_ivp all but LSODA are Python; VODE and the second
   DOP853 are compiled and call Python for the right-hand side alone.
 
@@ -24,10 +24,17 @@ from typing import Any, Literal
 
 import numpy as np
 
-from physics.exact import Array
-from physics.formulas import closed_form, dense_eigh, matrices, matrix_exponential, naive_eigh, slide_formulas
-from physics.integrators import STEPPING, run_fixed
-from physics.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
+from physics.integrators.fixed_steps import STEPPING, run_fixed
+from physics.integrators.formulas import (
+    closed_form,
+    dense_eigh,
+    matrices,
+    matrix_exponential,
+    naive_eigh,
+    slide_formulas,
+)
+from physics.integrators.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
+from physics.precision.exact import Array
 
 Family = Literal["closed", "exact", "fixed", "adaptive"]
 Runner = Callable[[Problem, float, Watch], Trajectory]

@@ -11,7 +11,7 @@ from typing import Any
 
 from mpmath.ctx_mp import MPContext
 
-from physics.roots import roots
+from physics.precision.roots import roots
 
 Polynomial = tuple[Fraction, ...]
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from physics.exact import Array, DoubleDouble, angle, binary, exact, on_circle, pair_product, precise, two_sum
+from physics.precision.exact import Array, DoubleDouble, angle, binary, exact, on_circle, pair_product, precise, two_sum
 from physics.valid import in_range
 
 _SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series

@@ -1,4 +1,4 @@
-"""A process that measures one system: `python -m physics.accuracy_worker`, JSON lines in and out.
+"""A process that measures one system: `python -m physics.integrators.accuracy_worker`, JSON lines in and out.
 
 The first line on standard input is {"system": {...}, "methods": [...], "seconds": limit of a run, "budget": limit of
 all runs}; each further line {"skip": method} gives a method up. On standard output come {"method": slug} when another
@@ -15,10 +15,10 @@ from threading import Thread
 from time import monotonic
 from typing import Any
 
-from physics.accuracy import Limits, System
 from physics.coupled import TwoMassChain
-from physics.race import measure
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Limits, System
+from physics.integrators.race import measure
+from physics.integrators.solvers import METHODS
 
 try:
     import resource

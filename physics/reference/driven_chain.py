@@ -1,4 +1,4 @@
-"""The motion of the driven chain in arbitrary precision, to measure others by; independent of physics.exact.
+"""The motion of the driven chain in arbitrary precision, to measure others by; independent of physics.precision.exact.
 
 Modes as in D34, slides 3 and 4, with mpmath at 100 digits, more if the parameters differ a lot. Per mode
 
@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array
-from physics.problem import Problem, Trajectory
-from physics.reference_dashpot import dashpot_rows
+from physics.integrators.problem import Problem, Trajectory
+from physics.precision.exact import Array
+from physics.reference.dashpot import dashpot_rows
 
 DIGITS = 100
 EXACT = 20000  # bits for any few sums and products of doubles

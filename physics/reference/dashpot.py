@@ -5,7 +5,7 @@ The roots of m r^2 + c r + k, the particular solution by complex division, and t
 
 from typing import Any
 
-from physics.problem import Problem
+from physics.integrators.problem import Problem
 
 DIGITS = 120
 

@@ -6,9 +6,9 @@ The trailing arguments of each are the setting, which they have no use for, and 
 import numpy as np
 
 from physics.coupled import free_motion
-from physics.exact import Array
 from physics.forced import forced_motion
-from physics.problem import Problem, StoppedError, Trajectory, Watch, trajectory
+from physics.integrators.problem import Problem, StoppedError, Trajectory, Watch, trajectory
+from physics.precision.exact import Array
 
 
 def closed_form(problem: Problem, _: float, watch: Watch) -> Trajectory:

@@ -1,5 +1,5 @@
 """One damped oscillator, left alone and driven, in arbitrary precision, to measure others by; independent of
-physics.exact and of physics.damped.
+physics.precision.exact and of physics.damped.
 
 Sums of the exponentials of the roots of m s^2 + c s + k, with digits to burn. Points are asked for at a few times (s)
 or ratios of frequencies.
@@ -10,7 +10,7 @@ from typing import Any
 
 from physics.damped import DampedOscillator
 from physics.driven import Drive, DrivenOscillator
-from physics.reference import Point, point
+from physics.reference.driven_chain import Point, point
 
 BITS = 6000
 

@@ -19,12 +19,12 @@ from typing import Any
 
 import numpy as np
 
-from physics.accuracy import COUNTS, MARKS, PERIODS, Limits, Run, System, entered
-from physics.exact import Array
-from physics.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
-from physics.reference import Reference, reference
-from physics.solvers import METHODS, Method
-from physics.stability import stable_count
+from physics.integrators.accuracy import COUNTS, MARKS, PERIODS, Limits, Run, System, entered
+from physics.integrators.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
+from physics.integrators.solvers import METHODS, Method
+from physics.integrators.stability import stable_count
+from physics.precision.exact import Array
+from physics.reference.driven_chain import Reference, reference
 from physics.valid import DOUBLES
 
 EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable

@@ -1,6 +1,6 @@
 """One oscillator, the pendulum, the phugoid and the steady swing in arbitrary precision, to measure others by.
 
-Independent of physics.exact: mpmath, and the lecture's own formulas, with many spare digits. Points are
+Independent of physics.precision.exact: mpmath, and the lecture's own formulas, with many spare digits. Points are
 asked for at a few times (s) or frequencies (rad/s).
 """
 
@@ -11,11 +11,11 @@ from math import log10
 from typing import Any
 
 from physics.coupled import TwoMassChain
-from physics.exact import precise
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum
-from physics.reference import EXACT, Point, point
+from physics.precision.exact import precise
+from physics.reference.driven_chain import EXACT, Point, point
 
 DIGITS = 60
 LINEAR = 1e-30  # smaller swings have the linear shape to twice that

@@ -1,6 +1,7 @@
 """Drift: a motion in steps next to the exact one, over the first few periods.
 
-The steps are taken by physics.integrators; the module follows each of them, not only the state at output times.
+The steps are taken by physics.integrators.fixed_steps; the module follows each of them, not only the state at output
+times.
 """
 
 from collections.abc import Sequence
@@ -10,11 +11,11 @@ from math import copysign, inf
 
 import numpy as np
 
-from physics.accuracy import System, entered
-from physics.exact import Array
-from physics.formulas import closed_form
-from physics.integrators import STEPPING, advance_of, begun, constants, right_hand_side
-from physics.problem import Problem, Watch
+from physics.integrators.accuracy import System, entered
+from physics.integrators.fixed_steps import STEPPING, advance_of, begun, constants, right_hand_side
+from physics.integrators.formulas import closed_form
+from physics.integrators.problem import Problem, Watch
+from physics.precision.exact import Array
 
 PERIODS = 4
 SMOOTH = 100

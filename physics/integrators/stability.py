@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array
-from physics.integrators import run_fixed
-from physics.problem import Problem, Watch
+from physics.integrators.fixed_steps import run_fixed
+from physics.integrators.problem import Problem, Watch
+from physics.precision.exact import Array
 
 GROWS = 1e-9  # a growth a step below this is rounding
 REACH = 4.0  # no explicit method here is stable at this h omega

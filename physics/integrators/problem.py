@@ -12,7 +12,7 @@ from math import inf
 
 from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
-from physics.exact import Array
+from physics.precision.exact import Array
 
 MotionState = tuple[float, float, float, float]  # x1, x2, v1, v2
 

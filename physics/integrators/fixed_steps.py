@@ -1,4 +1,4 @@
-"""Methods with fixed steps, for comparison with the closed form. The equations are in physics.problem.
+"""Methods with fixed steps, for comparison with the closed form. The equations are in physics.integrators.problem.
 
 - explicit Euler (order 1): grows at every step; semi-implicit Euler (order 1): stable for h omega_+ < 2;
 - Verlet, the central difference (order 2): half a kick, a drift, half a kick; stable for h omega_+ < 2;
@@ -29,8 +29,8 @@ from typing import Any
 
 import numpy as np
 
-from physics.exact import Array
-from physics.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
+from physics.integrators.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
+from physics.precision.exact import Array
 
 CUBE_ROOT_2 = 2 ** (1 / 3)
 YOSHIDA_4 = (1 / (2 - CUBE_ROOT_2), -CUBE_ROOT_2 / (2 - CUBE_ROOT_2), 1 / (2 - CUBE_ROOT_2))

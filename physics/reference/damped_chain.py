@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from physics.coupled import TwoMassChain
-from physics.reference import Point, point
+from physics.reference.driven_chain import Point, point
 from physics.transient import DampedModes
 
 DIGITS = 60

@@ -6,8 +6,8 @@ from itertools import repeat
 from math import exp, log
 from typing import Any
 
-from physics.accuracy import Run
-from physics.solvers import METHODS
+from physics.integrators.accuracy import Run
+from physics.integrators.solvers import METHODS
 
 LEAST = 1e-17
 """The error drawn for 0 on logarithmic scales: a double has no more digits."""

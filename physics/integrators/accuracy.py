@@ -1,7 +1,8 @@
 """Error against run time: the motions that every method is measured on, and what is noted of each run.
 
 A System is a chain with a start and perhaps a drive or a dashpot. Each method at each setting is asked for the motion
-at the same 1000 times over 50 slow periods; physics.race times it and compares it with a reference in mpmath.
+at the same 1000 times over 50 slow periods; physics.integrators.race times it and compares it with a reference in
+mpmath.
 
 Errors are the worst over both masses, in units of the largest displacement, and with a dashpot the velocity's in units
 of the largest velocity if they are worse: what a stiff method must lose at once is seen there. Energy errors are in
@@ -19,9 +20,9 @@ from typing import Any
 import numpy as np
 
 from physics.coupled import TwoMassChain
-from physics.exact import Array
-from physics.problem import Problem
-from physics.solvers import METHODS
+from physics.integrators.problem import Problem
+from physics.integrators.solvers import METHODS
+from physics.precision.exact import Array
 
 PERIODS, OUTPUTS = 50, 1000
 MARKS = (0, 1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 35, 40, 45, 50)
@@ -91,7 +92,7 @@ class Run:
     `end` is why the method is not refined beyond it: "floor", "finest", "failed", or "" where it is. `compiled` says
     that the method was compiled for it, `final_error` the error at the last output alone, `mode_errors` the parts of
     the error in the slow and the fast mode, `stiff_share` of LSODA's steps those by formulas for stiff equations. The
-    counts are those of physics.problem.Watch.
+    counts are those of physics.integrators.problem.Watch.
     """
 
     system: str
@@ -179,5 +180,5 @@ SYSTEMS: Mapping[str, System] = MappingProxyType(
 )
 """Wide apart: natural frequencies 2e3 and 2e5 to one. With 1e6 both modes swing, by equal parts, and none may be
 stepped over: that is highly oscillatory, as is Light mass 2. With 1e10 only the slow one swings: that is stiff, as is
-the dashpot, by physics.stiffness. The dashpot's rates are 1 and 1e6 in a second; it starts at rest, off the motion that
-is left when the fast part is gone."""
+the dashpot, by physics.integrators.stiffness. The dashpot's rates are 1 and 1e6 in a second; it starts at rest, off
+the motion that is left when the fast part is gone."""

@@ -1,7 +1,7 @@
 """exp, sin and cos of arrays as hi + lo to about 2^-98, for sums in which most of that cancels.
 
-physics.exact.on_circle spends a tenth of this on a motion whose modes do not cancel. Both reduce their argument to
-a point of a table and finish with a series; here the first terms of the series carry two doubles as well.
+physics.precision.exact.on_circle spends a tenth of this on a motion whose modes do not cancel. Both reduce their
+argument to a point of a table and finish with a series; here the first terms of the series carry two doubles as well.
 
 Source: D. H. Bailey, Y. Hida, X. S. Li, Quad-double arithmetic (LBNL-46996, 2000), section 3.
 """
@@ -12,7 +12,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from physics.exact import (
+from physics.precision.exact import (
     COSINES,
     SINES,
     DoubleDouble,

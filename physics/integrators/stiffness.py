@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from math import exp, log
 from typing import Literal
 
-from physics.accuracy import Run, System
-from physics.stability import stability_limit
+from physics.integrators.accuracy import Run, System
+from physics.integrators.stability import stability_limit
 
 WANTED = 1e-3
 FAR = 100.0

@@ -1,0 +1,1 @@
+"""Numerical methods, their stability, and the race between them."""

@@ -1,0 +1,1 @@
+"""Numbers carried beyond double precision, and what is computed with them."""
