@@ -4,20 +4,20 @@ import {Address, plainLink, written} from "./net/address.js"
 import {unpacked} from "./net/columns.js"
 import {Classes} from "./live_class/classes.js"
 import {Busy} from "./core/busy.js"
-import {anchor} from "./input/anchor.js"
+import {anchor} from "./controls/anchor.js"
 import {Connection} from "./net/connection.js"
 import {Hall} from "./shell/hall.js"
 import {frame} from "./core/dom.js"
 import {guarded, report, watch} from "./core/faults.js"
-import {listen} from "./input/keys.js"
+import {listen} from "./controls/keys.js"
 import {Messages} from "./net/messages.js"
-import {Page, extrasFor} from "./paper/page.js"
+import {Page, extrasFor} from "./scene/page.js"
 import {download} from "./export/save.js"
 import {Sheets} from "./net/sheets.js"
 import {Shell} from "./shell/shell.js"
 import {Undo} from "./shell/undo.js"
 import {tabStorage} from "./core/storage.js"
-import {showWaiting} from "./input/waiting.js"
+import {showWaiting} from "./controls/waiting.js"
 import {Walks} from "./walks/walks.js"
 
 /** @typedef {import("./net/messages.js").Asked} Asked */
@@ -246,7 +246,7 @@ export class Lecture {
 
   /**
    * Builds the page of another scene and shows it; null if a script fails.
-   * @param {{sheet: page.SceneSheet, extras: import("./paper/page.js").Extras}} fetched @param {Drawn} shown
+   * @param {{sheet: page.SceneSheet, extras: import("./scene/page.js").Extras}} fetched @param {Drawn} shown
    */
   #built({sheet, extras}, shown) {
     try {

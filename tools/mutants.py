@@ -87,17 +87,17 @@ MUTANTS = (
     # scripts
     Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
     Mutant("twice told", "static/core/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
-    Mutant("slider", "static/input/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
+    Mutant("slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
     Mutant(
-        "dead button", "static/input/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
+        "dead button", "static/controls/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
         "tests/browser/test_page.py",
     ),
-    Mutant("dead key", "static/input/keys.js", "=> l.page.compare.toggle()", "=> {}", "tests/browser/test_compare.py"),
+    Mutant("dead key", "static/controls/keys.js", "=> l.page.compare.toggle()", "=> {}", "tests/browser/test_compare.py"),
     Mutant(
         "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
         "tests/browser/test_undo.py",
     ),
-    Mutant("overlap", "static/paper/labels.js", "everyWhich(spans)", "1", "tests/browser/test_screens.py"),
+    Mutant("overlap", "static/scene/labels.js", "everyWhich(spans)", "1", "tests/browser/test_screens.py"),
     Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_axe.py"),
 )  # fmt: skip
 

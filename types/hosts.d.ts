@@ -21,14 +21,14 @@ interface PartHost {
   readonly panel: HTMLElement
   readonly heading: HTMLElement
   readonly clock: import("../static/core/clock.js").Clock
-  readonly live: import("../static/paper/live.js").Live
-  readonly hand: import("../static/input/hand.js").Hand
+  readonly live: import("../static/scene/live.js").Live
+  readonly hand: import("../static/controls/hand.js").Hand
   readonly compare: import("../static/compare/compare.js").Compare
-  readonly controls: import("../static/input/controls.js").Controls
-  readonly sheet: import("../static/paper/sheet.js").Sheet
-  readonly views: import("../static/paper/views.js").Views
-  readonly plots: import("../static/paper/plots.js").Plot[]
-  readonly stages: import("../static/paper/stage.js").Stage[]
+  readonly controls: import("../static/controls/controls.js").Controls
+  readonly sheet: import("../static/scene/sheet.js").Sheet
+  readonly views: import("../static/scene/views.js").Views
+  readonly plots: import("../static/scene/plots.js").Plot[]
+  readonly stages: import("../static/scene/stage.js").Stage[]
   readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}
   send(message: page.Said): void
   redraw(): void
@@ -104,7 +104,7 @@ interface WalkHost {
 
 /** The lecture, for what stands around its pages. */
 interface LectureHost extends PageHost {
-  readonly page: import("../static/paper/page.js").Page
+  readonly page: import("../static/scene/page.js").Page
   readonly clock: import("../static/core/clock.js").Clock
   readonly messages: import("../static/net/messages.js").Messages
   readonly sheets: import("../static/net/sheets.js").Sheets

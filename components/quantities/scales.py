@@ -1,4 +1,4 @@
-"""Scales of sliders, as the page has them (static/input/scales.js): from a place, 0 to 1, to a number and back."""
+"""Scales of sliders, as the page has them (static/controls/scales.js): from a place, 0 to 1, to a number and back."""
 
 from __future__ import annotations
 

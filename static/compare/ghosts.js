@@ -4,9 +4,9 @@
 import {element, long, marked, set, svg} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
-import {sliderPlace} from "../input/scales.js"
+import {sliderPlace} from "../controls/scales.js"
 import {atInstant, evaluate} from "../core/signals.js"
-import {kindOf} from "../paper/stage.js"
+import {kindOf} from "../scene/stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
 const NEAR = 0.05 // pixels between what is the same
@@ -76,7 +76,7 @@ function table(rows) {
 
 /** The old position of a slider. */
 class Thumb {
-  /** @param {import("../input/slider.js").Slider} slider */
+  /** @param {import("../controls/slider.js").Slider} slider */
   constructor(slider) {
     this.slider = slider
     this.mark = element("i", {class: "was", hidden: ""})
@@ -121,7 +121,7 @@ export class PlotGhost extends HeldName {
   /** @type {Under | null} */
   under = null
 
-  /** @param {import("../paper/plots.js").Plot} plot */
+  /** @param {import("../scene/plots.js").Plot} plot */
   constructor(plot) {
     super(plot.over)
     this.plot = plot
@@ -246,7 +246,7 @@ function path(points) {
 
 /** The moving shapes of a stage: shapes that begin a motion when dragged, and others marked `held`. */
 export class StageGhost {
-  /** @param {import("../paper/stage.js").Stage} stage */
+  /** @param {import("../scene/stage.js").Stage} stage */
   constructor(stage) {
     this.stage = stage
     this.shapes = stage.shapes

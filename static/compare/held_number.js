@@ -2,13 +2,13 @@
 
 import {set, svg} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
-import {moved} from "../paper/places.js"
+import {moved} from "../scene/places.js"
 
 const GAP = 9 // units between a label and the number held
 
 export class HeldNumber {
   /**
-   * @param {import("../paper/stage.js").Stage} stage @param {SVGTextElement} label
+   * @param {import("../scene/stage.js").Stage} stage @param {SVGTextElement} label
    * @param {page.TextRun[]} words its number,
    * with the words after it @param {string} tint
    */
@@ -51,7 +51,7 @@ export class HeldNumber {
   }
 }
 
-/** For each label of a stage with a moving number. @param {import("../paper/stage.js").Stage} stage */
+/** For each label of a stage with a moving number. @param {import("../scene/stage.js").Stage} stage */
 export function heldNumbers(stage) {
   return stage.shapes.flatMap(({spec, parts: [label]}) => {
     if (spec.kind !== "text" || !(label instanceof SVGTextElement)) return []

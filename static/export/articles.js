@@ -88,7 +88,7 @@ function question({step, card, lecture: {page}}, n) {
  */
 function pictures(page, step) {
   const {stages, plots} = things(page)
-  const isApart = (/** @type {import("../paper/plots.js").Plot} */ {host}) =>
+  const isApart = (/** @type {import("../scene/plots.js").Plot} */ {host}) =>
     host.closest(".column") !== stages[0]?.host.parentElement
   const asked = page.plots.filter(({block}) => block.name === step.plot)
   const others = asked.length ? asked : plots.filter(isApart).slice(0, 1)

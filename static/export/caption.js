@@ -1,7 +1,7 @@
 // The caption of a picture: the parameters as the panel shows them, the instant, and the link.
 
 import {marked} from "../core/dom.js"
-import {brief} from "../input/handles.js"
+import {brief} from "../controls/handles.js"
 import {withTrueMinus, withUnit} from "../core/numbers.js"
 import {indexed, plain} from "../core/plain.js"
 

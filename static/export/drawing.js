@@ -2,13 +2,13 @@
 
 import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
 import {set, svg, unitSize} from "../core/dom.js"
-import {Flags, Labels} from "../paper/labels.js"
+import {Flags, Labels} from "../scene/labels.js"
 import {fixed} from "../core/numbers.js"
-import {geometry, turned} from "../paper/plots.js"
+import {geometry, turned} from "../scene/plots.js"
 import {clamp, toOneScale} from "../core/ruler.js"
 import {evaluate} from "../core/signals.js"
-import {Stage} from "../paper/stage.js"
-import {axes, measured} from "../paper/describe.js"
+import {Stage} from "../scene/stage.js"
+import {axes, measured} from "../scene/describe.js"
 import {HeldName, linesOf, StageGhost} from "../compare/ghosts.js"
 import {plain} from "../core/plain.js"
 
@@ -24,7 +24,7 @@ export class Drawing {
   /**
    * `host` is an element of the page with the size of the plot and its margins; `frame` is inside it. If `alone`, the
    * drawing has the numbers that the page shows only at a neighbouring plot.
-   * @param {import("../paper/plots.js").Plot} plot @param {HTMLElement} host
+   * @param {import("../scene/plots.js").Plot} plot @param {HTMLElement} host
    * @param {Frame} frame @param {boolean} [alone]
    */
   constructor(plot, host, frame, alone = false) {
@@ -243,7 +243,7 @@ function dotAt(point, marker) {
 
 /**
  * The axes of a plot with the numbers and the unit that the page shows only at a neighbouring plot.
- * @param {import("../paper/plots.js").Plot} plot
+ * @param {import("../scene/plots.js").Plot} plot
  */
 export function numbered(plot) {
   const {x, y} = axes(plot)

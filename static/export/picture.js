@@ -29,8 +29,8 @@ const LOOK = {
 const TYPE = ["font-family", "font-size", "font-style", "font-weight"]
 
 /**
- * @typedef {import("../paper/plots.js").Plot} Plot
- * @typedef {import("../paper/stage.js").Stage} Stage
+ * @typedef {import("../scene/plots.js").Plot} Plot
+ * @typedef {import("../scene/stage.js").Stage} Stage
  */
 /** @typedef {{svg: string, width: number, height: number}} Picture */
 

@@ -2,13 +2,13 @@
 
 import {button, chip, element} from "../core/dom.js"
 import {save} from "./save.js"
-import {description, table} from "../paper/describe.js"
+import {description, table} from "../scene/describe.js"
 import {plotPicture, png, stagePicture} from "./picture.js"
 import {things} from "./things.js"
 
 /**
- * @typedef {import("../paper/plots.js").Plot} Plot
- * @typedef {import("../paper/stage.js").Stage} Stage
+ * @typedef {import("../scene/plots.js").Plot} Plot
+ * @typedef {import("../scene/stage.js").Stage} Stage
  */
 
 /**

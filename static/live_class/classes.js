@@ -79,6 +79,6 @@ export class Classes {
     const sought = /** @type {page.State | null} */ (tabStorage.value(SOUGHT))
     tabStorage.forget(SOUGHT)
     if (left && sought) this.lecture.open(sought)
-    if (left) (await later("live_class/excursion")).ownWay(left, step => (this.put = step))
+    if (left) (await later("live_class/looking_around")).ownWay(left, step => (this.put = step))
   }
 }

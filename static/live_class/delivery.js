@@ -1,6 +1,6 @@
 // The delivery of a phone's answers: each is kept, and sent until the class has it or refuses it.
 
-import {amend, mine} from "./attendance.js"
+import {amend, mine} from "./my_answers.js"
 import {ask, insist, isMissing, isRefused} from "./requests.js"
 
 /** The stream finds out whether a missing class is over. @param {unknown} reason */

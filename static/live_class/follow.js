@@ -4,13 +4,13 @@ import {unpacked} from "../net/columns.js"
 import {element, frame} from "../core/dom.js"
 import {watch} from "../core/faults.js"
 import {inWords} from "../core/notes.js"
-import {Page, extrasFor} from "../paper/page.js"
+import {Page, extrasFor} from "../scene/page.js"
 import {Sheets} from "../net/sheets.js"
 import {tabStorage} from "../core/storage.js"
 import {turnTheme} from "../shell/theme.js"
 import {ClassQuestion} from "./class_question.js"
 import {FollowBar} from "./follow_bar.js"
-import {entered, forget} from "./attendance.js"
+import {entered, forget} from "./my_answers.js"
 import {Refusal} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
@@ -187,7 +187,7 @@ async function begin() {
     return control(typed, query.get("remote") ?? "")
   }
   if (query.has("lead")) {
-    const {takeOver} = await import("./copies.js")
+    const {takeOver} = await import("./class_backup.js")
     return takeOver(typed, query.get("lead") ?? "").catch(reason => wait(inWords(reason)))
   }
   try {

@@ -1,7 +1,7 @@
 // The answers of the class on the instructor's page: a count, then bars, dots or sketches on demand.
 
 import {chip, element} from "../core/dom.js"
-import {claim} from "../walks/claim.js"
+import {claim} from "../walks/headline.js"
 import {ask} from "./requests.js"
 import {haveAnswered} from "./counts.js"
 import {countedOf} from "./earlier.js"

@@ -15,7 +15,7 @@ export class Dots {
   constructor({step, plot, element}) {
     this.step = step
     this.unit = step.unit
-    /** @type {import("../paper/plots.js").Plot | undefined} */
+    /** @type {import("../scene/plots.js").Plot | undefined} */
     this.plot = plot
     this.svg = svg("svg", {class: this.plot ? "vote-dots" : "vote-line", role: "img"})
     if (this.plot) this.plot.host.append(this.svg)
@@ -59,7 +59,7 @@ export class Dots {
     this.svg.replaceChildren(...place.marks, ...dots, ...place.over)
   }
 
-  /** @param {import("../paper/plots.js").Plot} plot */
+  /** @param {import("../scene/plots.js").Plot} plot */
   #onAxis(plot) {
     const {left, top, width, height} = plot.frame
     inUnits(this.svg, plot.host.clientWidth / unitSize(), plot.host.clientHeight / unitSize())

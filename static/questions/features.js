@@ -1,6 +1,6 @@
 // Features that a sketch of a drawn curve should have: its start, and where it turns, from the curve itself.
 
-import {motionOf, turned} from "../paper/describe.js"
+import {motionOf, turned} from "../scene/describe.js"
 
 const MOST = 3 // turning points that are asked for
 const ALONG = [0.08, 0.05, 0.03] // how far off still counts, of the width of the frame: as much as there is room for
@@ -21,7 +21,7 @@ const off = (ruler, share) =>
 
 /**
  * Features in the units of the axes, as in a walk's file.
- * @param {import("../paper/plots.js").Plot} plot @param {page.Curve} curve
+ * @param {import("../scene/plots.js").Plot} plot @param {page.Curve} curve
  */
 export function features(plot, curve) {
   const {view, block} = plot

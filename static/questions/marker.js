@@ -2,9 +2,9 @@
 
 import {short, withUnit} from "../core/numbers.js"
 import {element, long, set, unitSize} from "../core/dom.js"
-import {focusByHand} from "../input/held.js"
+import {focusByHand} from "../controls/held.js"
 import {clamp} from "../core/ruler.js"
-import {EVERYWHERE, places} from "../paper/places.js"
+import {EVERYWHERE, places} from "../scene/places.js"
 
 const STEPS = 100 // arrow keys from end to end
 
@@ -15,7 +15,7 @@ export class Marker {
   /** @type {number[]} */
   truths = []
 
-  /** @param {import("../paper/plots.js").Plot} plot @param {page.StepCard} step @param {() => void} moved */
+  /** @param {import("../scene/plots.js").Plot} plot @param {page.StepCard} step @param {() => void} moved */
   constructor(plot, {axis, unit}, moved) {
     this.plot = plot
     this.which = axis || "x"

@@ -3,7 +3,7 @@
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
-import {focusByHand} from "../input/held.js"
+import {focusByHand} from "../controls/held.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
@@ -26,7 +26,7 @@ export class Pad {
 
   /**
    * `drawn` is called after every stroke; the earlier sketch `before` stays, dotted.
-   * @param {import("../paper/plots.js").Plot} plot
+   * @param {import("../scene/plots.js").Plot} plot
    * @param {page.StepCard} step @param {page.Given["curves"]} before @param {() => void} drawn
    */
   constructor(plot, {curves, frame}, before, drawn) {

@@ -3,7 +3,7 @@
 import {element, svg} from "../core/dom.js"
 
 /**
- * @typedef {import("../paper/plots.js").Plot} Plot
+ * @typedef {import("../scene/plots.js").Plot} Plot
  * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
  * @typedef {Record<string, Toml>} Fields of a step, as a walk's file names them
  */

@@ -53,7 +53,7 @@ export class Hall {
   /** Shows the values in one line while the panel is folded away. @param {PartHost} page */
   async shown(page) {
     if (!this.on) return
-    const {values} = await later("shell/values")
+    const {values} = await later("shell/hall_values")
     values(page)
   }
 
@@ -93,7 +93,7 @@ export class Hall {
   async #point() {
     if (!this.on) return
     this.steps ??= follow(this.lecture)
-    const {pointer} = await later("input/pointer")
+    const {pointer} = await later("controls/pointer")
     pointer()
   }
 }

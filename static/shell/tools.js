@@ -4,7 +4,7 @@ import {copyButton} from "../export/copy.js"
 import {button, chip, element} from "../core/dom.js"
 import {using} from "../later.js"
 
-/** @typedef {import("../paper/plots.js").Plot | import("../paper/stage.js").Stage} Subject */
+/** @typedef {import("../scene/plots.js").Plot | import("../scene/stage.js").Stage} Subject */
 
 const SAVE =
   '<svg viewBox="0 0 16 16" width="1rem" height="1rem" aria-hidden="true" fill="none" stroke="currentColor"' +

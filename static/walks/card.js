@@ -3,7 +3,7 @@
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
 import {SUCH, mark} from "../questions/question.js"
-import {ask, claim} from "./claim.js"
+import {ask, claim} from "./headline.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 export const FOLLOWS = "How it follows"

@@ -24,8 +24,8 @@ HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
 <link rel="stylesheet" href="style.css">
 <aside class="panel"></aside>
 <script type="module">
-  import {Controls} from "./input/controls.js"
-  import {sliderPlace, sliderValue, stepped} from "./input/scales.js"
+  import {Controls} from "./controls/controls.js"
+  import {sliderPlace, sliderValue, stepped} from "./controls/scales.js"
   Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
   const take = parameters => send({type: "open", state: {scene: "chain", parameters}})
   const controls = new Controls(document.querySelector("aside"), await describe(), send, take)

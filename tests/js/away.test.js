@@ -5,7 +5,7 @@ import {afterEach, beforeEach, mock, test} from "node:test"
 
 import {FakeServer, clock, events, pass} from "./browser.js"
 
-const {entered, mine} = await import("../../static/live_class/attendance.js")
+const {entered, mine} = await import("../../static/live_class/my_answers.js")
 const {Delivery} = await import("../../static/live_class/delivery.js")
 const {Stream} = await import("../../static/live_class/stream.js")
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict"
 import {test} from "node:test"
 
-import {everyWhich, inLine, places} from "../../static/paper/places.js"
+import {everyWhich, inLine, places} from "../../static/scene/places.js"
 
 const ROOM = {left: 0, right: 300, top: 0, bottom: 200}
 

@@ -5,9 +5,9 @@ import {Compare} from "../../static/compare/compare.js"
 import {Clock} from "../../static/core/clock.js"
 import {PLAIN} from "../../static/core/ruler.js"
 import {evaluate} from "../../static/core/signals.js"
-import {Hand} from "../../static/input/hand.js"
-import {geometry, Plot} from "../../static/paper/plots.js"
-import {Stage} from "../../static/paper/stage.js"
+import {Hand} from "../../static/controls/hand.js"
+import {geometry, Plot} from "../../static/scene/plots.js"
+import {Stage} from "../../static/scene/stage.js"
 
 const ROOM = {W: 640, H: 240}
 const FRAME = {left: 40, top: 20, width: 430, height: 170}

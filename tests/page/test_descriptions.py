@@ -22,7 +22,7 @@ Points = list[tuple[float, float]]
 def course(pieces: list[Points], lines: int = 1) -> str:
     trace = {"name": "x", "lines": lines, "motion": None}
     trace["pieces"] = [{"xs": [x for x, _ in one], "ys": [y for _, y in one]} for one in pieces]
-    return str(call("static/paper/describe.course", trace, *(msgspec.to_builtins(axis) for axis in (X, Y))))
+    return str(call("static/scene/describe.course", trace, *(msgspec.to_builtins(axis) for axis in (X, Y))))
 
 
 def heights(rising: st.SearchStrategy[float]) -> st.SearchStrategy[list[float]]:

@@ -219,7 +219,7 @@ def test_no_digit_is_shown_that_is_not_known() -> None:
         (2.3456, 0.0, "2.35"),
         (0.000123456, 0.0, "1.23·10⁻⁴"),
     ]
-    assert each("static/paper/reading.honest", (case[:2] for case in cases)) == [text for *_, text in cases]
+    assert each("static/scene/reading.honest", (case[:2] for case in cases)) == [text for *_, text in cases]
 
 
 RULERS: list[dict[str, Any]] = [

@@ -275,7 +275,7 @@ def test_sliders_run_as_those_of_the_page() -> None:
     }
     assert {scale for scale, _ in sliders} == {"linear", "log", "near0", "count"}
     cases = [(scale, i / 37, soft) for scale, soft in sliders for i in range(38)]
-    script = """import {sliderPlace, sliderValue} from "./static/input/scales.js"
+    script = """import {sliderPlace, sliderValue} from "./static/controls/scales.js"
         const cases = JSON.parse(process.argv[1])
         const values = cases.map(one => sliderValue(...one))
         console.log(JSON.stringify([values, cases.map(([scale, , soft], i) => sliderPlace(scale, values[i], soft))]))"""

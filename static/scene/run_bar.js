@@ -1,7 +1,7 @@
 // The bar of a scene that measures, in the transport's place: run or cancel, progress, skip.
 
 import {button, chip, element} from "../core/dom.js"
-import {Fit, icon} from "../input/transport.js"
+import {Fit, icon} from "../controls/transport.js"
 
 export class RunBar {
   /** @param {PartHost} page */

@@ -2,19 +2,19 @@
 // updates the moving ones.
 
 import {bokeh} from "../net/bokeh.js"
-import {Controls, isPicker} from "../input/controls.js"
+import {Controls, isPicker} from "../controls/controls.js"
 import {Clock} from "../core/clock.js"
 import {Compare} from "../compare/compare.js"
 import {element, frame, set, unitSize} from "../core/dom.js"
 import {guarded} from "../core/faults.js"
-import {Hand} from "../input/hand.js"
+import {Hand} from "../controls/hand.js"
 import {later, using} from "../later.js"
 import {Live} from "./live.js"
 import {Notice} from "../core/notes.js"
 import {Sheet} from "./sheet.js"
 import {Tools} from "../shell/tools.js"
 import {PAPER, Views} from "./views.js"
-import {Transport} from "../input/transport.js"
+import {Transport} from "../controls/transport.js"
 
 /**
  * Modules that only some sheets need.
@@ -92,7 +92,7 @@ export class Page {
   #aboutNumbers() {
     const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
     const open = () =>
-      using("paper/about", ({About}) => {
+      using("scene/about", ({About}) => {
         if (!this.left) this.parts.push((this.about = new About(fold, message => this.send(message))))
       })
     fold.addEventListener("toggle", open, {once: true})
@@ -180,7 +180,7 @@ export class Page {
   }
 
   speak() {
-    using("paper/voice", ({Voice}) => this.left || this.voice || this.parts.push((this.voice = new Voice(this))))
+    using("scene/voice", ({Voice}) => this.left || this.voice || this.parts.push((this.voice = new Voice(this))))
     using("export/print", ({Print}) => this.left || this.print || this.parts.push((this.print = new Print(this))))
   }
 
@@ -213,6 +213,6 @@ export class Page {
 /** Loads the modules that only some scenes need. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
 export async function extrasFor({runs, panel}) {
   const picks = panel.groups.some(group => group.rows.some(isPicker))
-  const [bar, picker] = await Promise.all([runs && later("paper/run_bar"), picks && later("paper/picker")])
+  const [bar, picker] = await Promise.all([runs && later("scene/run_bar"), picks && later("scene/picker")])
   return {...bar, ...picker}
 }

@@ -1,10 +1,10 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
 import {beads, pointed} from "./beads.js"
-import {Clear} from "./clear.js"
+import {Clear} from "./label_collisions.js"
 import {coveredPlots, tells} from "../compare/cover.js"
 import {inUnits, set, svg, unitSize, words} from "../core/dom.js"
-import {Grips} from "../input/grips.js"
+import {Grips} from "../controls/grips.js"
 import {atInstant} from "../core/signals.js"
 
 const TEETH = 9

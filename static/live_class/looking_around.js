@@ -2,7 +2,7 @@
 
 import {element} from "../core/dom.js"
 import {LEFT, tabStorage} from "../core/storage.js"
-import {forget, mine} from "./attendance.js"
+import {forget, mine} from "./my_answers.js"
 import {Stream} from "./stream.js"
 
 /** @param {string} code @param {(step: string) => void} asks told which step the lecture asks now, if any */

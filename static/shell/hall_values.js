@@ -1,9 +1,9 @@
 // The values that the panel shows, in one line: for a hall, where the panel is folded away.
 
 import {element} from "../core/dom.js"
-import {brief} from "../input/handles.js"
+import {brief} from "../controls/handles.js"
 import {MINUS, short, withUnit} from "../core/numbers.js"
-import {symbol} from "../input/slider.js"
+import {symbol} from "../controls/slider.js"
 
 /** @param {PartHost} page */
 export function values({spec, shown: {settings, view}, transport}) {

@@ -1,7 +1,7 @@
 // Builds the page of a scene from its sheet: rows and columns of stages, plots, sentences, tables and choices. Selects
 // the visible forms.
 
-import {buildChoice} from "../input/controls.js"
+import {buildChoice} from "../controls/controls.js"
 import {element, long, marked, set} from "../core/dom.js"
 import {ModeButtons} from "./mode_buttons.js"
 import {Plot} from "./plots.js"

@@ -184,5 +184,5 @@ function close() {
 
 /** @param {LectureHost} lecture */
 function list(lecture) {
-  using("input/key_list", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
+  using("controls/key_list", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
 }

@@ -3,13 +3,13 @@
 
 import {button, chip, element, intoView, marked, svg} from "../core/dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
-import {viewOf} from "../paper/views.js"
+import {viewOf} from "../scene/views.js"
 
 const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
 
 /**
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
- * @typedef {typeof import("../paper/picker.js").pictured} Pictured
+ * @typedef {typeof import("../scene/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
  * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here">} PanelAnswer
  * @typedef {PanelAnswer & {view: Pick<page.PagePicture, "forms">}} PanelState
@@ -119,7 +119,7 @@ export class Controls {
   /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
   folds = []
 
-  /** @type {import("../paper/stage.js").Stage[]} */
+  /** @type {import("../scene/stage.js").Stage[]} */
   stages = []
 
   /** @type {HTMLElement[]} */
