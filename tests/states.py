@@ -29,11 +29,11 @@ from components.quantities.parameters import AnyParameter, Quantity
 from components.scene import Scene
 from components.scenes import SCENES
 from components.session.links import standing_of
-from components.state.beside import HIDDEN, WINDOW, holdable
+from components.state.compared import HIDDEN, WINDOW, holdable
 from components.state.covers import NEXT, coverable
 from components.state.link import Link
+from components.state.page_state import PageState
 from components.state.scene_sheet import plots
-from components.state.standing import Standing
 from physics.coupled import TwoMassChain
 
 DECADES = 6.0
@@ -57,7 +57,7 @@ def links(scene: type[Scene] | None = None, decades: float = DECADES) -> SearchS
     )
 
 
-def standing(link: Link) -> Standing:
+def standing(link: Link) -> PageState:
     """The page state of a link. Skips the example if the scene refuses any part of the link."""
     now, refused = standing_of(SCENES[link.slug], link)
     assume(not refused)

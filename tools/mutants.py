@@ -62,7 +62,8 @@ MUTANTS = (
         "tests/page/test_covers.py",
     ),
     Mutant(
-        "rounding", "components/quantities/numbers.py", "{value:.2e}", "{value:.1e}", "tests/components/test_numbers.py"
+        "rounding", "components/quantities/formatting.py", "{value:.2e}", "{value:.1e}",
+        "tests/components/test_numbers.py"
     ),
     Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
     Mutant(
@@ -87,12 +88,19 @@ MUTANTS = (
     # scripts
     Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
     Mutant("twice told", "static/core/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
-    Mutant("slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
     Mutant(
-        "dead button", "static/controls/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
+        "slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value",
+        "tests/browser/test_controls.py",
+    ),
+    Mutant(
+        "dead button", "static/controls/transport.js",
+        '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
         "tests/browser/test_page.py",
     ),
-    Mutant("dead key", "static/controls/keys.js", "=> l.page.compare.toggle()", "=> {}", "tests/browser/test_compare.py"),
+    Mutant(
+        "dead key", "static/controls/keys.js", "=> l.page.compare.toggle()", "=> {}",
+        "tests/browser/test_compare.py",
+    ),
     Mutant(
         "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
         "tests/browser/test_undo.py",

@@ -17,14 +17,14 @@ MODULES = (
     "messages",
     "state",
     "walk",
-    "room",
+    "class_messages",
     "picture",
     "controls",
     "blocks",
     "plots",
     "shapes",
     "signals",
-    "numbers",
+    "expressions",
     "text",
 )
 """Order from the whole to its parts, so that you can read the page from the top."""

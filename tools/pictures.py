@@ -20,7 +20,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.walks.registry import all_walks
 from tests.browser.chromium import find
 from tests.browser.fixtures import READY

@@ -11,8 +11,8 @@ from components.layout.stage import W, wire
 from components.paper.deferred import number
 from components.paper.plots import Plot
 from components.quantities.axes import Axis
+from components.quantities.formatting import short
 from components.quantities.motion import round_down, scaled
-from components.quantities.numbers import short
 from components.scene.case import Case
 from physics.coupled import TwoMassChain
 

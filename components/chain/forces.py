@@ -15,7 +15,7 @@ from components.chain.modes import BOTH
 from components.chain.parameters import Pair
 from components.chain.signals import Signals as S
 from components.chain.stage import place, side
-from components.language.numbers import Number, var
+from components.language.expressions import Number, var
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.layout.stage import Shape, W, arrow, text

@@ -6,7 +6,7 @@ from components.chain.modes import BOTH
 from components.chain.signals import Axes
 from components.chain.signals import Signals as S
 from components.chain.stage import Places, rest
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.shapes import Along, Grab
 from components.layout.grabs import at_rest, begin, begins
 from components.layout.stage import W

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from components.language.expressions import Name
 from components.language.messages import Onward
-from components.language.numbers import Name
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, displacement, mass, not_negative, stiffness, velocity
 from physics.coupled import TwoMassChain

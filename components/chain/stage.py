@@ -11,13 +11,13 @@ from components.chain.modes import BOTH
 from components.chain.parameters import Pair
 from components.chain.signals import Axes
 from components.chain.signals import Signals as S
-from components.language.numbers import Expression, Name, Number, names_in, var
+from components.language.expressions import Expression, Name, Number, names_in, var
 from components.language.shapes import Grab
 from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, shown_by, spring, text, wall, wire
 from components.quantities.axes import Axis
 from components.quantities.declared import AxisUnit, Declared, Family, Scalar, Text, by_name
+from components.quantities.formatting import short
 from components.quantities.motion import round_down, scaled
-from components.quantities.numbers import short
 from components.scene.traces import Columns, band_columns
 from physics.coupled import TwoMassChain
 

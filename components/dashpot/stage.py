@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.language.shapes import Grab
 from components.layout.stage import Shape, box, line, rectangle, shown_by, spring, wall
 from components.paper.plots import PictureName

@@ -6,7 +6,7 @@ from typing import Literal, TypeAlias
 
 from msgspec import Struct
 
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.language.text import Runs
 
 Anchor: TypeAlias = Literal["start", "middle", "end", "beside"]

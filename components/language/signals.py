@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 
 from msgspec import Struct
 
-from components.language.numbers import Expression
+from components.language.expressions import Expression
 
 
 class Signal(Struct, frozen=True, kw_only=True, tag_field="kind"):

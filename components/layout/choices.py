@@ -6,7 +6,7 @@ import param
 
 from components.language.blocks import Option
 from components.language.state import Value
-from components.quantities.numbers import excerpt, shortest
+from components.quantities.formatting import excerpt, shortest
 from components.quantities.parameters import AnyParameter
 
 MOST_ITEMS = 50

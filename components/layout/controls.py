@@ -22,11 +22,11 @@ from components.language.controls import (
     Setting,
     SliderRow,
 )
-from components.language.numbers import Name, called
+from components.language.expressions import Name, called
 from components.language.shapes import AnyShape
 from components.layout.choices import labelled, stated, word
 from components.layout.text import rich
-from components.quantities.numbers import MINUS, shortest, tidy
+from components.quantities.formatting import MINUS, shortest, tidy
 from components.quantities.parameters import AnyParameter, Quantity, Values, names_of
 from components.quantities.units import Unit
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Literal
 
-from components.language.numbers import Name, Number, as_expression, called
+from components.language.expressions import Name, Number, as_expression, called
 from components.language.shapes import Along, AnyWay, Begin, Grab
 from components.layout.stage import PlotFrame
 

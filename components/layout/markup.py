@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 
 SPACE = "{http://www.w3.org/1998/Math/MathML}"
 MATH = {

@@ -19,7 +19,7 @@ from msgspec.structs import replace
 
 from components.language.blocks import Block, PlotBlock, Row
 from components.language.blocks import Column as ColumnBlock
-from components.language.numbers import Name, called
+from components.language.expressions import Name, called
 from components.language.plots import Curve, Handle, Mark, Region, Term
 from components.language.plots import Room as Room
 from components.language.shapes import AnyShape

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.layout.stage import Shape, line, rectangle, text, wall
 
 

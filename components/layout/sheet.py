@@ -20,7 +20,7 @@ from components.language.blocks import (
     TableBlock,
     WordsBlock,
 )
-from components.language.numbers import Name
+from components.language.expressions import Name
 from components.language.plots import Term
 from components.language.shapes import AnyShape
 from components.language.text import Forms

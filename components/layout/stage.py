@@ -17,7 +17,7 @@ from typing import Any, TypeAlias, cast
 
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, Name, Number, named
+from components.language.expressions import Expression, Name, Number, named
 from components.language.shapes import (
     Anchor,
     AnyShape,

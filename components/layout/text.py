@@ -23,7 +23,7 @@ from latex2mathml.converter import convert
 
 from components.language.text import Html, Runs, TextRun
 from components.layout.markup import check_markup
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 
 _SENTENCES = 2048  # a limit, because texts with numbers and texts of visitors' files are unlimited in number
 _SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas

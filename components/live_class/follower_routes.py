@@ -10,8 +10,8 @@ from time import monotonic, time
 from msgspec.structs import replace
 from tornado.iostream import IOStream, StreamClosedError
 
+from components.language.class_messages import Entered
 from components.language.messages import Given, Taught
-from components.language.room import Entered
 from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import msgspec
 import segno
 
-from components.language.room import Opened
+from components.language.class_messages import Opened
 from components.live_class.codes import as_code, join_key
 from components.live_class.context import ClassContext
 from components.live_class.question_bank import BusyError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urllib.parse import unquote
 
-from components.language.room import Order, Reopen, RestoreAnswers, ShowAnswer, Tally
+from components.language.class_messages import Order, Reopen, RestoreAnswers, ShowAnswer, Tally
 from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from components.language.room import HandOver, TakenOver, TakeOver, Ticket
+from components.language.class_messages import HandOver, TakenOver, TakeOver, Ticket
 from components.live_class.codes import as_code, digest, new_word
 from components.live_class.follower_routes import MINUTE, MISSES, TOO_MANY
 from components.live_class.handler import ClassHandler

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from msgspec import Struct
 from msgspec.structs import replace
 
-from components.language.room import Moderate, WordGroup
+from components.language.class_messages import Moderate, WordGroup
 from components.walks.questions.words import normalized
 
 MOST = 500

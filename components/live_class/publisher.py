@@ -6,7 +6,7 @@ import asyncio
 import logging
 from collections.abc import Callable
 
-from components.language.room import SentPicture
+from components.language.class_messages import SentPicture
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.store import AwayError, FullError
 from components.state.wire import Packet

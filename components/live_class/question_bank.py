@@ -11,11 +11,11 @@ from typing import Any
 import msgspec
 from msgspec.structs import asdict, replace
 
+from components.language.class_messages import Counted, Listed, PutTo, Voted
 from components.language.messages import Given
-from components.language.room import Counted, Listed, PutTo, Voted
 from components.language.walk import Lesson
 from components.layout.text import plain, rich
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.session.worker import Apart, Here, Reading
 from components.walks import Walks
 from components.walks.cards import asked, parted, place_in_lecture, step_card

@@ -12,8 +12,7 @@ from typing import Any
 
 import msgspec
 
-from components.language.messages import Given
-from components.language.room import (
+from components.language.class_messages import (
     AskSure,
     CloseVote,
     CountDown,
@@ -33,6 +32,7 @@ from components.language.room import (
     Voted,
     Withdraw,
 )
+from components.language.messages import Given
 from components.live_class.codes import Keys, digest, is_key, join_key
 from components.live_class.moderation import Moderation
 from components.live_class.question_bank import BusyError, QuestionBank

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from components.language.room import Confirmed, Done, Moderate, Paired, Reopen, Ticket
+from components.language.class_messages import Confirmed, Done, Moderate, Paired, Reopen, Ticket
 from components.live_class.codes import as_code, digest, new_key
 from components.live_class.handler import ClassHandler, square
 from components.live_class.remote_view import remote_view

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from components.language.room import DescribeScreen, RemoteView
+from components.language.class_messages import DescribeScreen, RemoteView
 from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 

@@ -10,7 +10,7 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
-from components.language.room import News, PutTo, RunClock, SentPicture
+from components.language.class_messages import News, PutTo, RunClock, SentPicture
 from components.live_class.codes import voter_of
 from components.live_class.question_bank import QuestionBank, ReadWalks
 from components.live_class.remotes import WAITS, waiting

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TypeAlias
 
-from components.language.room import StepSummary, Stored, VoteSummary
+from components.language.class_messages import StepSummary, Stored, VoteSummary
 from components.layout.text import rich
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry

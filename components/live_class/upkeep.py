@@ -9,7 +9,7 @@ from contextlib import suppress
 from secrets import token_hex
 from time import monotonic, time
 
-from components.language.room import News
+from components.language.class_messages import News
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import SILENCE, ClassRoom
 from components.live_class.store import AwayError, FullError, Parts

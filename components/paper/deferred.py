@@ -13,10 +13,10 @@ from functools import cache
 from inspect import get_annotations
 from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar, cast, overload
 
-from components.language.numbers import Expression, Number, named
+from components.language.expressions import Expression, Number, named
 from components.paper.plot_axes import PlotAxis
 from components.quantities.axes import Axis
-from components.quantities.numbers import plus, three
+from components.quantities.formatting import plus, three
 from physics.motion import added as added_motions
 
 C = TypeVar("C")

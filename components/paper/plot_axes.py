@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, named
+from components.language.expressions import Expression, named
 from components.quantities.axes import TIME_AXIS, Axis, Range, nice_axis, whole_axis
 
 

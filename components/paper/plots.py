@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeAlias, TypeVar, Unpack, cast
 from msgspec.structs import replace as changed
 
 from components.language.blocks import Block, Column, PlotBlock, Row, StageBlock, WordsBlock
-from components.language.numbers import Expression, Number, names_in
+from components.language.expressions import Expression, Number, names_in
 from components.language.plots import Curve, Handle, Region, Room, Term
 from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Root
 from components.language.text import Forms

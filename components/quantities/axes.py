@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from components.language.picture import Digits, Ruler
-from components.quantities.numbers import at_tick, power_unit, ten, three
+from components.quantities.formatting import at_tick, power_unit, ten, three
 
 TIME_AXIS = "t"
 """The name of the axis that is the time window: the clock runs through it."""

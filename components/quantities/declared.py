@@ -16,11 +16,11 @@ from typing import Any, Generic, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import check_free
+from components.language.expressions import check_free
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.quantities.readouts import Readout
 
 Case = TypeVar("Case")

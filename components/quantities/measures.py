@@ -7,7 +7,7 @@ import unicodedata
 from decimal import Decimal
 from typing import NamedTuple
 
-from components.quantities.numbers import MINUS, raised
+from components.quantities.formatting import MINUS, raised
 from physics.precision.exact import PI, precise
 
 Dimension = tuple[int, int, int, int, int]

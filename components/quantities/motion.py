@@ -14,7 +14,7 @@ from decimal import Decimal
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import Expression, Name, Number, Product, as_expression
+from components.language.expressions import Expression, Name, Number, Product, as_expression
 from components.language.picture import Pace
 from components.language.signals import (
     AnySignal,

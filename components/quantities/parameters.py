@@ -7,7 +7,7 @@ from typing import Any, Literal, TypeAlias, TypeVar
 
 import param
 
-from components.quantities.numbers import MINUS, excerpt, shortest
+from components.quantities.formatting import MINUS, excerpt, shortest
 
 Scale = Literal["linear", "log", "near0", "count"]
 

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from decimal import Decimal
 
-from components.quantities.numbers import short, signed
+from components.quantities.formatting import short, signed
 
 SAME = 1e-12
 """Relative difference of equal numbers computed in different ways; smaller differences are rounding errors."""

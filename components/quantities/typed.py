@@ -13,8 +13,15 @@ from collections.abc import Callable
 from contextlib import suppress
 from decimal import Decimal, Overflow
 
+from components.quantities.formatting import (
+    LONGEST_INPUT,
+    NoNumberError,
+    excerpt,
+    in_doubles,
+    parse_number,
+    plain_number,
+)
 from components.quantities.measures import Measure, measure
-from components.quantities.numbers import LONGEST_INPUT, NoNumberError, excerpt, in_doubles, parse_number, plain_number
 from physics.precision.exact import PI, precise
 
 LARGEST_POWER = 1000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from components.quantities.numbers import MINUS, tidy
+from components.quantities.formatting import MINUS, tidy
 
 ROUND = 6
 """The most digits of a number that counts as round in another unit; others are shown with four."""

@@ -12,10 +12,10 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from components.language.expressions import Name
 from components.language.messages import AboutNumbers, AboutPoint, AboutTable
-from components.language.numbers import Name
 from components.layout.text import rich
-from components.quantities.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
+from components.quantities.formatting import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
 from components.quantities.refusals import SORRY, as_on_screen, in_words, report
 from components.scene.traces import BAND, Columns, Floats, band_columns
 from physics.precision.exact import precise

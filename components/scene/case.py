@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from components.language.blocks import Block
-from components.language.numbers import check_free
+from components.language.expressions import check_free
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.layout.views import check_views

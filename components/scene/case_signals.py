@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from components.language.numbers import Expression, Product
+from components.language.expressions import Expression, Product
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
+from components.quantities.formatting import power_unit
 from components.quantities.motion import derived, played, scaled
-from components.quantities.numbers import power_unit
 from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, MotionTerm
 
 

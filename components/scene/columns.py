@@ -8,7 +8,7 @@ from typing import NamedTuple
 from unicodedata import normalize
 
 from components.quantities.axes import TIME_AXIS, Axis
-from components.quantities.numbers import excerpt, shortest
+from components.quantities.formatting import excerpt, shortest
 from components.scene.picture import Picture
 from components.scene.traces import BAND, FIRST_PERIODS, FLOOR, PER_PERIOD, TIME, Columns, Traces
 

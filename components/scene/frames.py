@@ -17,8 +17,8 @@ from msgspec.structs import replace
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.quantities.axes import TIME_AXIS, Axis, Range, log_axis, ordered, round_ticks, scale_by_ten, widest
+from components.quantities.formatting import excerpt, power_unit
 from components.quantities.motion import round_down, round_up
-from components.quantities.numbers import excerpt, power_unit
 
 FITTED = Frame()
 """The frame that leaves everything to the scene."""

@@ -9,8 +9,8 @@ from components.language.blocks import TableBlock, WordsBlock
 from components.language.plots import Term
 from components.language.text import Html
 from components.layout.text import rich
+from components.quantities.formatting import MINUS
 from components.quantities.motion import starts
-from components.quantities.numbers import MINUS
 from components.scene.picture import Picture
 
 SAMPLES = {"sum": "━━", "line": "──", "dash": "╌╌", "band": "██", "none": ""}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import Name
+from components.language.expressions import Name
 from components.language.plots import Curve, Region
 from components.layout.plots import BAND as BAND
 from components.layout.plots import FLOOR as FLOOR

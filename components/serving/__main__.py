@@ -18,8 +18,8 @@ import segno
 from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
 from components.serving.apart import ReadingProcess
+from components.serving.csv_route import NumbersRoute
 from components.serving.logs import set_up
-from components.serving.numbers import NumbersRoute
 from components.serving.server import Server
 from components.serving.settings import Settings, misspelt, read_settings
 from components.walks.loading import WalkError

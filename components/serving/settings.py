@@ -17,7 +17,7 @@ import msgspec
 from bokeh.server.util import create_hosts_allowlist
 from msgspec import Meta
 
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.serving.visitors import networks
 
 SECRET = "bokeh_secret_key"

@@ -14,7 +14,7 @@ from components.scene.about import About, about_numbers
 from components.session.links import linked, standing_of
 from components.state.commands import sentence
 from components.state.csv_export import as_file, as_table
-from components.state.standing import standing_in
+from components.state.page_state import standing_in
 from components.state.wire import Packet, packed
 from components.walks import Query, Walks
 from components.walks.links import Scenes

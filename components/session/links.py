@@ -11,7 +11,7 @@ from components.scene import Scene
 from components.state.commands import sentence
 from components.state.covers import NEXT, refused_covers
 from components.state.link import Link, read_query
-from components.state.standing import Standing, standing_in
+from components.state.page_state import PageState, standing_in
 from components.state.states import state_in, strange_axes
 from components.walks import Query, Walks
 from components.walks.links import Scenes, read_link
@@ -31,7 +31,7 @@ def linked(query: Query, scenes: Scenes, walks: Walks) -> tuple[Link, str]:
     return dataclasses.replace(link, problems=[*problems, *link.problems]), ""
 
 
-def standing_of(kind: type[Scene], link: Link, step: str = "") -> tuple[Standing, list[str]]:
+def standing_of(kind: type[Scene], link: Link, step: str = "") -> tuple[PageState, list[str]]:
     """The standing that a link asks for; and what of that cannot be, in words."""
     state, problems = replace(state_in(link), step=step), []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))

@@ -9,7 +9,7 @@ from components.scene import Scene
 from components.session.links import standing_of
 from components.session.session import Session
 from components.state.link import Link
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.walks import Walks
 
 

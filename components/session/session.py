@@ -28,7 +28,7 @@ from components.language.messages import (
     Walking,
 )
 from components.layout.controls import preset_name, settings
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.quantities.refusals import SORRY, report
 from components.scene import Scene
 from components.scene.about import no_numbers
@@ -38,9 +38,9 @@ from components.session.worker import Apart, Errand, Here, Reading, Replied, Tea
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
 from components.state.encoding import view_of
+from components.state.page_state import PageState, changed, with_values
 from components.state.scene_sheet import sheet_address, usual
 from components.state.sent_picture import drawn_on, sent_picture
-from components.state.standing import Standing, changed, with_values
 from components.state.wire import Packet, decoded, packed
 from components.walks import Walks
 from components.walks.judging import taught
@@ -77,7 +77,7 @@ class Session:
 
     def __init__(
         self,
-        now: Standing,
+        now: PageState,
         problems: tuple[str, ...] = (),
         *,
         scenes: Mapping[str, type[Scene]] | None = None,
@@ -173,12 +173,12 @@ class Session:
             return packed(Kept(answer=answer))
         return self._stand(after, answer)
 
-    def _is_kept(self, said: Said, after: Standing) -> bool:
+    def _is_kept(self, said: Said, after: PageState) -> bool:
         """Return True if a hand has let go and the page does not change: its picture is not sent again."""
         lets_go = isinstance(said, SetValues) and said.holding is False and not said.values
         return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
 
-    def _ordered(self, order: str) -> Standing:
+    def _ordered(self, order: str) -> PageState:
         if self.running is None:
             raise RefusalError({"run": f"“{excerpt(order)}” is not possible: there is nothing to run here."})
         try:
@@ -187,7 +187,7 @@ class Session:
             raise RefusalError({"run": str(error)}) from error
         return self.now
 
-    def _stand(self, after: Standing, answer: int | None) -> Packet:
+    def _stand(self, after: PageState, answer: int | None) -> Packet:
         """Set the new state of the page, after it has been encoded."""
         running = self.running if after.kind is self.now.kind else self._work_for(after)
         after = with_news(after, running)
@@ -197,7 +197,7 @@ class Session:
         self.now, self.running, self._errors = after, running, {}
         return told
 
-    def _work_for(self, now: Standing) -> Running | None:
+    def _work_for(self, now: PageState) -> Running | None:
         """The work of a scene that has some."""
         if now.kind.work is None:
             return None
@@ -265,7 +265,7 @@ class Session:
 
     def _packed(
         self,
-        now: Standing,
+        now: PageState,
         answer: int | None = None,
         problems: tuple[str, ...] = (),
         *,
@@ -295,6 +295,6 @@ class Session:
         return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(now.kind))
 
 
-def with_news(now: Standing, running: Running | None) -> Standing:
+def with_news(now: PageState, running: Running | None) -> PageState:
     """The standing, with all that work has found of its scene."""
     return with_values(now, running.news(now.scene)) if running else now

@@ -9,7 +9,7 @@ import param
 from components.language.messages import Act, Choose, SetValues, Typed
 from components.layout.choices import chosen
 from components.layout.controls import Choice
-from components.quantities.numbers import MINUS, excerpt, shortest, tidy
+from components.quantities.formatting import MINUS, excerpt, shortest, tidy
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.quantities.refusals import as_on_screen, in_words
 from components.quantities.typed import typed_number

@@ -9,29 +9,29 @@ from functools import cache
 import numpy as np
 
 from components.language.blocks import PlotBlock, StageBlock
-from components.language.numbers import Expression, names_in
+from components.language.expressions import Expression, names_in
 from components.language.picture import Drawn, Held, LedgerRow, Trace
 from components.language.shapes import AnyShape, Label
 from components.language.signals import AnySignal
 from components.layout.sheet import blocks
 from components.layout.text import rich
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.quantities.parameters import Quantity
 from components.quantities.readouts import Readout, became, is_same
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
-from components.state.beside import moved
+from components.state.compared import moved
 from components.state.covers import VALUE, spoken_of, without
 from components.state.encoding import columns_of, signals_of, traces_of
+from components.state.page_state import PageState
 from components.state.sent_picture import drawn_on, sent_picture
-from components.state.standing import Standing
 from components.state.wire import Steps
 
 MOST_ROWS = 10
 COVERED = "?"
 
 
-def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
+def told_beside(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps]]:
     """Return the part of the message about the compared picture, without hidden items, and its packed numbers.
 
     `shown` is the current picture as it is sent.
@@ -151,7 +151,7 @@ def _italic(symbol: str) -> str:
     return f"*{letter}*{index}{name}"
 
 
-def ledger(now: Standing) -> tuple[LedgerRow, ...]:
+def ledger(now: PageState) -> tuple[LedgerRow, ...]:
     """Return at most ten rows: first changed parameters, then numbers that depend on them, then equal numbers."""
     if now.held is None:
         return ()
@@ -166,7 +166,7 @@ def ledger(now: Standing) -> tuple[LedgerRow, ...]:
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
 
 
-def _followed(scene: Scene, asked: Standing | None) -> set[str]:
+def _followed(scene: Scene, asked: PageState | None) -> set[str]:
     """Return the readouts that a change has affected, even if their texts are equal."""
     if asked is None:
         return set()
@@ -174,7 +174,7 @@ def _followed(scene: Scene, asked: Standing | None) -> set[str]:
     return {one.name for one in scene.readouts() if before.get(one.name) != one.value}
 
 
-def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
+def _moved(now: PageState, other: Scene) -> Iterator[_Pair]:
     """Return the quantities that the panel currently shows."""
     scene = now.scene
     standing = [group for group in scene.groups if group.stands(now.shown.forms)]

@@ -24,14 +24,14 @@ from typing import Any, TypeVar
 from msgspec.structs import replace as changed
 
 from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
-from components.language.numbers import Expression, names_in
+from components.language.expressions import Expression, names_in
 from components.language.plots import Curve, Region
 from components.language.shapes import AnyShape, Label
 from components.language.signals import AnySignal, CosineOf, Derived, Modal, SineOf
 from components.layout.sheet import blocks, in_force
 from components.quantities.axes import Axis, round_ticks
+from components.quantities.formatting import excerpt
 from components.quantities.motion import derived, starts
-from components.quantities.numbers import excerpt
 from components.scene import Picture, Scene
 from components.scene.traces import Columns, Traces
 from components.state.scene_sheet import heading_names, live_names, plots

@@ -13,12 +13,12 @@ from urllib.parse import quote
 from components.language.messages import File
 from components.language.plots import Region
 from components.layout.choices import word
-from components.quantities.numbers import excerpt, shortest
+from components.quantities.formatting import excerpt, shortest
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.columns import NumberTable, headed, in_ascii, tables_of
+from components.state.page_state import PageState
 from components.state.scene_sheet import column_axes, plots
-from components.state.standing import Standing
 
 READING = "SI units; the unit of a column stands in brackets after its name, 1 for a pure number; full precision"
 
@@ -33,7 +33,7 @@ class CsvTable:
     notes: tuple[str, ...] = ()
 
 
-def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
+def as_file(told: PageState, picture: Picture, page: str = "", answer: int | None = None) -> File:
     """Return a file with the numbers of all visible plots: a CSV, or a ZIP of several. `page` is the page's address.
 
     A table of motions has at most 1281 rows, one of bands at most 681. The physics is evaluated at most once for each
@@ -51,7 +51,7 @@ def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None
     return File(name=f"{scene.slug}.zip", kind="application/zip", content=packed.getvalue(), answer=answer)
 
 
-def as_table(told: Standing, picture: Picture, page: str = "", name: str = "") -> File:
+def as_table(told: PageState, picture: Picture, page: str = "", name: str = "") -> File:
     """Return the table with this name, or the first, as CSV. Raises ValueError, with all names, for another name."""
     found = {table.name: table for table in tables(told.kind, picture) or readouts(told, picture)}
     if name and name not in found:
@@ -78,7 +78,7 @@ def _noted(head: Iterable[str]) -> str:
     return "".join(f"# {line}\r\n" for line in head)
 
 
-def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
+def comments(told: PageState, picture: Picture, page: str = "") -> list[str]:
     """Return the head of a file: the link, the parameters, the equations, the plots that the numbers belong to."""
     scene, alone = told.scene, replace(told, covered=(), step="")
     link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + alone.query.replace(",", "%2C")
@@ -138,7 +138,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     return [_table(names, found) for (_, names), found in pieces.items()]
 
 
-def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
+def readouts(told: PageState, picture: Picture) -> list[CsvTable]:
     """Return the readouts of a picture as a table, if no plot is visible and no readout is covered."""
     covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
     found = told.scene.readouts()

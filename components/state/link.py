@@ -20,12 +20,12 @@ from components.language.state import Frame, State
 from components.layout.choices import chosen, word
 from components.layout.views import parts
 from components.quantities.axes import Range, ordered
-from components.quantities.numbers import MINUS, excerpt, parse_number, shortest
+from components.quantities.formatting import MINUS, excerpt, parse_number, shortest
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene import Scene
 from components.scene.frames import FITTED, SIZES, checked
 from components.scene.scene import VIEW
-from components.state.beside import HIDDEN, holdable
+from components.state.compared import HIDDEN, holdable
 
 FOREIGN_KEYS = ("bokeh-", "panel-")
 PAGE_KEYS = frozenset({"theme", "projector", "walk", "step", "seed"})

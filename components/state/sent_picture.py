@@ -15,8 +15,8 @@ from components.scene import Picture, Scene
 from components.scene.scene import VIEW
 from components.state.covers import spoken_of
 from components.state.encoding import ColumnAxes
+from components.state.page_state import PageState
 from components.state.scene_sheet import LIVE, column_axes, scene_sheet
-from components.state.standing import Standing
 
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
 """A string in JSON, and the colon after it if it is a key."""
@@ -35,7 +35,7 @@ class SentParts:
     names: frozenset[str]
 
 
-def sent_parts(now: Standing) -> SentParts | None:
+def sent_parts(now: PageState) -> SentParts | None:
     """Return the needs of the visible parts of a page; None if the whole sheet is visible."""
     if not (now.kind.views or now.show):
         return None
@@ -51,13 +51,13 @@ def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentPar
     return SentParts(axes_of_columns(Column(blocks=tuple(blocks))), frozenset(names))
 
 
-def drawn_on(now: Standing) -> ColumnAxes:
+def drawn_on(now: PageState) -> ColumnAxes:
     """Return the axis of each column that is sent, by source."""
     parts = sent_parts(now)
     return parts.axes if parts else column_axes(now.kind)
 
 
-def sent_picture(now: Standing, picture: Picture) -> Picture:
+def sent_picture(now: PageState, picture: Picture) -> Picture:
     """Return the picture without the curves and motions that no visible part needs; it keeps all texts."""
     parts = sent_parts(now)
     if parts is None:

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 
 from components.language.state import State, Value
 from components.layout.choices import chosen, stated
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene import Picture, Scene
-from components.state.beside import HIDDEN, holdable, own_values
+from components.state.compared import HIDDEN, holdable, own_values
 from components.state.link import Link
 from components.state.scene_sheet import plots
 

@@ -8,7 +8,7 @@ from functools import partial
 from components.layout.sheet import in_force
 from components.layout.text import rich
 from components.layout.views import parts
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.scene import Scene
 from components.state.covers import coverable
 from components.walks.cards import ASKS, asked, sentences

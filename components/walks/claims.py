@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from components.quantities.numbers import excerpt, parse_number, three
+from components.quantities.formatting import excerpt, parse_number, three
 from components.scene import Scene
 from components.walks.subject import Subject
 from components.walks.texts import FORMULA

@@ -11,7 +11,7 @@ import math
 import operator
 from collections.abc import Callable, Mapping
 
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.scene import Scene
 
 LONGEST, LARGEST_POWER = 200, 100

@@ -19,7 +19,7 @@ from msgspec import field
 from components.language.walk import Finding
 from components.layout.text import rich
 from components.quantities.axes import Axis
-from components.quantities.numbers import short
+from components.quantities.formatting import short
 from components.scene.traces import Floats
 from components.walks import expressions
 from components.walks.sketch import FEWEST, Sketch, crossings, upward

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
-from components.quantities.numbers import parse_number
+from components.quantities.formatting import parse_number
 from components.quantities.typed import unit_size
 from components.walks.cards import asked
 from components.walks.leaks import chain_of, texts_in_sight

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from components.language.messages import Given, Taught
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.walks import Walks
 from components.walks.links import Scenes
 from components.walks.subject import Subject

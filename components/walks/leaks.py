@@ -19,8 +19,8 @@ from components.quantities.refusals import in_words
 from components.scene import Picture, Scene
 from components.scene.scene import VIEW
 from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
+from components.state.page_state import PageState
 from components.state.scene_sheet import LIVE
-from components.state.standing import Standing
 from components.walks.links import Scenes, standing_at
 from components.walks.texts import live_names
 from components.walks.walk import Step, Walk
@@ -60,7 +60,7 @@ def after(step: Step, scenes: Scenes) -> Exhibit:
     return _exhibit(standing_at(step.shown, scenes), step.still, step.show)._replace(covered={})
 
 
-def _exhibit(standing: Standing, covers: tuple[str, ...], show: tuple[str, ...]) -> Exhibit:
+def _exhibit(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> Exhibit:
     kind, picture = standing.kind, standing.shown
     whole = dict(_quantities(standing.scene, picture, show))
     left, gone = without(kind, picture, covers)
@@ -79,7 +79,7 @@ def chain_of(scene: Scene) -> object:
     return scene.slug, tuple(sorted((name, values[name]) for name in names))
 
 
-def texts_in_sight(standing: Standing, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
+def texts_in_sight(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
     """The live numbers in the parts `show` of a picture, or in its view, with its covers, each with its text."""
     picture, gone = without(standing.kind, standing.shown, covers)
     hidden, seen = frozenset(covers), _seen(standing.scene, picture, show)

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from components.language.state import State
 from components.scene import Scene
 from components.state.link import Link, read_query
-from components.state.standing import Standing, standing_in
+from components.state.page_state import PageState, standing_in
 from components.state.states import state_in, strange_axes, strange_curves
 from components.walks.types import BaseStep
 
@@ -37,7 +37,7 @@ def _of_the_page(link: Link) -> Iterator[str]:
         yield "before: a step begins with no prediction that waits. Reveal it, and copy the link then."
 
 
-def standing_at(link: str, scenes: Scenes) -> Standing:
+def standing_at(link: str, scenes: Scenes) -> PageState:
     """The standing of a page that opens a link."""
     state = state_of_link(link, scenes)
     kind = scenes[state.scene]

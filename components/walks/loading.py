@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 
 from components.language.walk import WalkTrial
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"

@@ -7,7 +7,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.walks import Query, Walks
 from components.walks.checking import problems
 from components.walks.links import Scenes, name_in_state

@@ -13,8 +13,8 @@ from components.language.messages import HEIGHTS, Sketched
 from components.language.state import State
 from components.quantities.axes import Axis
 from components.state.covers import without
+from components.state.page_state import PageState
 from components.state.scene_sheet import plots
-from components.state.standing import Standing
 from components.walks.expressions import numbers_of
 from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, standing_at
 from components.walks.sketch import Ranges, Sketch, sketch, turns
@@ -64,12 +64,12 @@ class Subject:
         self.pad, self.true = cache(self._pad), cache(self._true)
 
     @cached_property
-    def standing(self) -> Standing:
+    def standing(self) -> PageState:
         """The page that the question is asked on; ValueError, in words, for a link that opens none."""
         return standing_at(self._step.state, self.scenes)
 
     @cached_property
-    def answered(self) -> Standing:
+    def answered(self) -> PageState:
         """The page that is shown with the answer."""
         return standing_at(self._step.shown, self.scenes)
 

@@ -9,7 +9,7 @@ from urllib.parse import parse_qsl, urlencode
 
 from msgspec.structs import replace
 
-from components.quantities.numbers import MINUS, excerpt, shortest, three
+from components.quantities.formatting import MINUS, excerpt, shortest, three
 from components.quantities.parameters import Quantity
 from components.scene import Scene
 from components.walks.expressions import numbers_of, worked_out

@@ -1,4 +1,4 @@
-// Numbers as a person reads and types them: the same texts as components/quantities/numbers.py writes.
+// Numbers as a person reads and types them: the same texts as components/quantities/formatting.py writes.
 
 /** A key that begins a number. */
 export const BEGINS_NUMBER = /^[\d.,+\u2212-]$/

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
 from components.layout.choices import options, word
-from components.quantities.numbers import shortest
+from components.quantities.formatting import shortest
 from components.quantities.parameters import Quantity
 from components.scene import Scene
 from components.scenes import SCENES

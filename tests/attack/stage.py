@@ -12,7 +12,7 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.attack.extremes import Values, values
 from tests.attack.finding import Finding
 from tests.browser.chromium import find

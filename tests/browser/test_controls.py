@@ -6,8 +6,8 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, expect
 
-from components.quantities.numbers import tidy
-from components.state.standing import with_values
+from components.quantities.formatting import tidy
+from components.state.page_state import with_values
 from tests.browser.panel_page import Chain, Panel
 from tests.browser.waiting import passed
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scenes import SCENES
 from tests.browser.descriptions import described
 

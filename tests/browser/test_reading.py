@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from components.quantities.numbers import short
+from components.quantities.formatting import short
 from components.scenes import SCENES
 from tests.page.scripts import played
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page
 
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets

@@ -16,7 +16,7 @@ import pytest
 from playwright.sync_api import Download, Page, expect
 
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.browser.waiting import seek
 from tests.grids import spread
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.grids import WHOLE
 from tests.scenes.checks import choices
 

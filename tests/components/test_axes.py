@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from components.quantities.axes import Axis, log_axis
-from components.quantities.numbers import parse_number
+from components.quantities.formatting import parse_number
 
 
 @given(st.floats(-300, 300), st.floats(0.05, 20), st.integers(3, 6))

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from components.language.numbers import PAGE_NUMBERS, named, var
+from components.language.expressions import PAGE_NUMBERS, named, var
 from components.layout.controls import Group
 from components.layout.plots import curve, region
 from components.layout.sheet import either, term
@@ -29,8 +29,8 @@ from components.quantities.declared import (
     Text,
     by_name,
 )
+from components.quantities.formatting import plus
 from components.quantities.motion import derived, total
-from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scene.about import rows
 

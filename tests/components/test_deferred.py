@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import pytest
 
-from components.language.numbers import named
+from components.language.expressions import named
 from components.layout.stage import circle
 from components.paper.deferred import Attributes, book_of, deferred, fields, number, recorded
 from components.paper.plot_axes import axis

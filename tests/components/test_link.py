@@ -16,7 +16,7 @@ from components.quantities.parameters import displacement, mass, positive, stiff
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.state.link import MOST_PROBLEMS, read_query, write_query
-from components.state.standing import fitted
+from components.state.page_state import fitted
 
 
 class First(Scene):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.quantities.numbers import (
+from components.quantities.formatting import (
     at_tick,
     excerpt,
     parse_number,

@@ -14,7 +14,7 @@ from bokeh.protocol import Protocol
 from components.scenes.coupled import Coupled
 from components.session.panel_bridge import SceneView
 from components.session.session import Session
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.state.wire import in_one
 from tests.page.told import Page
 

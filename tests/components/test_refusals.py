@@ -21,7 +21,7 @@ from components.scene.frames import FITTED
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link, read_query
-from components.state.standing import with_values
+from components.state.page_state import with_values
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import EXTREME_LINKS
 

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from components.quantities.formatting import parse_number, tidy
 from components.quantities.measures import measure
-from components.quantities.numbers import parse_number, tidy
 from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
 from components.scenes import SCENES

@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 
 import msgspec
 
-from components.language.room import News
+from components.language.class_messages import News
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
 from components.live_class.store import Store

@@ -14,7 +14,7 @@ import pytest
 import redis
 from tornado.web import RequestHandler
 
-from components.language.room import Order
+from components.language.class_messages import Order
 from components.live_class import follower_routes, instructor_routes, registry, remotes, room, shared_store, store
 from components.live_class.routes import CODE, LiveClass
 from components.live_class.store import MemoryStore

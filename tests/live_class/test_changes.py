@@ -10,8 +10,8 @@ from time import monotonic, time
 import msgspec
 import pytest
 
+from components.language.class_messages import PutQuestion, RunClock, SentPicture
 from components.language.messages import Given
-from components.language.room import PutQuestion, RunClock, SentPicture
 from components.live_class import publisher
 from components.live_class import room as room_of
 from components.live_class.publisher import Publisher
@@ -21,7 +21,7 @@ from components.live_class.store import AwayError, FullError, MemoryStore, Parts
 from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)

@@ -12,8 +12,7 @@ from time import time
 import msgspec
 import pytest
 
-from components.language.messages import Given
-from components.language.room import (
+from components.language.class_messages import (
     EndRoom,
     HandWalk,
     PutQuestion,
@@ -24,6 +23,7 @@ from components.language.room import (
     Tally,
     Withdraw,
 )
+from components.language.messages import Given
 from components.live_class import question_bank, slices
 from components.live_class import registry as registry_of
 from components.live_class import room as room_of

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
+from components.language.class_messages import YEAR_2100, PutQuestion, RestoreAnswers, Voted
 from components.language.messages import Given
-from components.language.room import YEAR_2100, PutQuestion, RestoreAnswers, Voted
 from components.live_class import instructor_routes, registry
 from components.live_class.codes import Keys, code_of, digest, is_given, new_token
 from components.live_class.registry import Registry

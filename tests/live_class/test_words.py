@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from components.language.room import Moderate
+from components.language.class_messages import Moderate
 from components.live_class import moderation
 from components.live_class.moderation import Moderation
 from tests.live_class.caller import Class, called

@@ -12,8 +12,8 @@ from components.language.shapes import AnyShape, Grab
 from components.layout.sheet import blocks, in_force
 from components.scene import Picture, Scene
 from components.state.encoding import view_of
+from components.state.page_state import PageState, with_values
 from components.state.scene_sheet import plots
-from components.state.standing import Standing, with_values
 from tests.page.scripts import call
 
 Named = dict[str, float]
@@ -49,7 +49,7 @@ def _view(picture: Picture) -> PagePicture:
 class Hand:
     """Over a shape of a page, a wide one or a phone's, at an instant; the frame stands while it holds on."""
 
-    def __init__(self, now: Standing, shape: AnyShape, *, wide: bool, t: float) -> None:
+    def __init__(self, now: PageState, shape: AnyShape, *, wide: bool, t: float) -> None:
         self.now = now
         layout = {"wide": wide, "narrow": not wide, "stacked": not wide, "hall": 0, "desk": 1, "low": 0}
         call("tests/page/hand.open", _axes(now.kind), [shape], layout, _view(now.shown), t)

@@ -6,7 +6,7 @@ import pytest
 
 from app import visited
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments
 

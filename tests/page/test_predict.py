@@ -13,7 +13,7 @@ import pytest
 from msgspec.structs import replace
 
 from components.quantities.axes import round_ticks
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scene import Scene
 from components.scenes import SCENES
 from components.session.opening import opened

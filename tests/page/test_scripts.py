@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from components.language.numbers import Expression, Product
+from components.language.expressions import Expression, Product
 from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
 from components.quantities.axes import ONE, Axis
 from components.quantities.motion import damped, driven

@@ -17,8 +17,8 @@ from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.covers import coverable
 from components.state.link import read_query
+from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
-from components.state.standing import fitted
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import as_arguments, choices, quantities
 

@@ -15,8 +15,8 @@ from components.scenes import SCENES
 from components.session.session import Session
 from components.state.commands import Command, Errors, RefusalError, asked_values, refusal
 from components.state.encoding import view_of
+from components.state.page_state import PageState, fitted
 from components.state.scene_sheet import column_axes, sheet_address, usual
-from components.state.standing import Standing, fitted
 from components.state.wire import Packet, as_json, decoded, packed
 from tests.page import scripts
 
@@ -55,9 +55,9 @@ def take_preset(scene: SceneFace, label: str) -> Errors:
     return errors
 
 
-def picture_wire(scene: Scene | SceneFace | Standing) -> dict[str, Any]:
+def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:
     """The picture as the browser has it after unpacking: nested lists and dicts, columns as arrays."""
-    kind = scene.kind if isinstance(scene, Standing) else type(value_of(scene))
+    kind = scene.kind if isinstance(scene, PageState) else type(value_of(scene))
     view, numbers = view_of(scene.shown, column_axes(kind))
     msgspec.json.decode(as_json(view), type=PagePicture)
     return dict(scripts.unpacked(packed({"view": view}, numbers))["view"])  # type: ignore[arg-type]
@@ -73,7 +73,7 @@ class Page:
         self.session.send = self.packets.append
 
     @property
-    def now(self) -> Standing:
+    def now(self) -> PageState:
         return self.session.now
 
     @property

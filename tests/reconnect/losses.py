@@ -10,7 +10,7 @@ from random import Random
 from bokeh.util.token import generate_jwt_token, generate_session_id
 from playwright.sync_api import Page, expect
 
-from components.quantities.numbers import tidy
+from components.quantities.formatting import tidy
 from components.scenes import SCENES
 from tests.browser.fixtures import READY
 from tests.browser.waiting import unfold

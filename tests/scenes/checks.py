@@ -17,7 +17,7 @@ from components.layout.controls import Choice
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
-from components.state.standing import Standing
+from components.state.page_state import PageState
 from tests.grids import WHOLE
 from tests.page.told import picture_wire
 
@@ -73,7 +73,7 @@ def typed(scene: type[Scene]) -> Iterator[dict[str, float]]:
                 yield {name: value}
 
 
-def check_picture(scene: Scene | Standing) -> None:
+def check_picture(scene: Scene | PageState) -> None:
     """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read."""
     for source, data in numbers_of(scene.shown).items():
         for name, column in data.items():

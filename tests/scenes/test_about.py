@@ -15,7 +15,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.quantities.numbers import parse_number
+from components.quantities.formatting import parse_number
 from components.scene import Scene
 from components.scene.about import NO_BAND, SHARES, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES

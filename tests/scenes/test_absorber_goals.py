@@ -12,7 +12,7 @@ from components.scenes import SCENES
 from components.scenes.absorber import Absorber
 from components.session.opening import opened
 from components.state.link import read_query
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from physics.absorber import den_hartog
 from tests.page.told import Page, apply_message, change, put, take_preset
 from tests.scenes.checks import as_arguments, check_picture, solves

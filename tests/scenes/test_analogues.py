@@ -14,7 +14,7 @@ from components.scenes import SCENES
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.reach import REACHES, REMARKS
 from components.state.link import read_query
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from physics.analogues import ANALOGUES
 from tests.page.scripts import played
 from tests.page.told import apply_message

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.quantities.numbers import signed, three
+from components.quantities.formatting import signed, three
 from components.scenes.coupled import Coupled
 from physics.coupled import TwoMassChain, free_modes
 from tests.page.scripts import values_of

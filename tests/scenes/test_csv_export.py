@@ -22,8 +22,8 @@ from components.scenes import SCENES
 from components.state.csv_export import as_csv, tables
 from components.state.csv_export import comments as comments_of
 from components.state.link import read_query
+from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes, plots
-from components.state.standing import fitted
 from tests.grids import sample
 from tests.page.told import Page, put
 from tests.scenes.checks import as_arguments, choices, quantities

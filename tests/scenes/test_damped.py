@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from components.layout.sheet import blocks
-from components.quantities.numbers import parse_number
+from components.quantities.formatting import parse_number
 from components.scene import Scene
 from components.scene.traces import Floats
 from components.scenes import SCENES

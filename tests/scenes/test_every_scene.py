@@ -14,8 +14,8 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.state.encoding import COARSE, span
 from components.state.link import read_query
+from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes
-from components.state.standing import fitted
 from tests.page.told import Page, apply_message, take_preset
 from tests.scenes.checks import as_arguments, check_picture, choices, corners, quantities, solves, typed
 

@@ -22,8 +22,8 @@ from components.scenes import SCENES
 from components.session.links import standing_of
 from components.state.csv_export import as_csv, as_file, tables
 from components.state.link import Link
+from components.state.page_state import PageState, fitted
 from components.state.scene_sheet import plots
-from components.state.standing import Standing, fitted
 from physics.absorber import damped_solution
 from physics.coupled import free_motion
 from physics.damped import DampedOscillator
@@ -40,7 +40,7 @@ Tables = dict[str, pd.DataFrame]
 PER_PERIOD, PERIODS = 20, 10
 
 
-def taken(now: Standing) -> Tables:
+def taken(now: PageState) -> Tables:
     """The tables that a page takes away, by name, with columns as they are called without units."""
     with in_words():
         file = as_file(now.asked, now.told[0], "http://here/")
@@ -96,7 +96,7 @@ def check_finite(files: Tables) -> None:
         assert not np.isinf(numbers).any() and np.isnan(numbers).sum() == gaps.isna().to_numpy().sum()
 
 
-def shown_motions(now: Standing) -> set[str]:
+def shown_motions(now: PageState) -> set[str]:
     """The motions that the plots show as curves or as bands."""
     told, drawn = now.told[0], set[str]()
     stand = {block.name for block in in_force(now.kind.sheet(), told.forms) if hasattr(block, "curves")}
@@ -109,7 +109,7 @@ def shown_motions(now: Standing) -> set[str]:
     return drawn
 
 
-def check_motion(scene: Any, now: Standing, files: Tables) -> None:
+def check_motion(scene: Any, now: PageState, files: Tables) -> None:
     """It is resolved over ten periods of its fastest part, and at some rows it is the motion of the physics."""
     if scene.slug not in TRUE:
         return

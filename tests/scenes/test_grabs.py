@@ -14,7 +14,7 @@ from components.scene import Scene
 from components.scene.picture import frame_of
 from components.scenes import SCENES
 from components.scenes.coupled import BY_MODES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from tests.page.hand import Hand, grabs, sets
 from tests.page.scripts import played
 from tests.page.told import Page

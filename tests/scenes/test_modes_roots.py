@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from components.language.shapes import ChainRoot
 from components.scenes.modes import ModesScene
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from physics.damped_chain import DampedChain
 from physics.root_paths import RootPath, Varied, exceptional_point
 from tests.grids import tries

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from components.language.state import Frame
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scene.frames import framed
 from components.scenes.phugoid import Phugoid
 from components.scenes.phugoid.swing import AIRCRAFT, SPEEDS

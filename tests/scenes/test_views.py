@@ -11,15 +11,15 @@ from components.language.state import State
 from components.layout.views import shown_blocks
 from components.scenes import SCENES
 from components.state.link import read_query
+from components.state.page_state import PageState, changed, fitted, standing_in
 from components.state.sent_picture import drawn_on, sent_picture
-from components.state.standing import Standing, changed, fitted, standing_in
 from components.state.states import state_in
 
 VIEWS = [(slug, view.slug) for slug, scene in SCENES.items() for view in scene.views]
 views = pytest.mark.parametrize(("slug", "view"), VIEWS)
 
 
-def opened(query: str) -> Standing:
+def opened(query: str) -> PageState:
     """The page of a link, which has no problems."""
     args = {key: [text.encode() for text in texts] for key, texts in parse_qs(query, keep_blank_values=True).items()}
     link = read_query(args, SCENES)

@@ -27,7 +27,7 @@ from components.serving.apart import (
 from components.session.exports import LinkExport
 from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Errand, Reading, Replied, Teaching
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.state.wire import Packet
 from tests.page.told import unpacked
 

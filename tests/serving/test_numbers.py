@@ -18,7 +18,7 @@ from app import NO_WALKS, SHEETS, visited, walked
 from components.language.messages import File
 from components.scenes import SCENES
 from components.serving.apart import ReadingProcess
-from components.serving.numbers import NumbersRoute
+from components.serving.csv_route import NumbersRoute
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from components.session.exports import LinkExport, link_file

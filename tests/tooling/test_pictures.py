@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from components.scenes import SCENES
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.walks.registry import all_walks
 from tests.serving.server import ROOT
 from tools.pictures import SIZES, differing, views

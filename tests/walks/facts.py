@@ -7,7 +7,7 @@ import math
 from scipy.optimize import brentq
 
 from components.scenes import SCENES
-from components.state.standing import Standing
+from components.state.page_state import PageState
 from components.walks.links import standing_at
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes
@@ -39,7 +39,7 @@ pushed = particular_solution(slowly, F_0=1.0, omega=0.0).tolist()
 ONE_PERCENT = math.degrees(amplitude_at_excess(0.01))
 
 
-def at(link: str) -> Standing:
+def at(link: str) -> PageState:
     return standing_at(link, SCENES)
 
 

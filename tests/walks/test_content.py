@@ -12,7 +12,7 @@ import pytest
 
 from components.language.messages import Given
 from components.layout.text import rich
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings

@@ -14,8 +14,8 @@ from components.layout.sheet import blocks
 from components.quantities.motion import derived, starts
 from components.scenes import SCENES
 from components.state.covers import PLOT, STAGE, without
+from components.state.page_state import PageState
 from components.state.scene_sheet import plots
-from components.state.standing import Standing
 from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.walk import Step
@@ -27,7 +27,7 @@ RESTING = {"d31-04": "x v", "d31-06": "v", "d34-10": "x2", "tour-04": "x2"}
 """The motions that rest where a hand began them, of steps whose covers hide them."""
 
 
-def begun(scene: Standing) -> Iterator[tuple[str, float]]:
+def begun(scene: PageState) -> Iterator[tuple[str, float]]:
     """The bodies of the stage, and where the values of the parameters have them at first, in the unit of their axis."""
     for block in blocks(scene.kind.sheet()):
         for shape in block.shapes if isinstance(block, StageBlock) else ():

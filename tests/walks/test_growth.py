@@ -9,8 +9,8 @@ import pytest
 
 from app import SCENES
 from components.language.messages import Open
+from components.state.page_state import PageState, changed
 from components.state.scene_sheet import plots
-from components.state.standing import Standing, changed
 from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
@@ -25,7 +25,7 @@ COMPARED = {
 }
 
 
-def spans(standing: Standing, shown: tuple[str, ...]) -> Iterator[tuple[str, float, float]]:
+def spans(standing: PageState, shown: tuple[str, ...]) -> Iterator[tuple[str, float, float]]:
     """The span of each curve that a step shows: its name, in SI units and as a share of its axis."""
     picture = standing.shown
     for plot in plots(standing.kind):

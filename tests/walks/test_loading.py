@@ -14,7 +14,7 @@ from components.language.state import Frame
 from components.layout.text import mathml
 from components.scenes import SCENES
 from components.session.session import Session
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems, shortcomings
 from components.walks.links import standing_at

@@ -8,10 +8,10 @@ from msgspec import to_builtins
 from app import visited
 from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scenes import SCENES
 from components.session.session import Session
-from components.state.standing import fitted
+from components.state.page_state import fitted
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings
 from components.walks.judging import told_of

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis, widest
 from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Signal, by_name

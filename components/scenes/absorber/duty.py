@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.parameters import Pair
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scene.traces import Floats
 from physics.absorber import (
     Band,

@@ -8,7 +8,7 @@ import numpy as np
 
 from components.quantities.axes import Axis
 from components.quantities.declared import AxesInForce, AxisUnit, Declared, LiveNumber, Text, by_name
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scenes.absorber.curves import Axes as A
 from components.scenes.absorber.duty import AWAY, Duty
 from physics.absorber import den_hartog, highest_peak

@@ -11,8 +11,8 @@ import numpy as np
 from components.layout.stage import wire
 from components.quantities.axes import Axis
 from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, by_name
+from components.quantities.formatting import short
 from components.quantities.motion import round_down
-from components.quantities.numbers import short
 from components.scenes.absorber.curves import ALONE, FromStart, reach_alone
 from components.scenes.absorber.curves import Axes as A
 from components.scenes.absorber.duty import AWAY, Duty

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from components.chain.grabs import VELOCITIES
 from components.language.blocks import Block
-from components.language.numbers import Number, var
+from components.language.expressions import Number, var
 from components.language.shapes import Grab
 from components.layout.grabs import begin, begins, grab, linear, on_plot
 from components.layout.sheet import stage

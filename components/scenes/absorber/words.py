@@ -8,7 +8,7 @@ import numpy as np
 
 from components.layout.sheet import either
 from components.quantities.declared import Declared, Form
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 

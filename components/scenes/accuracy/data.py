@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 
 from components.quantities.declared import Column, Declared, DrawnAxis, by_name
-from components.quantities.numbers import short, ten
+from components.quantities.formatting import short, ten
 from components.scene.traces import Columns
 from components.scenes.accuracy.axes import Axes
 from physics.integrators.accuracy import MARKS, Run

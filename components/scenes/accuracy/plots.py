@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from components.language.blocks import Block
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.plots import Curve, Handle
 from components.language.shapes import AnyShape
 from components.layout.plots import Room, curve, mark, plot

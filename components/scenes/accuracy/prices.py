@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scenes.accuracy.data import Known
 from physics.integrators.accuracy import Run
 from physics.integrators.price import Price, in_doubles, prices

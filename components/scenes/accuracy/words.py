@@ -7,7 +7,7 @@ from functools import cache
 from itertools import product
 
 from components.quantities.declared import Declared, Family, Form, LiveNumber, by_name
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scenes.accuracy.case import AccuracyCase
 from components.scenes.accuracy.data import reached_text
 from components.scenes.accuracy.measurement import SCALE

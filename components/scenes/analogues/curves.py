@@ -8,11 +8,11 @@ from functools import cache
 import numpy as np
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, var
+from components.language.expressions import Expression, var
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.formatting import MINUS, short
 from components.quantities.motion import QUARTER, cosine_of, derived, sampled, sine_of, sines
-from components.quantities.numbers import MINUS, short
 from components.scene.traces import BAND, Columns, Floats, Traces, bands_about_zero, samples
 from components.scenes.analogues.case import DEGREE, AnalogueCase
 from components.scenes.analogues.reach import LARGEST

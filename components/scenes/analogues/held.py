@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Literal
 
-from components.language.numbers import Expression, Number, var
+from components.language.expressions import Expression, Number, var
 from components.language.shapes import Begin, Turn
 from components.layout.grabs import begin, begins, linear
 from components.layout.stage import Shape, circle

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from components.quantities.axes import Axis
 from components.quantities.declared import AxisUnit, Declared, Family, Form, LiveNumber, Text
-from components.quantities.numbers import short
+from components.quantities.formatting import short
 from components.scenes.analogues.case import AnalogueCase
 from components.scenes.analogues.curves import Axes
 from components.scenes.analogues.reach import REMARKS

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, Number, as_expression, var
+from components.language.expressions import Expression, Number, as_expression, var
 from components.layout.stage import (
     H,
     Shape,

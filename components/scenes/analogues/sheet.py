@@ -9,7 +9,7 @@ from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, table, term, when, words
 from components.layout.views import in_views
-from components.quantities.numbers import three
+from components.quantities.formatting import three
 from components.scene.traces import traced
 from components.scenes.analogues.controls import SWINGING
 from components.scenes.analogues.curves import ANGLES, LIMITS, Axes, Hung

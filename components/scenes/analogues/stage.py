@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.language.numbers import Expression, Number, var
+from components.language.expressions import Expression, Number, var
 from components.language.shapes import Turn
 from components.layout.grabs import begin
 from components.layout.stage import (

@@ -10,8 +10,8 @@ import numpy as np
 
 from components.language.picture import Pace
 from components.paper.deferred import Attributes
+from components.quantities.formatting import three
 from components.quantities.motion import ModalPlay, pace
-from components.quantities.numbers import three
 from components.scene.case import Case
 from components.scene.traces import Columns, Floats
 from physics.chain import ChainEnds, ChainModes, DrawnModes, UniformChain

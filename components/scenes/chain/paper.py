@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal
 
 from components.language.blocks import Block
-from components.language.numbers import Expression, Number, as_expression
+from components.language.expressions import Expression, Number, as_expression
 from components.language.plots import Room
 from components.language.shapes import AnyShape, Begin, Grab
 from components.layout.grabs import begin

@@ -14,8 +14,8 @@ from components.chain.modes import PARTS, directions
 from components.chain.stage import Extremes, without_roundings
 from components.language.picture import Pace
 from components.paper.deferred import Attributes
+from components.quantities.formatting import signed, three
 from components.quantities.motion import pace
-from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.about import About, CheckedPoint, bands_among, bounded, few_of
 from components.scene.traces import Columns

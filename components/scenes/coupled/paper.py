@@ -13,7 +13,7 @@ from components import chain
 from components.chain.case import drawing
 from components.chain.forces import LENGTH
 from components.language.blocks import Block
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.language.plots import Room
 from components.language.shapes import Along, AnyShape, Begin, Grab, Share, Swung
 from components.layout.grabs import begin

@@ -11,8 +11,8 @@ import numpy as np
 from components.dashpot import DashpotCase
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
+from components.quantities.formatting import short, signed, three
 from components.quantities.motion import scaled
-from components.quantities.numbers import short, signed, three
 from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, drift, few_of, points, reason_of
 from components.scene.traces import Floats

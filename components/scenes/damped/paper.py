@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.language.plots import Room
 from components.layout.root_plane import root_plane
 from components.layout.sheet import column, desk, row, stage

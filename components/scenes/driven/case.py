@@ -15,8 +15,8 @@ from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
 from components.quantities.axes import Axis, nice_axis
+from components.quantities.formatting import three
 from components.quantities.motion import pace, scaled
-from components.quantities.numbers import three
 from components.scene import Picture
 from components.scene.about import About, Place, bands_among, bounded, few_of, points
 from components.scene.case_curves import BandColumns

@@ -7,7 +7,7 @@ from functools import partial
 
 from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.language.plots import Room
 from components.language.shapes import Quotient
 from components.layout.grabs import grab

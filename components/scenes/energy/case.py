@@ -8,8 +8,8 @@ from functools import cached_property
 from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
+from components.quantities.formatting import three
 from components.quantities.motion import pace, scaled
-from components.quantities.numbers import three
 from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, drift, few_of, points
 from components.scene.case import Case

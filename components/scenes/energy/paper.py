@@ -8,7 +8,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from components.language.blocks import Block
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.layout.plots import Room
 from components.layout.sheet import column, row, stage
 from components.layout.stage import (
@@ -44,7 +44,7 @@ from components.paper.plots import (
     words,
 )
 from components.quantities.axes import Axis, nice_axis, nice_ticks
-from components.quantities.numbers import at_tick, power_unit, three
+from components.quantities.formatting import at_tick, power_unit, three
 from components.scene.traces import Columns
 from components.scenes.energy.case import PLANETS, EnergyShown
 

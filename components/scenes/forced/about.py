@@ -9,7 +9,7 @@ from components.chain import BOTH
 from components.chain.about import DRIVE, FREQUENCY, MASSES, motion_rows
 from components.chain.parameters import Pair
 from components.quantities.declared import by_name
-from components.quantities.numbers import short
+from components.quantities.formatting import short
 from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, few_of, points, rows
 from components.scenes.forced.case import Signals as S

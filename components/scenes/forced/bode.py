@@ -11,7 +11,7 @@ import numpy as np
 
 from components.chain import BOTH
 from components.language.blocks import Block
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.state import Frame
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import phrase, term

@@ -12,7 +12,7 @@ import numpy as np
 from components.chain import BOTH, MODES, components, free_signals, positions
 from components.chain.forces import Forces, forces
 from components.chain.parameters import Pair
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
 from components.quantities.declared import Column, Signal, by_name

@@ -14,7 +14,7 @@ import numpy as np
 from components.chain import BOTH
 from components.chain.forces import Forces, forces
 from components.chain.parameters import Pair
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis, nice_axis
 from components.quantities.declared import Column, by_name

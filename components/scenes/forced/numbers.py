@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from components.chain import BOTH
 from components.quantities.axes import Axis
 from components.quantities.declared import AxisUnit, Declared, Family, LiveNumber
-from components.quantities.numbers import MINUS, plus, three
+from components.quantities.formatting import MINUS, plus, three
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from components.chain import BOTH
 from components.language.blocks import PlotBlock
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.plots import Curve, Handle
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot

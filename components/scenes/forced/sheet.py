@@ -10,7 +10,7 @@ from components.chain import BOTH
 from components.chain.forces import Arrows, arrows
 from components.chain.grabs import mass_grab
 from components.language.blocks import Block
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words

@@ -8,7 +8,7 @@ from dataclasses import replace
 from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
 from components.chain.parameters import Pair
 from components.quantities.declared import by_name
-from components.quantities.numbers import ten
+from components.quantities.formatting import ten
 from components.scene import Picture
 from components.scene.about import About, CheckedPoint, Place, bounded, few_of, rows
 from components.scenes.modes.determinant import Curves as C

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from components.chain import MODES
 from components.language.blocks import Block
-from components.language.numbers import Number, var
+from components.language.expressions import Number, var
 from components.language.plots import Handle, Mark
 from components.language.state import Frame
 from components.layout.plots import Room, curve, mark, plot
@@ -32,7 +32,7 @@ from components.quantities.declared import (
     Scalar,
     by_name,
 )
-from components.quantities.numbers import ten
+from components.quantities.formatting import ten
 from components.scene.frames import framed
 from components.scene.traces import Columns
 from components.scenes.modes.guess_case import AtFrequency, inside

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from components import chain
 from components.chain import BOTH, MODES
 from components.language.blocks import Block
-from components.language.numbers import Number, var
+from components.language.expressions import Number, var
 from components.language.plots import Handle
 from components.language.shapes import Along, Quotient
 from components.language.signals import AnySignal
@@ -51,8 +51,8 @@ from components.quantities.declared import (
     Signal,
     by_name,
 )
+from components.quantities.formatting import signed, three
 from components.quantities.motion import QUARTER, pace, sines
-from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns

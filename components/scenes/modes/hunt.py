@@ -15,7 +15,7 @@ from components.chain.parameters import Pair
 from components.chain.signals import Axes
 from components.chain.signals import Signals as S
 from components.language.blocks import Block
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.plots import Handle
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot

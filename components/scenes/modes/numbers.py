@@ -13,7 +13,7 @@ from typing import Any
 from components.chain.modes import BOTH, MODES, PARTS, directions
 from components.chain.parameters import Pair
 from components.quantities.declared import Declared, Family, LiveNumber
-from components.quantities.numbers import plus, short, signed, three
+from components.quantities.formatting import plus, short, signed, three
 from components.scenes.modes.guess import Numbers as GuessNumbers
 from physics.coupled import Modes, TwoMassChain
 from physics.damped_chain import ComplexMode, ComplexModes, DampedChain, Kind

@@ -13,7 +13,7 @@ from components.chain import BOTH, MODES
 from components.chain.parameters import Pair
 from components.chain.signals import Axes as TimeAxes
 from components.language.blocks import Block
-from components.language.numbers import as_expression, var
+from components.language.expressions import as_expression, var
 from components.language.shapes import ChainRoot, Grab
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
@@ -23,8 +23,8 @@ from components.layout.sheet import choice, column, either, phrase, row, term, w
 from components.layout.stage import Looks, PlotFrame, Shape, arrow, circle, line, path, shown_by, text
 from components.quantities.axes import nice_axis, nice_ticks, time_axis
 from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Family, LiveNumber, Scalar, by_name
+from components.quantities.formatting import three
 from components.quantities.motion import pace
-from components.quantities.numbers import three
 from components.quantities.parameters import one_of
 from components.scene import Picture
 from components.scene.frames import FITTED, framed

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from components import chain
 from components.chain.signals import Axes
 from components.language.blocks import Block
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.layout.sheet import Paragraph, column, either, row, stage, when, words

@@ -9,8 +9,8 @@ from typing import Literal
 from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
+from components.quantities.formatting import plus, signed, three
 from components.quantities.motion import pace, scaled
-from components.quantities.numbers import plus, signed, three
 from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, drift, few_of, points, reason_of
 from components.scene.case import Case

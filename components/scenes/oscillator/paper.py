@@ -10,7 +10,7 @@ from math import pi
 from msgspec.structs import replace
 
 from components.language.blocks import Block
-from components.language.numbers import Expression, Number
+from components.language.expressions import Expression, Number
 from components.language.shapes import Grab
 from components.layout.grabs import grab
 from components.layout.plots import HEADING, NUMBERS, Room
@@ -54,8 +54,8 @@ from components.paper.plots import (
     words,
 )
 from components.quantities.axes import Axis, nice_axis
+from components.quantities.formatting import MINUS, power_unit, three
 from components.quantities.motion import scaled
-from components.quantities.numbers import MINUS, power_unit, three
 from components.scenes.oscillator.case import OscillatorShown
 
 c = deferred(OscillatorShown)

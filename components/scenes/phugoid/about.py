@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, few_of, rows
 from components.scenes.phugoid.curves import Signals as S

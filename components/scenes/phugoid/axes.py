@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from components.quantities.axes import Axis, nice_axis, nice_ticks, round_ticks, time_axis
 from components.quantities.declared import Declared, DrawnAxis, by_name
-from components.quantities.numbers import short
+from components.quantities.formatting import short
 from components.scenes.phugoid.swing import AIRCRAFT, LENGTHS, SPEEDS, Swing
 from physics.phugoid import linear_phugoid
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from components.language.numbers import var
+from components.language.expressions import var
 from components.language.signals import AnySignal
 from components.quantities.axes import ONE, Axis
 from components.quantities.declared import AxesInForce, Column, Declared, Family, Signal, by_name

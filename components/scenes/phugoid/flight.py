@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 
-from components.language.numbers import Number, var
+from components.language.expressions import Number, var
 from components.language.shapes import Trade
 from components.layout.grabs import begin, grab, on_plot
 from components.layout.stage import (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from components.quantities.axes import Axis
 from components.quantities.declared import AxisUnit, Declared, LiveNumber
-from components.quantities.numbers import MINUS, signed, three
+from components.quantities.formatting import MINUS, signed, three
 from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.swing import AIRCRAFT, Swing, verdict
 from physics.phugoid import linear_phugoid

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from components.quantities.numbers import short, three
+from components.quantities.formatting import short, three
 from components.scene.frames import Windowed
 from components.scene.traces import Floats
 from physics.phugoid import (

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
+from components.language.class_messages import Counted
 from components.language.messages import Given
-from components.language.room import Counted
 from components.language.walk import Lesson, StepCard, Verdict
 from components.layout.text import plain, rich
 from components.walks.questions.question import Judged, Judgement, Question, Written, astray

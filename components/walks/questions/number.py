@@ -8,10 +8,10 @@ from typing import Any, TypeAlias
 
 from msgspec import field
 
+from components.language.class_messages import Counted
 from components.language.messages import Given
-from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
-from components.quantities.numbers import shortest, three
+from components.quantities.formatting import shortest, three
 from components.quantities.typed import typed_number, unit_size
 from components.walks.expressions import worked_out
 from components.walks.questions.question import Judged, Judgement, Question, Written, astray, refused

@@ -8,11 +8,11 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta
 from msgspec.structs import replace
 
+from components.language.class_messages import Counted
 from components.language.messages import Given
-from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
 from components.quantities.axes import Axis
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.quantities.typed import unit_size
 from components.walks.questions.number import NumericStep
 from components.walks.questions.question import Judged, Written

@@ -8,8 +8,8 @@ from typing import Any, ClassVar, NamedTuple
 
 from msgspec.structs import replace
 
+from components.language.class_messages import Counted, Voted
 from components.language.messages import Given
-from components.language.room import Counted, Voted
 from components.language.walk import Lesson, StepCard
 from components.layout.text import rich
 from components.walks.links import standing_at

@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
+from components.language.class_messages import Counted, SketchOf
 from components.language.messages import HEIGHTS, Given
-from components.language.room import Counted, SketchOf
 from components.language.walk import Lesson, StepCard
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.walks.features import Feature
 from components.walks.questions.question import UNFIT, Judged, Judgement, Question, Written, astray, refused
 from components.walks.sketch import Sketch

@@ -6,8 +6,8 @@ import unicodedata
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from components.language.class_messages import Counted, WordGroup
 from components.language.messages import Given
-from components.language.room import Counted, WordGroup
 from components.language.walk import Lesson, StepCard
 from components.walks.questions.question import Judged, Judgement, Question, Written
 from components.walks.subject import Subject

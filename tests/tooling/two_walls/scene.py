@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from components.language.blocks import Block
-from components.language.numbers import Number
+from components.language.expressions import Number
 from components.layout.controls import Group
 from components.layout.sheet import column, stage
 from components.layout.stage import H, Shape, W, box, line, spring, text, wall, wire

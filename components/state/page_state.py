@@ -13,14 +13,14 @@ import msgspec
 from components.language.messages import Choose, Open, SetValues
 from components.language.state import Frame, State
 from components.layout.views import known_parts
-from components.quantities.numbers import excerpt
+from components.quantities.formatting import excerpt
 from components.quantities.parameters import Values
 from components.scene import Scene
 from components.scene.frames import FITTED, checked, unfitted
 from components.scene.picture import Framed, Framing, Picture, draw
 from components.scene.scene import VIEW
-from components.state.beside import HIDDEN, WINDOW, moved, own_values, shown_as
 from components.state.commands import Command, RefusalError, asked_values, refusal, sentence
+from components.state.compared import HIDDEN, WINDOW, moved, own_values, shown_as
 from components.state.covers import NEXT, checked_covers
 from components.state.link import step_query, write_query
 from components.state.predicting import covers_after, put_last, told_of
@@ -31,7 +31,7 @@ Scenes = Mapping[str, type[Scene]]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Standing:
+class PageState:
     """A scene, its picture, and everything else of a page that a message can change.
 
     `held`     the compared scene, drawn in the frame and view of the current one
@@ -48,7 +48,7 @@ class Standing:
     scene: Scene
     drawn: Framed
     held: Scene | None = None
-    before: Standing | None = None
+    before: PageState | None = None
     covered: tuple[str, ...] = ()
     step: str = ""
     show: tuple[str, ...] = ()
@@ -67,7 +67,7 @@ class Standing:
         return self.drawn.picture
 
     @property
-    def asked(self) -> Standing:
+    def asked(self) -> PageState:
         """The standing whose picture is sent: the one before a change, while the change is being predicted."""
         return self.before or self
 
@@ -104,7 +104,7 @@ class Standing:
             show=self.show,
         )
 
-    def is_told_like(self, other: Standing) -> bool:
+    def is_told_like(self, other: PageState) -> bool:
         """Return True if both send the same to the browser; False also if a longer comparison would be needed."""
         pairs = zip(self._drawn_of, other._drawn_of, strict=True)
         return all(mine is its for mine, its in pairs) and self._marks == other._marks
@@ -123,19 +123,19 @@ class Standing:
         return step_query(self.step) if self.step else write_query(self.state, self.kind)
 
 
-def fitted(scene: Scene) -> Standing:
+def fitted(scene: Scene) -> PageState:
     """Return the standing of a page with a scene in the fitted frame, without anything else."""
-    return Standing(scene=scene, drawn=draw(scene))
+    return PageState(scene=scene, drawn=draw(scene))
 
 
-def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
+def changed(now: PageState, said: Command | Open, scenes: Scenes) -> PageState:
     """Return the standing after a message. Raises RefusalError, with a sentence for each reason."""
     return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
 
 
 def with_values(
-    now: Standing, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
-) -> Standing:
+    now: PageState, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
+) -> PageState:
     """Return the standing with other values, in its frame, which grows if necessary.
 
     During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. A
@@ -150,8 +150,8 @@ def with_values(
 
 
 def _redrawn(
-    now: Standing, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
-) -> Standing:
+    now: PageState, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
+) -> PageState:
     """Return the standing with another scene of its class, in its frame. With `refits`, axes may be fitted again."""
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
@@ -160,7 +160,7 @@ def _redrawn(
     return replace(now, scene=scene, held=held, drawn=drawn)
 
 
-def _done(now: Standing, command: Command) -> Standing:
+def _done(now: PageState, command: Command) -> PageState:
     """Return the standing after a command.
 
     The frame grows if necessary. At the end of a drag, mostly empty axes are fitted again, except the axes along the
@@ -180,7 +180,7 @@ def _done(now: Standing, command: Command) -> Standing:
     return _predicted(after, now.before or now, begins=now.before is None)
 
 
-def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standing:
+def _predicted(after: PageState, before: PageState | None, begins: bool) -> PageState:
     """Return the standing with covers for everything that has changed since `before`, if the visitor predicts.
 
     A prediction `begins` with the first change of a parameter that is not only a change of display.
@@ -192,7 +192,7 @@ def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standi
     return replace(after, before=before, covered=covers_after(after.scene, after.shown, before.shown, covered))
 
 
-def _shown_like(before: Standing, after: Standing) -> Standing:
+def _shown_like(before: PageState, after: PageState) -> PageState:
     """Return an earlier standing with the display parameters and the compared scene of the current one."""
     scene = shown_as(before.scene, after.scene, HIDDEN)
     if scene is before.scene and _key(before.held) == _key(after.held):
@@ -204,7 +204,7 @@ def _key(scene: Scene | None) -> object:
     return scene and scene.key
 
 
-def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
+def _turned(now: PageState, said: Open, scenes: Scenes) -> PageState:
     """Return the standing after a message that opens a state.
 
     A scene that is opened with `carried` takes over the values of the shared system, unless it cannot show them.
@@ -227,7 +227,7 @@ def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
         raise RefusalError({"state": f"{sentence(error)} Still drawn as before."}) from error
 
 
-def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *, keeps: bool = False) -> Standing:
+def standing_in(kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False) -> PageState:
     """Return the standing for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
 
     Anything the state omits is taken from `now`. With `keeps`, the frame stays if only quantities change; for another
@@ -249,7 +249,7 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
     else:
         drawn = draw(scene, held, "grown" if frame else "fitted", frame or FITTED)
     after = replace(
-        now or Standing(scene=scene, drawn=drawn),
+        now or PageState(scene=scene, drawn=drawn),
         scene=scene,
         drawn=drawn,
         held=held,
@@ -270,12 +270,12 @@ def _only_quantities(before: Scene, after: Scene) -> bool:
 
 
 def _before(
-    scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: Standing | None
-) -> Standing | None:
+    scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: PageState | None
+) -> PageState | None:
     """Return the standing before a predicted change, from a state; the existing standing if it is the same."""
     if scene is None:
         return None
     if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:
         return same.before
     scene = shown_as(scene, after, HIDDEN)
-    return Standing(scene=scene, held=held, drawn=draw(scene, held, "grown" if frame else "fitted", frame or FITTED))
+    return PageState(scene=scene, held=held, drawn=draw(scene, held, "grown" if frame else "fitted", frame or FITTED))
