@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from functools import cached_property
 
-from components.chain.stage import BODY, MAGNIFIED, UNIT, ChainDrawing, Extremes, scale, sides
+from components.chain.stage import BODY, MAGNIFIED, UNIT, ChainDrawing, Extremes, drawn_larger, scale, sides
 from components.chain.stage import HOOK as LONGEST_HOOK
 from components.layout.stage import W, wire
 from components.paper.deferred import number
@@ -43,10 +43,8 @@ class ChainCase(Case):
         """The scale of the displacements on the stage."""
         return self.scale or self.fits
 
-    def notes(self) -> tuple[str, ...]:
-        if self.magnification == 1:
-            return ()
-        return (f"Displacements are drawn {short(self.magnification)} times as large.",)
+    def to_scale(self) -> str:
+        return drawn_larger(self.magnification)
 
     @property
     def side1(self) -> float:

@@ -113,16 +113,21 @@ def scale(extremes: Extremes, side: tuple[float, float]) -> float:
     return 1.0 if fits >= 1 and (seen or fits == 1.0) else round_down(min(fits, MAGNIFIED), STEPS)
 
 
+def drawn_larger(factor: float) -> str:
+    """The sentence on the scale of the stage, "" if it is 1."""
+    return "" if factor == 1 else f"Displacements are drawn {short(factor)} times as large."
+
+
 @dataclass(frozen=True)
 class DrawnChain:
-    """The chain to scale: sizes for the stage, the text of the floor's ticks, and a note where the scale is not 1.
+    """The chain to scale: sizes for the stage, the text of the floor's ticks, and a sentence if the scale is not 1.
 
     `fits` is the scale that suits what is drawn, `scale` the one it is drawn to.
     """
 
     scalars: dict[str, float]
     values: dict[str, str]
-    notes: tuple[str, ...]
+    to_scale: str
     scale: float = 1.0
     fits: float = 1.0
 
@@ -134,9 +139,8 @@ def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float
     factor = wanted or fits
     tick = round_down(min(1 / factor, MAGNIFIED))
     scaling = {P.metre: scaled(-size.exponent, UNIT, factor), P.tick_at: UNIT * factor * tick}
-    notes = () if factor == 1 else (f"Displacements are drawn {short(factor)} times as large.",)
     values = P.texts(tick, by_name({Axes.x: size}))
-    return DrawnChain(sizes(system) | by_name(scaling), values, notes, factor, fits)
+    return DrawnChain(sizes(system) | by_name(scaling), values, drawn_larger(factor), factor, fits)
 
 
 @dataclass(frozen=True)

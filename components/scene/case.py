@@ -105,6 +105,10 @@ class Case(ABC):
         """Return sentences that tell the visitor how this picture differs from the exact motion."""
         return ()
 
+    def to_scale(self) -> str:
+        """Return the sentence on the scale of the stage, "" if it has none or is 1."""
+        return ""
+
     def about(self, shown: Picture) -> About | None:
         """Return the content of 'About these numbers', or None."""
         return None

@@ -221,5 +221,6 @@ class CasePicture:
             live=self.live,
             forms=self.forms,
             notes=self.case.notes(),
+            to_scale=self.case.to_scale(),
             spans=self.case.spans,
         )

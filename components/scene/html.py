@@ -46,6 +46,6 @@ def table(block: TableBlock, forms: Mapping[str, str]) -> Html:
 
 
 def notes(picture: Picture) -> Html:
-    """Return the notes of a picture. If the stage is not drawn to scale, the first note says so."""
+    """Return the notes of a picture."""
     still = ("Numbers that move are those at *t* = 0.",) if picture.live else ()
-    return rich(" ".join((*still, *picture.notes[picture.scale not in (None, 1.0) :])))
+    return rich(" ".join((*still, *picture.notes)))

@@ -41,7 +41,8 @@ class Picture:
     `values`    the texts of the live numbers, by name
     `live`      the formats of numbers that change while playing, by signal
     `forms`     the current variant of a formula or sentence, by name; "" hides it
-    `notes`     sentences on how the picture differs from the exact motion (slowed down, movements at half size)
+    `notes`     sentences on how the picture differs from the exact motion (slowed down, averaged)
+    `to_scale`  the sentence on the scale of the stage, if that is not 1; it is sent only with a stage
     `scale`     the scale of the stage, if it has one; `fits` is the one that suits the drawing
     `spans`     the ends of sliders whose range depends on the other parameters, by parameter
     """
@@ -57,6 +58,7 @@ class Picture:
     live: dict[str, Digits] = field(default_factory=dict)
     forms: dict[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    to_scale: str = ""
     scale: float | None = None
     fits: float | None = None
     spans: dict[str, tuple[float, float]] = field(default_factory=dict)

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import msgspec
 
-from components.language.blocks import Column
+from components.language.blocks import Column, StageBlock
 from components.layout.sheet import axes_of_columns
 from components.layout.views import shown_blocks
 from components.scene import Picture, Scene
@@ -33,6 +33,7 @@ class SentParts:
 
     axes: ColumnAxes
     names: frozenset[str]
+    has_stage: bool
 
 
 def sent_parts(now: PageState) -> SentParts | None:
@@ -48,7 +49,11 @@ def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentPar
     text = msgspec.json.encode([*blocks, sheet.panel, sheet.spoken]).decode()
     strings = {string for string, key in STRING.findall(text) if not key}
     names = strings.union(LIVE.findall(text.replace(r"\"", '"')))
-    return SentParts(axes_of_columns(Column(blocks=tuple(blocks))), frozenset(names))
+    return SentParts(
+        axes_of_columns(Column(blocks=tuple(blocks))),
+        frozenset(names),
+        any(isinstance(one, StageBlock) for one in blocks),
+    )
 
 
 def drawn_on(now: PageState) -> ColumnAxes:
@@ -58,8 +63,11 @@ def drawn_on(now: PageState) -> ColumnAxes:
 
 
 def sent_picture(now: PageState, picture: Picture) -> Picture:
-    """Return the picture without the curves and motions that no visible part needs; it keeps all texts."""
+    """Return the picture without the curves and motions that no visible part needs. It keeps all texts, except for the
+    sentence on the scale of a stage that is not visible."""
     parts = sent_parts(now)
+    if picture.to_scale and (parts is None or parts.has_stage):
+        picture = replace(picture, notes=(picture.to_scale, *picture.notes))
     if parts is None:
         return picture
     axes = parts.axes

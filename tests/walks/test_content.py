@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -14,6 +15,7 @@ from components.language.messages import Given
 from components.layout.text import rich
 from components.quantities.formatting import three
 from components.scenes import SCENES
+from components.state.sent_picture import sent_picture
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings
 from components.walks.features import Period
@@ -58,6 +60,14 @@ def test_the_right_answer_is_as_long_as_the_others(step: Step) -> None:
 @pytest.mark.parametrize("name", WALKS)
 def test_a_walk_opens_and_everything_it_names_is_there(name: str) -> None:
     assert list(problems(WALKS[name], SCENES)) == []
+
+
+@every_step
+def test_a_step_states_the_scale_of_a_stage_only_with_a_stage(step: Step) -> None:
+    standing = replace(standing_at(step.state, SCENES), show=step.show)
+    said = standing.shown.to_scale in sent_picture(standing, standing.shown).notes
+    has_stage = any(name.partition(":")[0] == "stage" for name in step.show)
+    assert said == bool(has_stage and standing.shown.to_scale)
 
 
 def test_every_slide_has_its_step() -> None:

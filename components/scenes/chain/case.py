@@ -114,12 +114,13 @@ class MassesCase(Case):
     def notes(self) -> tuple[str, ...]:
         known = KNOWN.get((self.N, self.ends))
         notes = [known] if known else []
-        if self.scale and self.scale < 1:
-            notes.append(SMALLER.format(share=three(self.scale)))
         rate = self.drawn.drift[1]
         if abs(rate) * self.end > SEEN * self.reach:
             notes.append(DRIFTS.format(rate=three(rate)))
         return tuple(notes)
+
+    def to_scale(self) -> str:
+        return SMALLER.format(share=three(self.scale)) if self.scale and self.scale < 1 else ""
 
     @cached_property
     def unit_start(self) -> tuple[Floats, Floats]:

@@ -165,7 +165,8 @@ class Forced(Scene):
             values=N.texts(case, counted) | drawn.values | pushed.values,
             live=Signals.live(counted) | pushed.live,
             forms=Forms.forms(case),
-            notes=(*drawn.notes, *notes(case, self.axes, shown, case.view == "work" and not work)),
+            notes=tuple(notes(case, self.axes, shown, case.view == "work" and not work)),
+            to_scale=drawn.to_scale,
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
 

@@ -161,6 +161,15 @@ def lag_plot() -> Block:
     shapes = (
         *(line(at, LAG.top, at, LAG.bottom, **look[name]) for name, at in places.items()),
         line(now, LAG.top, now, LAG.bottom, tint="F", style="thin", show=B.turns),
+        text(
+            places["still"] + 5,
+            LAG.top + 14,
+            NAMED["still"][1],
+            "start",
+            tint="mute",
+            style="halo",
+            show=B.is_line["still"],
+        ),
         text(LAG.left + 8, LAG.top + 14, "lag behind the push", "start", tint="mute", style="halo"),
     )
     return plot(
@@ -182,7 +191,7 @@ def plane_plot() -> Block:
     ]
     for name, (tint, label) in NAMED.items():
         x, y = PLANE.x(var(B.re_mark[name])), PLANE.y(var(B.im_mark[name]))
-        shapes += shown_by(B.is_mark[name], circle(x, y, 4, tint=tint), text(x + 8, y + 14, label, "start", tint=tint))
+        shapes += shown_by(B.is_mark[name], circle(x, y, 4, tint=tint), text(x, y, label, "beside", tint=tint))
     named = (term(Locus.im[i], KEYS[i], f"m{i}", formula=rf"X_{i}") for i in BOTH)
     curves = (
         curve(

@@ -80,7 +80,7 @@ def _shapes() -> list[Shape]:
         *chain.masses(foot, push, chain.place(2), corner=True, grabs=(mass_grab(1), mass_grab(2))),
         arrow(push, middle, tip, middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
-        text(tip, middle - 14, "*F*", tint="F", style="t3 b halo"),
+        text(tip, foot - chain.side(1) - 8, "*F*", tint="F", style="t3 b halo"),
         *arrows(foot),
     ]
 

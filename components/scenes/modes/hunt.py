@@ -177,7 +177,7 @@ def picture(system: TwoMassChain, x_0: Pair, revealed: bool, window: float | Non
         | (N.texts(system.modes(), axes) if revealed else {}),
         live=chain.FreeSignals.live(axes),
         forms=Hunt.forms(case),
-        notes=drawn.notes,
+        to_scale=drawn.to_scale,
     )
 
 
