@@ -175,7 +175,7 @@ def lag_plot() -> Block:
     return plot(
         LAG, x=Axes.omega, y=Axes.lag, x_column=Lags.w, curves=curves, shapes=shapes,
         title="Lag of each mass behind the push against the drive frequency",
-        room=Room(40, 12, top=6), style="lag", grow=0.6, phone=12, height=96,
+        room=Room(40, 12, top=6), style="lag", grow=0.4, phone=12, height=96,
     )  # fmt: skip
 
 
