@@ -17,7 +17,8 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
 from components.scenes.driven.paper import BASE, PX, polygon
-from physics.driven import DrivenOscillator, highest, magnification
+from physics.bode import driven_resonances
+from physics.driven import Drive, DrivenOscillator, highest, magnification
 from tests.grids import tries
 from tests.page.scripts import each
 from tests.page.told import Page, put
@@ -335,3 +336,35 @@ def test_both_points_of_half_power_lie_on_the_power_at_one_height(zeta: float, m
     lost = (np.asarray(data["omega"]) * np.asarray(data["M"])) ** 2
     np.testing.assert_allclose(share, lost * (scene.m / scene.k) * (2 * scene.value.zeta) ** 2, rtol=1e-9)
     assert share.max() == pytest.approx(1.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+@pytest.mark.parametrize("c", [1e-3, 2.513, 30.0])
+def test_log_axes_mark_the_peak_the_width_and_the_natural_frequency(kind: Drive, c: float) -> None:
+    scene = DRIVEN(kind=kind, c=c, axes="log", omega=5.0)
+    scalars, axes, curve = scene.shown.scalars, scene.shown.axes, scene.shown.sources["below"]
+    assert axes["r"].log and axes["M"].log
+    unit = {"force": scene.k, "base": 1.0, "unbalance": scene.m}[kind]
+    peaks = driven_resonances(DrivenOscillator(m=scene.m, c=c, k=scene.k), kind).peaks
+    assert ("peak_up" in scalars) == bool(peaks)
+    for peak in peaks:
+        height, (low, high) = unit * peak.height, peak.half_power
+        assert scalars["peak_at"] == pytest.approx(axes["r"].place(peak.omega))
+        assert scalars["peak_up"] == pytest.approx(axes["M"].place(height))
+        assert curve["M"].max() == pytest.approx(height, rel=0.01), "the mark is on the curve"
+        assert ("peak_half" in scalars) == bool(low and high)
+        if low and high:
+            assert scalars["peak_half"] == pytest.approx(axes["M"].place(height / math.sqrt(2)))
+            assert np.interp((low, high), curve["omega"], curve["M"]) == pytest.approx(height / math.sqrt(2), rel=0.01)
+    assert scalars["natural"] == pytest.approx(0.0), "r = 1"
+    drawn = np.interp(math.log(5.0), np.log(curve["omega"]), np.log(curve["M"]))
+    assert math.exp(drawn) == pytest.approx(scene.of().M, rel=5e-3)
+
+
+def test_log_axes_change_no_number_and_no_other_view() -> None:
+    linear, log = DRIVEN(), DRIVEN(axes="log")
+    assert linear.numbers == log.numbers
+    assert not {"natural", "peak_up"} & linear.shown.scalars.keys()
+    forces = DRIVEN(axes="log", view="forces").shown
+    assert not forces.axes["M"].log and "natural" not in forces.scalars, "the arrows are on its scale"
+    assert "omega_at" not in DRIVEN(axes="log", omega=0.0).shown.scalars, "0 is on no log axis"

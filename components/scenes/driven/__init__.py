@@ -10,7 +10,7 @@ from components.layout.views import View
 from components.quantities.parameters import angular_frequency, displacement, force, not_negative, one_of, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import KIND_FORMS, RESPONSE, paper
+from components.scenes.driven.paper import AXES, KIND_FORMS, RESPONSE, paper
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
@@ -78,6 +78,7 @@ class DrivenScene(DashpotScene, CaseScene):
     keep = keeping()
     x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
     v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
+    axes = AXES
     views = (
         View(
             "Response", "Drag the dot through the peak: when does the mass go with the push, and when against it?",

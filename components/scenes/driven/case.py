@@ -14,13 +14,14 @@ from components.dashpot import DashpotCase
 from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
-from components.quantities.axes import Axis, nice_axis
+from components.quantities.axes import Axis, log_axis, nice_axis
 from components.quantities.formatting import three
 from components.quantities.motion import pace, scaled
 from components.scene import Picture
 from components.scene.about import About, Place, bands_among, bounded, few_of, points
 from components.scene.case_curves import BandColumns
 from components.scene.traces import BAND, RINGING, Columns, Floats
+from physics.bode import ResponsePeak, driven_resonances
 from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half
 from physics.forced_vibration import ForcedVibration, SampledVibration, rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
@@ -40,6 +41,8 @@ AT_ROOT = 1e-3
 """Distance of r from √2 within which all dashpots are alike, if three digits say so."""
 END = 2.5
 """The end of the axis of r, unless the drive is faster."""
+DECADE = 10.0
+"""The reach of log axes to each side of r = 1, unless the drive is beyond it."""
 LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
 """Height of the response: the smallest, that without a peak to show, the largest."""
 FEWEST, MOST, PER_PERIOD = 60, 240, 16
@@ -101,6 +104,7 @@ class DrivenCase(DashpotCase):
     """A driven motion of a mass on a spring and a dashpot."""
 
     view: str
+    axes: str
     kind: Drive
     F_0: float
     Y: float
@@ -175,8 +179,20 @@ class DrivenCase(DashpotCase):
     def ratio_axis(self) -> Axis:
         """The axis of r, which counts in natural frequencies."""
         end, omega_n = max(END, float(f"{1.1 * self.r:.2g}")), self.one.omega_n
+        if self.is_log:
+            low, high = min(1 / DECADE, self.r or 1.0), max(DECADE, end)
+            ratios = replace(log_axis(low, high), start=low * omega_n, end=high * omega_n, factor=omega_n)
+            return replace(ratios, drawn=(low * omega_n, max(1.2, self.r) * omega_n), si="rad/s")
         ratios = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
         return replace(ratios, drawn=(0.0, max(1.2, self.r) * omega_n), si="rad/s")
+
+    @property
+    def response_axis(self) -> Axis:
+        """The axis of the magnification: on a log axis down to a decade below the ends."""
+        if self.is_log:
+            top = 10.0 ** math.ceil(math.log10(1.2 * self.resonance.height) if self.resonance else 2.0)
+            return replace(log_axis(DECADE**-2, top), drawn=(1.0, top))
+        return replace(nice_axis(0.0, self.top, "", 3, exact=True), drawn=(0.0, self.top / 1.1))
 
     @property
     def drive_axis(self) -> Axis:
@@ -195,6 +211,24 @@ class DrivenCase(DashpotCase):
         return 1.1 * low, 1.15 * high
 
     # Resonance.
+
+    @property
+    def is_log(self) -> bool:
+        """True if the response has log axes: not next to the polygon of the forces, which is on its scale."""
+        return self.axes == "log" and self.view == "response"
+
+    @cached_property
+    def resonance(self) -> ResponsePeak | None:
+        """The peak of the magnification, if it is marked."""
+        peaks = driven_resonances(self.vibration.oscillator, self.kind).peaks if self.is_log else ()
+        unit = {"force": self.k, "base": 1.0, "unbalance": self.m}[self.kind]
+        return next((one._replace(height=unit * one.height) for one in peaks), None)
+
+    @property
+    def ends(self) -> tuple[float, float] | None:
+        """The frequencies in rad/s of half the power of that peak, if it has both."""
+        low, high = self.resonance.half_power if self.resonance else (None, None)
+        return (low, high) if low and high else None
 
     @cached_property
     def resonant(self) -> bool:
@@ -233,7 +267,7 @@ class DrivenCase(DashpotCase):
     @cached_property
     def half_power(self) -> tuple[float, float] | None:
         """omega in rad/s below and above omega_n at which the dashpot takes half of its most, if that is drawn."""
-        if self.kind != "force" or not 0.02 < self.zeta < 0.6:
+        if self.is_log or self.kind != "force" or not 0.02 < self.zeta < 0.6:
             return None
         below, above = half_power(self.zeta)
         return below * self.one.omega_n, above * self.one.omega_n
@@ -251,7 +285,7 @@ class DrivenCase(DashpotCase):
 
         The power has its peak at Q, the height of the response at r = 1.
         """
-        zeta, ratio = self.zeta, self._grid(r.end / self.one.omega_n)
+        zeta, ratio = self.zeta, self._grid(r)
         if not zeta:
             ratio = ratio[ratio < 1 if side == "below" else ratio > 1]
         elif side == "above":
@@ -261,12 +295,13 @@ class DrivenCase(DashpotCase):
         power = {"power": 2 * zeta * (ratio * np.abs(X)) ** 2} if self.half_power else {}
         return {"omega": ratio * self.one.omega_n, "M": np.abs(X), "lag": lags, **power}
 
-    def _grid(self, end: float) -> Floats:
+    def _grid(self, axis: Axis) -> Floats:
         """Values of r, closer together about 1, where a light damping has its peak."""
-        zeta = self.zeta
+        zeta, low, end = self.zeta, axis.start / axis.factor, axis.end / axis.factor
         sharp = [1 - zeta * NEAR * 10, 1 + zeta * NEAR * 10] if 0 < zeta < 0.1 else []
-        r = np.unique(np.concatenate([end * EVEN, 1 - NEAR, 1 + NEAR, *sharp, [1.0]]))
-        return r[(r >= 0) & (r <= end)]
+        even = low * (end / low) ** EVEN if axis.log else end * EVEN
+        r = np.unique(np.concatenate([even, 1 - NEAR, 1 + NEAR, *sharp, [1.0]]))
+        return r[(r >= max(low, 0.0)) & (r <= end)]
 
     # What is drawn over time.
 
@@ -456,12 +491,15 @@ class DrivenShown(DrivenCase):
     base_form = value(lambda c: c.worded("name" if c.shaken else ""))
     growing = value(lambda c: c.worded(("always" if c.resonant else "first") if c.swells else ""))
     is_peaked = value(lambda c: bool(c.half_power))
-    is_flat = value(lambda c: not c.half_power)
+    is_flat = value(lambda c: not (c.half_power or c.is_log))
+    outlined = value(lambda c: "" if c.is_log else c.kind)
     has_power = value(lambda c: bool(c.power))
     # Places on the stage and on the response. A hand sets zeta by `half` over the height at r = 1.
     side = value(lambda c: min(max(c.m**0.15, 0.75), 1.25))
     wire = value(lambda c: wire(c.k))
     stroke = value(lambda c: c.Y if c.kind == "base" else 0.0)
+    omega_at = value.optional(lambda c: c.omega if c.omega or not c.is_log else None)
+    unity = value(lambda c: 1.0)
     root2 = value(lambda c: math.sqrt(2.0) * c.one.omega_n)
     M_at = value.optional(lambda c: c.M if c.settles else None)
     lag_at = value.optional(lambda c: c.lag if c.settles else None)
@@ -470,3 +508,9 @@ class DrivenShown(DrivenCase):
     peak = value(lambda c: 0.5 / c.zeta if c.half_power else 0.0)
     half_peak = value.optional(lambda c: 0.25 / c.zeta if c.half_power else None)
     beyond = value.optional(lambda c: past_half(c.zeta) * c.one.omega_n if c.half_power else None)
+    natural = value.optional(lambda c: c.one.omega_n if c.is_log else None)
+    peak_at = value.optional(lambda c: c.resonance.omega if c.resonance else None)
+    peak_up = value.optional(lambda c: c.resonance.height if c.resonance else None)
+    peak_low, peak_high = value.pair(lambda c: c.ends)
+    peak_half = value.optional(lambda c: c.resonance.height / math.sqrt(2) if c.resonance and c.ends else None)
+    peak_width = value.optional(lambda c: c.ends[1] - c.ends[0] if c.ends else None)

@@ -10,8 +10,9 @@ from components.language.blocks import Block
 from components.language.expressions import Number
 from components.language.plots import Room
 from components.language.shapes import Quotient
+from components.layout.bode_marks import peak, upright
 from components.layout.grabs import grab
-from components.layout.sheet import column, row, stage
+from components.layout.sheet import choice, column, desk, row, stage
 from components.layout.stage import (
     HALL,
     ON_NARROW,
@@ -34,7 +35,6 @@ from components.layout.views import in_views
 from components.paper.deferred import deferred, number
 from components.paper.plot_axes import TIME, axis
 from components.paper.plots import (
-    UNIT,
     EitherText,
     Plot,
     PlotItem,
@@ -53,6 +53,7 @@ from components.paper.plots import (
     words,
 )  # fmt: skip
 from components.quantities.axes import Axis
+from components.quantities.parameters import one_of
 from components.scenes.driven.case import KINDS, DrivenShown, outline
 
 c = deferred(DrivenShown)
@@ -65,6 +66,7 @@ FAINT = (0.0, 0.5, 1.0)
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
 
 
+AXES = one_of("linear", {"linear": "Linear", "log": "Log"}, "Axes of the response")
 KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
 LAGS = Axis(
     0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
@@ -72,7 +74,7 @@ LAGS = Axis(
 R, DRIVE = axis("", lambda c: c.ratio_axis, "r"), axis("", lambda c: c.drive_axis, "drive")
 X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, count=2))
 POWER = Plot("power", TIME, axis("W", lambda c: c.power_ends, "P", count=1, seen=lambda c: c.power_range))
-RESPONSE = Plot("response", R, axis("", lambda c: (0.0, c.top), "M", count=3, seen=lambda c: (0.0, c.top / 1.1)))
+RESPONSE = Plot("response", R, axis("", lambda c: c.response_axis, "M"))
 PHASE = Plot("phase", R, axis("", lambda c: LAGS, "lag"))
 
 MIDDLE, LEVEL = wide(0.34 * W, W * (0.22 * STACKED + 0.3 * BESIDE)), wide(X.y(0), H * (0.44 * STACKED + 0.28 * BESIDE))
@@ -103,6 +105,7 @@ def paper() -> Block:
         column(
             in_views(response(), "response", "forces"),
             in_views(phase(), "response"),
+            in_views(desk(choice(AXES, phone=62)), "response"),
             in_views(displacement(), "motion", "power", "formulas"),
             in_views(when(c.has_power, powers()), "power"),
             in_views(words(sentence(), phone=16, name="balance"), "response", "forces", "formulas"),
@@ -320,21 +323,23 @@ def behind(plot: Plot) -> list[Shape]:
     place: Looks = {"x": plot.x(0), "y": plot.y(0), "sx": plot.per_x, "sy": -1 * plot.per_y}
     look: Looks = {"style": "scaled behind", "tint": "m1", "inside": plot}
     outlines = ((kind, outline(kind, zeta, plot is PHASE)) for kind in KINDS for zeta in FAINT)
-    return [shape for kind, d in outlines for shape in shown_by(c.kind == kind, path(d, **place, **look))]
+    return [shape for kind, d in outlines for shape in shown_by(c.outlined == kind, path(d, **place, **look))]
 
 
 def sweeps(column: str, group: str, dot: float, legend: EitherText | str = "") -> list[PlotItem]:
     """Return the curve below an undamped resonance, with its dot, and the one above."""
     columns = ("omega", column)
     return [
-        curve(BELOW, "sum", "m1", columns=columns, group=group, legend=legend, dot=(c.omega, dot)),
+        curve(BELOW, "sum", "m1", columns=columns, group=group, legend=legend, dot=(c.omega_at, dot)),
         curve(ABOVE, "sum", "m1", columns=columns, group=group),
     ]
 
 
 def response() -> Block:
-    M = RESPONSE.in_frame(c, "M_held", lambda c, r, M: min(c.M, M.end) if c.settles else None, optional=True)
-    x, y, root2 = RESPONSE.x(c.omega), RESPONSE.y(M), RESPONSE.x(c.root2)
+    M = RESPONSE.in_frame(
+        c, "M_held", lambda c, r, M: min(max(c.M, M.start), M.end) if c.settles else None, optional=True
+    )
+    x, y, root2, one = RESPONSE.x(c.omega_at), RESPONSE.y(M), RESPONSE.x(c.root2), RESPONSE.y(c.unity)
     hand = grab("Drive frequency, on the curve", along("x", RESPONSE.x, R, omega=c.omega, least=0.0), inside=RESPONSE)
     legend = either(c.kind, force="k |X| / F_0", base="|X| / Y", unbalance="m |X| / m_0 e")
     return RESPONSE.block(
@@ -352,10 +357,11 @@ def response() -> Block:
             *shown_by(
                 c.kind == "base",
                 line(root2, RESPONSE.top, root2, RESPONSE.bottom, style="eq", tint="mute"),
-                line(RESPONSE.left, RESPONSE.y(UNIT), RESPONSE.right, RESPONSE.y(UNIT), style="eq", tint="mute"),
+                line(RESPONSE.left, one, RESPONSE.right, one, style="eq", tint="mute"),
                 text(root2 + 8, RESPONSE.top + 16, "every *ζ* passes 1 at √2", "start", style="halo", tint="mute"),
             ),
-            line(x, RESPONSE.top, x, RESPONSE.bottom, style="thin", tint="F"),
+            *bode_marks(),
+            upright(RESPONSE, x, "F"),
             circle(x, y, 0, grab=hand),
             text(x - 9, y - 8, f"{c.M}", "end", tint="m1", style="t2 b halo"),
         ],
@@ -389,14 +395,30 @@ def half_width() -> list[Shape]:
     )
 
 
+def bode_marks() -> list[Shape]:
+    """Return the marks on log axes: the natural frequency, and the peak with its width at half its power."""
+    at, low, high = map(RESPONSE.x, (c.peak_at, c.peak_low, c.peak_high))
+    top, width = peak(at, RESPONSE.y(c.peak_up), low, high, RESPONSE.y(c.peak_half), tint="m1")
+    said, foot = f"peak at {c.peak_at} rad/s, width {c.peak_width} rad/s", RESPONSE.bottom - 8
+    look: Looks = {"tint": "m1", "style": "halo"}
+    return [
+        upright(RESPONSE, RESPONSE.x(c.natural), "mute"),
+        text(RESPONSE.x(c.natural) + 6, RESPONSE.top + 16, "*ω*_n", "start", tint="mute", style="halo"),
+        width, top,
+        *shown_by(c.kind != "unbalance", text(RESPONSE.left + 8, foot, said, "start", **look)),
+        *shown_by(c.kind == "unbalance", text(RESPONSE.right - 4, foot, said, "end", **look)),
+    ]  # fmt: skip
+
+
 def phase() -> Block:
-    x = PHASE.x(c.omega)
+    x = PHASE.x(c.omega_at)
     return PHASE.block(
         *sweeps("lag", "phase", c.lag_at),
         title="Lag of the mass behind the drive against r: from 0 to half a turn",
         over=[
             *behind(PHASE),
-            line(x, PHASE.top, x, PHASE.bottom, style="thin", tint="F"),
+            upright(PHASE, PHASE.x(c.natural), "mute"),
+            upright(PHASE, x, "F"),
             text(PHASE.left + 8, PHASE.top + 18, "*φ*: how far *x* lags", "start", tint="mute", style="halo"),
         ],
         room=LEFT, grow=110, phone=15, height=130,

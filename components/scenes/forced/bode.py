@@ -13,6 +13,7 @@ from components.chain import BOTH
 from components.language.blocks import Block
 from components.language.expressions import var
 from components.language.state import Frame
+from components.layout.bode_marks import peak, upright
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import phrase, term
 from components.layout.stage import Looks, PlotFrame, Shape, arrow, circle, line, shown_by, text
@@ -125,13 +126,13 @@ def _extremes(case: AnyCase, across: Axis, up: Axis) -> dict[Scalar[AnyCase], fl
     """Peaks with the frequencies of half their power, and dips."""
     found, F_0 = dict[Scalar[AnyCase], float](), case.modes.F_0
     for i, one in zip(BOTH, case.extremes if F_0 else (), strict=False):
-        for n, peak in enumerate(one.peaks[:2]):
-            low, high = peak.half_power
-            found |= {B.peak[i, n]: across.place(peak.omega), B.up[i, n]: up.place(F_0 * peak.height)}
+        for n, top in enumerate(one.peaks[:2]):
+            low, high = top.half_power
+            found |= {B.peak[i, n]: across.place(top.omega), B.up[i, n]: up.place(F_0 * top.height)}
             found[B.is_peak[i, n]] = 1.0
             if low and high:
                 found |= {B.low[i, n]: across.place(low), B.high[i, n]: across.place(high), B.is_wide[i, n]: 1.0}
-                found[B.half[i, n]] = up.place(F_0 * peak.height / math.sqrt(2))
+                found[B.half[i, n]] = up.place(F_0 * top.height / math.sqrt(2))
         for dip in one.dips[:1]:
             found |= {B.dip[i]: across.place(dip.omega), B.down[i]: up.place(F_0 * dip.height), B.is_dip[i]: 1.0}
     return found
@@ -143,33 +144,22 @@ def extremes(on: PlotFrame) -> list[Shape]:
     dips = ((on.x(var(B.dip[i])), on.y(var(B.down[i])), Looks(show=B.is_dip[i], **looks[i])) for i in BOTH)
     shapes = [circle(x, y, 4.5, style="ghost", **look) for x, y, look in dips]
     for key in PEAKS:
-        half, look = on.y(var(B.half[key])), looks[key[0]]
-        shapes += [
-            line(on.x(var(B.low[key])), half, on.x(var(B.high[key])), half, show=B.is_wide[key], **look),
-            circle(on.x(var(B.peak[key])), on.y(var(B.up[key])), 4.5, show=B.is_peak[key], **look),
-        ]
+        x, low, high = (on.x(var(of[key])) for of in (B.peak, B.low, B.high))
+        top, width = peak(x, on.y(var(B.up[key])), low, high, on.y(var(B.half[key])), **looks[key[0]])
+        shapes += [*shown_by(B.is_wide[key], width), *shown_by(B.is_peak[key], top)]
     return shapes
 
 
 def lag_plot() -> Block:
-    now, places = LAG.x(var(B.now)), {name: LAG.x(var(B.line[name])) for name in NAMED}
-    look = {name: Looks(tint=tint, style="thin", show=B.is_line[name]) for name, (tint, _) in NAMED.items()}
+    still = LAG.x(var(B.line["still"])) + 5
     curves = (
         curve(Lags.phi[i], source="lag", tint=f"m{i}", width="sum", read=f"lag {i}", signal=B.phi[i], signal_x=B.now)
         for i in BOTH
     )
     shapes = (
-        *(line(at, LAG.top, at, LAG.bottom, **look[name]) for name, at in places.items()),
-        line(now, LAG.top, now, LAG.bottom, tint="F", style="thin", show=B.turns),
-        text(
-            places["still"] + 5,
-            LAG.top + 14,
-            NAMED["still"][1],
-            "start",
-            tint="mute",
-            style="halo",
-            show=B.is_line["still"],
-        ),
+        *(upright(LAG, LAG.x(var(B.line[name])), tint, show=B.is_line[name]) for name, (tint, _) in NAMED.items()),
+        upright(LAG, LAG.x(var(B.now)), "F", show=B.turns),
+        *shown_by(B.is_line["still"], text(still, LAG.top + 14, NAMED["still"][1], "start", tint="mute", style="halo")),
         text(LAG.left + 8, LAG.top + 14, "lag behind the push", "start", tint="mute", style="halo"),
     )
     return plot(
