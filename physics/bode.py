@@ -48,6 +48,16 @@ class ResponsePeak(NamedTuple):
     height: float
     half_power: tuple[float | None, float | None] = (None, None)
 
+    @property
+    def ends(self) -> tuple[float, float] | None:
+        """The frequencies of half its power, if it has both."""
+        low, high = self.half_power
+        return (low, high) if low and high else None
+
+    @property
+    def width(self) -> float | None:
+        return self.ends[1] - self.ends[0] if self.ends else None
+
 
 class Resonances(NamedTuple):
     """Peaks, dips, and the frequencies in rad/s at which the amplitude is infinite, lowest first; all rounded once."""
@@ -81,6 +91,12 @@ def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Re
     none, one = Fraction(0), Fraction(1)
     above = {"force": (one,), "base": (k * k, c * c), "unbalance": (none, none, one)}[kind]
     return resonances(above, (k * k, c * c - 2 * m * k, m * m))
+
+
+def magnification_peak(oscillator: DrivenOscillator, kind: Drive = "force") -> ResponsePeak | None:
+    """The peak of the magnification: |X| over F_0/k, over Y, or over mu e/m."""
+    unit = {"force": oscillator.k, "base": 1.0, "unbalance": oscillator.m}[kind]
+    return next((one._replace(height=unit * one.height) for one in driven_resonances(oscillator, kind).peaks), None)
 
 
 def quarter_lags(chain: DampedChain) -> tuple[float, ...]:

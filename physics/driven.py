@@ -36,6 +36,7 @@ from physics.valid import DOUBLES, check_finite, check_not_negative, finite_arra
 Complexes = NDArray[np.complex128]
 Drive = Literal["force", "base", "unbalance"]
 QUANTITIES = "the displacement", "the velocity"
+_NEAR = np.geomspace(1e-4, 0.6, 24)
 _TERMS = 34
 _EARLY = 2.0  # rad, up to which the power series of E has every digit
 
@@ -200,6 +201,14 @@ def past_half(zeta: float) -> float:
     """Return the r beyond which the response to a force and the power lost are both lower than half of theirs at 1."""
     z = zeta * zeta
     return max(half_power(zeta)[1], math.sqrt(1 - 2 * z + 2 * zeta * math.sqrt(3 + z)))
+
+
+def ratios(zeta: float, low: float, high: float, log: bool = False) -> Array:
+    """Values of r from low to high for a curve, even or on a log axis, closer together about 1, where a peak may be."""
+    sharp = [1 - zeta * _NEAR * 10, 1 + zeta * _NEAR * 10] if 0 < zeta < 0.1 else []
+    even = np.geomspace(low, high, 91) if log else high * np.linspace(0.0, 1.0, 91)
+    r: Array = np.unique(np.concatenate([even, 1 - _NEAR, 1 + _NEAR, *sharp, [1.0]]))
+    return r[(r >= max(low, 0.0)) & (r <= high)]
 
 
 def drawn(push: Push, t: ArrayLike) -> tuple[Array, Array]:

@@ -181,8 +181,9 @@ def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
     return tuple(step * i for i in range(first, last + 1))
 
 
-def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
+def log_axis(low: float, high: float, unit: str = "", count: int = 5, factor: float = 1.0) -> Axis:
     """A logarithmic axis with ticks at powers of ten; where fewer than two are seen, at other round numbers."""
+    start, end, low, high = low, high, low / factor, high / factor
     least, most = math.log10(low) - 1e-9, math.log10(high) + 1e-9
     first, last = math.ceil(least), math.floor(most)
     step = max(1, math.ceil((last - first) / count))
@@ -192,7 +193,7 @@ def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
         ticks = tuple(tick for tick in round_ones if least <= tick <= most)
     if len(ticks) < 2 and 1e-300 < low < 0.999 * high:
         ticks = tuple(math.log10(tick) for tick in nice_ticks(low, high, count))
-    return Axis(low, high, unit, ticks=ticks, log=True, count=count)
+    return Axis(start, end, unit, ticks=ticks, log=True, factor=factor, count=count)
 
 
 def whole_axis(end: float, unit: str) -> Axis:

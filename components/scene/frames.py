@@ -87,7 +87,7 @@ def with_range(axis: Axis, span: Range) -> Axis:
         return axis
     wide = replace(axis, start=span[0], end=span[1], own=axis.chosen)
     if axis.log:
-        return replace(wide, ticks=log_axis(*ordered(span), count=axis.count).ticks)
+        return replace(wide, ticks=log_axis(*ordered(span), count=axis.count, factor=axis.factor).ticks)
     if axis.labels:
         low, high = ordered((wide.place(wide.start), wide.place(wide.end)))
         inside = [(tick, label) for tick, label in zip(axis.ticks, axis.labels, strict=True) if low <= tick <= high]

@@ -352,7 +352,7 @@ def test_log_axes_mark_the_peak_the_width_and_the_natural_frequency(kind: Drive,
         assert scalars["peak_at"] == pytest.approx(axes["r"].place(peak.omega))
         assert scalars["peak_up"] == pytest.approx(axes["M"].place(height))
         assert curve["M"].max() == pytest.approx(height, rel=0.01), "the mark is on the curve"
-        assert ("peak_half" in scalars) == bool(low and high)
+        assert ("peak_low" in scalars) == bool(low and high)
         if low and high:
             assert scalars["peak_half"] == pytest.approx(axes["M"].place(height / math.sqrt(2)))
             assert np.interp((low, high), curve["omega"], curve["M"]) == pytest.approx(height / math.sqrt(2), rel=0.01)

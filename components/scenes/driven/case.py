@@ -20,9 +20,9 @@ from components.quantities.motion import pace, scaled
 from components.scene import Picture
 from components.scene.about import About, Place, bands_among, bounded, few_of, points
 from components.scene.case_curves import BandColumns
-from components.scene.traces import BAND, RINGING, Columns, Floats
-from physics.bode import ResponsePeak, driven_resonances
-from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half
+from components.scene.traces import BAND, RINGING, Columns
+from physics.bode import ResponsePeak, magnification_peak
+from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half, ratios
 from physics.forced_vibration import ForcedVibration, SampledVibration, rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 from physics.reference.damped import driven_points, response_points
@@ -47,8 +47,6 @@ LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
 """Height of the response: the smallest, that without a peak to show, the largest."""
 FEWEST, MOST, PER_PERIOD = 60, 240, 16
 """The times at which powers are computed: the fewest, the most, those in a period."""
-EVEN = np.linspace(0.0, 1.0, 91)
-NEAR = np.geomspace(1e-4, 0.6, 24)
 # The polygon of the forces.
 ASIDE = 0.09
 """Distance of arrows that would lie on each other, in pushes."""
@@ -180,18 +178,18 @@ class DrivenCase(DashpotCase):
         """The axis of r, which counts in natural frequencies."""
         end, omega_n = max(END, float(f"{1.1 * self.r:.2g}")), self.one.omega_n
         if self.is_log:
-            low, high = min(1 / DECADE, self.r or 1.0), max(DECADE, end)
-            ratios = replace(log_axis(low, high), start=low * omega_n, end=high * omega_n, factor=omega_n)
-            return replace(ratios, drawn=(low * omega_n, max(1.2, self.r) * omega_n), si="rad/s")
-        ratios = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
-        return replace(ratios, drawn=(0.0, max(1.2, self.r) * omega_n), si="rad/s")
+            low = min(1 / DECADE, self.r or 1.0) * omega_n
+            axis = log_axis(low, max(DECADE, end) * omega_n, factor=omega_n)
+        else:
+            axis = nice_axis(0.0, end * omega_n, "", 5, exact=True, factor=omega_n)
+        return replace(axis, drawn=(axis.start, max(1.2, self.r) * omega_n), si="rad/s")
 
     @property
     def response_axis(self) -> Axis:
         """The axis of the magnification: on a log axis down to a decade below the ends."""
         if self.is_log:
-            top = 10.0 ** math.ceil(math.log10(1.2 * self.resonance.height) if self.resonance else 2.0)
-            return replace(log_axis(DECADE**-2, top), drawn=(1.0, top))
+            top = 10.0 ** math.ceil(math.log10(1.2 * self.top_mark.height) if self.top_mark else 2.0)
+            return log_axis(DECADE**-2, top)
         return replace(nice_axis(0.0, self.top, "", 3, exact=True), drawn=(0.0, self.top / 1.1))
 
     @property
@@ -218,17 +216,9 @@ class DrivenCase(DashpotCase):
         return self.axes == "log" and self.view == "response"
 
     @cached_property
-    def resonance(self) -> ResponsePeak | None:
+    def top_mark(self) -> ResponsePeak | None:
         """The peak of the magnification, if it is marked."""
-        peaks = driven_resonances(self.vibration.oscillator, self.kind).peaks if self.is_log else ()
-        unit = {"force": self.k, "base": 1.0, "unbalance": self.m}[self.kind]
-        return next((one._replace(height=unit * one.height) for one in peaks), None)
-
-    @property
-    def ends(self) -> tuple[float, float] | None:
-        """The frequencies in rad/s of half the power of that peak, if it has both."""
-        low, high = self.resonance.half_power if self.resonance else (None, None)
-        return (low, high) if low and high else None
+        return magnification_peak(self.vibration.oscillator, self.kind) if self.is_log else None
 
     @cached_property
     def resonant(self) -> bool:
@@ -285,7 +275,8 @@ class DrivenCase(DashpotCase):
 
         The power has its peak at Q, the height of the response at r = 1.
         """
-        zeta, ratio = self.zeta, self._grid(r)
+        zeta = self.zeta
+        ratio = ratios(zeta, r.start / r.factor, r.end / r.factor, r.log)
         if not zeta:
             ratio = ratio[ratio < 1 if side == "below" else ratio > 1]
         elif side == "above":
@@ -294,14 +285,6 @@ class DrivenCase(DashpotCase):
         lags = np.array([lag(complex(one)) if np.isfinite(one) else math.pi / 2 for one in X])
         power = {"power": 2 * zeta * (ratio * np.abs(X)) ** 2} if self.half_power else {}
         return {"omega": ratio * self.one.omega_n, "M": np.abs(X), "lag": lags, **power}
-
-    def _grid(self, axis: Axis) -> Floats:
-        """Values of r, closer together about 1, where a light damping has its peak."""
-        zeta, low, end = self.zeta, axis.start / axis.factor, axis.end / axis.factor
-        sharp = [1 - zeta * NEAR * 10, 1 + zeta * NEAR * 10] if 0 < zeta < 0.1 else []
-        even = low * (end / low) ** EVEN if axis.log else end * EVEN
-        r = np.unique(np.concatenate([even, 1 - NEAR, 1 + NEAR, *sharp, [1.0]]))
-        return r[(r >= max(low, 0.0)) & (r <= end)]
 
     # What is drawn over time.
 
@@ -508,9 +491,10 @@ class DrivenShown(DrivenCase):
     peak = value(lambda c: 0.5 / c.zeta if c.half_power else 0.0)
     half_peak = value.optional(lambda c: 0.25 / c.zeta if c.half_power else None)
     beyond = value.optional(lambda c: past_half(c.zeta) * c.one.omega_n if c.half_power else None)
+    peak_form = value(lambda c: bool(c.top_mark and c.top_mark.width))
     natural = value.optional(lambda c: c.one.omega_n if c.is_log else None)
-    peak_at = value.optional(lambda c: c.resonance.omega if c.resonance else None)
-    peak_up = value.optional(lambda c: c.resonance.height if c.resonance else None)
-    peak_low, peak_high = value.pair(lambda c: c.ends)
-    peak_half = value.optional(lambda c: c.resonance.height / math.sqrt(2) if c.resonance and c.ends else None)
-    peak_width = value.optional(lambda c: c.ends[1] - c.ends[0] if c.ends else None)
+    peak_at = value.optional(lambda c: c.top_mark and c.top_mark.omega)
+    peak_up = value.optional(lambda c: c.top_mark and c.top_mark.height)
+    peak_low, peak_high = value.pair(lambda c: c.top_mark and c.top_mark.ends)
+    peak_half = value.optional(lambda c: c.top_mark and c.top_mark.height / math.sqrt(2))
+    peak_width = value.optional(lambda c: c.top_mark and c.top_mark.width)

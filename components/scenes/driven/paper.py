@@ -340,6 +340,7 @@ def response() -> Block:
         c, "M_held", lambda c, r, M: min(max(c.M, M.start), M.end) if c.settles else None, optional=True
     )
     x, y, root2, one = RESPONSE.x(c.omega_at), RESPONSE.y(M), RESPONSE.x(c.root2), RESPONSE.y(c.unity)
+    top, low, high, own = map(RESPONSE.x, (c.peak_at, c.peak_low, c.peak_high, c.natural))
     hand = grab("Drive frequency, on the curve", along("x", RESPONSE.x, R, omega=c.omega, least=0.0), inside=RESPONSE)
     legend = either(c.kind, force="k |X| / F_0", base="|X| / Y", unbalance="m |X| / m_0 e")
     return RESPONSE.block(
@@ -349,6 +350,7 @@ def response() -> Block:
         ),
         note("against *r* = *ω*/*ω*_n", "mute"),
         note(either(c.is_flat, shown=BEHIND), "mute"),
+        note(either(c.peak_form, shown=f"peak at {c.peak_at} rad/s, width {c.peak_width}"), "m1"),
         title="Amplitude of the steady part against r, the drive frequency over the natural one",
         handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
         over=[
@@ -360,7 +362,9 @@ def response() -> Block:
                 line(RESPONSE.left, one, RESPONSE.right, one, style="eq", tint="mute"),
                 text(root2 + 8, RESPONSE.top + 16, "every *ζ* passes 1 at √2", "start", style="halo", tint="mute"),
             ),
-            *bode_marks(),
+            *peak(top, RESPONSE.y(c.peak_up), low, high, RESPONSE.y(c.peak_half), tint="m1"),
+            upright(RESPONSE, own, "mute"),
+            text(own + 6, RESPONSE.top + 16, "*ω*_n", "start", tint="mute", style="halo"),
             upright(RESPONSE, x, "F"),
             circle(x, y, 0, grab=hand),
             text(x - 9, y - 8, f"{c.M}", "end", tint="m1", style="t2 b halo"),
@@ -393,21 +397,6 @@ def half_width() -> list[Shape]:
         text(one + 70, height + 5, f"*Q* = {c.Q}", "start", style="b halo"),
         text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo", show=ON_WIDE),
     )
-
-
-def bode_marks() -> list[Shape]:
-    """Return the marks on log axes: the natural frequency, and the peak with its width at half its power."""
-    at, low, high = map(RESPONSE.x, (c.peak_at, c.peak_low, c.peak_high))
-    top, width = peak(at, RESPONSE.y(c.peak_up), low, high, RESPONSE.y(c.peak_half), tint="m1")
-    said, foot = f"peak at {c.peak_at} rad/s, width {c.peak_width} rad/s", RESPONSE.bottom - 8
-    look: Looks = {"tint": "m1", "style": "halo"}
-    return [
-        upright(RESPONSE, RESPONSE.x(c.natural), "mute"),
-        text(RESPONSE.x(c.natural) + 6, RESPONSE.top + 16, "*ω*_n", "start", tint="mute", style="halo"),
-        width, top,
-        *shown_by(c.kind != "unbalance", text(RESPONSE.left + 8, foot, said, "start", **look)),
-        *shown_by(c.kind == "unbalance", text(RESPONSE.right - 4, foot, said, "end", **look)),
-    ]  # fmt: skip
 
 
 def phase() -> Block:
