@@ -77,6 +77,28 @@ def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeC
     return BodeCurves(X, np.array([first, first + behind]))
 
 
+class Transfer(NamedTuple):
+    """X1 and X2 in m as functions of s = i omega/unit: polynomials `above`, constants first, over the product of all
+    s - p of the `poles`."""
+
+    unit: float
+    above: tuple[tuple[float, float, float], tuple[float, float, float]]
+    poles: tuple[complex, ...]
+
+
+def transfer(chain: DampedChain, F_0: float = 1.0) -> Transfer | None:
+    """Return the response as a function of i omega in doubles, for a hand on its curve.
+
+    None if its numbers may leave the range of doubles.
+    """
+    scaled = _ScaledChain.of(chain, F_0, np.ones(0))
+    if not scaled.comfortable:
+        return None
+    size, unit = scaled.size, 2.0**scaled.exponent
+    tied = size * float(scaled.roots[2]) ** 2, size * scaled.second
+    return Transfer(unit, ((*tied, size), (*tied, 0.0)), tuple((chain.roots / unit).tolist()))
+
+
 def locus_frequencies(roots: Iterable[complex], fast: float) -> Array:
     """Return drive frequencies in rad/s, rising, at which X1 and X2 are smooth curves in the complex plane.
 
@@ -91,9 +113,10 @@ def locus_frequencies(roots: Iterable[complex], fast: float) -> Array:
 class _ScaledChain(NamedTuple):
     """In a unit of time near the fast mode's: F_0/m1, c1/m1, c2/m2, omega and the roots of the d(r).
 
-    `ratio` is (m1 + m2)/m1.
+    `ratio` is (m1 + m2)/m1; the unit is 2^-exponent s.
     """
 
+    exponent: int
     size: float
     first: float
     second: float
@@ -111,6 +134,7 @@ class _ScaledChain(NamedTuple):
             unit = Decimal(2) ** exponent
             roots = slow.omega, fast.omega, chain.exact_antiresonance, (k1 / (m1 + m2)).sqrt()
             return cls(
+                exponent,
                 float(exact(F_0) / m1 / unit**2),
                 float(exact(damped.c1) / m1 / unit),
                 float(exact(damped.c2) / m2 / unit),

@@ -1145,7 +1145,25 @@ declare namespace page {
     now: Number
   }
 
-  type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot
+  /** A way along the curve of a response in the complex plane, A(s) over the product of all s - p, at s = i w, w >= 0.
+   * It sets `unit` times w; the hand is held on the curve for the ways that follow.
+   *
+   * `above` are the coefficients of A, constants first, and `poles` the real and imaginary parts of each p. The point 0
+   * is at (`x`, `y`). One unit of the plane is `right` pixels to the right, or `down` pixels downwards, a negative
+   * number. The present w is `now`. */
+  interface Locus extends Way {
+    kind: "locus"
+    x: Number
+    y: Number
+    right: Number
+    down: Number
+    above: Number[]
+    poles: [Number, Number][]
+    unit: Number
+    now: Number
+  }
+
+  type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot | Locus
 
   /** An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
    * `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns. */

@@ -112,7 +112,26 @@ class ChainRoot(Way, frozen=True, kw_only=True, tag="chain_root"):
     now: Number
 
 
-AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot
+class Locus(Way, frozen=True, kw_only=True, tag="locus"):
+    """A way along the curve of a response in the complex plane, A(s) over the product of all s - p, at s = i w, w >= 0.
+    It sets `unit` times w; the hand is held on the curve for the ways that follow.
+
+    `above` are the coefficients of A, constants first, and `poles` the real and imaginary parts of each p. The point 0
+    is at (`x`, `y`). One unit of the plane is `right` pixels to the right, or `down` pixels downwards, a negative
+    number. The present w is `now`.
+    """
+
+    x: Number
+    y: Number
+    right: Number
+    down: Number
+    above: tuple[Number, ...]
+    poles: tuple[tuple[Number, Number], ...]
+    unit: Number
+    now: Number
+
+
+AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot | Locus
 
 
 class Begin(Struct, frozen=True):

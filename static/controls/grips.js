@@ -4,6 +4,7 @@ import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
 import {focusByHand, whileHeld} from "./held.js"
 import {withUnit} from "../core/numbers.js"
+import {furtherOn} from "./locus.js"
 import {clamp} from "../core/ruler.js"
 import {polynomial} from "../core/signals.js"
 
@@ -254,6 +255,7 @@ function stepped({grab, x, y}, [across, up], far, all) {
   const ways = grab.ways.filter(one => one.parameter)
   const both = (across + up) * far
   const [{kind}] = ways
+  if (kind === "locus") return furtherOn(/** @type {page.Locus} */ (ways[0]), both, all)
   if (kind === "turn") {
     const {x: cx, y: cy, tall} = /** @type {page.Turn} */ (ways[0])
     const [dx, dy] = [x - polynomial(cx, all), (y - polynomial(cy, all)) / tall]

@@ -1,7 +1,8 @@
 // Dragging on a page: the dragged shape follows the pointer at once; the server gets the values and answers later.
 
-import {polynomial, roots} from "../core/signals.js"
+import {polynomial, roots, valueAt} from "../core/signals.js"
 import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
+import {onLocus} from "./locus.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
 const QUARTER = Math.PI / 2 // of a turn
@@ -120,7 +121,8 @@ class Grab {
     /** @type {Record<string, number>} */
     const values = {}
     for (const way of this.spec.ways) {
-      const {si, value, pixel} = placed(way, at, all, this.#ruler(way.axis))
+      const {si, value, pixel, at: held} = placed(way, at, all, this.#ruler(way.axis))
+      at = held ?? at
       if (way.moves && !this.refusal) this.moved[way.moves] = si
       if (way.parameter) values[way.parameter] = pixel === null ? value : rounded(value / way.size, pixel / way.size)
     }
@@ -214,8 +216,9 @@ class Grab {
 
 /**
  * The value at the position of the hand: `si` in SI as drawn; `value` as it is set; `pixel`, the change per pixel, or
- * null if every digit counts; `goes`, the velocity that a flick gives, if that is not the value.
- * @typedef {{si: number, value: number, pixel: number | null, goes?: number}} Placed
+ * null if every digit counts; `goes`, the velocity that a flick gives, if that is not the value; `at`, where the hand
+ * is for the ways that follow, if it is held on a curve.
+ * @typedef {{si: number, value: number, pixel: number | null, goes?: number, at?: Point}} Placed
  */
 
 /**
@@ -228,6 +231,7 @@ function placed(way, at, all, ruler) {
     return {si, value: si, pixel: 1 / Math.hypot(across, down) / Math.abs(way.unit)}
   }
   if (way.kind === "chain_root") return onChainRoot(way, at, all)
+  if (way.kind === "locus") return onLocus(way, at, all)
   const unit = polynomial(way.unit, all)
   const place = ((way.kind === "trade" ? at.y : at[way.across]) - polynomial(way.zero, all)) / unit
   if (way.kind !== "trade") return onLine(way, place, Math.abs(1 / unit), all, ruler)
@@ -266,12 +270,6 @@ function growth(terms, now, re, im) {
   }
   return u
 }
-
-/**
- * A polynomial at re + i im: its real and its imaginary part.
- * @param {number[]} term @param {number} re @param {number} im
- */
-const valueAt = (term, re, im) => term.reduceRight(([x, y], one) => [x * re - y * im + one, x * im + y * re], [0, 0])
 
 /**
  * @param {page.Along | page.Share | page.Quotient | page.Root | page.Swung} way

@@ -79,6 +79,13 @@ export function polynomial(number, named) {
 }
 
 /**
+ * A polynomial at re + i im: its real and its imaginary part.
+ * @param {number[]} term the coefficients, constants first @param {number} re @param {number} im
+ */
+export const valueAt = (term, re, im) =>
+  term.reduceRight(([x, y], one) => [x * re - y * im + one, x * im + y * re], [0, 0])
+
+/**
  * A shape with evaluated numbers; `moving` are the ones that depend on the instant.
  * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
  */

@@ -7,9 +7,13 @@ import math
 import numpy as np
 import pytest
 
+from components.language.shapes import AnyShape
 from components.scenes import SCENES
+from components.state.page_state import fitted
 from physics.bode import chain_resonances
+from physics.bode_curves import locus_frequencies
 from physics.damped_chain import DampedChain
+from tests.page.hand import Hand, grabs
 from tests.scenes.said import Draw, said
 
 LIGHT = {"c1": 0.1, "c2": 0.1}
@@ -100,3 +104,44 @@ def test_without_dashpots_the_lags_jump_and_a_mass_at_rest_has_none() -> None:
     assert set(np.round(scene.sources["lag"].data["phi1"] / math.pi, 12)) == {0.0, 1.0}
     assert set(np.round(scene.sources["lag"].data["phi2"] / math.pi, 12)) == {0.0, 1.0, 2.0}
     assert "Mass 1 is still: no lag" in said(scene) and "mass 2 lags 180°" in said(scene)
+
+
+def dot(i: int) -> AnyShape:
+    """The grabbed dot of a mass in the complex plane."""
+    return next(shape for shape, grab in grabs(SCENES["forced"]) if grab.label.endswith(f"loops of mass {i}"))
+
+
+def place(values: dict[str, float], i: int, omega: float) -> tuple[float, float]:
+    """Where that dot is for a drive frequency, in pixels."""
+    at = Hand(fitted(SCENES["forced"].at({**values, "view": "nyquist", "omega": omega})), dot(i), wide=True, t=0.0).at()
+    return at or pytest.fail("not drawn")
+
+
+@pytest.mark.parametrize("values", [LIGHT, STRONG, UNEVEN, {"c1": 1e-3, "c2": 1e-3}])
+@pytest.mark.parametrize("i", [1, 2])
+def test_the_dot_of_nyquist_follows_the_hand_along_its_loops(values: dict[str, float], i: int) -> None:
+    slow, fast = chain_of(values).chain.modes().omega.tolist()
+    roots = [root for root in chain_of(values).roots.tolist() if root.imag > 0]
+    every = locus_frequencies(roots, fast)[::12]
+    way = every[(every > 0.5 * slow) & (every < 1.5 * fast)]
+    places = [place(values, i, omega) for omega in way]
+    hand = Hand(fitted(SCENES["forced"].at({**values, "view": "nyquist", "omega": way[0]})), dot(i), wide=True, t=0.0)
+    hand.take()
+    for omega, (x, y) in zip(way, places, strict=True):
+        hand.set(hand.move((x, y)))
+        assert math.dist(hand.at(moved=False) or (), (x, y)) < 2.0, omega
+    assert hand.scene.values["omega"] > fast, "it has gone round both loops"
+
+
+def test_the_dot_of_nyquist_stays_on_its_curve_where_the_hand_leaves_it() -> None:
+    hand = Hand(fitted(SCENES["forced"].at({**LIGHT, "view": "nyquist", "omega": 0.55})), dot(1), wide=True, t=0.0)
+    hand.take()
+    x, y = hand.at() or (0.0, 0.0)
+    ways = ((0.0, 40.0), (60.0, 60.0), (-200.0, 30.0))
+    found = [(hand.move((x + dx, y + dy)), hand.at()) for dx, dy in ways]
+    for values, moved in found:
+        assert math.dist(place(LIGHT, 1, values["omega"]), moved or ()) < 1.0
+
+
+def test_without_dashpots_no_hand_can_take_the_dots_of_nyquist() -> None:
+    assert "unit" not in SCENES["forced"](view="nyquist").shown.scalars

@@ -12,8 +12,10 @@ import numpy as np
 from components.chain import BOTH
 from components.language.blocks import Block
 from components.language.expressions import var
+from components.language.shapes import Grab, Locus
 from components.language.state import Frame
 from components.layout.bode_marks import peak, upright
+from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import phrase, term
 from components.layout.stage import Looks, PlotFrame, Shape, arrow, circle, line, shown_by, text
@@ -25,7 +27,7 @@ from components.scene.traces import Columns, Floats
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
-from physics.bode_curves import bode_curves, locus_frequencies
+from physics.bode_curves import bode_curves, locus_frequencies, transfer
 
 LAG, PLANE = PlotFrame("lag"), PlotFrame("nyquist")
 PEAKS = tuple((i, n) for i in BOTH for n in (0, 1))
@@ -44,7 +46,7 @@ class Lags(Declared[AnyCase]):
     phi = column.each(BOTH, source="lag")
 
 
-class Locus(Declared[AnyCase]):
+class Plane(Declared[AnyCase]):
     """X1 and X2 in the complex plane."""
 
     re, im = column.each(BOTH, source="nyquist"), column.each(BOTH, source="nyquist")
@@ -60,6 +62,11 @@ class BodePlaces(Declared[AnyCase]):
     )
     peak, up, low, high, half, is_peak, is_wide = (
         scalar.each(PEAKS, f"{name}{{}}_{{}}") for name in ("peak", "up", "low", "high", "half", "is_peak", "is_wide")
+    )
+    above = scalar.each(tuple((i, n) for i in BOTH for n in range(3)), "above{}_{}")
+    (pole_re, pole_im), (unit, turn) = (
+        (scalar.each(range(4), f"pole_{part}{{}}") for part in ("re", "im")),
+        scalar.some(2),
     )
     dip, down, is_dip = (scalar.each(BOTH, f"{name}{{}}") for name in ("dip", "down", "is_dip"))
 
@@ -95,7 +102,7 @@ def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: F
     axes = framed(frame, by_name({Axes.lag: lag, Axes.re: re, Axes.im: im}))
     w = w[w > 0]
     lags = bode_curves(case.damped, w).lags
-    rows = (of[i] for of in (Locus.re, Locus.im) for i in BOTH)
+    rows = (of[i] for of in (Plane.re, Plane.im) for i in BOTH)
     plane = {"omega": far} | by_name(dict(zip(rows, (*X.real, *X.imag), strict=True)))
     columns = {"lag": by_name({Lags.w: w, Lags.phi[1]: lags[0], Lags.phi[2]: lags[1]}), "nyquist": plane}
     scalars = by_name(_places(case, across, axes) | _extremes(case, across, up))
@@ -112,6 +119,11 @@ def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCa
         found |= {B.line[name]: across.place(w), B.is_line[name]: 1.0}
         if isinstance(case, Dying) and cmath.isfinite(X):
             found |= {B.re_mark[name]: re.place(X.real), B.im_mark[name]: im.place(X.imag), B.is_mark[name]: 1.0}
+    if isinstance(case, Dying) and (moved := transfer(case.damped, F_0)):
+        found |= {B.above[i, n]: re.place(moved.above[i - 1][n]) for i in BOTH for n in range(3)}
+        for n, pole in enumerate(moved.poles):
+            found |= {B.pole_re[n]: pole.real, B.pole_im[n]: pole.imag}
+        found |= {B.unit: moved.unit, B.turn: omega / moved.unit}
     steady = case.damped.response(omega, F_0).tolist()
     if not omega or not all(map(cmath.isfinite, steady)):
         return found
@@ -169,6 +181,18 @@ def lag_plot() -> Block:
     )  # fmt: skip
 
 
+def _hold(i: int) -> Grab:
+    """A hand on the curve of a mass, which sets the drive frequency."""
+    way = Locus(
+        parameter="omega", moves=B.turn.name, unit=var(B.unit), now=var(B.turn),
+        above=tuple(var(B.above[i, n]) for n in range(3)),
+        poles=tuple((var(B.pole_re[n]), var(B.pole_im[n])) for n in range(4)),
+        x=PLANE.x(0), y=PLANE.y(0), right=PLANE.per_x, down=PLANE.per_y,
+    )  # fmt: skip
+    along = on_plot(PLANE, "x", "", B.re[i], Axes.re), on_plot(PLANE, "y", "", B.im[i], Axes.im)
+    return grab(f"Drive frequency, on the loops of mass {i}", way, *along, inside=PLANE)
+
+
 def plane_plot() -> Block:
     tip, level = (PLANE.x(var(B.re[1])), PLANE.y(var(B.im[1]))), PLANE.y(0)
     shapes = [
@@ -178,20 +202,21 @@ def plane_plot() -> Block:
         text(PLANE.x(0) + 8, PLANE.bottom - 8, "lag 90°", "start", tint="mute", style="halo"),
         arrow(PLANE.x(0), level, *tip, tint="m1", show=B.turns, inside=PLANE),
         line(tip[0], level, *tip, tint="F", style="dotted", show=B.turns, inside=PLANE),
+        *(circle(PLANE.x(var(B.re[i])), PLANE.y(var(B.im[i])), 0, show=(B.turns, B.unit), grab=_hold(i)) for i in BOTH),
     ]
     for name, (tint, label) in NAMED.items():
         x, y = PLANE.x(var(B.re_mark[name])), PLANE.y(var(B.im_mark[name]))
         shapes += shown_by(B.is_mark[name], circle(x, y, 4, tint=tint), text(x, y, label, "beside", tint=tint))
-    named = (term(Locus.im[i], KEYS[i], f"m{i}", formula=rf"X_{i}") for i in BOTH)
+    named = (term(Plane.im[i], KEYS[i], f"m{i}", formula=rf"X_{i}") for i in BOTH)
     curves = (
         curve(
-            Locus.im[i], source="nyquist", x=Locus.re[i], tint=f"m{i}", width=KEYS[i], read=f"*X*_{i}",
+            Plane.im[i], source="nyquist", x=Plane.re[i], tint=f"m{i}", width=KEYS[i], read=f"*X*_{i}",
             signal=B.im[i], signal_x=B.re[i],
         )
         for i in (2, 1)
     )  # fmt: skip
     return plot(
-        PLANE, x=Axes.re, y=Axes.im, x_column=Locus.re[1], curves=curves, shapes=tuple(shapes), square=True,
+        PLANE, x=Axes.re, y=Axes.im, x_column=Plane.re[1], curves=curves, shapes=tuple(shapes), square=True,
         title="Steady motion of each mass in the complex plane, for all drive frequencies",
         heading=(*named, phrase("", "none", "mute", formula="as arrows, for every *ω*")),
         room=Room(48, 14, top=6), phone=10, height=300,
