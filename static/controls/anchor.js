@@ -2,7 +2,7 @@
 
 import {steady} from "./held.js"
 
-const STEP = 12 // pixels between the points at which a part is looked for
+const STEP = 12 // pixels between the points at which a part is searched
 
 let free = () => {}
 let isHeld = false
@@ -12,7 +12,7 @@ let isDue = false
 export function anchor() {
   if (CSS.supports("overflow-anchor", "auto")) return
   addEventListener("scroll", renew, {passive: true})
-  addEventListener("pointerdown", () => hold(true), true) // the part under the hand stays instead
+  addEventListener("pointerdown", () => hold(true), true) // during a press the part under it stays
   for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => hold(false), true)
 }
 
@@ -22,7 +22,7 @@ function hold(is) {
   renew()
 }
 
-/** Once a frame. */
+/** Chooses the part to keep, once per frame. */
 function renew() {
   free()
   free = () => {}

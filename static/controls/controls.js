@@ -15,13 +15,13 @@ const TYPING = "A digit begins a number in its field; Enter sets it, Escape take
  * @typedef {PanelAnswer & {view: Pick<page.PagePicture, "forms">}} PanelState
  */
 
-/** A small drawing, if there is one. @param {string} d */
+/** A small drawing of a preset, if it has one. @param {string} d */
 function outline(d) {
   return d ? svg("svg", {viewBox: "0 0 128 46", "aria-hidden": "true"}, svg("path", {class: "ln m1", d})) : ""
 }
 
 class Presets {
-  /** @type {page.PresetButton | undefined} the last */
+  /** @type {page.PresetButton | undefined} the preset that was pressed last */
   taken
 
   /** @param {page.Panel} panel @param {Take} take */
@@ -41,12 +41,12 @@ class Presets {
     this.element = element("section", {class: "group"}, ...parts)
   }
 
-  /** The sentence on what to watch in a preset, where a press has brought it. @param {string | null} preset */
+  /** Shows what to watch in the current preset if the visitor has pressed its button. @param {string | null} preset */
   watch(preset) {
     return (this.taken?.name === preset && this.taken.watch) || ""
   }
 
-  /** The preset whose values all wait for the server is shown as chosen, and that it waits. @param {Waits} waiting */
+  /** Marks a preset as chosen, but waiting, if all its values wait to be sent. @param {Waits} waiting */
   wait(waiting) {
     const late = this.presets.map(({sets}) => isWithin(Object.entries(sets), waiting))
     for (const [i, one] of this.buttons.entries()) {
@@ -184,7 +184,7 @@ export class Controls {
     return span
   }
 
-  /** The values that have been set and wait for an answer stay as they are. @param {Waits} waiting */
+  /** Shows values that are not answered yet as they were set. @param {Waits} waiting */
   wait(waiting) {
     this.presets.wait(waiting)
     for (const [name, slider] of this.sliders) slider.wait(waiting.get(name))
@@ -266,7 +266,7 @@ export class Controls {
     this.says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
   }
 
-  /** Buttons that have the server set several parameters at once. @param {page.ActionButton[]} actions */
+  /** Buttons that set several parameters at once, to values from the server. @param {page.ActionButton[]} actions */
   #actions(actions) {
     const buttons = actions.map(({name, label, place}) =>
       chip(label, () => this.send({type: "act", name}), {"data-place": place ? name : undefined}),
@@ -292,7 +292,7 @@ export class Controls {
     }
     for (const fold of this.folds) {
       const wanted = fold.names.some(name => settings[name].changed)
-      // A fold that its reader closes stays closed until there is a new reason to open it.
+      // A fold that the visitor closes stays closed until there is a new reason to open it.
       if (wanted && !fold.wanted) fold.rows.open = true
       fold.wanted = wanted
     }

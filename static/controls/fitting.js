@@ -1,4 +1,4 @@
-// A number with more digits than its field has room for: as many as fit, and the whole while the field has the focus.
+// A field shows as many digits of its number as fit, and all digits while it has the focus.
 
 import {MINUS, short} from "../core/numbers.js"
 
@@ -11,7 +11,7 @@ export function fitting(field) {
   let frame = 0
   const isFocused = () => document.activeElement === field
 
-  /** Measured with the next frame: until then much else is written. */
+  /** Measures at the next frame, because measuring between other changes of the page is slow. */
   function later() {
     cancelAnimationFrame(frame)
     frame = requestAnimationFrame(shorten)

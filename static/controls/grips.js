@@ -1,4 +1,4 @@
-// Grips of a stage: an element over each shape that can be grabbed, for mouse, finger, keys and screen readers.
+// Grips of a stage: an invisible element over each draggable shape, for mouse, finger, keys and screen readers.
 
 import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
@@ -8,10 +8,10 @@ import {furtherOn} from "./locus.js"
 import {clamp} from "../core/ruler.js"
 import {polynomial} from "../core/signals.js"
 
-const FINGER = 44 // pixels, the least that a finger hits
+const FINGER = 44 // pixels, the smallest target for a finger
 const STEP = 4 // pixels that an arrow key moves; with Shift it is one
 const LEAP = 40 // pixels that Page Up and Page Down move
-const REACH = 60 // pixels, the least that a finger moves for all of a range that has an end
+const REACH = 60 // pixels, the shortest move of a finger over a whole range that has an end
 
 /** Directions of the arrow keys on the screen, to the right and up. @type {Record<string, [number, number]>} */
 const KEYS = {
@@ -22,7 +22,7 @@ const KEYS = {
   PageUp: [0, LEAP / STEP],
   PageDown: [0, -LEAP / STEP],
 }
-/** Which end of its slider. @type {Record<string, 0 | 1>} */
+/** The end of the slider that a key goes to. @type {Record<string, 0 | 1>} */
 const ENDS = {Home: 0, End: 1}
 
 /** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
@@ -60,14 +60,15 @@ export class Grips {
     }
     grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
     grip.grip.addEventListener("keydown", event => this.#key(event, grip))
-    grip.grip.addEventListener("pointercancel", () => this.page.hand.grab?.rest()) // what is taken away is no flick
+    // The browser has taken the pointer away, so the shape is not thrown.
+    grip.grip.addEventListener("pointercancel", () => this.page.hand.grab?.rest())
     grip.grip.addEventListener("blur", () => this.#let(grip))
     this.element.append(grip.grip, this.why)
     this.grips.set(shape, grip)
   }
 
   /**
-   * Once a frame: where a hand takes a shape, and how large that is, while it is drawn.
+   * Puts the grip over its shape, in every frame. `hold` is its position and size, or null if the shape is not drawn.
    * @param {object} shape @param {[number, number, number] | null | undefined} hold @param {Named} all
    */
   place(shape, hold, all) {
@@ -76,26 +77,26 @@ export class Grips {
     const shown = hold && found.needs.every(name => name in all)
     this.all = all
     const isHeld = this.page.hand.holds(found.grab)
-    found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
+    found.grip.hidden = !shown && !isHeld // a shape stays while it is dragged
     if (!shown) return
     const [x, y, size] = hold
     Object.assign(found, {x, y})
     const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
     const {style} = found.grip
     style.width = style.height = long(wide)
-    // At the foot of the picture a hand takes it above: below are the buttons of the transport. Then it is held there.
+    // At the lower edge of the stage the grip is higher than its shape, because the buttons for playing are below.
     if (!isHeld) found.lift = y <= all.H ? Math.min(0, all.H - wide / 2 - y) : 0
     style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2 + found.lift)})`
     if (isHeld) this.#say(found, wide)
   }
 
-  /** Shows next to the hand why a value is rejected. @param {Grip} grip @param {number} wide */
+  /** Shows next to the pointer why a value is rejected. @param {Grip} grip @param {number} wide */
   #say({x, y}, wide) {
     reword(this.why, this.page.hand.grab?.refusal ?? "")
     this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
   }
 
-  /** The numbers of what is grabbed, for a screen reader. */
+  /** Updates the names and values of the grips for screen readers. */
   update() {
     const {settings} = this.page.shown
     for (const {grip, grab} of this.grips.values()) {
@@ -121,13 +122,13 @@ export class Grips {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
-  /** A press on what only its first grip can take. @param {PointerEvent} event */
+  /** Takes a press near the grip of a stage that has one grip only. @param {PointerEvent} event */
   press(event) {
     const [hit] = this.grips.values()
     if (!hit.grip.hidden && Math.hypot(...this.#from(hit, event)) <= FINGER) this.#drag(event, hit)
   }
 
-  /** From a grip to a pointer. @param {Grip} grip @param {PointerEvent} event */
+  /** The distance from a grip to a pointer. @param {Grip} grip @param {PointerEvent} event */
   #from({x, y}, {clientX, clientY}) {
     const {left, top} = this.element.getBoundingClientRect()
     return [(clientX - left) / unitSize() - x, (clientY - top) / unitSize() - y]
@@ -138,7 +139,7 @@ export class Grips {
     if (event.button) return
     event.preventDefault()
     event.stopPropagation()
-    /** Lines that come and go move the stage. @param {PointerEvent} event */
+    /** Measured at every move, because lines above can move the stage. @param {PointerEvent} event */
     const at = ({clientX, clientY}) => {
       const {left, top} = this.element.getBoundingClientRect()
       return {x: (clientX - left) / unitSize(), y: (clientY - top) / unitSize()}
@@ -170,7 +171,7 @@ export class Grips {
       this.page.hand.grab?.move({x: grip.x, y: grip.y}, this.all)
   }
 
-  /** The position of the hand, limited to the paper or the frame of a plot. @param {Point} at */
+  /** Moves the shape to the pointer, but not out of the paper or the frame of a plot. @param {Point} at */
   #move({x, y}) {
     const {grab} = this.page.hand
     const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
@@ -218,14 +219,14 @@ export class Grips {
 }
 
 /**
- * A lever between a finger and the height of a thing: the place of each for one of the other.
+ * Conversion between the height of a finger and the height of the dragged shape.
  * @typedef {{finger: (y: number) => number, thing: (y: number) => number}} Lever
  * @type {Lever}
  */
 const EQUAL = {finger: y => y, thing: y => y}
 
 /**
- * A finger is not as fine as a mouse: where a height has an end that is near, it moves farther than the thing.
+ * A finger is less precise than a mouse. If the range of a height is short, the finger moves farther than the shape.
  * @param {page.Grab} grab @param {Named} all @returns {Lever}
  */
 function leverOf({ways}, all) {
@@ -240,11 +241,11 @@ function leverOf({ways}, all) {
   }
 }
 
-/** The names that a start is made of: while they are covered, none can be begun. @param {page.Grab} grab */
+/** The quantities from which a motion starts. While one is hidden, no motion can be started. @param {page.Grab} grab */
 const needed = grab =>
   [...grab.start.map(({of}) => of), ...grab.ways.map(way => ("rest" in way ? way.rest : ""))].filter(Boolean)
 
-/** The parameters that a hand sets. @param {page.Grab} grab */
+/** The parameters that a drag sets. @param {page.Grab} grab */
 const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)
 
 /**

@@ -4,10 +4,10 @@ import {polynomial, roots, valueAt} from "../core/signals.js"
 import {PLAIN, clamp, toPlace, toSI} from "../core/ruler.js"
 import {onLocus} from "./locus.js"
 
-const FLICK = 120 // ms before letting go over which its velocity is taken
+const FLICK = 120 // ms before the release over which the velocity is measured
 const QUARTER = Math.PI / 2 // of a turn
 const GROWTH_STEPS = 30
-const STILL = 40 // pixels a second, below which a hand rests
+const STILL = 40 // pixels a second; a slower pointer counts as resting
 
 export class Hand {
   /** @type {Grab | null} what is held */
@@ -45,7 +45,7 @@ export class Hand {
   }
 }
 
-/** One thing that a hand has taken hold of, until the last answer after it has let go. */
+/** The drag of one shape, from the press to the last answer after the release. */
 class Grab {
   /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
   moved = {}
@@ -65,7 +65,7 @@ class Grab {
   refusal = ""
   first = 0 // the number of its first message
   leaving = false
-  plays = false // as the clock did before
+  plays = false // whether the clock was playing before
 
   /** @param {page.Grab} spec @param {PartHost} page */
   constructor(spec, page) {
@@ -105,7 +105,7 @@ class Grab {
     this.#send(this.begun)
   }
 
-  /** It is taken once more before all is answered. */
+  /** Continues the drag, if the shape is taken again before everything is answered. */
   again() {
     this.leaving = false
     this.refusal = ""
@@ -113,7 +113,7 @@ class Grab {
   }
 
   /**
-   * The hand is at a point of a stage, whose named quantities are `all`.
+   * Sends the values for a position of the pointer on a stage, whose named quantities are `all`.
    * @param {Point} at @param {Named} all
    */
   move(at, all) {
@@ -138,13 +138,13 @@ class Grab {
     this.#send({[way.parameter]: value})
   }
 
-  /** The hand has stopped, so letting go is no flick. */
+  /** The pointer has stopped, so the release does not throw the shape. */
   rest() {
     this.trail = []
   }
 
   /**
-   * Ends the drag. The motion starts with the velocity of the hand as soon as all messages are answered. Axes along
+   * Ends the drag. The motion starts with the velocity of the pointer as soon as all messages are answered. Axes along
    * which a pointer has moved are not fitted again.
    * @param {Named} all @param {boolean} isPointer
    */
@@ -178,7 +178,7 @@ class Grab {
   }
 
   /**
-   * Amplitude or phase of a sine that starts at a place with a velocity; nothing of one that never turns.
+   * The amplitude or phase of a sine that starts at a place with a velocity; none if its frequency is 0.
    * @param {page.Swung} way @param {number} place @param {number} velocity
    */
   #swung({parameter, of, turn}, place, velocity) {
@@ -215,9 +215,9 @@ class Grab {
 }
 
 /**
- * The value at the position of the hand: `si` in SI as drawn; `value` as it is set; `pixel`, the change per pixel, or
- * null if every digit counts; `goes`, the velocity that a flick gives, if that is not the value; `at`, where the hand
- * is for the ways that follow, if it is held on a curve.
+ * The value at the position of the pointer: `si` in SI as drawn; `value` as it is set; `pixel`, the change per pixel,
+ * or null if every digit counts; `goes`, the velocity of a throw, if that is not the change of the value; `at`, the
+ * position on a curve to which the drag is limited, for the rules after it.
  * @typedef {{si: number, value: number, pixel: number | null, goes?: number, at?: Point}} Placed
  */
 
@@ -241,7 +241,7 @@ function placed(way, at, all, ruler) {
 }
 
 /**
- * The value of a root, and how much of it a tenth of a pixel is.
+ * The value of a parameter for a root of the chain, and its change for a tenth of a pixel.
  * @param {page.ChainRoot} way @param {Point} at @param {Named} all @returns {Placed}
  */
 function onChainRoot(way, at, all) {

@@ -1,4 +1,4 @@
-// Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
+// Handles of a plot: pills at its axes that set a parameter, and the one that moves the current instant.
 
 import {element, long, reword, textWidth, units} from "../core/dom.js"
 import {focusByHand, whileHeld} from "./held.js"
@@ -7,7 +7,7 @@ import {clamp, toPlace, toSI} from "../core/ruler.js"
 
 const LONGEST = 7 // characters of a number that a handle shows as typed
 const HEIGHT = 24 // of a pill
-const STEPS = 200 // arrow keys that cross an axis
+const STEPS = 200 // presses of an arrow key that cross an axis
 /** @type {Record<string, number>} */
 const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}
 
@@ -36,7 +36,7 @@ export class Handles {
   }
 
   /**
-   * A handle that has the focus is explained as the slider of its parameter is.
+   * Shows the help of a parameter while its handle has the focus, as for its slider.
    * @param {PartHost["controls"]} controls
    */
   help(controls) {
@@ -63,7 +63,7 @@ export class Handles {
     if (this.time) this.#place(this.time, t, text)
   }
 
-  /** A press on a plot takes its handles there, and they follow until it ends. @param {PointerEvent} event */
+  /** Moves all handles of a plot to the pointer, from the press to the release. @param {PointerEvent} event */
   follow(event) {
     event.preventDefault()
     const {host} = this.plot
@@ -76,7 +76,7 @@ export class Handles {
     whileHeld(host, move, () => this.#release())
   }
 
-  /** A drag over a plot against time moves the instant along; letting go plays on. @param {PointerEvent} event */
+  /** Moves the current instant with a drag over a plot against time. @param {PointerEvent} event */
   followTime(event) {
     const {host, page} = this.plot
     const {clock} = page
@@ -127,7 +127,7 @@ export class Handles {
     return this.plot[this.#side(handle)]
   }
 
-  /** Without a handle it is the time's. @param {page.Handle | null} handle @returns {"x" | "y"} */
+  /** The axis of a handle; null is the time cursor. @param {page.Handle | null} handle @returns {"x" | "y"} */
   #side(handle) {
     return handle?.axis ?? (this.plot.down ? "y" : "x")
   }
@@ -149,7 +149,7 @@ export class Handles {
     pill.element.setAttribute("aria-valuemax", String(axis.end))
   }
 
-  /** The unit after a handle's number: of its parameter, or of the axis where it shows a number of the scene's. */
+  /** The unit after the number of a handle: of its parameter, or of the axis if it shows another number. */
   #unit(/** @type {Pill} */ pill) {
     const {handle} = pill
     if (!handle) return ""
@@ -215,7 +215,7 @@ export class Handles {
     page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
   }
 
-  /** A pill moves as far as the hand, wherever that has taken it. @param {PointerEvent} event @param {Pill} pill */
+  /** Drags a pill. It moves by the same distance as the pointer. @param {PointerEvent} event @param {Pill} pill */
   #drag(event, pill) {
     if (event.button) return
     event.preventDefault()
@@ -253,7 +253,7 @@ export class Handles {
 const isSetter = pill => pill.handle !== null
 
 /**
- * The value at the place of a handle: four digits of the unit of the axis, two where it spans many decades.
+ * The value at the position of a handle, with four digits in the unit of the axis, or two if the axis is logarithmic.
  * @param {page.Ruler} ruler @param {number} place @param {number | null} least
  */
 function settable(ruler, place, least) {
@@ -268,7 +268,7 @@ function settable(ruler, place, least) {
 /** @param {number} value @param {Span} span */
 const onAxis = (value, {start, end}) => clamp(value, Math.min(start, end), Math.max(start, end))
 
-/** A handle shows three digits of a number that was typed with more. @param {string} text */
+/** The text on a handle: if the number is long, only three digits. @param {string} text */
 export function brief(text) {
   return text.length > LONGEST ? three(Number(text.replaceAll(MINUS, "-"))) : text
 }

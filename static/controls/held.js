@@ -1,13 +1,13 @@
 // A pointer that drags: followed until it is released; the page does not scroll under it.
 
-const BY_HAND = "by-hand" // has the focus from a pointer: no ring until a key is pressed
+const BY_HAND = "by-hand" // the class of an element with the focus from a pointer: no focus ring until a key is pressed
 
 /**
  * Gives a part the focus for keys, with no focus ring.
  * @param {HTMLElement} part
  */
 export function focusByHand(part) {
-  part.focus({preventScroll: true}) // what is said of it may move the page
+  part.focus({preventScroll: true}) // the help for it can move the page
   if (part.classList.contains(BY_HAND)) return
   const ended = new AbortController()
   const end = () => {

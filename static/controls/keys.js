@@ -152,7 +152,7 @@ function isBounced({timeStamp}) {
   return since < BOUNCE
 }
 
-/** True if something covers the page; a clicker closes it first. */
+/** True if a dialog or menu covers the page; a clicker closes it first. */
 const lies = () => document.querySelector(LIES) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */
@@ -163,7 +163,7 @@ function acts(event, {own}) {
   if (!(target instanceof HTMLElement)) return true
   const isTyped = key.length === 1 || key === "Home"
   if (isTyped && isTyping(target)) return false
-  // A number goes to the field of a slider.
+  // A digit opens the field of a slider.
   return !(BEGINS_NUMBER.test(key) && target.matches("[type=range]")) && !(own && target.matches(own))
 }
 
@@ -171,7 +171,7 @@ function acts(event, {own}) {
 const isTyping = target =>
   target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
 
-/** Menus, the equations of a step, the list of the keys; a walk is left by its own key alone. */
+/** Closes menus, the equations of a step and the list of keys. Only its own key leaves a walk. */
 function close() {
   for (const open of document.querySelectorAll(OPEN)) {
     const summary = open.querySelector("summary")

@@ -1,5 +1,5 @@
-// A pointer that the hall sees, while a mouse or pen moves or a finger touches. At rest it leaves, and the numbers
-// over a plot with it: static/styles/hall.css.
+// A large pointer for a hall, visible while a mouse or pen moves or a finger touches. When the pointer rests, it
+// disappears, and so do the numbers at the pointer over a plot: static/styles/hall.css.
 
 import {element} from "../core/dom.js"
 

@@ -1,4 +1,4 @@
-// Scales of sliders: from a place to a number and back, and from a typed number to the next.
+// Scales of sliders: conversion between positions and numbers, and the next number for a key.
 
 import {MINUS} from "../core/numbers.js"
 import {clamp} from "../core/ruler.js"
@@ -59,7 +59,7 @@ export function atTwoDigits(value, direction, soft) {
 }
 
 /**
- * A decade further, or a tenth of the slider where it has no decades.
+ * A value ten times as large or small; on a linear scale, a tenth of the slider away.
  * @param {page.SliderRow["scale"]} scale @param {number} value @param {1 | -1} direction @param {[number, number]} soft
  */
 export function leapt(scale, value, direction, [low, high]) {
@@ -72,7 +72,7 @@ export function leapt(scale, value, direction, [low, high]) {
 }
 
 /**
- * The number in `text` one unit of its last digit further up or down; null where it is no plain number.
+ * The number in `text`, changed by one unit of its last digit up or down; null if it is no plain number.
  * @param {string} text @param {1 | -1} direction
  */
 export function stepped(text, direction) {

@@ -1,4 +1,4 @@
-// A slider with a typed field: what is shown while it is dragged, and what becomes of the answer.
+// A slider with a field: sends values, shows them before they are answered, and shows the answer.
 
 import {element, reword} from "../core/dom.js"
 import {fitting} from "./fitting.js"
@@ -7,7 +7,7 @@ import {steady} from "./held.js"
 import {BEGINS_NUMBER, tidy, withTrueMinus, withUnit} from "../core/numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
-const STEPS = 1000 // of a slider moved by arrow keys
+const STEPS = 1000 // steps of a slider
 const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
 
 /** @type {Record<string, 1 | -1>} */
@@ -21,7 +21,7 @@ export function symbol(text) {
   return element("span", {class: "v"}, letter, ...(index ? [element("sub", {}, index)] : []))
 }
 
-/** A message that the row of its control makes room for; without text it takes none. @param {string} id */
+/** The element for an error message of a control; it takes no room while it is empty. @param {string} id */
 export function problemElement(id) {
   return element("p", {class: "problem", role: "alert", id})
 }
@@ -37,10 +37,10 @@ export class Slider {
   /** @type {Finger} */
   finger
 
-  waits = false // the value waits to be sent
+  waits = false // true while the value waits to be sent
 
-  unsent = false // typed, and not yet sent
-  held = false // by a pointer
+  unsent = false // true if a text is typed and not sent yet
+  held = false // true while a pointer drags it
 
   /** @type {() => void} lets the page move again under a pointer that holds nothing */
   free = () => {}
@@ -62,7 +62,7 @@ export class Slider {
       step: "any",
       "aria-label": label,
     })
-    // One stop of the Tab key for a parameter: in the slider Enter or a digit leads to its field.
+    // The Tab key stops once per parameter, at the slider. There, Enter or a digit moves the focus to the field.
     this.field = element("input", {
       type: "text",
       name,
@@ -78,7 +78,7 @@ export class Slider {
     this.label = element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol))
     const number = element("span", {class: "num"}, this.field, this.unit)
     this.element = element("div", {class: "control"}, this.label, this.slider, number, this.problem)
-    this.size = 1 // of the unit shown, in the quantity's own
+    this.size = 1 // the shown unit, divided by the quantity's own unit
     if (spec.marks.length) this.#mark(spec.marks)
     this.element.style.setProperty("--c", `var(--${spec.tint})`)
     this.#describe()
@@ -163,7 +163,7 @@ export class Slider {
     this.#slide(this.#own(value))
   }
 
-  /** The next value of the slider, however many places that takes, in the unit shown. @param {1 | -1} direction */
+  /** The next different value of the slider in the shown unit. @param {1 | -1} direction */
   #next(direction) {
     const start = this.#atSlider()
     const place = Number(this.slider.value)
@@ -202,7 +202,7 @@ export class Slider {
     this.asked = TYPED
   }
 
-  /** A value that was set here or elsewhere waits for the server, or none. @param {page.Value | undefined} value */
+  /** Shows a value that waits for the server; undefined if none waits. @param {page.Value | undefined} value */
   wait(value) {
     this.waits = value !== undefined
     this.element.classList.toggle("waits", this.waits)
@@ -223,7 +223,7 @@ export class Slider {
     if (state.soft) this.soft = state.soft
     this.#measure(state)
     if (error) return this.#refuse(error)
-    if (this.problem.textContent && !moved && !this.asked) return // the answer to another control
+    if (this.problem.textContent && !moved && !this.asked) return // this answer belongs to another control
     const {value, since} = this.asked ?? TYPED
     if (value !== null && value !== state.value && performance.now() - since < PATIENCE) return
     this.asked = null
@@ -269,7 +269,7 @@ export class Slider {
     this.slider.setAttribute("aria-describedby", help)
   }
 
-  // A slider goes in round numbers of the unit shown.
+  // A slider has round numbers in the shown unit.
   #atSlider() {
     return this.#own(sliderValue(this.spec.scale, Number(this.slider.value), this.#shownSoft()))
   }
@@ -280,7 +280,7 @@ export class Slider {
     return [low / this.size, high / this.size]
   }
 
-  /** A number of the unit shown in the quantity's own. @param {number} number */
+  /** Converts a number from the shown unit to the quantity's own unit. @param {number} number */
   #own(number) {
     return this.size === 1 ? number : Number((number * this.size).toPrecision(15))
   }

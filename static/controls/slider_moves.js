@@ -2,7 +2,7 @@
 
 import {atTwoDigits, leapt} from "./scales.js"
 
-const SIDEWAYS = 8 // px before a finger is taken to mean the slider, and not the page
+const SIDEWAYS = 8 // px that a finger moves sideways before it drags the slider instead of scrolling
 
 /** @type {Record<string, 1 | -1>} */
 const ALONG = {ArrowUp: 1, ArrowDown: -1, ArrowRight: 1, ArrowLeft: -1}
@@ -40,7 +40,7 @@ export class Finger {
 }
 
 /**
- * The value to which a key moves a slider from `value`: null for other keys, or the result of `next`.
+ * The value to which a key moves a slider from `value`; null for keys without an action.
  * @param {string} key @param {page.SliderRow["scale"]} scale @param {number} value @param {[number, number]} soft
  * @param {(direction: 1 | -1) => number} next the value after it on the slider
  */

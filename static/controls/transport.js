@@ -24,7 +24,7 @@ function key(name, drawing, act, style = "icon") {
   return made
 }
 
-/** 1, 1/4, 1/16 as they are said; anything else with two digits. @param {number} factor */
+/** A factor as text: 1, 1/4 or 1/16 as a fraction, other numbers with two digits. @param {number} factor */
 function factorText(factor) {
   for (const power of [1, 2, 4, 8, 16]) {
     if (factor === power) return `${power}×`
@@ -40,7 +40,7 @@ function speedText(factor) {
   return `played ${grouped(times)} times ${factor < 1 ? "slower" : "faster"}`
 }
 
-/** The button that fits the frame, which changes of values never shrink; there while it is another, its place kept. */
+/** The button Fit, visible while the frame is not the fitted one. Its place stays reserved. */
 export class Fit {
   /** @param {PartHost} page */
   constructor(page) {
@@ -64,7 +64,7 @@ export class Transport {
   /** @type {string[]} */
   notes = []
 
-  isPlaying = true // as the button shows it
+  isPlaying = true // the state that the button shows
 
   /** @param {PartHost} page */
   constructor(page) {

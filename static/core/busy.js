@@ -1,4 +1,4 @@
-// The visitor's hands: whether a pointer is down, or a field is being edited, so that the page must wait.
+// Busy: a pointer is down or a field is being edited, so the page must not reload yet.
 
 export class Busy {
   held = false
@@ -21,7 +21,7 @@ export class Busy {
         name,
         event => {
           note(event)
-          setTimeout(() => this.#look()) // when what the event does to the page has been done
+          setTimeout(() => this.#look()) // after all other handlers of the event
         },
         true,
       )

@@ -12,8 +12,8 @@ export class Clock {
     this.end = 1
     this.unit = 1 // seconds in that unit
     this.places = 2 // decimals of the time in messages
-    this.pace = 1 // simulated over real seconds that 'auto' plays at
-    this.limit = Infinity // the fastest at which the fastest motion can still be seen
+    this.pace = 1 // simulated seconds per real second at the speed Auto
+    this.limit = Infinity // the highest speed at which the fastest motion is still visible
     /** @type {number | "auto"} */
     this.choice = "auto"
     this.playing = playsByItself()
@@ -29,7 +29,7 @@ export class Clock {
     requestAnimationFrame(now => this.tick(now))
   }
 
-  // Simulated over real seconds, as far as the visitor has a say.
+  // The simulated seconds per real second that the visitor has chosen.
   get asked() {
     return this.choice === "auto" ? this.pace : this.choice
   }
@@ -42,7 +42,7 @@ export class Clock {
     return this.asked > this.limit
   }
 
-  /** The clock runs through the axis of time; without one nothing moves. @param {Drawn} shown */
+  /** Takes the time axis and speeds of a new picture. Without a time axis nothing moves. @param {Drawn} shown */
   update({view: {axes, time, pace}}) {
     const {[time]: axis} = axes
     this.places = axis ? clamp(Math.ceil(2 - Math.log10(axis.end)), 0, 5) + 1 : 2
@@ -75,7 +75,7 @@ export class Clock {
     this.touch()
   }
 
-  /** A step is a twenty-fourth of what takes 6 s at the auto speed: about a swing. @param {1 | -1} direction */
+  /** Moves the instant by 1/24 of the simulated time that takes 6 s at the speed Auto. @param {1 | -1} direction */
   step(direction) {
     this.playing = false
     this.seek(
@@ -83,7 +83,7 @@ export class Clock {
     )
   }
 
-  /** Twice as fast for each `power`. @param {number} power */
+  /** Multiplies the speed by 2 ** power. @param {number} power */
   faster(power) {
     this.choice = Math.min(
       Math.max(2 ** (Math.round(Math.log2(this.choice === "auto" ? 1 : this.choice)) + power), 1 / 16),
@@ -116,7 +116,7 @@ export class Clock {
       // A tab that was hidden continues from the instant at which it was hidden.
       const seconds = Math.min((now - this.last) / 1000, 0.1)
       this.t += (seconds * this.factor) / this.unit
-      // A window far shorter than what the speed is made for passes in less than a frame.
+      // At a high speed, a short window can pass several times in one frame.
       if (this.t > this.end) this.t = Math.min(this.t, Number.MAX_VALUE) % this.end
       this.dirty = true
     }

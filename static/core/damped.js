@@ -6,7 +6,7 @@ const SERIES = 20
 
 /** @typedef {[number, number]} Complex */
 
-/** A phase past all doubles is anywhere on the circle. @param {number} phase */
+/** The phase, or 0 if it is larger than all doubles and therefore unknown. @param {number} phase */
 export const circled = phase => (Number.isFinite(phase) ? phase : 0)
 
 /** exp(re + i im). @param {number} re @param {number} im @returns {Complex} */
@@ -53,7 +53,7 @@ export function driven(signal, t) {
 }
 
 /**
- * The motion from rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t), by the one of four formulas that loses no digits.
+ * The motion from rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t). One of four formulas is used that loses no digits.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function fromRest(signal, t) {
@@ -84,7 +84,7 @@ function byPowers({omega, omega_n: own, slow, apart}, t) {
 }
 
 /**
- * The difference of two first differences, each of exp(i omega t) and one exponential of the free motion.
+ * The second divided difference of exp(s t) at i omega and the two roots: it is the difference of two first ones.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function byParts({omega, slow, apart, swing, detuning}, t) {
@@ -122,7 +122,7 @@ function perStep(z) {
 }
 
 /**
- * The steady part and the free motion from its start, both turned over.
+ * The steady motion minus the free motion with the same initial conditions.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function plainly({omega, omega_n: own, slow, apart, swing}, t) {

@@ -1,4 +1,4 @@
-// Small helpers to build elements, and the colours of quantities as they now are.
+// Small helpers to build elements, and the current colours of quantities.
 
 const SVG = "http://www.w3.org/2000/svg"
 
@@ -36,17 +36,17 @@ export function button(look, act, ...children) {
   return made
 }
 
-/** A small button with a name. @param {string} name @param {() => void} act @param {Attributes} [look] */
+/** A small button with a text. @param {string} name @param {() => void} act @param {Attributes} [look] */
 export const chip = (name, act, look = {}) => button({class: "chip", ...look}, act, name)
 
 /**
- * Gives a part its text, and says whether it is another: one that stays is neither drawn nor read out again.
+ * Sets the text of a part if it differs, and returns true then. An equal text is neither drawn nor read out again.
  * @param {Node} part @param {string} text
  */
 export function reword(part, text) {
   if (part.textContent === text) return false
   const first = part.firstChild // 3 is the type of a text
-  // In place, since it may be done at every frame: with a new node more would be laid out.
+  // Reuses the text node, because a new node would cost more layout in every frame.
   if (first?.nodeType === 3 && !first.nextSibling) first.nodeValue = text
   else part.textContent = text
   return true
@@ -60,7 +60,7 @@ export function set(target, attributes) {
 }
 
 /**
- * An element with HTML of our own server as its content.
+ * An element with HTML from our server as its content.
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag @param {Attributes} attributes @param {page.Html} html
  */
@@ -70,7 +70,7 @@ export function marked(tag, attributes, html) {
   return made
 }
 
-/** Scroll a row of buttons that is wider than the screen to one of them. @param {HTMLElement} one */
+/** Scrolls a row of buttons that is wider than the screen to one of them. @param {HTMLElement} one */
 export function intoView({offsetLeft, offsetWidth, parentElement: row}) {
   if (row) row.scrollLeft = offsetLeft + offsetWidth / 2 - row.clientWidth / 2
 }
@@ -81,11 +81,11 @@ const tokens = new Map()
 /** @type {Map<string, (style: CSSStyleDeclaration) => string>} */
 const asked = new Map()
 
-/** A token of the style sheet. Each is looked up once in a run: what is written meanwhile changes none of them. */
+/** The value of a custom property of the style sheets. Each is looked up once per task, because nothing changes it. */
 export const colour = (/** @type {string} */ name) =>
   once(`--${name}`, style => style.getPropertyValue(`--${name}`).trim())
 
-/** A unit in pixels: a sixteenth of the size of text. Whatever is drawn counts in units, and so grows with the text. */
+/** A unit in pixels: 1/16 of the text size. Drawings are measured in units, so they grow with the text. */
 export const unitSize = () => Number(once("unit", ({fontSize}) => String(parseFloat(fontSize) / 16)))
 
 /** The size of a text or a line in units: "t0", "w1". @param {string} name */
@@ -106,13 +106,13 @@ function once(name, find) {
   return known
 }
 
-/** Reads all tokens at once, before anything is written, because a read after a write recomputes the page's styles. */
+/** Reads all values at once, before anything is written, because a read after a write recomputes the page's styles. */
 function settle() {
   const style = getComputedStyle(document.documentElement)
   for (const [name, find] of asked) tokens.set(name, find(style))
 }
 
-/** An SVG whose lengths are units. @param {SVGSVGElement} drawing @param {number} width @param {number} height */
+/** Gives an SVG coordinates in units. @param {SVGSVGElement} drawing @param {number} width @param {number} height */
 export function inUnits(drawing, width, height) {
   if (width > 0 && height > 0) drawing.setAttribute("viewBox", `0 0 ${width} ${height}`)
 }
@@ -131,7 +131,7 @@ const RUNS = {
 /** @param {page.Runs} runs */
 export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
 
-/** The next frame; a page in a tab that nobody sees is not waited for. */
+/** Waits for the next frame, or 50 ms in a hidden tab, which has no frames. */
 export const frame = () => Promise.race([new Promise(requestAnimationFrame), new Promise(done => setTimeout(done, 50))])
 
 /** The box of the surface behind a part: paper or panel, or the whole page on a phone. */
@@ -140,7 +140,7 @@ export const surface = (/** @type {Element} */ part) =>
 
 const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"))
 
-/** Units that a small text takes. @param {string} text */
+/** The width of a small text in units. @param {string} text */
 export function textWidth(text) {
   ruler.font = `${units("t0")}px ${colour("sans")}`
   return ruler.measureText(text).width

@@ -2,7 +2,7 @@
 
 import {inWords, note} from "./notes.js"
 
-/** @type {Set<string>} faults that have been logged: one in a frame comes again with each frame */
+/** @type {Set<string>} logged faults, because the same fault can occur in every frame */
 const logged = new Set()
 
 let told = false
@@ -21,7 +21,7 @@ function tell(reason) {
   note(`Part of this page does not work (${inWords(reason)}). The rest does; reloading the page may help.`)
 }
 
-/** Runs one of several things that do not need each other: a fault in it is reported. @param {() => unknown} act */
+/** Runs an action and reports its faults, so that other actions still run. @param {() => unknown} act */
 export function guarded(act) {
   try {
     const done = act()

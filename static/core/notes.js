@@ -6,7 +6,7 @@ import {button, element} from "./dom.js"
 export const inWords = reason => (reason instanceof Error ? reason.message : String(reason))
 
 /**
- * Said until it is closed, or what is returned is called.
+ * Shows a notice until the visitor closes it, or until the returned function is called.
  * @param {string} sentence @param {HTMLElement[]} parts
  */
 export function note(sentence, ...parts) {
@@ -17,7 +17,7 @@ export function note(sentence, ...parts) {
   return () => said.remove()
 }
 
-/** Why something asked of a scene was not done, over it until it is closed. */
+/** A notice over a scene, until it is closed: why a request was refused. */
 export class Notice {
   element = element("div", {class: "notice", role: "alert", hidden: ""})
 

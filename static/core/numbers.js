@@ -1,4 +1,4 @@
-// Numbers as a person reads and types them: the same texts as components/quantities/formatting.py writes.
+// Formats numbers for people. The texts are the same as those of components/quantities/formatting.py.
 
 /** A key that begins a number. */
 export const BEGINS_NUMBER = /^[\d.,+\u2212-]$/
@@ -6,11 +6,11 @@ export const BEGINS_NUMBER = /^[\d.,+\u2212-]$/
 export const MINUS = "−"
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
-/** Powers of ten that are written out; beyond them a number carries a power of ten. @param {number} exponent */
+/** True if a number of this size is written without a power of ten. @param {number} exponent */
 const isPlain = exponent => exponent >= -3 && exponent < 5
 
 /**
- * Significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷.
+ * A number with `count` significant digits and trailing zeros: 2.00, 0.0400, −1.24, 1.23·10⁻⁷.
  * @param {number} value @param {number} [count]
  */
 export function three(value, count = 3) {
@@ -28,7 +28,7 @@ export function signed(value) {
 }
 
 /**
- * So many significant digits at most, no trailing zeros: 5, 0.2, 2·10⁻⁷.
+ * A number with at most `most` significant digits and no trailing zeros: 5, 0.2, 2·10⁻⁷.
  * @param {number} value @param {number} [most]
  */
 export function short(value, most = 3) {
@@ -36,7 +36,7 @@ export function short(value, most = 3) {
   return [head.includes(".") ? head.replace(/\.?0+$/, "") : head, ...power].join("·")
 }
 
-/** The text of an input field: three digits, or as many as `value` needs to come back. @param {number} value */
+/** The text of a field: three digits, or as many as are needed to read back the same number. @param {number} value */
 export function tidy(value) {
   if (value === 0) return "0.00"
   const [digits, exponent] = parts(Math.abs(value).toExponential())
@@ -46,7 +46,7 @@ export function tidy(value) {
 }
 
 /**
- * A number that changes while playing: so many decimals, always signed when asked.
+ * A number with a fixed count of decimals, for numbers that change while playing; with a sign if `always`.
  * @param {number} value @param {number} decimals @param {boolean} [always]
  */
 export function fixed(value, decimals, always = false) {
@@ -60,7 +60,7 @@ export function grouped(count) {
   return count < 1e6 ? Number(count.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : short(count)
 }
 
-/** A number and its unit, which is close to it where it is a degree. @param {string} number @param {string} unit */
+/** A number and its unit, with a space between them, except for degrees. @param {string} number @param {string} unit */
 export const withUnit = (number, unit) => `${number}${unit === "°" || unit.startsWith("·") ? "" : " "}${unit}`.trim()
 
 /** A typed text in the notation of the page. @param {string} text */

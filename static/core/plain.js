@@ -1,4 +1,4 @@
-// Formulas and sentences as plain text: for pictures that other programs open, and for what is read aloud.
+// Formulas and sentences as plain text, for saved pictures and for screen readers.
 
 const LOW = new Map(
   [..."0123456789+-−()=aehijklmnoprstuvx"].map((sign, i) => [sign, "₀₁₂₃₄₅₆₇₈₉₊₋₋₍₎₌ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"[i]]),
@@ -10,7 +10,7 @@ const WORD = /^[a-z]+$/i
 const APART = "=+−-±<>≤≥≈→⇒≠×·"
 
 /**
- * Signs of an index or a power where there are such, else after a mark.
+ * A text as an index or a power: in Unicode signs if it has them, else after a mark such as _ or ^.
  * @param {string} text @param {Map<string, string>} signs @param {string} mark
  */
 function shifted(text, signs, mark) {
@@ -25,7 +25,7 @@ export function indexed(symbol) {
   return letter + (index ? shifted(index, LOW, "_") : "")
 }
 
-/** In brackets where it is more than one thing. @param {string} text */
+/** A text in brackets, unless it is a single term. @param {string} text */
 const held = text => (/^[^\s+−=/]+$/.test(text) ? text : `(${text})`)
 
 /** @type {Record<string, (parts: string[], node: Element) => string>} */

@@ -1,18 +1,18 @@
 // Conversion between coordinates of an axis and values in SI units.
 
-/** The axis of a quantity that is drawn on none. @type {page.Ruler} */
+/** The axis of a quantity that no axis shows: its values are in SI units. @type {page.Ruler} */
 export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
-/** The steps of three heights of the frame in which columns are sent: components/state/encoding.py. */
+/** Columns are sent as integers up to this one, over three heights of the frame: components/state/encoding.py. */
 export const COLUMN_STEPS = 2 ** 16 - 1
 
-/** One of them, as the axis counts. @param {page.Ruler} ruler */
+/** One step of these integers in the unit of the axis. @param {page.Ruler} ruler */
 export const stepOf = ({start, end}) => (3 * Math.abs(end - start)) / COLUMN_STEPS
 
-/** The nearest number that is not beyond two ends. @param {number} value @param {number} low @param {number} high */
+/** The nearest number in a range. @param {number} value @param {number} low @param {number} high */
 export const clamp = (value, low, high) => Math.min(Math.max(value, low), high)
 
-/** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */
+/** The value in SI units at a coordinate of the axis. @param {page.Ruler} ruler @param {number} place */
 export function toSI({log, power, exponent, factor}, place) {
   return (log ? 10 ** place : place ** (1 / power) * 10 ** (exponent / power)) * factor
 }
@@ -23,16 +23,16 @@ export function toPlace({log, power, exponent, factor}, value) {
 }
 
 /**
- * Both axes at one scale in a box: the one with room to spare shows more than it was asked to.
+ * Both axes with the same scale in a box; one of them then shows a wider range.
  * @param {page.Ruler} x @param {page.Ruler} y @param {{width: number, height: number}} box
  */
 export function toOneScale(x, y, {width, height}) {
-  const unit = 10 ** (x.exponent - y.exponent) // one of x, counted as y is
+  const unit = 10 ** (x.exponent - y.exponent) // the unit of x in units of y
   const scale = Math.max((unit * (x.end - x.start)) / width, (y.end - y.start) / height)
   return [widened(x, (scale * width) / unit), widened(y, scale * height)]
 }
 
-/** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
+/** The axis with a range of this size around the same middle. @param {page.Ruler} ruler @param {number} size */
 function widened(ruler, size) {
   const middle = (ruler.start + ruler.end) / 2
   return {...ruler, start: middle - size / 2, end: middle + size / 2}

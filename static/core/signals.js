@@ -1,4 +1,4 @@
-// Signals, evaluated from a few scalars at any instant: the browser's half of components/language/signals.py.
+// Evaluates signals at any instant: the counterpart of components/language/signals.py in the browser.
 
 import {circled, damped, driven} from "./damped.js"
 import {modal} from "./modal.js"
@@ -141,14 +141,14 @@ function valueOf(signal, t, named) {
   }
 }
 
-/** The names that a signal speaks of. @param {page.AnySignal} signal */
+/** The names of the quantities that a signal depends on. @param {page.AnySignal} signal */
 function spokenOf(signal) {
   if (signal.kind === "derived") return signal.value.terms.flatMap(([, names]) => names)
   if (signal.kind === "modal") return [signal.at]
   return "of" in signal ? [signal.of] : []
 }
 
-const MADE = new Set(["derived", "sine", "cosine", "modal"]) // of others, or many at once
+const MADE = new Set(["derived", "sine", "cosine", "modal"]) // signals that depend on others, or that set many names
 
 /**
  * The named signals at many instants, in columns. Only the signals that they depend on are evaluated too.
@@ -157,7 +157,7 @@ const MADE = new Set(["derived", "sine", "cosine", "modal"]) // of others, or ma
  */
 export function over(signals, scalars, times, names) {
   const needed = new Set(names)
-  const ofMany = [...names].some(name => !(name in signals)) // which one signal gives
+  const ofMany = [...names].some(name => !(name in signals)) // names that a modal signal sets
   for (const [name, signal] of Object.entries(signals).toReversed()) {
     if (ofMany && signal.kind === "modal") needed.add(name)
     if (needed.has(name)) for (const other of spokenOf(signal)) needed.add(other)
@@ -175,7 +175,7 @@ export function over(signals, scalars, times, names) {
 }
 
 /**
- * The signals that are made of no others, at an instant: what places all that is drawn.
+ * The signals that depend on no others, at an instant. All positions follow from them.
  * @param {Record<string, page.AnySignal>} signals @param {Named} named @returns {Named}
  */
 export function roots(signals, named) {

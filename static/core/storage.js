@@ -8,7 +8,7 @@ const NOTHING = "This browser stores nothing for this page: your choices and ans
 let told = false
 
 class Shelf {
-  /** @param {() => Storage} find asking for it may be refused already */
+  /** @param {() => Storage} find a function, because even access to the storage can throw */
   constructor(find) {
     this.find = find
   }
@@ -56,7 +56,7 @@ class Shelf {
   }
 }
 
-/** The name of a frame that shares nothing with the tab that it is in. */
+/** The name of a frame that shares no storage with the tab around it. */
 export const APART = "oscillations-apart"
 const apart = globalThis.window?.name === APART ? new Map() : null
 

@@ -1,6 +1,6 @@
-// A black screen, as a lecturer has it who wants to be looked at: over the whole page, until it is pressed.
+// A black screen over the whole page, until a key or press, so that students look at the lecturer.
 
-/** Black, or back from it. */
+/** Makes the screen black, or shows the page again. */
 export function blank() {
   const there = document.querySelector(".blank")
   if (there) return there.remove()

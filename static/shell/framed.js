@@ -11,7 +11,7 @@ export function framed(lecture) {
   for (const event of ["pointerenter", "focus", "click"]) out.addEventListener(event, lead)
   lead()
   let told = 0
-  /** Anybody may know a height; who frames the page is the server's to say. */
+  /** Sends the height to any origin, because it is no secret; the server decides who may frame the page. */
   const tell = () => {
     const height = Math.ceil(bar.offsetHeight + wanted(lecture.page))
     if (height === told) return
@@ -27,7 +27,7 @@ export function framed(lecture) {
   watch()
 }
 
-/** The height of a page if nothing of it scrolled. @param {PartHost | undefined} page */
+/** The height at which no part of the page scrolls. @param {PartHost | undefined} page */
 function wanted(page) {
   if (!page) return 0
   return Math.max(page.root.scrollHeight, page.paper.scrollHeight, page.panel.scrollHeight)

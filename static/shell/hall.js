@@ -1,4 +1,4 @@
-// The hall: type and lines that the last row reads, the panel folded away. It is part of the link, not of the state.
+// Hall mode: large type and thick lines, and a folded panel. It is part of the link, not of the state.
 
 import {button, element} from "../core/dom.js"
 import {later} from "../later.js"
@@ -10,10 +10,10 @@ const WALK = "data-in-walk"
 const root = document.documentElement
 
 export class Hall {
-  /** @type {HTMLElement | undefined} says what the next key does */
+  /** @type {HTMLElement | undefined} the hint that the next key opens full screen */
   offer
 
-  /** @type {BroadcastChannel | undefined} from a window with the contents, once this page has been a hall's */
+  /** @type {BroadcastChannel | undefined} from a window with the contents, since hall mode was first on */
   steps
 
   /** @param {LectureHost} lecture */
@@ -28,7 +28,7 @@ export class Hall {
     return root.dataset.mode === "projector"
   }
 
-  /** Its part of the address. */
+  /** The part of the address for hall mode. */
   get ending() {
     return this.on ? "&projector" : ""
   }
@@ -69,14 +69,13 @@ export class Hall {
     this.lecture.page.place()
   }
 
-  /** It stays through scenes and steps, which are one page. */
+  /** Opens full screen. It stays when the scene or step changes, because the page is not loaded again. */
   async full() {
     if (document.fullscreenElement) await document.exitFullscreen()
     else await root.requestFullscreen?.().catch(() => {})
   }
 
-  /** Browsers enter full screen only after a key or a press. After a reload, which some clickers cause, the next one
-   * does it. */
+  /** Opens full screen again after a reload, at the next key or press, because browsers need one. */
   #offer() {
     this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
     document.body.append(this.offer)

@@ -1,4 +1,4 @@
-// The values that the panel shows, in one line: for a hall, where the panel is folded away.
+// The values of the panel in one line, for hall mode, in which the panel is folded.
 
 import {element} from "../core/dom.js"
 import {brief} from "../controls/handles.js"

@@ -1,4 +1,4 @@
-// The scenes of one lecture in the head line: where there is no room for their names, a button that opens their list.
+// The scenes of one lecture in the navigation: links, or on a narrow screen a button that opens their list.
 
 const STEPS = new Map([
   ["ArrowDown", 1],

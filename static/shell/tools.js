@@ -1,4 +1,4 @@
-// The tools of a page: it is held or predicted, copied as a link, saved, and left for another scene.
+// The tools of a scene: hold, predict, copy the link, save, and links to other scenes.
 
 import {copyButton} from "../export/copy.js"
 import {button, chip, element} from "../core/dom.js"
@@ -36,7 +36,7 @@ export class Tools {
   }
 
   /**
-   * A button on a plot or a stage, for the pointer; the keys have that among the tools.
+   * A button for saving on a plot or a stage, for the pointer only; with the keyboard, use the button among the tools.
    * @param {HTMLElement | null} host @param {Subject} subject @param {string} name
    */
   #takeable(host, subject, name) {
@@ -52,7 +52,7 @@ export class Tools {
     using("export/take", ({take}) => this.page.left || take(this.page, subject))
   }
 
-  /** A link that takes values of this scene along to another. @param {page.Onward} way */
+  /** A link to another scene, with values of this one. @param {page.Onward} way */
   #onward({label, scene, given, taken}) {
     const link = element("a", {class: "chip", href: "#"}, label)
     link.addEventListener("click", event => {

@@ -1,10 +1,10 @@
-// Undo and redo: the states that a scene has been in, each put back by opening it.
+// Undo and redo: opens earlier states of a scene again.
 
 import {button, element, set, svg} from "../core/dom.js"
 
 const ARROWS = {past: "M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4", future: "M15 14l5-5-5-5M20 9H10a5 5 0 0 0 0 10h4"}
 const RESET = "M5 5v14M19 6l-9 6 9 6z"
-const MOST = 200 // states kept of a scene
+const MOST = 200 // states kept per scene
 
 /**
  * @typedef {"past" | "future"} Direction
@@ -22,7 +22,7 @@ export class Undo {
   gesture = 0
   press = "" // of what, and which
 
-  /** `reset` brings the scene back as it opens. @param {SendBack} send @param {() => void} reset */
+  /** `reset` returns the scene to its opening state. @param {SendBack} send @param {() => void} reset */
   constructor(send, reset) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
@@ -59,7 +59,7 @@ export class Undo {
     return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
   }
 
-  /** Covers, and what is held, stay as they are. @param {Direction} way */
+  /** Opens the state before or after; covers and the compared picture stay. @param {Direction} way */
   go(way) {
     this.send(
       () => {
@@ -81,7 +81,7 @@ export class Undo {
     this.stories.set(state.scene, story)
     this.story = story
     if (isSame(story.now, state)) {
-      if (way) story[way].pop() // refused: it would be asked for again and again
+      if (way) story[way].pop() // the state was refused, so it would be refused again
     } else if (way) {
       story[way].pop()
       story[way === "past" ? "future" : "past"].push(story.now)
