@@ -1,4 +1,4 @@
-// Modules that only some pages need, fetched when asked for. One that cannot be fetched is said, and comes when it can.
+// Modules that only some pages need, fetched on demand. If one cannot be fetched, a notice appears, and it is tried again.
 
 import {note} from "./core/notes.js"
 
@@ -36,14 +36,14 @@ const PARTS = {
 /** @type {Partial<Record<Name, Promise<unknown>>>} */
 const fetched = {}
 
-/** @type {Partial<Record<Name, unknown>>} the last that asked for a part */
+/** @type {Partial<Record<Name, unknown>>} the last action that needs a part */
 const last = {}
 
 /** @type {() => void} removes the notice */
 let found = () => {}
 let missing = 0
 
-/** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
+/** Fetches a part. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
 export function later(name) {
   let tries = 0
   /** Some browsers remember a failed import forever, so each further try has another address. */
@@ -52,7 +52,7 @@ export function later(name) {
 }
 
 /**
- * Does something with a part when it is there; who asks for a part several times meanwhile wants it once.
+ * Does something with a part when it is fetched. Of several calls before that, only the last one has an effect.
  * @template {Name} Key @param {Key} name @param {(part: Awaited<ReturnType<Parts[Key]>>) => void} act
  */
 export async function using(name, act) {
@@ -61,7 +61,7 @@ export async function using(name, act) {
   if (last[name] === act) act(part)
 }
 
-/** The outcome of fetching, which is tried until it comes. @template Part @param {() => Promise<Part>} fetching */
+/** Repeats a request until it succeeds, and returns its result. @template Part @param {() => Promise<Part>} fetching */
 export async function insisting(fetching) {
   try {
     return await fetching()
@@ -83,7 +83,7 @@ async function again(fetching) {
   }
 }
 
-/** Until it is worth another try. */
+/** Waits for a moment at which another try makes sense. */
 const chance = () =>
   new Promise(done => {
     setTimeout(done, PAUSE)

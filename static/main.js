@@ -26,7 +26,7 @@ const UNANSWERED = "left" // unanswered messages of the previous page
 
 /** @implements {LectureHost} */
 export class Lecture {
-  /** @type {Page} the one that is seen */
+  /** @type {Page} the visible page */
   page
 
   sheets = new Sheets()
@@ -229,7 +229,7 @@ export class Lecture {
     document.documentElement.dataset.ready = "false"
     const [fetched] = await Promise.all([this.#fetched(shown.sheet), this.walks.prepare(shown.state)])
     const page = fetched && this.#built(fetched, shown)
-    if (!page) document.documentElement.dataset.ready = "true" // the page before stays
+    if (!page) document.documentElement.dataset.ready = "true" // the old page stays
     return Boolean(page)
   }
 

@@ -2,5 +2,5 @@
 
 import {begin} from "./main.js"
 
-// A page that follows a class has no own picture.
+// A page that follows a class does not contain a picture.
 if (document.getElementById("opening")) begin()

@@ -11,9 +11,9 @@ import {things} from "./things.js"
 const PICTURE = 420 // units of a plot, half a page wide
 const NARROWEST = 320 // units of a plot next to a stage
 const LOW = 120 // units of the frame of a plot
-const DRAWN_ON = {wide: 560, high: 165} // units of a plot on which the answer is drawn, and of its frame
+const DRAWN_ON = {wide: 560, high: 165} // units of a plot on which students draw, and of its frame
 const ROW = 945 // units of two pictures side by side on a page: their labels then have 7 pt
-const LONGEST = 20_000 // ms that a step may take to be shown
+const LONGEST = 20_000 // ms until a step must be visible
 
 /**
  * The articles as HTML. `begins` is called with the place of each step.
@@ -29,7 +29,7 @@ export async function articles(walk, isAnswered, begins) {
 }
 
 /**
- * From a step to the last: its question, or its answer.
+ * Adds the question or the answer of each step, from step `i` to the last.
  * @param {Walk} walk @param {number} i @param {boolean} isAnswered @param {(i: number) => HTMLElement} begin
  * @returns {Promise<void>}
  */
@@ -55,7 +55,7 @@ async function go(walk, i, isAnswered, begin) {
   await go(walk, i + 1, isAnswered, begin)
 }
 
-/** Until it is so; an error after 20 s. @param {() => unknown} isSo @param {number} [end] @returns {Promise<void>} */
+/** Waits for a condition, at most 20 s. @param {() => unknown} isSo @param {number} [end] @returns {Promise<void>} */
 export async function until(isSo, end = performance.now() + LONGEST) {
   await frame()
   if (isSo()) return
@@ -83,7 +83,7 @@ function question({step, card, lecture: {page}}, n) {
 }
 
 /**
- * The stage, and where something is to be drawn or marked the plot for it, else the first that is not covered.
+ * The stage, and one plot: the one on which students draw or mark something, else the first that is not hidden.
  * @param {PartHost} page @param {page.StepCard} step
  */
 function pictures(page, step) {
@@ -104,7 +104,7 @@ function pictures(page, step) {
   return [...(stage ? [stage] : []), ...drawn].map(placed)
 }
 
-/** A picture in the size at which its labels are read. @param {import("./picture.js").Picture} picture */
+/** A picture at a size at which its labels can be read. @param {import("./picture.js").Picture} picture */
 function placed(picture) {
   const host = shown(picture)
   host.style.setProperty("--units", String(picture.width))

@@ -5,7 +5,7 @@ import {brief} from "../controls/handles.js"
 import {withTrueMinus, withUnit} from "../core/numbers.js"
 import {indexed, plain} from "../core/plain.js"
 
-/** The parameters of the panel, as "m₁ = 2.00 kg", then those of tables. @param {PartHost} page */
+/** The rows of the panel's tables, then its parameters, such as "m₁ = 2.00 kg". @param {PartHost} page */
 export function parameters({spec, panel, shown: {settings, view}}) {
   const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
@@ -25,7 +25,10 @@ export const link = page => new URL(page.link, location.href).href
 /** @param {PartHost} page */
 export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.clock.places)} s` : "")
 
-/** The other numbers of the picture held, after how that is drawn. @param {PartHost} page @param {string} drawn */
+/**
+ * The numbers that differ in the compared picture; `drawn` describes its lines.
+ * @param {PartHost} page @param {string} drawn
+ */
 export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {

@@ -18,7 +18,7 @@ export function copyButton(link) {
   return button
 }
 
-/** Copies a link; the result, in a word or two. @param {string} link */
+/** Copies a link, and returns the result in a word or two. @param {string} link */
 async function taken(link) {
   if (isTooLong(link)) return "Too long"
   const address = new URL(link, location.href).href
@@ -30,8 +30,8 @@ async function taken(link) {
 }
 
 /**
- * A page that came over plain http from another machine has no clipboard, nor has one in a frame that was not given it:
- * there what is selected can be copied.
+ * Copies a text. Pages over plain http, and frames without permission, cannot write to the clipboard; there it copies a
+ * selection.
  * @param {string} text
  */
 async function copied(text) {

@@ -12,7 +12,7 @@ import {axes, measured} from "../scene/describe.js"
 import {HeldName, linesOf, StageGhost} from "../compare/ghosts.js"
 import {plain} from "../core/plain.js"
 
-const FAR = 1e4 // pixels beyond which no curve is followed
+const FAR = 1e4 // pixels from the frame at which curves are cut off
 /** @type {Record<page.Curve["width"], number>} */
 const WIDTHS = {sum: 3, line: 1.75, dash: 1.75, dots: 1, thin: 1, none: 0}
 /** @type {Partial<Record<page.Curve["width"], string>>} */
@@ -65,7 +65,7 @@ export class Drawing {
   }
 
   /**
-   * Everything, to be called while `over` is in the page; `marks` are what a stage draws in its frame.
+   * Draws everything. Call it while `over` is in the page. `marks` are shapes of a stage inside the frame.
    * @param {Named} named the quantities at the instant shown @param {page.AnyShape[]} [marks]
    */
   draw(named, marks = this.#ofStages()) {
@@ -172,7 +172,7 @@ export class Drawing {
     stage.under = this
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1, low: 0}
-    // Other plots are not in the picture: what leads there ends here.
+    // Other plots are not in the picture, so lines to them are left out.
     const names = this.page.plots.map(plot => plot.block.name)
     stage.measure(names.map(name => ({host: this.host, geometry: () => geometry(this, name)})))
     stage.cover(this.view.left_out, coveredPlots(this.page.shown.state))
@@ -187,7 +187,7 @@ export class Drawing {
   }
 
   /**
-   * Adds the shapes of the held picture; their numbers avoid the current labels.
+   * Adds the shapes of the compared picture; their numbers avoid the current labels.
    * @param {Stage} stage @param {Named} named
    */
   #held(stage, named) {

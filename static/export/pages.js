@@ -3,11 +3,11 @@
 
 import {element, unitSize} from "../core/dom.js"
 
-const HIGH = 950 // units of a page: A4 and Letter have them, upright, between margins of 12 mm
+const HIGH = 950 // units of a page: A4 and Letter have as much, upright, between margins of 12 mm
 const LARGEST = 1.6 // times the size at which labels are 7 pt
 const FINER = 0.1
 
-/** Puts what a handout has on pages. @param {HTMLElement} handout */
+/** Puts the content of a handout on pages. @param {HTMLElement} handout */
 export function paged(handout) {
   const [head, ...articles] = /** @type {HTMLElement[]} */ ([...handout.children])
   const heights = articles.map(high)
@@ -19,7 +19,7 @@ export function paged(handout) {
   sheets.forEach(fill)
 }
 
-/** Pictures as large as the page has room for. @param {HTMLElement} sheet */
+/** Makes the pictures of a page as large as there is room. @param {HTMLElement} sheet */
 function fill(sheet) {
   let size = LARGEST
   const grow = () => sheet.style.setProperty("--grow", String(size))

@@ -11,7 +11,7 @@ const WIDE = 560 // width of a picture; the text has the size of the page's
 const HIGH = 300 // of the frame of a plot
 const EDGE = 14
 const LINE = 20
-const UNIT = 4 // characters at the end of a formula: at most so many are taken for a unit
+const UNIT = 4 // at most so many characters at the end of a formula can be a unit
 /** Properties of drawn elements, with their default values. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
@@ -34,7 +34,7 @@ const TYPE = ["font-family", "font-size", "font-style", "font-weight"]
  */
 /** @typedef {{svg: string, width: number, height: number}} Picture */
 
-/** A sheet of paper that nobody sees, in the light theme, while a picture is drawn on it. */
+/** An invisible element in the light theme, in which a picture is drawn. */
 class Easel {
   /** @param {number} [width] */
   constructor(width = WIDE) {
@@ -148,7 +148,7 @@ export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * 
 }
 
 /**
- * The margins of the frame: for its numbers, names and flags, which on the page may leave the plot's box.
+ * The margins of the frame for numbers, names and flags, which can be outside the box of the plot on the page.
  * @param {Plot} plot @param {number} wide @param {number} high
  */
 function frameFor(plot, wide, high) {
@@ -209,7 +209,7 @@ export function stagePicture(stage, page, captioned = true) {
 export const plotsUnder = (stage, page) =>
   page.plots.filter(plot => plot.box && isSeen(plot.host) && (beside(plot, stage) || writesInto(stage, plot)))
 
-/** A copy of a drawing, without all that a question hides. @param {SVGElement} drawn */
+/** A copy of a drawing without hidden parts. @param {SVGElement} drawn */
 function seenOf(drawn) {
   const copy = /** @type {SVGElement} */ (drawn.cloneNode(true))
   const copies = [...copy.querySelectorAll("*")]
@@ -226,7 +226,7 @@ function plotAt(plot, easel, named) {
   easel.host.append(host)
   const drawing = new Drawing(plot, host, plot.frame)
   easel.svg.append(drawing.over)
-  drawing.draw(named, []) // what the stage draws over it comes with the stage
+  drawing.draw(named, []) // the shapes of the stage over the plot come with the stage
   return drawing.over
 }
 
@@ -257,7 +257,7 @@ function shifted(part, host, box) {
   return part
 }
 
-/** Lines that lead elsewhere on the page, most of whose way is outside the picture. @param {SVGElement} root */
+/** Removes lines to other parts of the page, which are mostly outside the picture. @param {SVGElement} root */
 function leaveOut(root) {
   const paper = root.getBoundingClientRect()
   for (const line of root.querySelectorAll("line")) {
@@ -269,7 +269,7 @@ function leaveOut(root) {
 }
 
 /**
- * The look that the style sheets give, on the elements themselves: what is not drawn is taken out.
+ * Copies the styles of the style sheets to attributes of the elements, and removes elements that are not drawn.
  * @param {Element} root
  */
 function inline(root) {
@@ -291,7 +291,7 @@ function lookOf(one) {
   return Object.fromEntries(pairs.filter(([name, value]) => value !== LOOK[name]))
 }
 
-/** Twice the size, as a PNG. @param {Picture} picture @returns {Promise<Blob>} */
+/** A picture as a PNG at twice its size. @param {Picture} picture @returns {Promise<Blob>} */
 export async function png({svg: text, width, height}) {
   const image = new Image()
   image.src = `data:image/svg+xml,${encodeURIComponent(text)}`

@@ -1,4 +1,4 @@
-// The page on paper: made of its pictures when it is printed, one sheet a scene, in ink.
+// Prints a page: replaces it by its pictures, in the light theme, on one sheet of paper per scene.
 
 import {element} from "../core/dom.js"
 import {instant, link, parameters} from "./caption.js"
@@ -46,7 +46,7 @@ export class Print {
   }
 }
 
-/** A picture as wide as its place. @param {import("./picture.js").Picture} picture @param {string} [style] */
+/** A picture as wide as its container. @param {import("./picture.js").Picture} picture @param {string} [style] */
 export function shown({svg}, style) {
   const host = element("div", {class: style})
   host.innerHTML = svg
@@ -54,7 +54,7 @@ export function shown({svg}, style) {
   return host
 }
 
-/** The sentences, formulas and tables that are seen, but for the task. @param {HTMLElement} paper */
+/** The visible sentences, formulas and tables, without the task. @param {HTMLElement} paper */
 function words(paper) {
   const blocks = [...paper.querySelectorAll(".block.words:not(.task), .block.table")]
   const seen = blocks.filter(block => block instanceof HTMLElement && block.offsetParent !== null)

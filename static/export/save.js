@@ -2,7 +2,7 @@
 
 import {element} from "../core/dom.js"
 
-const KEPT = 40000 // ms; Safari reads a file only some time after the click
+const KEPT = 40000 // ms until the file is released, because Safari reads it only some time after the click
 
 /** @param {string} name @param {BlobPart} content @param {string} kind its media type */
 export function save(name, content, kind) {

@@ -1,4 +1,4 @@
-// Files to take away: each plot and the stage as a picture, the numbers as a table.
+// The dialog for saving: each plot and the stage as a picture, the numbers as a table.
 
 import {button, chip, element} from "../core/dom.js"
 import {save} from "./save.js"
@@ -12,13 +12,13 @@ import {things} from "./things.js"
  */
 
 /**
- * A thing that can be taken away: its name in a file and on a button, how it is drawn and described.
+ * A plot or stage that can be saved: its name in a file and on a button, functions that draw and describe it.
  * @typedef {{subject: Plot | Stage, file: string, name: string, draw: () => import("./picture.js").Picture,
  *   says: () => string, table: (() => HTMLElement) | null}} Thing
  */
 
 /**
- * Opens the choice of what to take, with `subject` taken up first.
+ * Opens the dialog, in which `subject` is chosen first.
  * @param {PartHost} page @param {Plot | Stage} [subject]
  */
 export function take(page, subject) {
@@ -27,7 +27,7 @@ export function take(page, subject) {
   if (first) new Taking(page, all).open(first)
 }
 
-/** The parts of the page that are seen: the stages, then the plots. @param {PartHost} page @returns {Thing[]} */
+/** The visible parts of the page: the stages, then the plots. @param {PartHost} page @returns {Thing[]} */
 function choices(page) {
   const {stages, plots} = things(page)
   return [

@@ -1,4 +1,4 @@
-// The stages and plots that are seen and not covered: what pictures are made of.
+// The stages and plots that can be saved as pictures: visible and not hidden until an answer.
 
 import {isCovered} from "../compare/cover.js"
 

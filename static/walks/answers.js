@@ -46,7 +46,7 @@ export class Answers {
     browserStorage.keepOrSay(KEY, this.kept)
   }
 
-  /** A page of text to keep. @param {page.WalkSheet[]} sheets */
+  /** All answers as a text that the visitor can save. @param {page.WalkSheet[]} sheets */
   text(sheets) {
     const lines = sheets.flatMap(({title, steps}) => {
       const known = steps.filter(step => this.of(step.id))

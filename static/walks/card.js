@@ -1,4 +1,4 @@
-// The card of a step, in the panel's place: a text, the question, the answer, the explanation, things to try.
+// The card of a step, which replaces the panel: a text, the question, the answer, the explanation, things to try.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
@@ -7,9 +7,9 @@ import {ask, claim} from "./headline.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 export const FOLLOWS = "How it follows"
-const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
-const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
-const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
+const CHOSEN = ".seg, .tiles, .window" // controls other than sliders
+const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // parts that do not work before the answer
+const GRABBED = ".grip, .handles [data-grab]" // parts that can be dragged
 
 export class Card {
   /** @type {{part: Element, place: Comment}[]} controls that are now on the card, and their old places */
@@ -39,7 +39,7 @@ export class Card {
     this.body = element("div", {class: "card-body"}, ...parts)
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
     const foot = element("div", {class: "foot"}, this.refusal, this.back, this.skip, this.forward)
-    this.element.append(foot) // stays visible
+    this.element.append(foot) // last, so that it stays visible
     ;(walk.isTour ? foot : this.body).prepend(this.#head())
     this.question.changed = () => this.ready()
     page.panel.prepend(this.element)
@@ -55,7 +55,7 @@ export class Card {
     this.#ask()
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
-    this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
+    this.question.plot?.host.scrollIntoView({block: "nearest"}) // after everything has its final position
   }
 
   #head() {
@@ -79,7 +79,7 @@ export class Card {
     this.ready()
   }
 
-  /** The filled button says what the next press does. */
+  /** Writes on the filled button what the next press does. */
   ready() {
     const {words, needsAnswer} = this.walk.press
     this.skip.hidden = !needsAnswer
@@ -110,7 +110,7 @@ export class Card {
     this.ready()
   }
 
-  /** Says above the claim whether the answer is right: on a phone the answers are further down. @param {boolean | null}
+  /** Shows above the headline if the answer is right, because on a phone the answers are below. @param {boolean | null}
    * right */
   #judge(right) {
     if (right === null) return
@@ -144,8 +144,8 @@ export class Card {
   }
 
   /**
-   * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper. A
-   * hall sees the plots first.
+   * The equations of the slide: closed at first, later as the visitor left them. If there is room, they open over the
+   * paper. In hall mode they stay closed, so that the plots are visible.
    * @param {page.Html[]} follows
    */
   #derivation(follows) {
@@ -210,7 +210,7 @@ export class Card {
     for (const part of page.root.querySelectorAll(`${HELD}, ${GRABBED}`)) part.removeAttribute("inert")
   }
 
-  /** After the answer a hand takes what sets a value that the step names. */
+  /** After the answer, lets visitors drag only the parts that set a parameter in `controls` of the step. */
   #confine() {
     const names = new Set(this.walk.step.controls)
     for (const part of this.page.root.querySelectorAll(GRABBED)) {

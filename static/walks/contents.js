@@ -17,7 +17,7 @@ export class Contents {
     this.element.addEventListener("click", event => {
       if (event.target === this.element) this.close()
     })
-    // A clicker closes it at either end; on from the last step there is nothing.
+    // At the top Page Up closes it, at the end Page Down, except after the last step of a walk.
     this.element.addEventListener("keydown", ({key}) => {
       const {scrollTop, scrollHeight, clientHeight} = this.element
       const isAtFoot = scrollTop + clientHeight > scrollHeight - 1
@@ -31,7 +31,7 @@ export class Contents {
   async open(isOver) {
     const {walks} = this.walk
     this.isOver = isOver
-    const names = [...walks.own.keys(), ...walks.menu.names] // one's own first
+    const names = [...walks.own.keys(), ...walks.menu.names] // walks from the visitor's files first
     this.sheets = await Promise.all(names.map(name => walks.sheet(name)))
     this.#fill()
     if (!this.element.open) this.element.showModal()
@@ -60,11 +60,12 @@ export class Contents {
     )
   }
 
-  /** If the hall sees this page, the contents open in another window, because they list later questions. */
+  /** A button that opens the contents in another window, because the hall must not see later questions. */
   #apart() {
     const {sheet, walks, lecture} = this.walk
     if (!lecture.hall.on) return []
-    const name = walks.own.has(sheet.name) ? walks.menu.names[0] : sheet.name // a walk from a file comes later
+    // The other window gets walks from files later.
+    const name = walks.own.has(sheet.name) ? walks.menu.names[0] : sheet.name
     return [chip("Questions in a window of their own", () => open(`./?walk=${name}${STEPS}`, "_blank", "noopener"))]
   }
 
@@ -75,7 +76,7 @@ export class Contents {
     return [element("ol", {class: "end"}, ...end.map(html => marked("li", {}, html)))]
   }
 
-  /** The choice of a shorter walk, where this one has it. */
+  /** The switch to the shorter walk, if this walk has one. */
   #core() {
     const {walk} = this
     const core = walk.sheet.steps.filter(step => step.core)

@@ -1,10 +1,10 @@
-// The draft of a walk: the steps written on the page, and their file: TOML, as docs/writing-a-walk.md says.
+// The draft of a walk: the steps that a visitor writes on the page, and their file in TOML (docs/writing-a-walk.md).
 
 import {browserStorage} from "../core/storage.js"
 
 const KEY = "asked-steps"
 
-export const ALOUD = "votes" // the name of the walk of what is asked aloud
+export const ALOUD = "votes" // the name of the walk for questions that are asked aloud
 
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
@@ -30,16 +30,16 @@ export class Draft {
     return `asked-${n}`
   }
 
-  /** A walk's file. @param {Fields[]} [steps] */
+  /** The text of the walk's file. @param {Fields[]} [steps] */
   file(steps = this.steps) {
     return walkText(this.title, steps)
   }
 }
 
-/** A walk's file. @param {string} title @param {Fields[]} steps */
+/** The text of a walk's file. @param {string} title @param {Fields[]} steps */
 export const walkText = (title, steps) => [`${line(["title", title])}\n`, ...steps.map(stepText)].join("")
 
-/** A step in such a file. @param {Fields} step */
+/** The text of a step. @param {Fields} step */
 export const stepText = step => ["\n[[step]]", ...Object.entries(step).map(line), ""].join("\n")
 
 /** The link to the picture of a step. Its covers are in a separate field. @param {string} query */
@@ -52,7 +52,7 @@ export const shownBy = query =>
 /** @param {[string, Toml]} field */
 const line = ([name, value]) => `${name} = ${written(value)}`
 
-/** Strings of JSON are strings of TOML, but for one sign. @param {Toml} value @returns {string} */
+/** A value in TOML. Its strings are those of JSON, except for one character. @param {Toml} value @returns {string} */
 function written(value) {
   if (Array.isArray(value)) {
     const items = value.map(written)

@@ -1,5 +1,5 @@
-// The editor of questions: one about what is shown becomes a step of a walk, several a file to keep. Each is checked by
-// the session as any walk's file is, so that what is made here runs.
+// The editor of questions: a question on the current picture becomes a step of a walk, and several steps a file. The
+// session checks each one like any file of a walk.
 
 import {chip, element} from "../core/dom.js"
 import {Draft, shownBy} from "./draft.js"
@@ -61,7 +61,7 @@ class Editor {
     const covers = [...parts(this.page), ...sentences(this.page)]
     const {covered} = this.page.shown.state
     const boxes = covers.map(part => box("cover", part.cover, part.text, covered.includes(part.cover)))
-    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // they have no box, and stay
+    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // covers without a box stay
     return [
       labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
       this.kind,
@@ -86,7 +86,7 @@ class Editor {
     this.answers.replaceChildren(...KINDS[field(this.kind).value].fields(this.plots))
   }
 
-  /** The steps that there are. */
+  /** Shows the list of the steps. */
   #show() {
     this.list.replaceChildren(...this.draft.steps.map((step, i) => this.#row(step, i)))
     for (const tool of this.tools.querySelectorAll(".of-steps"))

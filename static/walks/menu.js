@@ -6,7 +6,7 @@ import {later} from "../later.js"
 import {STEPS, lead} from "./steps.js"
 
 const VISITED = "visited"
-const ASK = "#ask" // of a window that is opened to write a question
+const ASK = "#ask" // the hash of a window for writing a question
 
 export class Menu {
   /** @type {Map<string, string>} the addresses of the sheets by name */
@@ -15,7 +15,7 @@ export class Menu {
   /** @type {HTMLElement | null} the link next to the menu that offers the tour */
   tour = document.querySelector(".new-here")
 
-  purpose = location.hash // the first picture writes the address again
+  purpose = location.hash // read now, because the first picture replaces the address
 
   /** @param {import("./walks.js").Walks} walks */
   constructor(walks) {
@@ -26,8 +26,8 @@ export class Menu {
     const {hall} = walks.lecture
     this.#entry("leave-walk", () => walks.leave())
     this.#entry("back-to-walk", () => walks.comeBack())
-    // A file button that is nowhere seen: held here, or the browser may forget it before a file is chosen; and pressed
-    // at once, as a browser opens files only right after a hand has asked for it.
+    // An invisible file button. It must be stored, or the browser may remove it before a file is chosen, and it must be
+    // clicked directly in the handler, because browsers open files only after a press of the visitor.
     this.file = element("input", {type: "file", accept: ".toml,text/plain"})
     this.file.addEventListener("change", () => this.#run(this.file.files?.[0]))
     this.#entry("walk-file", () => this.file.click())
@@ -62,7 +62,7 @@ export class Menu {
     browserStorage.keep(VISITED, "yes")
   }
 
-  /** A question is asked of a scene: a step of a walk is one already. A hall does not see it written. */
+  /** Opens the editor of questions for the current scene, outside a walk. In hall mode it opens in another window. */
   async #ask() {
     const {walk, lecture} = this.walks
     if (walk) lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
@@ -89,12 +89,12 @@ export class Menu {
     this.#run(file)
   }
 
-  /** One's own walk, from a file. @param {File} [file] */
+  /** Runs a walk from a file of the visitor. @param {File} [file] */
   async #run(file) {
     if (!file) return
     const {run} = await later("walks/own_walk")
     await run(this.walks, file)
-    this.file.value = "" // the same one, mended, can be chosen again
+    this.file.value = "" // so that the same file can be chosen again after a correction
   }
 
   get names() {
@@ -117,7 +117,7 @@ export class Menu {
     else if (purpose === STEPS) lead(this.walks)
   }
 
-  /** The way back to a walk, in words; "" where there is none. @param {string} back */
+  /** Shows the menu entry that leads back to a walk, with this text; "" hides it. @param {string} back */
   offers(back) {
     const entry = document.getElementById("back-to-walk")
     if (!entry) return

@@ -1,11 +1,11 @@
 // A walk from the visitor's own file, dropped onto the page or chosen. Only this visitor's session checks and runs it.
 
 const LARGEST = 48_000 // bytes of a file: components/walks/loading.py
-const SENT = 60_000 // bytes of a message that carries it
+const SENT = 60_000 // bytes of the message with the file
 
-/** Runs a walk from a file, or refuses it in a sentence. @param {LectureHost["walks"]} walks @param {File} file */
+/** Runs a walk from a file, or shows why it cannot. @param {LectureHost["walks"]} walks @param {File} file */
 export async function run(walks, file) {
-  walks.lecture.page.notice.hide() // it was of the file before
+  walks.lecture.page.notice.hide() // a notice about an earlier file
   const refusal = await read(file).then(
     text => walks.run(nameOf(file.name), text),
     (/** @type {Error} */ error) => error.message,
@@ -27,7 +27,7 @@ async function read(file) {
   return text
 }
 
-/** "My walk.toml" is the walk "my-walk". @param {string} file */
+/** The name of a walk: "my-walk" for "My walk.toml". @param {string} file */
 function nameOf(file) {
   const words = file
     .replace(/\.[^.]*$/, "")

@@ -2,8 +2,8 @@
 
 /* oxlint-disable unicorn/require-post-message-target-origin -- a channel is one origin's */
 
-const NAME = "steps-of-the-lecture" // what windows of one browser say to each other
-export const STEPS = "#steps" // of the address of such a window
+const NAME = "steps-of-the-lecture" // the channel between windows of one browser
+export const STEPS = "#steps" // the hash of such a window
 
 /**
  * On the page in the hall: reports its walks from files, and opens the chosen step.

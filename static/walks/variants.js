@@ -1,5 +1,5 @@
-// Variants of a step: its question with other numbers, by a seed. A visitor alone has one that the browser keeps,
-// for the order of answers too; in a class all have the numbers of the file.
+// Variants of a step: its question with other numbers, chosen by a seed. The browser of a visitor keeps its seed, which
+// also gives the order of options. In a class, everybody has the numbers of the file.
 
 import {hash} from "../questions/order.js"
 import {browserStorage} from "../core/storage.js"
@@ -18,5 +18,5 @@ export function ownSeed() {
  * seed */
 export const variant = (step, seed) => step.variants[seed - 1] ?? step
 
-/** The seed of this visitor's numbers, 0 where all have the same. @param {page.StepCard} step */
+/** The seed of this visitor's numbers, 0 if everybody has the same numbers. @param {page.StepCard} step */
 export const seedOf = ({id, variants}) => (variants.length ? 1 + (hash(`${id}/${ownSeed()}`) % variants.length) : 0)

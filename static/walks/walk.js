@@ -21,7 +21,7 @@ export class Walk {
   /** @type {page.Lesson | null} what the step teaches, once it has been answered */
   lesson = null
 
-  isRevealing = false // until the picture without covers: covered ones that were on their way take no answer back
+  isRevealing = false // until the picture without covers arrives; an earlier one must not hide the answer
 
   /** @type {Card | null} */
   card = null
@@ -52,7 +52,7 @@ export class Walk {
     this.answers = new Answers()
   }
 
-  /** The seed of an order that is one for a class, and another for each visitor alone. */
+  /** The seed of the order of options: one for a class, another one for each visitor without a class. */
   get seed() {
     return this.lecture.classes.code || ownSeed()
   }
@@ -63,7 +63,7 @@ export class Walk {
     return step && variant(step, this.numbers)
   }
 
-  /** A step of a walk with the numbers that this visitor has. @param {page.StepCard} step */
+  /** A step of a walk with the numbers of this visitor. @param {page.StepCard} step */
   numbered(step) {
     if (this.lecture.classes.hasNumbers) return step
     const stands = this.numbers && step === this.sheet.steps[this.place]
@@ -85,14 +85,14 @@ export class Walk {
     tabStorage.keep(SHORT, isShort)
   }
 
-  /** Its place in the lecture and in the walk. */
+  /** The position of the step in the lecture and in the walk. */
   get where() {
     const [own, all] = [this.sheet.steps[this.place], this.sheet.steps]
     const steps = this.steps.includes(own) ? this.steps : all
     return [this.step.place, `${steps.indexOf(own) + 1} of ${steps.length}`].filter(Boolean).join(" · ")
   }
 
-  /** The place of the next step that is walked, or of the one before. @param {1 | -1} way */
+  /** The index of the next step of this run, or of the one before. @param {1 | -1} way */
   #towards(way) {
     const {steps} = this.sheet
     let place = this.place + way
@@ -125,7 +125,7 @@ export class Walk {
   }
 
   /**
-   * After every picture of a step. One that is asked by its link alone is asked with this visitor's own numbers.
+   * Called after every picture of a step. A link without a seed opens the step with the numbers of this visitor.
    * @param {string} id @param {number} numbers the seed of its numbers @param {Drawn} shown
    */
   arrive(id, numbers, shown) {
@@ -134,7 +134,7 @@ export class Walk {
     const isAsked = this.#isAsked(place, shown)
     const step = this.sheet.steps[place]
     if (step && isAsked && !numbers && this.numbered(step) !== step) {
-      page.root.classList.add("walked", "asked") // until the same step comes with other numbers
+      page.root.classList.add("walked", "asked") // until the step arrives with other numbers
       page.heading.textContent = ""
       return this.go(place)
     }
@@ -222,7 +222,7 @@ export class Walk {
     return this.#towards(1) >= this.sheet.steps.length
   }
 
-  /** Whether the walk ends with scenes to try: then its pictures come before its answers. */
+  /** True if the walk ends with scenes to try. On a phone, its steps then show the picture above the options. */
   get isTour() {
     return this.sheet.trials.length > 0
   }
@@ -232,7 +232,7 @@ export class Walk {
     return Boolean(this.step?.poll) && this.sheet.name === ALOUD
   }
 
-  /** Does what the filled button says; Page Down does too. @param {boolean} [always] without an answer, too */
+  /** Does what the filled button or Page Down does. @param {boolean} [always] true to show the answer without asking */
   forward(always = false) {
     this.press.act(always)
   }
@@ -253,7 +253,7 @@ export class Walk {
     if (told.type === "taught") this.#taught(told)
   }
 
-  /** A new session may not have read one's own walk. @param {page.GiveAnswer} message */
+  /** Sends an answer, and again if the session did not know the walk's file. @param {page.GiveAnswer} message */
   async #told(message) {
     const {name} = this.sheet
     const {own, texts} = this.walks
@@ -302,7 +302,7 @@ export class Walk {
     this.lecture.messages.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
   }
 
-  /** The contents of all walks; after the last step with what this one has shown. @param {boolean} [isOver] */
+  /** Opens the contents of all walks; after the last step with a summary. @param {boolean} [isOver] */
   open(isOver = false) {
     this.contents ??= new Contents(this)
     this.contents.open(isOver)

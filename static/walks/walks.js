@@ -8,7 +8,7 @@ import {tabStorage} from "../core/storage.js"
 
 const OWN = "own-walks"
 const PATIENCE = 4000 // ms that a picture waits for the card of its step
-const AGAIN = 1000 // ms until a question that has to wait is asked again
+const AGAIN = 1000 // ms until a request is repeated if the server is busy
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
@@ -95,7 +95,7 @@ export class Walks {
     await Promise.race([Promise.all([later("walks/walk"), this.sheet(name)]), late])
   }
 
-  /** After every picture: opens the step of its state, if it has one. @param {Drawn} shown */
+  /** Opens the step of a new picture, if its state has one. @param {Drawn} shown */
   async shown(shown) {
     this.latest = shown
     const [asked, step, seed] = shown.state.step.split("/")
@@ -105,7 +105,7 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
-      if (!this.walk?.isAloud) this.left = null // which a vote leads back to
+      if (!this.walk?.isAloud) this.left = null // a vote leads back to it
     } else {
       this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()
@@ -115,7 +115,7 @@ export class Walks {
     this.menu.offers(this.left ? `Back to step ${this.left.place + 1} (W)` : "")
   }
 
-  /** The scene keeps the state that was reached; what an open question covers stays covered. */
+  /** Leaves the walk. The scene keeps its state; parts that an open question hides stay hidden. */
   leave() {
     this.menu.close()
     const {kept: state} = this.lecture
@@ -137,7 +137,7 @@ export class Walks {
     return this.left ? this.comeBack() : this.leave()
   }
 
-  /** Out of the walk, back to it, or the menu of all of them. */
+  /** Leaves the walk, returns to it, or opens the menu of walks. */
   toggle() {
     if (this.lecture.kept.step) this.leave()
     else if (this.left) this.comeBack()
@@ -149,7 +149,7 @@ export class Walks {
     return Boolean(this.walk ?? this.left)
   }
 
-  /** A press of a clicker: on, or back; out of a scene to the walk. @param {1 | -1} way */
+  /** A press of a clicker: forward or back in the walk; from a scene, back to the walk. @param {1 | -1} way */
   turn(way) {
     const {walk} = this
     if (!walk) this.comeBack()
@@ -175,7 +175,7 @@ export class Walks {
   }
 
   /**
-   * A walk's file, for this session alone: why it cannot be run, or "".
+   * Adds a walk from a file to this session only. Returns why it cannot be run, or "".
    * @param {string} name @param {string} text @returns {Promise<string>}
    */
   async check(name, text) {
@@ -212,12 +212,12 @@ export class Walks {
   /** @param {string} name @param {string} id */
   async #comeTo(name, id) {
     const {steps} = await this.sheet(name)
-    this.lecture.page.notice.hide() // that there is no such walk
+    this.lecture.page.notice.hide() // the notice that there is no such walk
     const place = steps.findIndex(step => step.id === id)
     await this.enter(name, Math.max(place, 0))
   }
 
-  /** One after the other: the server reads one at a time. @param {string} name @param {string} text */
+  /** Sends walks from files one by one, as the server reads them. @param {string} name @param {string} text */
   async #takeAlong(name, text) {
     const refused = await this.check(name, text)
     if (refused) this.lecture.page.notice.tell(`${name}: ${refused}`)
