@@ -1,4 +1,4 @@
-// Modules that only some pages need, fetched on demand. If one cannot be fetched, a notice appears, and it is tried again.
+// Modules that only some pages need, fetched on demand. While one cannot be fetched, a notice says so.
 
 import {note} from "./core/notes.js"
 
