@@ -199,15 +199,6 @@ declare namespace page {
 
   type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking
 
-  /** A link to another scene: the values that it sets (`given`), and the parameters of this scene that it keeps
-   * (`taken`). */
-  interface Onward {
-    label: string
-    scene: string
-    given: Record<string, string>
-    taken: string[]
-  }
-
   /** A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
    * first of the panel. */
   interface ViewTab {
@@ -703,6 +694,15 @@ declare namespace page {
    * columns of these names; `signals` maps a column to a signal with another name. */
   type Trace = [end: number, count: number, names: string[], signals: Record<string, string>]
 
+  /** A link to another scene: the values that it sets (`given`), and its parameters with those of this scene whose
+   * values they take (`taken`). */
+  interface Onward {
+    label: string
+    scene: string
+    given: Record<string, number | string>
+    taken: Record<string, string>
+  }
+
   /** A picture for the browser.
    *
    * `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals`
@@ -713,6 +713,7 @@ declare namespace page {
    * `values`    texts of live numbers, by name; `live` has the format of the moving ones, by signal
    * `forms`     the current variant of a formula or sentence, by name; "" hides it
    * `notes`     what the visitor must know about this picture
+   * `onward`    links to scenes that show the same system for these values
    * `left_out`  the quantities that are not sent because they are hidden; shapes that need one are not drawn */
   interface PagePicture {
     columns: Record<string, Record<string, Drawn>>
@@ -726,6 +727,7 @@ declare namespace page {
     live: Record<string, Digits>
     forms: Record<string, string>
     notes: string[]
+    onward: Onward[]
     left_out: string[]
   }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from components.language.expressions import Name
-from components.language.messages import Onward
+from components.language.picture import Onward
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, displacement, mass, not_negative, stiffness, velocity
 from physics.coupled import TwoMassChain
@@ -93,4 +93,6 @@ def _values(scene: object, names: tuple[str, ...]) -> dict[str, float]:
 def measured_by(*drive: str) -> Onward:
     """The link that hands a motion, with its drive if it has one, to the scene that measures how it is solved."""
     names = (*CHAIN, *START, *drive)
-    return Onward(label="Error and time", scene="accuracy", given={"system": "own"}, taken=names)
+    return Onward(
+        label="Error and time", scene="accuracy", given={"system": "own"}, taken=dict(zip(names, names, strict=True))
+    )

@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from components.language.blocks import Block
 from components.language.controls import Panel, Setting
-from components.language.picture import Held, PagePicture, Progress
+from components.language.picture import Held, Onward, PagePicture, Progress
 from components.language.state import State
 from components.language.text import Html
 from components.language.walk import Lesson, WalkSheet
@@ -218,16 +218,6 @@ class Walking(Told, frozen=True, kw_only=True, tag="walking"):
 
 
 ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking
-
-
-class Onward(Struct, frozen=True, kw_only=True):
-    """A link to another scene: the values that it sets (`given`), and the parameters of this scene that it keeps
-    (`taken`)."""
-
-    label: str
-    scene: str
-    given: dict[str, str]
-    taken: tuple[str, ...]
 
 
 class ViewTab(Struct, frozen=True, kw_only=True):

@@ -66,6 +66,16 @@ class Trace(Struct, frozen=True, array_like=True):
     signals: dict[str, str]
 
 
+class Onward(Struct, frozen=True, kw_only=True):
+    """A link to another scene: the values that it sets (`given`), and its parameters with those of this scene whose
+    values they take (`taken`)."""
+
+    label: str
+    scene: str
+    given: dict[str, float | str]
+    taken: dict[str, str] = {}
+
+
 class PagePicture(Struct, frozen=True, kw_only=True):
     """A picture for the browser.
 
@@ -77,6 +87,7 @@ class PagePicture(Struct, frozen=True, kw_only=True):
     `values`    texts of live numbers, by name; `live` has the format of the moving ones, by signal
     `forms`     the current variant of a formula or sentence, by name; "" hides it
     `notes`     what the visitor must know about this picture
+    `onward`    links to scenes that show the same system for these values
     `left_out`  the quantities that are not sent because they are hidden; shapes that need one are not drawn
     """
 
@@ -91,6 +102,7 @@ class PagePicture(Struct, frozen=True, kw_only=True):
     live: dict[str, Digits]
     forms: dict[str, str]
     notes: tuple[str, ...]
+    onward: tuple[Onward, ...] = ()
     left_out: tuple[str, ...] = ()
 
 

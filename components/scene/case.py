@@ -16,7 +16,7 @@ import numpy as np
 
 from components.language.blocks import Block
 from components.language.expressions import check_free
-from components.language.picture import Pace
+from components.language.picture import Onward, Pace
 from components.language.state import Frame
 from components.layout.views import check_views
 from components.paper.deferred import attributes, book_of, fields, names
@@ -108,6 +108,10 @@ class Case(ABC):
     def to_scale(self) -> str:
         """Return the sentence on the scale of the stage, "" if it has none or is 1."""
         return ""
+
+    def onward(self) -> tuple[Onward, ...]:
+        """Return the links to scenes that show the same system for these values."""
+        return ()
 
     def about(self, shown: Picture) -> About | None:
         """Return the content of 'About these numbers', or None."""

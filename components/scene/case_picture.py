@@ -222,5 +222,6 @@ class CasePicture:
             forms=self.forms,
             notes=self.case.notes(),
             to_scale=self.case.to_scale(),
+            onward=self.case.onward(),
             spans=self.case.spans,
         )

@@ -10,7 +10,7 @@ from typing import Literal, Protocol
 import msgspec
 from msgspec.structs import replace as changed
 
-from components.language.picture import Digits, Pace
+from components.language.picture import Digits, Onward, Pace
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.quantities.axes import TIME_AXIS, Axis
@@ -43,6 +43,7 @@ class Picture:
     `forms`     the current variant of a formula or sentence, by name; "" hides it
     `notes`     sentences on how the picture differs from the exact motion (slowed down, averaged)
     `to_scale`  the sentence on the scale of the stage, if that is not 1; it is sent only with a stage
+    `onward`    links to scenes that show the same system for these values
     `scale`     the scale of the stage, if it has one; `fits` is the one that suits the drawing
     `spans`     the ends of sliders whose range depends on the other parameters, by parameter
     """
@@ -59,6 +60,7 @@ class Picture:
     forms: dict[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     to_scale: str = ""
+    onward: tuple[Onward, ...] = ()
     scale: float | None = None
     fits: float | None = None
     spans: dict[str, tuple[float, float]] = field(default_factory=dict)

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import param
 
-from components.language.messages import Onward
+from components.language.picture import Onward
 from components.layout.controls import Group
 from components.layout.views import View
 from components.quantities.declared import LiveNumber

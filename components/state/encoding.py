@@ -46,6 +46,7 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
         live=picture.live,
         forms=picture.forms,
         notes=picture.notes,
+        onward=picture.onward,
         left_out=left_out,
     )
     return view, [*numbers, *runs]

@@ -84,9 +84,9 @@ export class Page {
 
   /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
-    const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice} = this
+    const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice, tools} = this
     const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before any part moves
-    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice]
+    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice, tools]
   }
 
   #aboutNumbers() {

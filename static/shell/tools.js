@@ -23,6 +23,7 @@ export class Tools {
       this.#takeable(stage.host, stage, stage.svg.getAttribute("aria-label") ?? "")
     for (const plot of plots) this.#takeable(plot.host.parentElement, plot, plot.block.title)
     const ways = spec.onward.map(way => this.#onward(way))
+    this.same = element("div", {class: "chips"})
     const chips = element(
       "div",
       {class: "chips"},
@@ -32,7 +33,12 @@ export class Tools {
       ...ways,
     )
     const away = element("details", {class: "fold away"}, element("summary", {}, "Save and share"), chips)
-    this.element = element("div", {class: "tools"}, page.compare.hold, page.compare.predict, away)
+    this.element = element("div", {class: "tools"}, page.compare.hold, page.compare.predict, this.same, away)
+  }
+
+  /** @param {Drawn} shown */
+  update({view: {onward}}) {
+    this.same.replaceChildren(...onward.map(way => this.#onward(way)))
   }
 
   /**
@@ -58,7 +64,7 @@ export class Tools {
     link.addEventListener("click", event => {
       event.preventDefault()
       const {host, shown} = this.page
-      const values = Object.fromEntries(taken.map(name => [name, shown.settings[name].value]))
+      const values = Object.fromEntries(Object.entries(taken).map(([name, own]) => [name, shown.settings[own].value]))
       host.open({scene, parameters: {...given, ...values}})
     })
     return link

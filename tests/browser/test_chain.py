@@ -53,3 +53,14 @@ def test_the_time_is_dragged_downwards(page: Page, open_scene: Callable[..., Pag
     page.mouse.move(x, y + 60, steps=4)
     page.mouse.up()
     assert page.evaluate("oscillations.page.clock.t") > before + 1
+
+
+def test_two_masses_open_in_coupled_with_the_same_system(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="chain", N=2, ends="fixed-free", starts="mass", p=1, m=2, k=3, h=0.3)
+    page.get_by_role("link", name="Open in Coupled").click()
+    page.wait_for_function("oscillations.page.spec.slug === 'coupled' && oscillations.page.shown")
+    values = {name: page.evaluate(SET, name) for name in ("m1", "m2", "k1", "k2", "x1_0", "x2_0")}
+    assert values == {"m1": 2, "m2": 2, "k1": 3, "k2": 3, "x1_0": 0.3, "x2_0": 0}
+    page.get_by_role("link", name="Open in Chain").click()
+    page.wait_for_function("oscillations.page.spec.slug === 'chain' && oscillations.page.shown")
+    assert page.evaluate(SET, "h") == 0.3

@@ -148,6 +148,42 @@ def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
         np.testing.assert_allclose(found, axis.places(displacements(scene)[0]), atol=1e-12)
 
 
+def moves(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
+    """The displacements of a scene of one or two masses, by the number of the mass."""
+    columns = scene.shown.traces["time"].exact(t)
+    return {"x1": columns["x"]} if "x" in columns else {name: columns[name] for name in ("x1", "x2")}
+
+
+@pytest.mark.parametrize("starts", STARTS)
+@pytest.mark.parametrize(("N", "ends"), [(1, "fixed-fixed"), (1, "fixed-free"), (2, "fixed-free")])
+def test_a_small_chain_leads_to_the_scene_with_the_same_motion(N: int, ends: str, starts: str) -> None:
+    scene = Chain(N=N, m=2.0, k=3.0, a=1.0, ends=ends, starts=starts, p=1.0, j=1.0, v_0=0.3, centre=1.0, width=0.4)
+    (way,) = scene.shown.onward
+    other = SCENES[way.scene](**way.given)
+    t = np.linspace(0.0, 20.0, 41)
+    here, there = scene.shown.traces["time"].exact(t), moves(other, t)
+    assert here.keys() == there.keys()
+    for name, x in there.items():
+        np.testing.assert_allclose(here[name], x, atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    "scene", [SCENES["oscillator"](x_0=0.2, v_0=-0.5), SCENES["coupled"](m1=3, m2=3, k1=2, k2=2, x1_0=0.4, v1_0=0.1)]
+)
+def test_one_mass_and_two_lead_to_their_chain(scene: Any) -> None:
+    (way,) = (way for way in (*SCENES[scene.slug].onward, *scene.shown.onward) if way.scene == "chain")
+    chain = Chain(**way.given, **{name: getattr(scene, own) for name, own in way.taken.items()})
+    t = np.linspace(0.0, 20.0, 41)
+    here = chain.shown.traces["time"].exact(t)
+    for name, x in moves(scene, t).items():
+        np.testing.assert_allclose(here[name], x, atol=1e-14)
+
+
+def test_other_chains_lead_nowhere() -> None:
+    assert not Chain().shown.onward and not Chain(N=2).shown.onward
+    assert not SCENES["coupled"]().shown.onward
+
+
 def test_the_panel_face_draws_the_masses_by_colour() -> None:
     scene = Chain()
     figure = scene.panel().figures["field"]

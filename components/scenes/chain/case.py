@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from components.language.picture import Pace
+from components.language.picture import Onward, Pace
 from components.paper.deferred import Attributes
 from components.quantities.formatting import three
 from components.quantities.motion import ModalPlay, pace
@@ -121,6 +121,19 @@ class MassesCase(Case):
 
     def to_scale(self) -> str:
         return SMALLER.format(share=three(self.scale)) if self.scale and self.scale < 1 else ""
+
+    def onward(self) -> tuple[Onward, ...]:
+        x, v = (one.tolist() for one in self.started)
+        given: dict[str, float | str]
+        if self.N == 1 and self.ends != "free-free":
+            springs = 2 * PARTS[self.ends]
+            given = {"m": self.m, "k": springs * self.k, "x_0": x[0], "v_0": v[0]}
+            return (Onward(label="Open in Oscillator", scene="oscillator", given=given),)
+        if self.N == 2 and self.ends == "fixed-free":
+            both = ((f"{name}{i}", getattr(self, name)) for name in "mk" for i in (1, 2))
+            given = {**dict(both), "x1_0": x[0], "x2_0": x[1], "v1_0": v[0], "v2_0": v[1]}
+            return (Onward(label="Open in Coupled", scene="coupled", given=given),)
+        return ()
 
     @cached_property
     def unit_start(self) -> tuple[Floats, Floats]:

@@ -12,7 +12,7 @@ from components.chain.about import MASSES, free_drift, modal_rows, motion_rows
 from components.chain.case import ChainCase
 from components.chain.modes import PARTS, directions
 from components.chain.stage import Extremes, without_roundings
-from components.language.picture import Pace
+from components.language.picture import Onward, Pace
 from components.paper.deferred import Attributes
 from components.quantities.formatting import signed, three
 from components.quantities.motion import pace
@@ -67,6 +67,12 @@ class CoupledCase(ChainCase):
     def slow(self) -> float:
         """The frequency of the slow mode in rad/s, 0 if it drifts."""
         return float(self.free.omega[0])
+
+    def onward(self) -> tuple[Onward, ...]:
+        is_chain = (self.m1, self.k1, self.x2_0, self.v2_0) == (self.m2, self.k2, 0.0, 0.0) and self.k1 > 0
+        given = {"m": self.m1, "k": self.k1, "a": 1.8, "h": self.x1_0, "v_0": self.v1_0, "N": 2.0, "p": 1.0}
+        two = Onward(label="Open in Chain", scene="chain", given={**given, "ends": "fixed-free", "starts": "mass"})
+        return (two,) if is_chain else ()
 
     @property
     def highest(self) -> float:

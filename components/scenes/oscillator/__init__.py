@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from components.language.picture import Onward
 from components.layout.controls import Group
 from components.layout.views import View
 from components.quantities.parameters import displacement, mass, stiffness, velocity
@@ -80,6 +81,13 @@ class OscillatorScene(CaseScene):
         ),
     )  # fmt: skip
     groups = (Group("Mass and spring", (m, k)), Group("Start", (x_0, v_0)))
+    onward = (
+        Onward(
+            label="Open in Chain", scene="chain",
+            given={"N": 1.0, "a": 3.0, "ends": "fixed-free", "starts": "mass", "p": 1.0},
+            taken={"m": "m", "k": "k", "h": "x_0", "v_0": "v_0"},
+        ),
+    )  # fmt: skip
 
     case = OscillatorShown
     paper = staticmethod(paper)
