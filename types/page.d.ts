@@ -928,11 +928,13 @@ declare namespace page {
    * `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
    * list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
    * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
-   * column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour. */
+   * column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour.
+   * `says` maps names to texts with {live numbers} that a screen reader reads with the title and after a change. */
   interface PlotBlock extends Part {
     kind: "plot"
     name: string
     title: string
+    says: Record<string, string>
     brief: string
     x: string
     y: string

@@ -105,10 +105,12 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
     placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
     column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour.
+    `says` maps names to texts with {live numbers} that a screen reader reads with the title and after a change.
     """
 
     name: str
     title: str
+    says: dict[str, str]
     brief: str
     x: str
     y: str

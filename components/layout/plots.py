@@ -87,6 +87,7 @@ def mark(at: Name, **look: Any) -> Mark:
 class Details(TypedDict, total=False):
     """The fields of a plot that are passed on to components.language.blocks.PlotBlock, which explains them."""
 
+    says: dict[str, str]
     handles: tuple[Handle, ...]
     marks: tuple[Mark, ...]
     shapes: tuple[AnyShape, ...]
@@ -105,6 +106,7 @@ class Details(TypedDict, total=False):
 
 
 USUAL: Details = {
+    "says": {},
     "handles": (),
     "marks": (),
     "shapes": (),

@@ -54,14 +54,31 @@ export const axes = ({block, view}) => ({x: view.axes[block.x], y: view.axes[blo
 /** @param {page.Ruler} axis */
 const span = axis => `${measured(axis, axis.start)} to ${measured(axis, axis.end)}`
 
+/**
+ * Texts with their {live numbers}, by name, without those of which a number is hidden.
+ * @param {Record<string, string>} texts @param {Record<string, string>} values
+ */
+export function spoken(texts, values) {
+  /** @type {Map<string, string>} */
+  const found = new Map()
+  for (const [name, text] of Object.entries(texts)) {
+    const parts = text.split(/[{}]/)
+    const isThere = parts.every((part, i) => i % 2 === 0 || values[part])
+    if (isThere) found.set(name, parts.map((part, i) => (i % 2 ? values[part] : part)).join(""))
+  }
+  return found
+}
+
 /** @param {Plot} plot */
 export function description(plot) {
-  const {block, shown} = plot
+  const {block, shown, view} = plot
   if (isCovered(plot))
     return `${block.title}. Covered until you press ${shown.state.step ? "Show the answer" : "Reveal"}.`
   const {x, y} = axes(plot)
   const told = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
-  return [`${block.title}.`, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")
+  const numbers = [...spoken(block.says, view.values)].map(([name, text]) => `${name} ${text}`).join("; ")
+  const now = numbers && [`${numbers[0].toUpperCase()}${numbers.slice(1)}.`]
+  return [`${block.title}.`, ...now, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")
 }
 
 /** The curves that are seen; pieces of one curve are one. @param {Plot} plot @returns {Trace[]} */

@@ -1,7 +1,8 @@
 // Announcements for screen readers: the description of a plot, and the effect of a change, in one sentence.
 
+import {isCovered} from "../compare/cover.js"
 import {element} from "../core/dom.js"
-import {description} from "./describe.js"
+import {description, spoken} from "./describe.js"
 
 const MOMENT = 700 // ms without a further change: a drag is spoken of when it ends
 
@@ -43,17 +44,11 @@ export class Voice {
     this.told = now
   }
 
-  /** The numbers to announce, by name, without hidden ones. */
+  /** The numbers to announce, by name, without hidden ones: those of the scene and of the visible plots. */
   #numbers() {
-    const {values} = this.page.shown.view
-    /** @type {Map<string, string>} */
-    const found = new Map()
-    for (const [name, text] of Object.entries(this.page.spec.spoken)) {
-      const parts = text.split(/[{}]/)
-      const isThere = parts.every((part, i) => i % 2 === 0 || values[part])
-      if (isThere) found.set(name, parts.map((part, i) => (i % 2 ? values[part] : part)).join(""))
-    }
-    return found
+    const {plots, shown, spec} = this.page
+    const visible = plots.filter(plot => !plot.absent && !isCovered(plot))
+    return spoken(Object.assign({}, spec.spoken, ...visible.map(({block}) => block.says)), shown.view.values)
   }
 }
 

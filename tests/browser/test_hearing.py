@@ -36,6 +36,20 @@ def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_
     expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
 
 
+def test_the_lags_are_told_with_their_plots_and_after_a_change(page: Page, open_scene: Open) -> None:
+    forced: dict[str, float] = {"c1": 0.1, "c2": 0.1}
+    texts = [SCENES["forced"](**forced, omega=omega, view="nyquist").shown.values for omega in (0.8, 0.7)]
+    lags = [f"ass 1 {one['phase1']}; mass 2 {one['phase2']}" for one in texts]
+    assert lags[0] != lags[1] and "°" in lags[0]
+    open_scene(page, scene="forced", view="bode", omega=0.8, **forced)
+    assert f"M{lags[0]}. Horizontal" in described(page, "lag")
+    page.evaluate("oscillations.send({type: 'set', values: {omega: 0.7}})")
+    heard = "; ".join(f"mass {i} {texts[1][f'phase{i}']}, was {texts[0][f'phase{i}']}" for i in (1, 2))
+    expect(page.locator(".page > [role=status]")).to_contain_text(heard)
+    open_scene(page, scene="forced", view="nyquist", omega=0.7, **forced)
+    assert f"M{lags[1]}; work of a cycle {texts[1]['work']} J. Horizontal" in described(page, "nyquist")
+
+
 def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     described(page, "x1")

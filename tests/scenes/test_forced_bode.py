@@ -122,7 +122,7 @@ def place(values: dict[str, float], i: int, omega: float) -> tuple[float, float]
 def test_the_dot_of_nyquist_follows_the_hand_along_its_loops(values: dict[str, float], i: int) -> None:
     slow, fast = chain_of(values).chain.modes().omega.tolist()
     roots = [root for root in chain_of(values).roots.tolist() if root.imag > 0]
-    every = locus_frequencies(roots, fast)[::12]
+    every = locus_frequencies(roots, fast)[::24]
     way = every[(every > 0.5 * slow) & (every < 1.5 * fast)]
     places = [place(values, i, omega) for omega in way]
     hand = Hand(fitted(SCENES["forced"].at({**values, "view": "nyquist", "omega": way[0]})), dot(i), wide=True, t=0.0)

@@ -27,6 +27,7 @@ from components.scene.traces import Columns, Floats
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
+from components.scenes.forced.numbers import Numbers as N
 from physics.bode_curves import bode_curves, locus_frequencies, transfer
 
 LAG, PLANE = PlotFrame("lag"), PlotFrame("nyquist")
@@ -34,6 +35,8 @@ PEAKS = tuple((i, n) for i in BOTH for n in (0, 1))
 """The peaks of each mass."""
 NAMED = {"minus": ("slow", "*ω*_{−}"), "still": ("mute", "√(*k*_2/*m*_2)"), "plus": ("fast", "*ω*_{+}")}
 KEYS: dict[int, Literal["sum", "line"]] = {1: "sum", 2: "line"}
+LAGS = {f"mass {i}": N.phase[i].aloud for i in BOTH}
+"""What is read aloud of the lags."""
 QUARTERS = (0.0, 90.0, 180.0, 270.0, 360.0)
 TURN = 2 * math.pi
 scalar, column = Scalar[AnyCase], Column[AnyCase]
@@ -176,7 +179,7 @@ def lag_plot() -> Block:
     )
     return plot(
         LAG, x=Axes.omega, y=Axes.lag, x_column=Lags.w, curves=curves, shapes=shapes,
-        title="Lag of each mass behind the push against the drive frequency",
+        title="Lag of each mass behind the push against the drive frequency", says=LAGS,
         room=Room(40, 12, top=6), style="lag", grow=0.4, phone=12, height=96,
     )  # fmt: skip
 
@@ -218,6 +221,7 @@ def plane_plot() -> Block:
     return plot(
         PLANE, x=Axes.re, y=Axes.im, x_column=Plane.re[1], curves=curves, shapes=tuple(shapes), square=True,
         title="Steady motion of each mass in the complex plane, for all drive frequencies",
+        says={**LAGS, "work of a cycle": f"{N.work.aloud} J"},
         heading=(*named, phrase("", "none", "mute", formula="as arrows, for every *ω*")),
         room=Room(48, 14, top=6), phone=10, height=300,
     )  # fmt: skip
