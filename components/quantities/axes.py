@@ -196,6 +196,14 @@ def log_axis(low: float, high: float, unit: str = "", count: int = 5, factor: fl
     return Axis(start, end, unit, ticks=ticks, log=True, factor=factor, count=count)
 
 
+def square_axes(across: Range, up: Range, unit: str = "") -> tuple[Axis, Axis]:
+    """Return two axes of one length, for a plane, with some room around both ranges."""
+    half = 0.54 * max(high - low for low, high in (across, up))
+    first, second = ((low + high) / 2 for low, high in (across, up))
+    x, y = (nice_axis(middle - half, middle + half, unit, 4, exact=True) for middle in (first, second))
+    return x, y
+
+
 def whole_axis(end: float, unit: str) -> Axis:
     """An axis from 0 to `end`, both marked: for what is a share of a total."""
     axis = nice_axis(0.0, end, unit, exact=True)

@@ -14,12 +14,12 @@ from components.language.blocks import Block
 from components.language.expressions import var
 from components.language.shapes import Grab, Locus
 from components.language.state import Frame
-from components.layout.bode_marks import peak, upright
+from components.layout.bode_marks import lag_axes, peak, upright
 from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import phrase, term
 from components.layout.stage import Looks, PlotFrame, Shape, arrow, circle, line, shown_by, text
-from components.quantities.axes import Axis, nice_axis
+from components.quantities.axes import Axis, square_axes
 from components.quantities.declared import AxesInForce, Column, Declared, Scalar, by_name
 from components.scene.file_table import FileTable
 from components.scene.frames import framed
@@ -58,7 +58,7 @@ class Plane(Declared[AnyCase]):
 class BodePlaces(Declared[AnyCase]):
     """Where the drive is on the lags and in the plane, the natural frequencies in both, and the peaks and dips."""
 
-    now, turns = scalar.some(2)
+    now, turns, unit, turn = scalar.some(4)
     phi, re, im = (scalar.each(BOTH, f"{name}{{}}_at") for name in ("phi", "re", "im"))
     line, re_mark, im_mark, is_line, is_mark = (
         scalar.each(MARKS, f"{name}_{{}}") for name in ("line", "re_mark", "im_mark", "is_line", "is_mark")
@@ -67,10 +67,7 @@ class BodePlaces(Declared[AnyCase]):
         scalar.each(PEAKS, f"{name}{{}}_{{}}") for name in ("peak", "up", "low", "high", "half", "is_peak", "is_wide")
     )
     above = scalar.each(tuple((i, n) for i in BOTH for n in range(3)), "above{}_{}")
-    (pole_re, pole_im), (unit, turn) = (
-        (scalar.each(range(4), f"pole_{part}{{}}") for part in ("re", "im")),
-        scalar.some(2),
-    )
+    pole_re, pole_im = (scalar.each(range(4), f"pole_{part}{{}}") for part in ("re", "im"))
     dip, down, is_dip = (scalar.each(BOTH, f"{name}{{}}") for name in ("dip", "down", "is_dip"))
 
 
@@ -78,16 +75,16 @@ B = BodePlaces
 
 
 @dataclass(frozen=True)
-class DrawnBode:
-    """The lags and the plane: their sources, axes and marks."""
+class DrawnResponse:
+    """Plots of the response, the lags or the complex plane: their sources, axes, marks and files."""
 
     columns: dict[str, Columns]
     axes: dict[str, Axis]
     scalars: dict[str, float]
-    table: FileTable
+    tables: dict[str, FileTable]
 
 
-def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnBode:
+def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnResponse:
     """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is a swing in m."""
     roots = [one for one, _ in case.modes.transient] if isinstance(case, Dying) else []
     far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
@@ -97,9 +94,7 @@ def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: F
     ends = [(-unit, unit), (-unit, unit)]
     if isinstance(case, Dying) and X.any():
         ends = [(float(part.min(initial=0.0)), float(part.max(initial=0.0))) for part in (X.real, X.imag)]
-    half = 0.54 * max(high - low for low, high in ends)
-    middles = ((low + high) / 2 for low, high in ends)
-    re, im = (nice_axis(middle - half, middle + half, "m", 4, exact=True) for middle in middles)
+    re, im = square_axes(ends[0], ends[1], "m")
     labels = tuple(f"{one:.0f}°" if one == QUARTERS[-1] else f"{one:.0f}" for one in QUARTERS)
     lag = Axis(0.0, 1.04 * TURN, "°", ticks=QUARTERS, labels=labels, factor=TURN / 360, drawn=(0.0, TURN))
     axes = framed(frame, by_name({Axes.lag: lag, Axes.re: re, Axes.im: im}))
@@ -109,8 +104,8 @@ def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: F
     plane = {"omega": far} | by_name(dict(zip(rows, (*X.real, *X.imag), strict=True)))
     columns = {"lag": by_name({Lags.w: w, Lags.phi[1]: lags[0], Lags.phi[2]: lags[1]}), "nyquist": plane}
     scalars = by_name(_places(case, across, axes) | _extremes(case, across, up))
-    units = dict.fromkeys(plane, "m") | {"omega": "rad/s"}
-    return DrawnBode(columns, axes, scalars, FileTable(("nyquist",), lambda: plane, units, {}))
+    table = FileTable(("nyquist",), lambda: plane, dict.fromkeys(plane, "m") | {"omega": "rad/s"}, {})
+    return DrawnResponse(columns, axes, scalars, {"nyquist": table})
 
 
 def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCase], float]:
@@ -199,10 +194,7 @@ def _hold(i: int) -> Grab:
 def plane_plot() -> Block:
     tip, level = (PLANE.x(var(B.re[1])), PLANE.y(var(B.im[1]))), PLANE.y(0)
     shapes = [
-        line(PLANE.left, level, PLANE.right, level, style="eq", tint="mute"),
-        line(PLANE.x(0), PLANE.top, PLANE.x(0), PLANE.bottom, style="eq", tint="mute"),
-        text(PLANE.right - 4, level - 8, "lag 0", "end", tint="mute", style="halo"),
-        text(PLANE.x(0) + 8, PLANE.bottom - 8, "lag 90°", "start", tint="mute", style="halo"),
+        *lag_axes(PLANE),
         arrow(PLANE.x(0), level, *tip, tint="m1", show=B.turns, inside=PLANE),
         line(tip[0], level, *tip, tint="F", style="dotted", show=B.turns, inside=PLANE),
         *(circle(PLANE.x(var(B.re[i])), PLANE.y(var(B.im[i])), 0, show=(B.turns, B.unit), grab=_hold(i)) for i in BOTH),

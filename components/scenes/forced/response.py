@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from typing import Any
 
@@ -25,7 +24,7 @@ from components.quantities.declared import Column, Declared, Scalar, by_name
 from components.scene.file_table import FileTable
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
-from components.scenes.forced.bode import bode, extremes
+from components.scenes.forced.bode import DrawnResponse, bode, extremes
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
@@ -77,16 +76,6 @@ class Places(Declared[AnyCase]):
 P = Places
 
 
-@dataclass(frozen=True)
-class DrawnResponse:
-    """The plots of the response, the lags and the complex plane: their sources, axes, marks and files."""
-
-    columns: dict[str, Columns]
-    axes: dict[str, Axis]
-    scalars: dict[str, float]
-    tables: dict[str, FileTable]
-
-
 def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
     """The curves `size`, `signed` or `log`, with the drive marked; in the lecture's units where asked for.
 
@@ -109,7 +98,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns[Swings.omega.source] = _column(w, swings)
     also = bode(case, w, across, up, TALL * (base or 1.0), frame)
-    tables = {"response": _table(case, w, swings), "nyquist": also.table}
+    tables = {"response": _table(case, w, swings)} | also.tables
     scalars = _marks(case, across, up, log, signed) | also.scalars
     return DrawnResponse(columns | also.columns, axes | also.axes, scalars, tables)
 
