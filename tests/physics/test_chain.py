@@ -17,6 +17,7 @@ from scipy.special import jv
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_motion
 from physics.oscillator import Oscillator
+from physics.reference.uniform_chain import chain_frequencies, chain_points
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
 
@@ -186,3 +187,20 @@ def test_a_free_chain_cannot_be_plucked_and_a_start_has_a_number_for_each_mass()
         chain.motion([1.0], [0.0] * 3, [0.0])
     with pytest.raises(ValueError, match="from 1 to 3"):
         UniformChain(N=3, m=1.0, k=1.0).pluck(4, 1.0)
+
+
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("N", [1, 2, 9])
+def test_mirror_images_give_the_sum_of_modes(N: int, ends: Any) -> None:
+    chain, rng, t = UniformChain(N=N, m=0.3, k=7.0, ends=ends), np.random.default_rng(N), [0.0, 0.4, 11.0]
+    x_0, v_0 = rng.normal(size=N), rng.normal(size=N)
+    x = chain.motion(x_0, v_0, t).x
+    for p, points in chain_points(chain, x_0, v_0, t, range(1, N + 1)).items():
+        for point, found in zip(points, x[p - 1].tolist(), strict=True):
+            assert abs(found - float(point.value)) <= 2 * U * float(point.size)
+    assert [float(one.value) for one in chain_frequencies(chain, range(1, N + 1))] == chain.omega.tolist()
+
+
+def test_a_time_that_needs_too_many_images_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"at most t = 1e\+04 s is possible"):
+        chain_points(UniformChain(N=2, m=1.0, k=1.0), np.ones(2), np.zeros(2), [2e4], [1])

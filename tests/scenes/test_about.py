@@ -31,6 +31,7 @@ STIFF_SOON = {"k2": 1e12, "window": 2e-5}
 TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
 VIEWS = ("guess", "solve", "roots", "sweep", "hunt")
 CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
+ENDS, STARTS = ("fixed-fixed", "fixed-free", "free-free"), ("pulse", "pluck", "mass", "mode")
 HARD: dict[str, list[dict[str, Any]]] = {
     "oscillator": [{"k": 1e12}, {"m": 1e150, "k": 1e-150}, {"m": 1e-150, "k": 1e150}, {"x_0": 1e300}, {"k": 0.0}],
     "energy": [{"k": 1e12}, {"x_0": 1e-150}, {"m": 1e150}, {"datum": "separate", "x_0": -0.2}, {"g": 0.0}],
@@ -48,6 +49,12 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({"m": 1.0, "k": 1.0, "c": 2 * zeta} for zeta in (1e-12, 1 - 1e-12, 1.0, 1 + 1e-15, 1 + 1e-6, 1e6, 1e12)),
         *({"c": 0.0}, {"k": 0.0}, {"k": 0.0, "c": 0.0, "v_0": 1.0}, {"c": 18.85, "v_0": -3.0}, {"x_0": 0.0}),
         *({name: 10.0**power} for name in ("m", "k", "x_0") for power in (-100, 100)),
+    ],
+    "chain": [
+        *({"N": 8.0, "ends": ends, "starts": starts, "p": 1.0, "v_0": 0.7} for ends in ENDS for starts in STARTS),
+        *({"N": 1.0, "ends": ends, "starts": "mass", "p": 1.0, "v_0": 0.7} for ends in ENDS),
+        *({name: 10.0**power} for name in ("m", "k", "h") for power in (-100, 100)),
+        {"N": 120.0},
     ],
     "coupled": [
         *STIFF,

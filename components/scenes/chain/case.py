@@ -12,11 +12,14 @@ from components.language.picture import Onward, Pace
 from components.paper.deferred import Attributes
 from components.quantities.formatting import three
 from components.quantities.motion import ModalPlay, pace
+from components.scene import Picture
+from components.scene.about import About, CheckedPoint, Table, bounded, drift, few, few_of, points
 from components.scene.case import Case
 from components.scene.traces import Columns, Floats
 from physics.chain import ChainEnds, ChainModes, DrawnModes, UniformChain
 from physics.motion import Elementary, ExactMotion, Harmonic, constant, harmonic_motion
 from physics.precision.exact import rounded
+from physics.reference.uniform_chain import chain_frequencies, chain_points
 from physics.valid import in_range
 
 PARTS: dict[str, float] = {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}
@@ -135,6 +138,35 @@ class MassesCase(Case):
             return (Onward(label="Open in Coupled", scene="coupled", given=given),)
         return ()
 
+    def about(self, shown: Picture) -> About:
+        columns, masses = shown.sources["time"], sorted({1, self.held, int(self.N)})
+        true = chain_points(self.chain, *self.started, few_of(columns["t"]), masses)
+        names = {f"x{p}": f"$x_{{{p}}}$" for p in masses}
+        rows = points(names, columns, {f"x{p}": found for p, found in true.items()})
+        ends = sorted({1, int(self.N)})
+        modes = [
+            CheckedPoint(rf"$\omega_{{{j}}}$", f"Mode {j}", float(self.chain.omega[j - 1]), omega)
+            for j, omega in zip(ends, chain_frequencies(self.chain, ends), strict=True)
+        ]
+        once = Table(
+            "Each frequency is rounded once: its error is at most 0.51 ulp of its own value.", 0.51, tuple(modes)
+        )
+        return About(
+            (bounded("a displacement", 2, "the amplitudes of its modes together", rows), once), self._balance()
+        )
+
+    def _balance(self) -> str:
+        """The sentence on how far T + V strays over the window from the energies of the modes."""
+        _, x, v = self.modes.motion(self.times[few(self.times)])
+        energy = self.m * (v**2).sum(axis=0) + self.k * (self.stretches(x) ** 2).sum(axis=0)
+        return drift(energy / 2, float(self.modes.energy.sum()))
+
+    def stretches(self, x: Floats) -> Floats:
+        """The stretch of each spring, from the displacements (N, n)."""
+        wall = np.zeros((1, x.shape[1]))
+        at_left, at_right = self.left == 0, self.ends == "fixed-fixed"
+        return np.diff(np.vstack([*[wall] * at_left, x, *[wall] * at_right]), axis=0)
+
     @cached_property
     def unit_start(self) -> tuple[Floats, Floats]:
         """The displacements and velocities at t = 0 if h is 1 m and v_0 is 0."""
@@ -218,9 +250,7 @@ class MassesCase(Case):
         """The share at which displacements along the chain are drawn, so that no masses meet; None across it."""
         if self.way == "across":
             return None
-        walls = np.zeros((1, LOOKS))
-        rows = [*([walls] if self.left == 0 else []), self.looked_at, *([walls] if self.ends == "fixed-fixed" else [])]
-        shrunk = -float(np.diff(np.vstack(rows), axis=0).min(initial=0.0))
+        shrunk = -float(self.stretches(self.looked_at).min(initial=0.0))
         return min(1.0, SHRINKS * self.a / shrunk) if shrunk else 1.0
 
     @cached_property
