@@ -17,6 +17,7 @@ const PARTS = {
   "controls/pointer": () => import("./controls/pointer.js"),
   "live_class/looking_around": () => import("./live_class/looking_around.js"),
   "live_class/teach": () => import("./live_class/teach.js"),
+  "measured/measured": () => import("./measured/measured.js"),
   "scene/about": () => import("./scene/about.js"),
   "scene/picker": () => import("./scene/picker.js"),
   "scene/run_bar": () => import("./scene/run_bar.js"),

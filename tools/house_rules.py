@@ -17,10 +17,12 @@ from components.layout.views import View
 from components.scenes import SCENES
 
 ROOT = Path(__file__).resolve().parent.parent
+SUFFIXES, VENDOR = (".py", ".js", ".css"), ROOT / "components" / "serving" / "vendor"
 LONGEST_FUNCTION, LONGEST_MODULE, WIDEST_LINE = 40, 500, 120
 SHORTEST_WATCH, LONGEST_WATCH, LONGEST_TASK = 21, 100, 105
 TASKS_BEGIN = (
     "Pull", "Drag", "Turn", "Watch", "Choose", "Change", "Let", "Take", "Follow", "Compare", "Meet", "Make", "Start",
+    "Drop",
 )  # fmt: skip
 VAGUE = re.compile(r"(The same|What|That|How|Those|This)\b")
 """First words of a docstring that name nothing."""
@@ -52,7 +54,8 @@ def code() -> list[Source]:
     """Return all Python, scripts and styles of the project."""
     paths = [ROOT / "app.py", ROOT / "reading.py"]
     for folder in ("components", "physics", "static", "tests", "tools"):
-        paths += sorted(path for path in (ROOT / folder).rglob("*") if path.suffix in (".py", ".js", ".css"))
+        found = (path for path in (ROOT / folder).rglob("*") if path.suffix in SUFFIXES)
+        paths += sorted(path for path in found if path.parent != VENDOR)
     return [Source(path.relative_to(ROOT).as_posix(), path.read_text(encoding="utf-8")) for path in paths]
 
 

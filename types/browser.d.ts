@@ -70,4 +70,4 @@ interface Packet {
 }
 
 /** A message of the server, unpacked. */
-type Told = Drawn | page.Kept | page.File | page.AboutNumbers | page.Taught | page.Walking
+type Told = Drawn | page.Kept | page.File | page.AboutNumbers | page.Taught | page.Walking | page.Fitted

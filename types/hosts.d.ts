@@ -54,8 +54,17 @@ interface Canvas {
   py(value: number): number
 }
 
+/** Measured points over a plot. */
+interface PointsHost extends Part {
+  readonly isSeen: boolean
+  place(): void
+  drawing(canvas: Canvas): SVGElement
+}
+
 /** A plot of the page, for its parts. */
 interface PlotHost extends Canvas {
+  readonly absent: boolean
+  points?: PointsHost
   readonly shown: Drawn
   readonly down: boolean
   valueAt(event: PointerEvent, which?: "x" | "y"): number
@@ -66,7 +75,8 @@ interface PlotHost extends Canvas {
 /** A host of pages: the lecture, or a follower of one, who sets nothing. */
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
-  readonly messages: Pick<import("../static/net/messages.js").Messages, "send" | "last" | "rests">
+  readonly messages: Pick<import("../static/net/messages.js").Messages, "send" | "last" | "rests"> &
+    Partial<Pick<import("../static/net/messages.js").Messages, "ask">>
   send(message: page.Said): void
   take(sets: page.State["parameters"]): void
   open(state: Pick<page.State, "scene"> & Partial<page.State>): void

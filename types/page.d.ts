@@ -11,6 +11,9 @@ declare namespace page {
   /** A sketched curve: its heights; null in gaps. */
   type Sketched = (Height | null)[]
 
+  /** A column of one piece of a measured record. */
+  type RowNumbers = number[]
+
   /** An answer to a step of a walk: the index of an option, a number or a few words as text, a place on the axis, or
    * curves by name.
    *
@@ -112,7 +115,20 @@ declare namespace page {
     type: "about"
   }
 
-  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
+  /** Sends a piece of a measured record: times in s that never decrease, and displacements in m.
+   *
+   * The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
+   * motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit. */
+  interface SendRows extends FromBrowser {
+    type: "rows"
+    piece: number
+    of: number
+    size?: number
+    t: RowNumbers
+    x: RowNumbers
+  }
+
+  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
 
   /** Any message of the server; `answer` is the number of the message that it answers. */
   interface Told {
@@ -197,7 +213,42 @@ declare namespace page {
     is_busy: boolean
   }
 
-  type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking
+  /** A number of a fit and its standard error, as text; `error` is "" if it has none. */
+  interface FittedNumber {
+    symbol: Html
+    name: string
+    value: string
+    error: string
+    unit: string
+  }
+
+  /** A fitted motion, in SI units: offset + drift t + e^(-decay t) (C cos omega t + S sin omega t), with t counted
+   * from the first row. `scatter` is the standard deviation of its residuals. */
+  interface FittedMotion {
+    omega: number
+    decay: number
+    C: number
+    S: number
+    offset: number
+    drift: number
+    scatter: number
+  }
+
+  /** The answer to `SendRows`.
+   *
+   * `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
+   * the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now. */
+  interface Fitted extends Told {
+    type: "fitted"
+    piece: number
+    motion: FittedMotion | null
+    numbers: FittedNumber[]
+    sentences: string[]
+    refused: string
+    is_busy: boolean
+  }
+
+  type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
 
   /** A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
    * first of the panel. */
@@ -922,6 +973,14 @@ declare namespace page {
     sets: Record<string, string>
   }
 
+  /** A visitor's measured record next to the plot `plot` of a damped motion. `shows` is the part of it that is here:
+   * the file, the numbers of its fit, or the residuals. */
+  interface MeasuredBlock extends Part {
+    kind: "measured"
+    plot: string
+    shows: "file" | "fit" | "residuals"
+  }
+
   /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
    *
    * `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
@@ -956,7 +1015,7 @@ declare namespace page {
     figure: Record<string, unknown>
   }
 
-  type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | PlotBlock
+  type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | MeasuredBlock | PlotBlock
 
   /** The margins of the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
    * above. */

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -97,6 +97,14 @@ class ModesBlock(Part, frozen=True, kw_only=True, tag="modes"):
     sets: dict[str, str]
 
 
+class MeasuredBlock(Part, frozen=True, kw_only=True, tag="measured"):
+    """A visitor's measured record next to the plot `plot` of a damped motion. `shows` is the part of it that is here:
+    the file, the numbers of its fit, or the residuals."""
+
+    plot: str
+    shows: Literal["file", "fit", "residuals"]
+
+
 class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     """A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
 
@@ -133,4 +141,6 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     """A Bokeh document, as JSON, with only this figure."""
 
 
-Block: TypeAlias = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | PlotBlock
+Block: TypeAlias = (
+    Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | ModesBlock | MeasuredBlock | PlotBlock
+)

@@ -24,6 +24,10 @@ Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
 """A sketched curve: its heights; null in gaps."""
 
 
+RowNumbers: TypeAlias = Annotated[list[Annotated[float, Meta(ge=-1e9, le=1e9)]], Meta(max_length=1250)]
+"""A column of one piece of a measured record."""
+
+
 class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """An answer to a step of a walk: the index of an option, a number or a few words as text, a place on the axis, or
     curves by name.
@@ -128,7 +132,23 @@ class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
     """Requests the known errors of the displayed numbers."""
 
 
-Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
+class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
+    """Sends a piece of a measured record: times in s that never decrease, and displacements in m.
+
+    The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
+    motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit.
+    """
+
+    piece: Annotated[int, Meta(ge=0, le=15)]
+    of: Annotated[int, Meta(ge=1, le=16)]
+    size: Annotated[int, Meta(ge=1, le=10)] = 1
+    t: RowNumbers
+    x: RowNumbers
+
+
+Said: TypeAlias = (
+    SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
+)
 
 
 class Told(Struct, frozen=True, kw_only=True, tag_field="type"):
@@ -217,7 +237,45 @@ class Walking(Told, frozen=True, kw_only=True, tag="walking"):
     is_busy: bool = False
 
 
-ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking
+class FittedNumber(Struct, frozen=True, kw_only=True):
+    """A number of a fit and its standard error, as text; `error` is "" if it has none."""
+
+    symbol: Html
+    name: str
+    value: str
+    error: str
+    unit: str
+
+
+class FittedMotion(Struct, frozen=True, kw_only=True):
+    """A fitted motion, in SI units: offset + drift t + e^(-decay t) (C cos omega t + S sin omega t), with t counted
+    from the first row. `scatter` is the standard deviation of its residuals."""
+
+    omega: float
+    decay: float
+    C: float
+    S: float
+    offset: float
+    drift: float
+    scatter: float
+
+
+class Fitted(Told, frozen=True, kw_only=True, tag="fitted"):
+    """The answer to `SendRows`.
+
+    `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
+    the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now.
+    """
+
+    piece: int = 0
+    motion: FittedMotion | None = None
+    numbers: tuple[FittedNumber, ...] = ()
+    sentences: tuple[str, ...] = ()
+    refused: str = ""
+    is_busy: bool = False
+
+
+ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
 
 
 class ViewTab(Struct, frozen=True, kw_only=True):

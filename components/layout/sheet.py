@@ -4,7 +4,7 @@ and functions that look things up in a sheet."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import param
 from msgspec.structs import replace
@@ -13,6 +13,7 @@ from components.language.blocks import (
     Block,
     ChoiceBlock,
     Column,
+    MeasuredBlock,
     ModesBlock,
     PlotBlock,
     Row,
@@ -128,6 +129,14 @@ def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, pho
 def modes(parameter: str, label: str, of: str, chosen: str, sets: dict[str, str], phone: int = 50) -> Block:
     """Return buttons with the shapes of the modes of a modal signal: components.language.blocks.ModesBlock."""
     return ModesBlock(part="modes", name=parameter, label=label, of=of, chosen=chosen, sets=sets, phone=phone)
+
+
+def measured(
+    plot: str, shows: Literal["file", "fit", "residuals"], grow: float = 0, phone: int = 50, height: int | None = None
+) -> Block:
+    """A part of the visitor's measured record: its file, the numbers of the fit, or the residuals below the plot."""
+    part = f"measured:{shows}"
+    return MeasuredBlock(part=part, plot=plot, shows=shows, grow=grow, phone=phone, height=height)
 
 
 def term(

@@ -8,7 +8,17 @@ from typing import Any
 import panel as pn
 from panel.viewable import Viewable, Viewer
 
-from components.language.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
+from components.language.blocks import (
+    Block,
+    ChoiceBlock,
+    Column,
+    MeasuredBlock,
+    PlotBlock,
+    Row,
+    StageBlock,
+    TableBlock,
+    WordsBlock,
+)
 from components.language.controls import ActionButton, GroupSection, PresetButton, SliderRow
 from components.language.messages import Act, Choose, ViewTab
 from components.language.text import Html
@@ -25,6 +35,7 @@ from components.state.commands import Command, RefusalError, asked_values, refus
 from components.state.scene_sheet import scene_sheet
 
 NARROWEST = 280  # pixels of a part of a row; on narrower screens, parts are stacked
+NO_FILES = "The page of the lecture reads files with measured points; this version shows only the model."
 STYLE = "".join(f".sample.{name}, .tint.{name} {{ color: {colour} }} " for name, colour in colours().items())
 
 
@@ -160,4 +171,6 @@ class PanelFace(Viewer):
                 return self._html(lambda picture: table(block, picture.forms))
             case ChoiceBlock():
                 return self._control(block)
+            case MeasuredBlock(shows="file"):
+                return pn.pane.HTML(NO_FILES)
         return pn.Column(visible=False)

@@ -59,6 +59,20 @@ def short(value: float | Decimal) -> str:
     return f"{head or '0'}{mark}{power}"
 
 
+def with_error(value: float, error: float) -> tuple[str, str]:
+    """Return a number and its standard error as metrologists write them: the error in one digit, in two if it begins
+    with 1, and the number to the same place. Both carry the same power of ten where it is not written out."""
+    if not (math.isfinite(value) and math.isfinite(error) and error > 0):
+        return three(value), ""
+    digits = 2 if f"{error:.1e}"[0] == "1" else 1
+    place = Decimal(f"{error:.{digits - 1}e}").adjusted() - digits + 1
+    power = max(Decimal(repr(value)).adjusted(), place)
+    power = 0 if power in PLAIN_EXPONENTS and place < 1 else power
+    parts = [f"{Decimal(repr(part)).scaleb(-power):.{max(0, power - place)}f}" for part in (value, error)]
+    number, scatter = (part.replace("-", MINUS) + (ten_to(power) if power else "") for part in parts)
+    return number, scatter
+
+
 def at_tick(value: float) -> str:
     """Return the number at a tick of an axis: up to six digits, or three and a power of ten for very large and small
     ones."""

@@ -16,6 +16,7 @@ import msgspec
 
 from components.processes import started
 from components.serving.visitors import Rate
+from components.session.measured import Fitting
 from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching, receive, send
 
 WAITING, OF_A_NETWORK = 64, 16
@@ -35,6 +36,7 @@ WALK_TOO_LONG = f"Checking this walk takes more than {BUDGET:g} s here: give it 
 FILE_TOO_LONG = (
     f"These numbers take more than {BUDGET:g} s to compute here: choose another time window or other values."
 )
+FIT_TOO_LONG = f"This fit takes more than {BUDGET:g} s here: choose a file with fewer rows."
 SOON = 2.0
 """Seconds after which a refused request may come again."""
 
@@ -153,6 +155,8 @@ class ReadingProcess:
 
 def _over(job: Errand) -> str:
     """The sentence for a job that took more than its budget."""
+    if isinstance(job, Fitting):
+        return FIT_TOO_LONG
     return WALK_TOO_LONG if isinstance(job, Reading | Teaching) else FILE_TOO_LONG
 
 

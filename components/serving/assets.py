@@ -26,6 +26,7 @@ PART = re.compile(r'@import url\("([\w-]+\.css)"\) layer\((\w+)\);')
 BOKEH = Path(bokeh.server.__file__).parent / "static/js/bokeh.min.js"
 TYPES = {
     ".css": "text/css; charset=utf-8",
+    ".csv": "text/csv; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
     ".json": "application/json",
     ".png": "image/png",
@@ -35,6 +36,7 @@ TYPES = {
     ".woff2": "font/woff2",
 }
 """Media types by suffix; the machine's own table may differ."""
+VENDOR = Path(__file__).parent / "vendor"
 YEAR = 365 * 86400
 UNIT = re.compile(r"(?<![\w-])(?:stroke[\w-]*|--u|--least): [^;]*;|(?<![\w#.])(?<!\w-)(?P<px>\d*\.?\d+)px\b")
 
@@ -95,7 +97,7 @@ def in_text_sizes(sheet: str) -> str:
 @cache
 def library_files() -> dict[str, bytes]:
     """The scripts of others."""
-    return {BOKEH.name: BOKEH.read_bytes()}
+    return {path.name: path.read_bytes() for path in (BOKEH, *sorted(VENDOR.iterdir()))}
 
 
 @cache

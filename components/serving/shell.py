@@ -11,7 +11,7 @@ from bokeh.document import Document
 from jinja2 import Template
 
 from components.scene import Scene
-from components.serving.assets import folder_of, library_files, static_files, written_scripts
+from components.serving.assets import BOKEH, folder_of, library_files, static_files, written_scripts
 from components.serving.handlers import templates
 from components.serving.scripts import needed_later
 from components.state.scene_sheet import sheet_address
@@ -25,9 +25,7 @@ def version() -> str:
 
 def library() -> str:
     """The address of BokehJS."""
-    files = library_files()
-    (name,) = files
-    return f"assets/{folder_of(files)}/{name}"
+    return f"assets/{folder_of(library_files())}/{BOKEH.name}"
 
 
 @cache

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from components.language.messages import (
     AskAbout,
     AskCsv,
+    Fitted,
     GiveAnswer,
     Given,
     Kept,
@@ -22,6 +23,7 @@ from components.language.messages import (
     RunOrder,
     RunWalk,
     Said,
+    SendRows,
     SetValues,
     Shown,
     Taught,
@@ -34,6 +36,7 @@ from components.scene import Scene
 from components.scene.about import no_numbers
 from components.scene.running import Later, Running
 from components.session.exports import AboutExport, PageExport
+from components.session.measured import Fitting, MeasuredRows
 from components.session.worker import Apart, Errand, Here, Reading, Replied, Teaching
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
@@ -89,6 +92,7 @@ class Session:
         """The worker that does long jobs; without one the session does them itself."""
         self._apart: tuple[int | None, Future[Replied]] | None = None
         """The answer that is awaited from there, after the number of the message that asked."""
+        self._rows = MeasuredRows()
         self.send: Send = lambda packet: None
         self.first: Packet | None = None
         """The first picture, made ready while it was seen whether it can be."""
@@ -159,6 +163,8 @@ class Session:
                 return packed(replace(taught(given, self.walks, self.scenes), answer=answer))
             case RunWalk():
                 return self._ask_apart(Reading(said.name, said.text), answer)
+            case SendRows():
+                return self._take_rows(said, answer)
             case Lead(code=code, key=key):
                 self._end_publishing()
                 self._publish = self.lead(code, key) if code else None
@@ -172,6 +178,14 @@ class Session:
             self.now = after
             return packed(Kept(answer=answer))
         return self._stand(after, answer)
+
+    def _take_rows(self, said: SendRows, answer: int | None) -> Packet | None:
+        """Take a piece of a measured record, and give the worker the whole one."""
+        try:
+            job = self._rows.take(said)
+        except ValueError as reason:
+            return packed(Fitted(answer=answer, refused=str(reason)))
+        return self._ask_apart(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
 
     def _is_kept(self, said: Said, after: PageState) -> bool:
         """Return True if a hand has let go and the page does not change: its picture is not sent again."""
@@ -245,6 +259,9 @@ class Session:
                 return packed(replace(replied.taught or nothing, answer=answer))
             case AboutExport():
                 return packed(no_numbers(replied.refused, answer))
+            case Fitting():
+                nothing_fitted = Fitted(refused=replied.refused, is_busy=replied.is_busy)
+                return packed(replace(replied.fitted or nothing_fitted, answer=answer))
             case Reading():
                 return self._told_walk(replied, answer)
         self._errors = {"message": replied.refused}

@@ -1,4 +1,4 @@
-"""The jobs of the worker process: walks from visitors' files, and files of numbers.
+"""The jobs of the worker process: walks from visitors' files, files of numbers, and fits of measured records.
 
 Each may take longer than a visitor's change, so it must not run in the server's event loop.
 """
@@ -16,10 +16,11 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
-from components.language.messages import File, Given, Taught
+from components.language.messages import File, Fitted, Given, Taught
 from components.language.walk import WalkSheet
 from components.quantities.refusals import SORRY, report
 from components.session.exports import AboutExport, LinkExport, PageExport, about_page, link_file, page_file
+from components.session.measured import Fitting, fitted
 from components.state.wire import Packet
 from components.walks import Walks
 from components.walks.cards import walk_sheet
@@ -49,7 +50,7 @@ class Teaching(Struct, frozen=True, tag=True):
     step: Step
 
 
-Errand: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport
+Errand: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport | Fitting
 
 
 class Replied(Struct, frozen=True, kw_only=True):
@@ -63,6 +64,7 @@ class Replied(Struct, frozen=True, kw_only=True):
     taught: Taught | None = None
     file: File | None = None
     packet: Packet | None = None
+    fitted: Fitted | None = None
     refused: str = ""
     is_busy: bool = False
     after: float = 0.0
@@ -110,6 +112,8 @@ def _result(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
             return Replied(file=link_file(asked.query, asked.page, scenes, walks))
         case AboutExport():
             return Replied(packet=about_page(asked, scenes))
+        case Fitting():
+            return Replied(fitted=fitted(asked))
 
 
 def _read(asked: Reading, walks: Walks, scenes: Scenes) -> Replied:

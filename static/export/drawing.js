@@ -34,6 +34,7 @@ export class Drawing {
     this.hidden = plot.hidden
     this.under = plot.ghost?.under
     this.field = plot.field
+    this.points = plot.points
     this.page = plot.page
     this.host = host
     this.frame = frame
@@ -79,6 +80,7 @@ export class Drawing {
     for (const region of this.block.regions) this.#region(region)
     this.inside.append(...held(true))
     for (const curve of this.block.curves) this.#curve(curve)
+    if (this.points?.isSeen) this.inside.append(this.points.drawing(this))
     if (this.under) this.#name(lines, this.under.name)
     const flags = new Flags(this)
     const labels = new Labels(this)

@@ -166,6 +166,7 @@ export class Messages {
     const plain = this.#queue.flatMap(({message: made, anew}) => {
       if (anew) return []
       const message = typeof made === "function" ? made(state) : made
+      if (message?.type === "rows") return [] // measured points are never stored
       if (message?.type === "open") ({state} = message)
       if (message?.type === "set") state = {...state, parameters: {...state.parameters, ...message.values}}
       return message

@@ -47,6 +47,7 @@ export class Page {
   /** @type {Transport | import("./run_bar.js").RunBar} */ transport
   /** @type {Compare} */ compare
 
+  isMeasuring = false // once the view of measured points has been seen
   left = false
   live = new Live()
   notice = new Notice()
@@ -99,6 +100,15 @@ export class Page {
     return fold
   }
 
+  /** Fetches the part for measured points when its view is first shown; a follower of a class has none. */
+  #measure() {
+    const {measured} = this.sheet
+    const isSeen = [...measured.values()].some(host => !host.closest("[hidden]"))
+    if (this.isMeasuring || !isSeen || !this.host.messages.ask) return
+    this.isMeasuring = true
+    using("measured/measured", ({Measured}) => this.left || this.parts.push(new Measured(this, measured)))
+  }
+
   /** @param {page.Said} message */
   send(message) {
     this.host.send(message)
@@ -110,6 +120,7 @@ export class Page {
     unitSize() // also reads everything that the style sheets decide, before anything is written
     for (const part of this.parts) guarded(() => part.update?.(shown, asked))
     this.redraw()
+    this.#measure()
     requestAnimationFrame(() =>
       requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))),
     )

@@ -28,6 +28,9 @@ export class Plot {
   /** @type {import("../compare/ghosts.js").PlotGhost | undefined} curves drawn under those of the figure */
   ghost
 
+  /** @type {PointsHost | undefined} */
+  points
+
   /** @param {page.PlotBlock} block @param {HTMLElement} host @param {PartHost} page */
   constructor(block, host, page) {
     this.block = block
@@ -211,6 +214,7 @@ export class Plot {
     if (!this.box || !this.shown || this.absent) return
     this.field?.place()
     this.ghost?.place()
+    this.points?.place()
     this.labels.place()
     this.flags.place()
     this.handles.place()

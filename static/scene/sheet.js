@@ -20,6 +20,9 @@ export class Sheet {
   /** @type {(ReturnType<typeof buildChoice> | ModeButtons)[]} */
   choices = []
 
+  /** @type {Map<page.MeasuredBlock, HTMLElement>} */
+  measured = new Map()
+
   /** @type {{term: page.Term, part: HTMLElement, variants: Variant[]}[]} */
   headings = []
 
@@ -65,6 +68,9 @@ export class Sheet {
         return host.append(...block.items.map(item => this.#item(item)))
       case "table":
         return host.append(this.#table(block))
+      case "measured":
+        this.measured.set(block, host)
+        return
       case "modes":
         this.choices.push(new ModeButtons(host, block, this.page))
         return

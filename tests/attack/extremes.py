@@ -58,11 +58,21 @@ def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
         st.sampled_from(sorted(scene.linked())).flatmap(lambda name: _about(scene, name)),
         st.sampled_from([{"type": "csv"}, {"type": "about"}, {"type": "run", "order": "cancel"}]),
         st.sampled_from([scene, *SCENES.values()]).flatmap(_open),
+        _rows(),
         malformed(scene),
     ]
     acts = [{"type": "act", "name": name} for group in scene.groups for name, _ in group.actions]
     kinds += [st.sampled_from(acts)] if acts else []
     return st.lists(st.one_of(*kinds), min_size=1, max_size=5)
+
+
+def _rows() -> SearchStrategy[Message]:
+    """A piece of a measured record: of any number, out of order, of any size, with anything as a number."""
+    sizes = st.sampled_from([0.0, -0.0, *EXTREMES, float("nan"), float("inf")]) | st.floats(-10, 10)
+    columns = st.lists(sizes, max_size=40) | st.lists(st.floats(-1, 1), min_size=8, max_size=8).map(sorted)
+    places = st.integers(0, 2) | st.integers(-5, 10**20)
+    parts = {"type": st.just("rows"), "piece": places, "of": places, "t": columns, "x": columns | st.text(max_size=3)}
+    return st.fixed_dictionaries(parts, optional={"size": places})
 
 
 def _open(scene: type[Scene]) -> SearchStrategy[Message]:

@@ -70,6 +70,7 @@ ABUSES: dict[str, tuple[str | bytes, ...]] = {
     "nested without end": (*said("here")[:2], said("here")[2].replace('"here"', "[" * 9000 + "]" * 9000)),
     "a number beyond doubles": (*said("here")[:2], said("here")[2].replace('"here"', "1e999")),
     "two types in one": (*said("here")[:2], said("here")[2].replace('"here"', '{"type":"map","type":"ndarray"}')),
+    "rows of a record without end": said({"type": "map", "entries": [["type", "rows"], ["t", [0.5] * 20_000]]}),
     "a flood": said(None) * 50,
 }
 

@@ -18,6 +18,7 @@ from components.quantities.formatting import (
     signed,
     three,
     tidy,
+    with_error,
 )
 from tests.serving.server import ROOT
 
@@ -174,3 +175,21 @@ def test_foreign_text_is_shortened_and_made_visible() -> None:
 )
 def test_a_tick_has_the_digits_that_it_takes(value: float, text: str) -> None:
     assert at_tick(value) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "texts"),
+    [
+        (6.30171, 0.00083, ("6.3017", "0.0008")),
+        (0.017673, 0.00012, ("0.01767", "0.00012")),
+        (-0.1049, 0.0031, ("−0.105", "0.003")),
+        (13.899, 1.4, ("13.9", "1.4")),
+        (0.0, 0.02, ("0.00", "0.02")),
+        (13450.0, 21.0, ("1.345·10⁴", "0.002·10⁴")),
+        (2.3456e-7, 3e-9, ("2.35·10⁻⁷", "0.03·10⁻⁷")),
+        (2.5, 0.0, ("2.50", "")),
+        (2.5, math.inf, ("2.50", "")),
+    ],
+)
+def test_a_number_ends_at_the_place_of_its_error(value: float, error: float, texts: tuple[str, str]) -> None:
+    assert with_error(value, error) == texts

@@ -90,6 +90,10 @@ class Damped(DashpotScene, CaseScene):
             "Formulas", "Change one value, and watch the numbers in each formula.", keys=(zeta,),
             names=("plot:x", "words:formulas"),
         ),
+        View(
+            "Measured", "Drop or choose a file of your own motion: does the model pass through your points?",
+            keys=(zeta,), names=("plot:x", "measured:file"),
+        ),
     )  # fmt: skip
     groups = (
         Group("Mass, spring, dashpot", (m, k, c, zeta)),

@@ -35,6 +35,8 @@ HOME = 0.01
 ALL_BUT = 0.005
 """Logarithmic decrement below which the kept share would round to 100 %."""
 MOST_PEAKS = 5
+MEASURED = "measured"
+"""The view of a visitor's own measured points."""
 FEW = 4.0
 """Exponentials larger than this many times their sum are not drawn."""
 TURN = np.linspace(np.pi / 2, 3 * np.pi / 2, 49)
@@ -111,8 +113,8 @@ class DampedCase(DashpotCase):
 
     @cached_property
     def peaks(self) -> list[Moment]:
-        """The first turns on the side of the first one, within the window."""
-        found = self.free.peaks(MOST_PEAKS) if self.kind == "under" else []
+        """The first turns on the side of the first one, within the window; none next to measured points."""
+        found = self.free.peaks(MOST_PEAKS) if self.kind == "under" and self.view != MEASURED else []
         return [peak for peak in found if peak.t <= self.end]
 
     @property
@@ -278,7 +280,9 @@ class DampedShown(DampedCase):
     side = value(lambda c: min(max(c.m**0.15, 0.75), 1.25))
     wire = value(lambda c: wire(c.k))
     over = value.optional(lambda c: math.copysign(1.0, c.peaks[0].x) if c.peaks else None)
-    quickest = value.optional(lambda c: c.free.fastest if c.P_max and 0 < c.free.fastest.t < c.end else None)
+    quickest = value.optional(
+        lambda c: c.free.fastest if c.P_max and 0 < c.free.fastest.t < c.end and c.view != MEASURED else None
+    )
     # The plane of the roots. Draggable values are in units of the natural frequency.
     circle = value(lambda c: c.one.omega_n or c.one.rates[1] or 1.0)
     slow_root = value(lambda c: scaled(0, c.one.rates[0], 1 / c.one.omega_n) if c.root_kind == "real" else 1.0)

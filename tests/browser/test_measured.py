@@ -1,0 +1,137 @@
+"""A visitor's own measurement next to the damped model: files in, points, fit and residuals, and files refused."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from playwright.sync_api import FilePayload, Page, expect
+
+from tests.browser.dropping import drop
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+POINTS = """() => document.querySelector("[data-part] path, .plot-area path.measured-points").getAttribute("d")
+  .split("M").length - 1"""
+SENT = "oscillations.messages.number"
+WINDOW = "oscillations.shown.settings.window.value"
+PASTE = """text => {
+  const clipboardData = new DataTransfer()
+  clipboardData.setData("text/plain", text)
+  document.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}))
+}"""
+OMEGA, DECAY = 5.0, 0.1
+
+
+def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
+    """A record with decimal commas: 10 s, 30 rows a second, an offset of 3 cm."""
+    t = np.arange(301) / 30
+    x = 4 * np.exp(-DECAY * t) * np.cos(OMEGA * t) + 3 + np.random.default_rng(seed).normal(0, 0.02, t.size)
+    rows = (f"{time:.4f};{place:.4f}" for time, place in zip(t, x, strict=True))
+    return head + "\n".join(rows).replace(".", ",") + "\n;\n"
+
+
+@pytest.fixture
+def measured(page: Page, open_scene: Callable[..., Page]) -> Page:
+    open_scene(page, scene="damped", view="measured")
+    expect(page.get_by_role("button", name="Choose a file")).to_be_visible()
+    return page
+
+
+def shows_fit(page: Page) -> None:
+    """The numbers of the fit are shown; the first fit of a server may wait for its worker process."""
+    expect(page.locator(".measured-sentence")).not_to_be_empty(timeout=60_000)
+
+
+def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(measured: Page) -> None:
+    drop(measured, "cart.csv", record())
+    shows_fit(measured)
+    expect(measured.locator(".measured-name")).to_have_text("cart.csv: 301 points")
+    expect(measured.get_by_role("row", name=re.compile("natural frequency"))).to_have_text(
+        re.compile(r"^ωn5\.00\d ?± 0\.00\d+rad/s$")
+    )
+    expect(measured.locator(".measured-sentence")).to_have_text(re.compile("^The residuals are random"))
+    assert 100 < measured.evaluate(POINTS) <= 301
+    measured.get_by_role("button", name="Fit to data").click()
+    measured.wait_for_function(f"{WINDOW} === 10")
+    k = measured.evaluate("oscillations.shown.settings.k.value")
+    assert k == pytest.approx(OMEGA**2 + DECAY**2, rel=1e-2)
+    with measured.expect_download() as download:
+        measured.get_by_role("button", name="Save residuals").click()
+    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    residuals = np.array([float(row[3]) for row in rows[1:]])
+    assert len(rows) == 302 and np.std(residuals) == pytest.approx(2e-4, rel=0.2)
+    assert "cart" not in measured.url and "window=10" in measured.url
+    measured.get_by_role("button", name="Remove").click()
+    expect(measured.get_by_role("button", name="Choose a file")).to_be_focused()
+    assert measured.evaluate(POINTS) == 0
+
+
+def test_an_example_is_one_button_away_and_stays_in_another_view(measured: Page) -> None:
+    measured.get_by_role("button", name="Simulated: air drag").click()
+    shows_fit(measured)
+    expect(measured.locator(".measured-sentence")).to_have_text(re.compile("^The residuals are not random"))
+    measured.get_by_role("tab", name="Motion").click()
+    points = measured.locator(".plot-area path.measured-points")
+    expect(points).to_be_hidden()
+    measured.get_by_role("tab", name="Measured").click()
+    expect(points).to_be_visible()
+    expect(measured.locator(".measured-name")).to_have_text("simulated-air-drag.csv: 361 points")
+
+
+def test_units_that_a_file_lacks_are_asked_for(measured: Page) -> None:
+    measured.evaluate(PASTE, record(head=""))
+    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the time.")
+    measured.get_by_label("Time: unit").focus()
+    measured.get_by_label("Time: unit").select_option("s")
+    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the displacement.")
+    expect(measured.get_by_label("Time: unit")).to_be_focused()
+    measured.get_by_label("Displacement: unit").select_option("cm")
+    shows_fit(measured)
+    expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        ("letter.txt", "Dear student,\nthis is no table.\n", "letter.txt: Line 1: “Dear student,” has no two numbers"),
+        ("wide.csv", "x," * 1_000_000 + "\n1,2\n", "wide.csv: Line 1: it is too long"),
+        ("line.csv", "t (s),x (m)\n1,2\n" + "9" * 5_000_000, "line.csv: Line 3: it is too long"),
+        ("large.csv", "1,2\n" * 1_400_000, "large.csv has 5.3 MB: files of at most 5 MB are read."),
+        ("short.csv", "t (s),x (m)\n1,2\n2,3\n", "short.csv: 2 rows have a time and a displacement: 8 or more"),
+    ],
+)
+def test_a_file_that_is_no_record_is_refused_in_a_sentence(
+    measured: Page, name: str, content: str, reason: str
+) -> None:
+    sent = measured.evaluate(SENT)
+    with measured.expect_file_chooser() as chooser:
+        measured.get_by_role("button", name="Choose a file").click()
+    chooser.value.set_files(FilePayload(name=name, mimeType="text/csv", buffer=content.encode()))
+    expect(measured.locator(".measured-status")).to_contain_text(reason)
+    assert measured.evaluate(SENT) == sent
+
+
+def test_a_record_is_sent_again_after_a_lost_connection(measured: Page) -> None:
+    drop(measured, "first.csv", record())
+    shows_fit(measured)
+    measured.evaluate("oscillations.connection.lose()")
+    drop(measured, "second.csv", record(seed=2))
+    expect(measured.locator(".measured-name")).to_have_text("second.csv: 301 points")
+    shows_fit(measured)
+    assert "second" not in str(measured.evaluate("Object.values(sessionStorage)"))
+
+
+def test_nothing_of_it_is_fetched_before_its_view_is_shown(page: Page, open_scene: Callable[..., Page]) -> None:
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    open_scene(page, scene="damped", view="motion")
+    page.get_by_role("tab", name="Measured").click()
+    expect(page.get_by_role("button", name="Choose a file")).to_be_visible()
+    before = [url for url in asked if "measured/" in url or "papaparse" in url]
+    assert before and not any("papaparse" in url for url in before)
+    drop(page, "cart.csv", record())
+    shows_fit(page)
+    assert any("papaparse" in url for url in asked)

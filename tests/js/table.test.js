@@ -1,0 +1,92 @@
+// Tables that students have: each separator, decimal signs, names or none, holes; and files that are no table.
+
+import assert from "node:assert/strict"
+import {readFileSync} from "node:fs"
+import {test} from "node:test"
+import {runInThisContext} from "node:vm"
+
+import {drawnRows, guessed, piecesOf, rowsOf} from "../../static/measured/record.js"
+import {tableOf} from "../../static/measured/table.js"
+
+runInThisContext(readFileSync(new URL("../../components/serving/vendor/papaparse.min.js", import.meta.url), "utf8"))
+const parser = globalThis.Papa
+
+const rows = (count, row) => Array.from({length: count}, (_, i) => row(i)).join("\n")
+const recordIn = text => {
+  const table = tableOf(text, parser)
+  return rowsOf(table, guessed(table))
+}
+
+test("each kind of file gives the same record", () => {
+  const files = [
+    `t (s),x (mm)\n${rows(10, i => `${i / 10},${i * i}`)}\n`,
+    `"Time (ms)"\t"Position (cm)"\r\n${rows(10, i => `${100 * i}\t${i * i * 0.1}`).replaceAll("\n", "\r\n")}`,
+    `Zeit [s];x/mm\n${rows(10, i => `${i / 10};${i * i}`.replaceAll(".", ","))}`,
+    `Recorded on a phone\n\nrow,t (s),x (mm)\n${rows(10, i => `${i},${i / 10},${i * i}`)}`,
+  ]
+  for (const text of files) {
+    const {t, x, left} = recordIn(text)
+    assert.equal(left, 0)
+    for (let i = 0; i < 10; i++) {
+      assert.ok(Math.abs(t[i] - i / 10) < 1e-12)
+      assert.ok(Math.abs(x[i] - i * i * 1e-3) < 1e-12)
+    }
+  }
+})
+
+test("without names the first column that only grows is the time, and units are asked for", () => {
+  const table = tableOf(
+    rows(10, i => `${Math.cos(i)};${i}`),
+    parser,
+  )
+  assert.deepEqual(table.names, ["Column 1", "Column 2"])
+  assert.deepEqual(guessed(table), {time: 1, value: 0, timeUnit: "", valueUnit: ""})
+})
+
+test("rows with holes are left out and counted", () => {
+  const text = `t (s),x (m)\n${rows(12, i => `${i},${i % 6 ? i * i : ""}`)}\n\n`
+  const {t, left} = recordIn(text)
+  assert.equal(left, 2)
+  assert.equal(t.length, 10)
+  assert.equal(t[0], 0)
+})
+
+test("a file that is no record is refused with the line and the reason", () => {
+  const refused = [
+    ["", /^Line 1: it is empty/],
+    ["\0\u0001", /^Line 1: this is no text/],
+    ["\nA letter.\nIt has words.\n", /^Line 2: “A letter\.” has no two numbers/],
+    [`1,2\n${rows(9, () => "one,two")}`, /^Line 2: “one” is not a number/],
+    [`t (s),x (m)\n${rows(10, i => `${i === 7 ? 2 : i},${i}`)}`, /^Line 9: the time goes back/],
+    ["t (s),x (m)\n1,2\n2,3\n", /^2 rows have a time and a displacement: 8 or more are needed/],
+    [Array(1e6).fill("x").join(","), /^Line 1: it is too long. At most 2,000 characters/],
+    [`t,x\n1,2\n${"9".repeat(5e6)}`, /^Line 3: it is too long/],
+    [rows(9, () => "1,".repeat(60)), /^Line 1: it has 61 columns, and at most 50/],
+    ["1,2\n".repeat(200101), /^Line 200101: the file goes on, and at most 200,000 rows/],
+  ]
+  for (const [text, reason] of refused) assert.throws(() => recordIn(text), {message: reason})
+})
+
+test("a long record is sent as means, in pieces that fit into a message", () => {
+  const count = 200_000
+  const t = Float64Array.from({length: count}, (_, i) => i / 1000)
+  const pieces = piecesOf({t, x: t.map(time => Math.sin(6.3 * time) - 1e-7 / 3), left: 0})
+  assert.equal(pieces.length, 16)
+  for (const [i, {piece, of, size, t: times}] of pieces.entries()) {
+    assert.deepEqual([piece, of, size, times.length], [i, 16, 10, 1250])
+    assert.ok(JSON.stringify(pieces[i]).length < 50_000)
+  }
+  assert.equal(pieces[0].t[0], 0.0045)
+})
+
+test("a drawing keeps the lowest and the highest point of each step", () => {
+  const places = Array.from({length: 1000}, (_, i) => i / 100)
+  const values = places.map((_, i) => (i === 250 ? 9 : i === 777 ? -9 : Math.sin(i)))
+  const drawn = drawnRows(places, values, 2)
+  assert.ok(drawn.length <= 2 * 5)
+  assert.ok(drawn.includes(250) && drawn.includes(777))
+  assert.deepEqual(
+    drawn,
+    drawn.toSorted((a, b) => a - b),
+  )
+})

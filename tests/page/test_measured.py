@@ -1,0 +1,125 @@
+"""Measured rows: pieces in order, the fit that answers the last one, and what is refused."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+from components.quantities.formatting import parse_number
+from components.scenes import SCENES
+from tests.page.told import Page
+from tests.serving.server import ROOT
+from tools.measured_examples import EXAMPLES
+
+T = np.arange(300) * 0.04
+OMEGA, DECAY, C = 6.3, 0.12, 0.05
+FOLDER = ROOT / "static" / "measured"
+
+
+def motion(seed: int, noise: float = 1e-4) -> Any:
+    swing = C * np.exp(-DECAY * T) * np.cos(OMEGA * T) + 0.01
+    return swing + np.random.default_rng(seed).normal(0, noise, T.size)
+
+
+def piece(number: int, of: int, t: ArrayLike, x: ArrayLike, **more: Any) -> dict[str, Any]:
+    rows = {"t": np.asarray(t).tolist(), "x": np.asarray(x).tolist()}
+    return {"type": "rows", "piece": number, "of": of, "number": number + 1, **rows, **more}
+
+
+@pytest.fixture
+def page() -> Page:
+    return Page(SCENES["damped"]())
+
+
+def within(number: dict[str, str], value: float, errors: float = 4) -> bool:
+    return abs(parse_number(number["value"]) - value) <= errors * parse_number(number["error"])
+
+
+def test_pieces_in_order_are_fitted(page: Page) -> None:
+    x = motion(1)
+    first = page.say(piece(0, 2, T[:200], x[:200]))
+    assert (first["type"], first["piece"], first["motion"]) == ("fitted", 1, None)
+    told = page.say(piece(1, 2, T[200:], x[200:]))
+    assert told["answer"] == 2 and told["refused"] == ""
+    numbers = {number["name"]: number for number in told["numbers"]}
+    natural = math.hypot(OMEGA, DECAY)
+    assert within(numbers["natural frequency"], natural) and numbers["natural frequency"]["unit"] == "rad/s"
+    assert within(numbers["damping ratio"], DECAY / natural)
+    assert within(numbers["amplitude at the start"], C) and within(numbers["offset"], 0.01)
+    assert told["motion"]["C"] == pytest.approx(C, abs=1e-4)
+    assert "random" in told["sentences"][0] and "not random" not in told["sentences"][0]
+
+
+def test_means_of_rows_give_the_amplitude_of_the_rows(page: Page) -> None:
+    t = np.arange(3000) * 0.04
+    x = C * np.exp(-0.02 * t) * np.cos(OMEGA * t)
+    means = (column.reshape(-1, 10).mean(axis=1) for column in (t, x))
+    told = page.say(piece(0, 1, *means, size=10))
+    assert math.hypot(told["motion"]["C"], told["motion"]["S"]) == pytest.approx(C * math.exp(-0.02 * 0.18), rel=1e-6)
+
+
+def test_a_piece_out_of_order_is_left_out_and_the_needed_one_named(page: Page) -> None:
+    x = motion(2)
+    assert page.say(piece(1, 2, T[200:], x[200:]))["piece"] == 0
+    assert page.say(piece(0, 2, T[:200], x[:200]))["piece"] == 1
+    assert page.say(piece(0, 2, T[:200], x[:200]))["piece"] == 1, "a repeated piece begins again"
+    assert page.say(piece(3, 4, T[200:], x[200:]))["piece"] == 1
+    assert page.say(piece(1, 2, T[200:], x[200:]))["motion"]
+
+
+@pytest.mark.parametrize(
+    ("rows", "reason"),
+    [
+        (piece(0, 1, [0.0, 1.0], [1.0]), "as many times as displacements"),
+        (piece(0, 1, [0.0, 2.0, 1.0], [1.0, 1.0, 1.0]), "never decrease"),
+        (piece(0, 1, [0.0], [1.0]), "8 or more are needed"),
+        (piece(0, 1, [], []), "8 or more are needed"),
+        (piece(0, 1, T, np.zeros(T.size)), "never changes"),
+        (piece(0, 1, T[:8], motion(4, 0.01)[:8]), "a longer or a quieter record is needed"),
+    ],
+)
+def test_rows_without_a_motion_are_refused_in_words(page: Page, rows: dict[str, Any], reason: str) -> None:
+    told = page.say(rows)
+    assert told["motion"] is None and reason in told["refused"]
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        piece(0, 1, np.arange(1251), np.zeros(1251)),
+        piece(16, 16, T, T),
+        piece(0, 17, T, T),
+        piece(0, 1, T, T, size=11),
+        piece(0, 1, T, 1e300 * T),
+        piece(0, 1, [0.0, 1.0], [math.nan, 1.0]),
+        {**piece(0, 1, T, T), "x": ["1"]},
+        {**piece(0, 1, T, T), "name": "my file"},
+    ],
+)
+def test_rows_that_no_page_sends_are_refused(page: Page, rows: dict[str, Any]) -> None:
+    told = page.say(rows)
+    assert told["type"] == "shown" and "not a message that this page sends" in told["errors"]["message"]
+
+
+def test_rows_are_in_no_picture_and_no_link(page: Page) -> None:
+    before = page.session.opening()
+    assert page.say(piece(0, 1, T, motion(3)))["motion"]
+    assert page.session.opening() == before
+
+
+def test_noise_is_fitted_with_a_warning(page: Page) -> None:
+    told = page.say(piece(0, 1, T, np.random.default_rng(1).normal(0, 1, T.size)))
+    assert "the frequency may be wrong" in " ".join(told["sentences"])
+
+
+@pytest.mark.parametrize(("name", "is_random"), [("simulated-dashpot.csv", True), ("simulated-air-drag.csv", False)])
+def test_examples_are_those_of_the_tool_and_tell_two_frictions_apart(page: Page, name: str, is_random: bool) -> None:
+    text = (FOLDER / name).read_text(encoding="utf-8")
+    assert text == EXAMPLES[name]
+    t, x = np.loadtxt(text.splitlines()[1:], delimiter=",", unpack=True)
+    told = page.say(piece(0, 1, t, 1e-3 * x))
+    assert ("not random" not in told["sentences"][0]) is is_random
