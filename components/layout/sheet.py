@@ -136,7 +136,8 @@ def measured(
 ) -> Block:
     """A part of the visitor's measured record: its file, the numbers of the fit, or the residuals below the plot."""
     part = f"measured:{shows}"
-    return MeasuredBlock(part=part, plot=plot, shows=shows, grow=grow, phone=phone, height=height)
+    style = "lane" if shows == "residuals" else ""
+    return MeasuredBlock(part=part, plot=plot, shows=shows, style=style, grow=grow, phone=phone, height=height)
 
 
 def term(

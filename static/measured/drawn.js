@@ -13,12 +13,12 @@ const LANE = {top: 6, bottom: 6}
 
 /**
  * Displacements in m at times in s; `scatter` is 0 before a fit.
- * @typedef {{t: Float64Array, x: Float64Array, scatter: number}} Shown
+ * @typedef {{t: Float64Array, x: Float64Array, scatter: number}} DrawnPoints
  */
 
 /** The points over a plot. @implements {PointsHost} */
 export class Points {
-  /** @type {Shown | null} */
+  /** @type {DrawnPoints | null} */
   shown = null
 
   /** @param {PlotHost} plot */
@@ -29,7 +29,7 @@ export class Points {
     plot.points = this
   }
 
-  /** @param {Shown | null} shown */
+  /** @param {DrawnPoints | null} shown */
   show(shown) {
     this.shown = shown
     this.place()
@@ -63,7 +63,7 @@ export class Points {
 
 /** The residuals, on the same time axis as the plot. */
 export class Residuals {
-  /** @type {Shown | null} */
+  /** @type {DrawnPoints | null} */
   shown = null
 
   /** @type {Float64Array} */
@@ -80,7 +80,10 @@ export class Residuals {
     this.observer.observe(host)
   }
 
-  /** @param {Shown | null} shown @param {Float64Array} residuals in units of the plot's axis, NaN outside of it */
+  /**
+   * Shows residuals in units of the plot's axis, NaN outside of it.
+   * @param {DrawnPoints | null} shown @param {Float64Array} residuals
+   */
   show(shown, residuals) {
     this.shown = shown
     this.residuals = residuals
@@ -156,7 +159,7 @@ function ticks({left, width}, py, most, unit) {
 
 /**
  * The distances of a record from the curve of a plot, in units of its axis; NaN outside the time window.
- * @param {PlotHost} plot @param {Shown} shown @returns {Float64Array}
+ * @param {PlotHost} plot @param {DrawnPoints} shown @returns {Float64Array}
  */
 export function residualsOf(plot, {t, x}) {
   const {signals, scalars} = plot.view

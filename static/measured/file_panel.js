@@ -10,7 +10,7 @@ const EXAMPLES = {"Simulated: dashpot": "simulated-dashpot", "Simulated: air dra
 export class FilePanel {
   /**
    * @param {HTMLElement} host of the file @param {HTMLElement} fitHost of the numbers
-   * @param {import("./measured.js").Measured} measured
+   * @param {import("./measured.js").MeasuredView} measured
    */
   constructor(host, fitHost, measured) {
     this.host = host

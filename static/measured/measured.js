@@ -16,7 +16,7 @@ const BUSY = "The fit could not be computed now. Remove the file, and open it ag
 
 /**
  * A file: its table, the chosen columns, and the rows and the fit if there are any.
- * @typedef {{name: string, table: import("./table.js").Table, choice: import("./record.js").Choice,
+ * @typedef {{name: string, table: import("./table.js").Table, choice: import("./record.js").ColumnChoice,
  *   rows: import("./record.js").Rows | null, fit: page.Fitted | null}} Opened
  */
 
@@ -24,8 +24,8 @@ const BUSY = "The fit could not be computed now. Remove the file, and open it ag
 let opened = null
 
 /** @implements {Part} */
-export class Measured {
-  /** @type {import("./drawn.js").Shown | null} */
+export class MeasuredView {
+  /** @type {import("./drawn.js").DrawnPoints | null} */
   shown = null
 
   /** @param {PartHost} page @param {Map<page.MeasuredBlock, HTMLElement>} hosts of the blocks by block */
@@ -93,7 +93,7 @@ export class Measured {
     }
   }
 
-  /** Chooses columns or units, and fits again. @param {Partial<import("./record.js").Choice>} change */
+  /** Chooses columns or units, and fits again. @param {Partial<import("./record.js").ColumnChoice>} change */
   choose(change) {
     if (!opened) return
     /** @type {Opened} */

@@ -12,7 +12,7 @@ export const LENGTHS = {m: 1, cm: 1e-2, mm: 1e-3}
 
 /**
  * The chosen columns and their units, "" for a unit that is not known.
- * @typedef {{time: number, value: number, timeUnit: string, valueUnit: string}} Choice
+ * @typedef {{time: number, value: number, timeUnit: string, valueUnit: string}} ColumnChoice
  */
 /**
  * Times from the first row and displacements; `left` is the number of rows that are left out.
@@ -20,7 +20,10 @@ export const LENGTHS = {m: 1, cm: 1e-2, mm: 1e-3}
  */
 /** @typedef {import("./table.js").Table} Table */
 
-/** A first choice of columns, by their names, or else by what they hold. @param {Table} table @returns {Choice} */
+/**
+ * A first choice of columns, by their names, or else by what they hold.
+ * @param {Table} table @returns {ColumnChoice}
+ */
 export function guessed({names, columns}) {
   const named = (/** @type {RegExp} */ pattern) => names.findIndex(name => pattern.test(name))
   const grows = columns.findIndex(column => column.every((value, i) => !i || !(value <= column[i - 1])))
@@ -38,7 +41,7 @@ export function unitIn(name, known) {
 
 /**
  * The rows of two columns, without those that lack a number.
- * @param {Table} table @param {Choice} choice @returns {Rows}
+ * @param {Table} table @param {ColumnChoice} choice @returns {Rows}
  */
 export function rowsOf({columns, lines}, {time, value, timeUnit, valueUnit}) {
   const whole = lines.map((_, i) => i).filter(i => !Number.isNaN(columns[time][i] + columns[value][i]))

@@ -106,7 +106,7 @@ export class Page {
     const isSeen = [...measured.values()].some(host => !host.closest("[hidden]"))
     if (this.isMeasuring || !isSeen || !this.host.messages.ask) return
     this.isMeasuring = true
-    using("measured/measured", ({Measured}) => this.left || this.parts.push(new Measured(this, measured)))
+    using("measured/measured", ({MeasuredView}) => this.left || this.parts.push(new MeasuredView(this, measured)))
   }
 
   /** @param {page.Said} message */
