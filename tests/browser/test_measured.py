@@ -42,7 +42,7 @@ def measured(page: Page, open_scene: Callable[..., Page]) -> Page:
 
 def shows_fit(page: Page) -> None:
     """The numbers of the fit are shown; the first fit of a server may wait for its worker process."""
-    expect(page.locator(".measured-sentence")).not_to_be_empty(timeout=60_000)
+    expect(page.locator(".measured-sentence")).not_to_be_empty(timeout=120_000)
 
 
 def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(measured: Page) -> None:

@@ -126,4 +126,15 @@ def test_a_list_with_an_unknown_part_is_refused_in_words() -> None:
 
 
 def known_parts() -> list[str]:
-    return ["stage", "plot:x", "plot:P", "plot:energy", "words:fate", "plot:roots", "words:formulas"]
+    return [
+        "stage",
+        "plot:x",
+        "measured:residuals",
+        "plot:P",
+        "plot:energy",
+        "words:fate",
+        "plot:roots",
+        "words:formulas",
+        "measured:file",
+        "measured:fit",
+    ]
