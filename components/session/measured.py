@@ -19,9 +19,9 @@ FEW_IN_A_CYCLE = 4.0
 UNEQUAL = "A record has as many times as displacements."
 TIME_GOES_BACK = "The times of a record never decrease."
 EXTREME = "No motion can be fitted: numbers near 1, in units that suit the motion, are needed."
-RANDOM = "The residuals are random: the model agrees with your points within their scatter."
+RANDOM = "The residuals of the fit are random: the model agrees with your points within their scatter."
 SENTENCES = {
-    Caution.CORRELATED: "The residuals are not random: the friction is not viscous, or something else moves too. "
+    Caution.CORRELATED: "The residuals of the fit are not random: the friction is not viscous, or something else moves too. "
     "The standard errors allow for this.",
     Caution.DRIFT: "The points drift: the fit includes a straight line.",
     Caution.CLIPPED: "Some points are at a limit of the sensor: the fit leaves them out.",
