@@ -21,8 +21,8 @@ TIME_GOES_BACK = "The times of a record never decrease."
 EXTREME = "No motion can be fitted: numbers near 1, in units that suit the motion, are needed."
 RANDOM = "The residuals of the fit are random: the model agrees with your points within their scatter."
 SENTENCES = {
-    Caution.CORRELATED: "The residuals of the fit are not random: the friction is not viscous, or something else moves too. "
-    "The standard errors allow for this.",
+    Caution.CORRELATED: "The residuals of the fit are not random: the friction is not viscous, or something else "
+    "moves too. The standard errors allow for this.",
     Caution.DRIFT: "The points drift: the fit includes a straight line.",
     Caution.CLIPPED: "Some points are at a limit of the sensor: the fit leaves them out.",
     Caution.FEW_ROWS: "The file has fewer than 30 points: the standard errors are rough.",
