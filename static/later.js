@@ -4,7 +4,7 @@ import {note} from "./core/notes.js"
 
 const PAUSE = 10000 // ms until the next try, or until the network or the server is back
 
-const MISSING = "Part of this page could not be loaded; it follows as soon as the server is reached."
+const MISSING = "Part of this page could not be loaded; it is loaded when the server can be reached again."
 
 const PARTS = {
   "compare/ghosts": () => import("./compare/ghosts.js"),

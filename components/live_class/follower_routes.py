@@ -30,7 +30,7 @@ ALL_MISSES = 3000
 """Wrong codes from all networks: who has many of them finds a class in half an hour at best, and may only follow it."""
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 NO_CODE = "This is no code of a class. A code has four letters and digits, none of them 0, 1, I, L, O or Q."
-AWAY = "The class is not there at the moment. If it goes on, this phone comes back by itself."
+AWAY = "The class cannot be reached at the moment. If it continues, this phone reconnects by itself."
 MINUTE = 60.0
 BUFFER = 2**14
 """Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""

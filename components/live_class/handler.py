@@ -23,7 +23,7 @@ from components.serving.visitors import network_of
 
 LONGEST = 8000
 """Bytes of a message to a room: two sketches are a quarter of it."""
-AWAY = "The server cannot reach its record of the class now. What you see stays; try again in a moment."
+AWAY = "The server cannot reach the data of the class now. Try again in a moment."
 
 Body = TypeVar("Body")
 Answered = TypeVar("Answered")
@@ -42,7 +42,7 @@ class ClassHandler(VisitorHandler):
         origin = self.request.headers.get("Origin", "")
         own = f"{self.request.protocol}://{self.request.host}"
         if origin and origin != own and not self.context.goes_by(origin):
-            raise RefusedError(403, "A class is led and followed from the lecture's own page.")
+            raise RefusedError(403, "You can lead or follow a class only from the page of the lecture.")
 
     @property
     def word(self) -> str:

@@ -21,7 +21,7 @@ ROWS = 100
 """Rows of a table that are sent at once."""
 
 ASKED = "Opening a class here needs the instructors' passphrase."
-WRONG = "This is not the instructors' passphrase. Whoever runs this server has set it."
+WRONG = "This is not the instructors' passphrase. Ask the operator of this server for it."
 
 
 class Opener(ClassHandler):

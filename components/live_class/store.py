@@ -51,8 +51,8 @@ class FullError(ValueError):
     """A refusal: there is no place for more; the sentence says where."""
 
 
-OF_A_ROOM = "The server keeps no more answers of this class. Those already given are kept."
-OF_THE_STORE = "The record of live classes is full: changes do not reach everybody until a class ends."
+OF_A_ROOM = "The server cannot store more answers of this class. It keeps the earlier ones."
+OF_THE_STORE = "The memory for live classes is full: changes do not reach everybody until a class ends."
 OF_COUNTS = "Too many networks are counted."
 
 

@@ -75,7 +75,7 @@ def _worked_out(number: str, text: str) -> Decimal:
     if not _TOKENS.fullmatch(plain):
         raise NoNumberError(text)
     if re.search(r"/|\*\*", plain[: max((m.start() for m in _PRODUCT.finditer(plain)), default=0)]):
-        raise ValueError(f"“{excerpt(text)}” can be read in two ways: write every · that multiplies, and use brackets.")
+        raise ValueError(f"“{excerpt(text)}” has two meanings: write every multiplication sign ·, and use brackets.")
     expression = _PRODUCT.sub("*", plain)
     try:
         return _value(ast.parse(expression, mode="eval").body, expression)

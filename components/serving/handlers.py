@@ -94,7 +94,7 @@ class VisitorHandler(LectureHandler):
         host = self.request.headers.get("Host", "")
         if not answers_to(host, self.context.hosts):
             raise RefusedError(
-                403, "This server is not known by this address. Whoever runs it can allow it with ALLOWED_ORIGIN."
+                403, "This server is not known by this address. Its operator can allow the address with ALLOWED_ORIGIN."
             )
         if more := super().prepare():
             await more

@@ -127,7 +127,7 @@ def read(header_json: str, metadata_json: str, content_json: str) -> Message[Any
             return pull_doc_req(_plain(header), {}, {})
         return patch_doc(_plain(header), {}, _plain(msgspec.json.decode(content_json, type=Patch)))
     except (msgspec.DecodeError, RecursionError) as error:
-        raise ViolationError("This message is none of this page's.") from error
+        raise ViolationError("This message does not belong to this page.") from error
 
 
 def _plain(value: Struct) -> Any:

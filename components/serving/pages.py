@@ -34,7 +34,7 @@ log = logging.getLogger(__name__)
 LONGEST_LINK = 8000
 """Characters: the query is in the token, and the token in a header of the WebSocket, with room for the others."""
 
-TOO_LONG = f"This link is too long: {LONGEST_LINK} characters are the most after the question mark."
+TOO_LONG = f"This link is too long: at most {LONGEST_LINK} characters are allowed after the question mark."
 TOO_MANY = "Too many pages were opened from this network within a minute. Try again in a moment."
 
 OWN_TOKEN, TICKET = "Page-Token", "Page-Ticket"
@@ -88,7 +88,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         if "Bokeh-Session-Id" in self.request.headers or any(
             name.startswith("bokeh-") for name in self.request.arguments
         ):
-            raise RefusedError(403, "A link cannot name a session: each visitor has one of their own.")
+            raise RefusedError(403, "A link cannot name a session: each visitor gets a separate one.")
 
     async def get(self) -> None:
         if "class" in self.request.arguments:

@@ -88,7 +88,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         assert self.connection is not None
         for other in list(self.connection.session._subscribed_connections):
             if other is not self.connection:
-                other._socket.drop(1008, "This page is connected anew.")
+                other._socket.drop(1008, "This page has a newer connection.")
 
     def on_message(self, frame: str | bytes) -> None:
         """Read on at once, whatever waits: so the end of a flood is seen when it comes."""
@@ -136,9 +136,9 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
 
     def _admit(self, message: Message[Any]) -> None:
         if self.connection is None:
-            raise ViolationError("A page waits until it is welcomed.")
+            raise ViolationError("A page must wait for the first message of the server.")
         if len(self._waiting) == MOST_WAITING:
-            raise ViolationError("Too many messages at once: a page waits for the answer to its last.")
+            raise ViolationError("Too many messages at once: a page must wait for the answer to its last message.")
         self._waiting.append((monotonic(), message))
         if self._work is None:
             self._work = asyncio.create_task(self._work_off())

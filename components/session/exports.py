@@ -75,7 +75,7 @@ def about_page(asked: AboutExport, scenes: Scenes) -> Packet:
 
     def ask() -> About | None:
         if now.covered:
-            raise ValueError("they would give away what is covered")
+            raise ValueError("they would reveal hidden parts")
         return now.scene.about(now.shown)
 
     return packed(about_numbers(ask, asked.answer))

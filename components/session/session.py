@@ -54,10 +54,10 @@ MOST_MESSAGES = 2**53
 
 MOST_OWN = 5
 TOO_MANY = (
-    f"A page keeps {MOST_OWN} walks from files, and this would be one more: "
-    "give it the name of one that it may replace, or open another tab."
+    f"A page keeps at most {MOST_OWN} walks from files. Give this one the name of a walk that it may replace, "
+    "or open another tab."
 )
-ONE_AT_A_TIME = "The server is still computing what this page asked for last. Try again in a moment."
+ONE_AT_A_TIME = "The server is still working on the last request of this page. Try again in a moment."
 AT_ONCE = Replied(refused=ONE_AT_A_TIME, is_busy=True)
 
 Send = Callable[[Packet], None]

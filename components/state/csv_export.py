@@ -20,7 +20,7 @@ from components.scene.columns import NumberTable, headed, in_ascii, tables_of
 from components.state.page_state import PageState
 from components.state.scene_sheet import column_axes, plots
 
-READING = "SI units; the unit of a column stands in brackets after its name, 1 for a pure number; full precision"
+READING = "SI units; the unit of a column is in brackets after its name, 1 for a pure number; full precision"
 
 
 @dataclass(frozen=True)

@@ -49,9 +49,9 @@ def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 def _doubts(step: Step, subject: Subject) -> Iterator[str]:
     if not step.cover and step.judges:
-        yield "cover: nothing is covered, so that the answer can be read."
+        yield "cover: nothing is hidden, so students can read the answer."
     if (words := len(step.explain.split())) > MOST_WORDS:
-        yield f"explain: it has {words} words, {MOST_WORDS} are the most."
+        yield f"explain: it has {words} words, at most {MOST_WORDS} are allowed."
     if not any(map(ASKS.search, sentences(step.question))):
         yield "question: no sentence ends with a question mark, or begins with Sketch or Mark."
     yield from _lost_parts(step, subject)
@@ -139,6 +139,6 @@ def _of_texts(step: BaseStep) -> Iterator[str]:
             continue  # it has numbers of its scene
         yield from refused(field, partial(rich, text))
         if field != "explain" and any(live_names(text)):
-            yield f"{field}: live numbers can stand in explain only."
+            yield f"{field}: live numbers are allowed in explain only."
     for i, latex in enumerate(step.equations):
         yield from refused(f"follows, line {i + 1}", partial(line, latex))

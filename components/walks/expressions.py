@@ -33,12 +33,12 @@ def numbers_of(scene: Scene) -> dict[str, float]:
 def worked_out(text: str, numbers: Mapping[str, float]) -> float:
     """The number that an expression is; ValueError, in words, for what is none."""
     if len(text) > LONGEST:
-        raise ValueError(f"“{excerpt(text)}” is longer than {LONGEST} signs")
+        raise ValueError(f"“{excerpt(text)}” is longer than {LONGEST} characters")
     try:
         found = _value(ast.parse(text.strip().replace("^", "**"), mode="eval").body, numbers)
     except (SyntaxError, RecursionError, ValueError) as error:
         known = f": {', '.join(sorted(numbers))}" if isinstance(error, UnknownNameError) else ""
-        reason = str(error) if known else "is no expression of the scene's numbers"
+        reason = str(error) if known else "is not an expression of the scene's numbers"
         raise ValueError(f"“{excerpt(text)}” {reason}{known}") from error
     except ArithmeticError as error:
         raise ValueError(f"“{excerpt(text)}” has no value here") from error

@@ -51,7 +51,7 @@ def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
         subject = Subject(walk.name, step, scenes)
         for where, texts in _in_sight(walk, i, subject, scenes) if step.right(subject) else ():
             yield from (
-                f"{walk.name}, step {i} ({step.id}), cover: “{name}” is in sight{where}, {text}: {how}."
+                f"{walk.name}, step {i} ({step.id}), cover: “{name}” is visible{where}, {text}: {how}."
                 for name, text, how in _telling(step, texts, subject)
             )
 

@@ -32,9 +32,9 @@ def read_link(link: str, scenes: Scenes) -> Link:
 def _of_the_page(link: Link) -> Iterator[str]:
     """A sentence for each part that a page's link has and a step's has not."""
     if link.covered:
-        yield "cover: name what is covered in the step's own field, cover."
+        yield "cover: list hidden parts in the field cover of the step."
     if link.before is not None:
-        yield "before: a step begins with no prediction that waits. Reveal it, and copy the link then."
+        yield "before: a step cannot begin with an open prediction. Press Reveal, then copy the link."
 
 
 def standing_at(link: str, scenes: Scenes) -> PageState:

@@ -58,7 +58,7 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
         raise WalkError(f"{excerpt(name)}: a walk's name has small letters, digits and hyphens, at most 40.")
     size = len(text.encode(errors="replace"))
     if size > LARGEST:
-        raise WalkError(f"{name}: the file has {size} bytes; {LARGEST} are the most.")
+        raise WalkError(f"{name}: the file has {size} bytes; at most {LARGEST} are allowed.")
     if deep := DEEP.search(text):
         raise WalkError(f"{name}: “{excerpt(deep[0].strip())}” is no field of a walk: its name has too many dots.")
     try:

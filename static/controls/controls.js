@@ -5,7 +5,7 @@ import {button, chip, element, intoView, marked, svg} from "../core/dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 import {viewOf} from "../scene/views.js"
 
-const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
+const TYPING = "Type a digit to open the field; Enter sets the number, Escape cancels."
 
 /**
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.

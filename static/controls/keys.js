@@ -39,8 +39,8 @@ export const KEYS = [
   {keys: ["["], shown: "[", does: "Step back in time", act: l => timed(l, () => l.clock.step(-1))},
   {keys: ["]"], shown: "]", does: "Step forward in time", act: l => timed(l, () => l.clock.step(1))},
   {keys: ["Home"], shown: "Home", does: "Restart", own: MOVED, act: l => timed(l, () => l.clock.seek(0))},
-  {keys: [","], shown: ",", does: "To the view before", act: l => l.page.views.turn(-1)},
-  {keys: [";"], shown: ";", does: "To the next view", act: l => l.page.views.turn(1)},
+  {keys: [","], shown: ",", does: "Previous view", act: l => l.page.views.turn(-1)},
+  {keys: [";"], shown: ";", does: "Next view", act: l => l.page.views.turn(1)},
   {keys: ["0"], shown: "0", does: "Fit axes, time window and speed", act: l => l.fit()},
   {
     keys: ["PageDown"],
@@ -82,7 +82,7 @@ export const KEYS = [
   {
     keys: ["d", "D"],
     shown: "D",
-    does: "Count a vote down from 30 s; again: 15 s more",
+    does: "Start a countdown of 30 s for a vote; press again to add 15 s",
     act: l => l.classes.countDown(),
   },
   {

@@ -17,7 +17,9 @@ export function earlier(text, walks) {
   const [head = [], ...rows] = table(text)
   const places = NEEDED.map(name => head.indexOf(name))
   if (places.includes(-1))
-    throw new Error("This is no CSV of a class: it needs the columns walk, step, vote and answer in its first line.")
+    throw new Error(
+      "This is not the CSV of a class: it needs the columns walk, step, vote and answer in its first line.",
+    )
   /** @type {Earlier} */
   const found = new Map()
   for (const row of rows) {
@@ -30,7 +32,7 @@ export function earlier(text, walks) {
   const names = new Set([...found.keys()].map(question => question.split("/")[0]))
   if (!walks.some(name => names.has(name))) {
     const [told] = names
-    throw new Error(`Its answers are to the walk “${told.slice(0, 40)}”, which is not here. Open that walk first.`)
+    throw new Error(`Its answers belong to the walk “${told.slice(0, 40)}”. Open that walk first.`)
   }
   return found
 }

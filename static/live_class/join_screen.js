@@ -169,7 +169,7 @@ export class JoinScreen {
       () => decide("PUT", "The remote control is connected."),
       "Yes, connect it",
     )
-    const no = button({class: "act"}, () => decide("DELETE", "The phone was turned away."), "No")
+    const no = button({class: "act"}, () => decide("DELETE", "The phone was rejected."), "No")
     const words = element("span", {}, "Does the phone in your hand show ", element("b", {}, digits), "?")
     return element("p", {}, words, yes, no)
   }

@@ -208,7 +208,7 @@ class Remote {
     const status = reason instanceof Refusal && reason.isSaid ? reason.status : 0
     const isOver = isMissing(reason) // it was ended: there is nothing to wait for
     this.over ||= isOver || (status === 403 && this.doubts++ >= DOUBTS)
-    const why = isOver ? inWords(reason) : "This is no remote control of a class now."
+    const why = isOver ? inWords(reason) : "This phone is no longer the remote control of a class."
     if (this.over) this.host.replaceChildren(element("h1", {}, why))
     this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
     if (!this.isIn && !this.over) this.host.append(this.state)

@@ -72,7 +72,7 @@ class Shown {
     const words = hall.on ? now.words.filter(({shown}) => shown) : now.words
     this.list.replaceChildren(...words.map(group => grouped(group, hall.on ? undefined : moderate)))
     const waits = now.words.filter(({shown}) => !shown).length
-    const where = hall.on ? " to be let in on the remote control" : ""
+    const where = hall.on ? " for “Show” on the remote control" : ""
     this.waiting.textContent = waits ? `${waits} ${waits === 1 ? "answer waits" : "answers wait"}${where}` : ""
   }
 

@@ -26,7 +26,7 @@ export class Undo {
   constructor(send, reset) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
-    this.reset = drawn("Reset", "Reset: everything as the scene opened", RESET, reset)
+    this.reset = drawn("Reset", "Reset the scene to its opening state", RESET, reset)
     this.element = element("div", {class: "undo"}, this.reset, this.buttons.past, this.buttons.future)
     addEventListener("pointerdown", () => this.#press("pointer"), true)
     addEventListener("keydown", event => this.#key(event), true)

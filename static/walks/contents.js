@@ -66,7 +66,7 @@ export class Contents {
     if (!lecture.hall.on) return []
     // The other window gets walks from files later.
     const name = walks.own.has(sheet.name) ? walks.menu.names[0] : sheet.name
-    return [chip("Questions in a window of their own", () => open(`./?walk=${name}${STEPS}`, "_blank", "noopener"))]
+    return [chip("Questions in a separate window", () => open(`./?walk=${name}${STEPS}`, "_blank", "noopener"))]
   }
 
   /** After the last step: the walk in a few sentences. */
@@ -81,7 +81,7 @@ export class Contents {
     const {walk} = this
     const core = walk.sheet.steps.filter(step => step.core)
     if (!core.length) return []
-    const words = `Core steps alone: ${core.length}, ${minutes(core)}`
+    const words = `Core steps only: ${core.length}, ${minutes(core)}`
     const choose = () => {
       walk.shorten(!walk.isShort)
       this.#fill()

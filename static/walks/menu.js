@@ -65,7 +65,7 @@ export class Menu {
   /** Opens the editor of questions for the current scene, outside a walk. In hall mode it opens in another window. */
   async #ask() {
     const {walk, lecture} = this.walks
-    if (walk) lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
+    if (walk) lecture.page.notice.tell("Leave the walk first: you can only write a question on a scene.")
     else if (lecture.hall.on) open(`./?${lecture.page.shown.query}${ASK}`, "_blank", "noopener")
     else (await later("walks/editor")).ask(this.walks)
   }

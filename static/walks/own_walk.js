@@ -15,13 +15,13 @@ export async function run(walks, file) {
 
 /** @param {File} file */
 async function read(file) {
-  if (file.size > LARGEST) throw new Error(`the file has ${file.size} bytes; ${LARGEST} are the most.`)
+  if (file.size > LARGEST) throw new Error(`the file has ${file.size} bytes; at most ${LARGEST} are allowed.`)
   const bytes = await file.arrayBuffer()
   let text = ""
   try {
     text = new TextDecoder("utf-8", {fatal: true}).decode(bytes)
   } catch {
-    throw new Error("this is no UTF-8 text. A walk is a TOML file: see docs/writing-a-walk.md.")
+    throw new Error("this is not UTF-8 text. A walk is a TOML file: see docs/writing-a-walk.md.")
   }
   if (new Blob([JSON.stringify(text)]).size > SENT) throw new Error("the file has too many lines or quotes to be sent.")
   return text

@@ -11,7 +11,7 @@ import {ownSeed, seedOf, variant} from "./variants.js"
 const SHORT = "core-steps"
 
 const ASKED_NOW =
-  "The lecture asks this step now. Back to the lecture leads there; its answer is shown when it is shown to all."
+  "The lecture is at this step now. Press Back to the lecture: you see the answer together with the class."
 
 /** @implements {WalkHost} */
 export class Walk {

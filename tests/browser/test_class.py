@@ -142,7 +142,7 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     own.wait_for_function(f"{CONNECTED} && oscillations.classes.put === 'd34/d34-05'")
     own.locator(".answers button").first.click()
     own.get_by_role("button", name="Show the answer").click()
-    expect(own.get_by_role("alert").filter(has_text="The lecture asks this step now.")).to_be_visible()
+    expect(own.get_by_role("alert").filter(has_text="The lecture is at this step now.")).to_be_visible()
     clicked(lecture)
     clicked(lecture)
     own.wait_for_function("oscillations.classes.put === ''")

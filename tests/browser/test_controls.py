@@ -255,7 +255,7 @@ def test_help_is_of_what_has_the_focus(panel: Panel) -> None:
 
 def test_each_slider_and_field_is_described_by_its_own_help(panel: Panel) -> None:
     panel.field("k2").focus()
-    typing = "A digit begins a number in its field; Enter sets it, Escape takes it back."
+    typing = "Type a digit to open the field; Enter sets the number, Escape cancels."
     for part in (panel.slider("m1"), panel.field("m1")):
         expect(part).to_have_accessible_description(f"m1 is a mass. Type any value above 0. {typing}")
     panel.type("m1", "-1")

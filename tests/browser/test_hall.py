@@ -119,7 +119,7 @@ def test_the_questions_stand_in_a_window_of_their_own_that_leads_the_hall(server
     page.wait_for_function("oscillations.walks.walk?.step?.id === 'pull' && document.querySelector('.card')")
     page.get_by_role("button", name="Contents", exact=True).first.click()
     with page.context.expect_page() as opened:
-        page.get_by_role("button", name="Questions in a window of their own").click()
+        page.get_by_role("button", name="Questions in a separate window").click()
     steps = opened.value.locator("dialog.contents")
     expect(steps.locator("section").first).to_contain_text("How long does one swing take?")
     expect(steps.locator("h2").first).to_contain_text("Mine")

@@ -61,7 +61,7 @@ def test_what_an_old_browser_lacks_is_named(browser: Browser, server: Server, fe
     page = browser.new_page()
     page.add_init_script(LACKS[feature])
     page.goto(f"{server.url}?scene=coupled")
-    alert = page.get_by_role("alert").filter(has_text=f"This browser lacks {feature},")
+    alert = page.get_by_role("alert").filter(has_text=f"This browser does not have {feature},")
     expect(alert).to_contain_text("Firefox 121")
     expect(alert).to_be_in_viewport()
     page.close()

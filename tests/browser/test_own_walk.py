@@ -52,8 +52,8 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     open_scene(page, scene="energy")
     notice = page.locator(".notice span")
     for name, content, said in (
-        ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; 48000 are the most."),
-        ("latin.toml", b'title = "\xe9"', "latin.toml: this is no UTF-8 text."),
+        ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
+        ("latin.toml", b'title = "\xe9"', "latin.toml: this is not UTF-8 text."),
         ("My notes.toml", b"hello", "My notes.toml: my-notes: this is not TOML"),
         (
             "cover.toml",

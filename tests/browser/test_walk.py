@@ -278,7 +278,7 @@ def test_two_curves_are_drawn_one_after_the_other(walk: Callable[..., Page]) -> 
 def test_the_core_of_a_walk_is_a_shorter_one(walk: Callable[..., Page]) -> None:
     page = walk("d34-02")
     page.get_by_role("button", name="Contents", exact=True).click()
-    core = page.get_by_role("button", name="Core steps alone: 6, 16 minutes")
+    core = page.get_by_role("button", name="Core steps only: 6, 16 minutes")
     core.click()
     expect(core).to_have_attribute("aria-pressed", "true")
     row = page.locator(".contents li:has([aria-current])")

@@ -41,7 +41,7 @@ def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot:
         phone.get_by_label("Your answer in a few words").fill(text)
         expect(phone.get_by_text(f"Sent: {text}.")).to_be_visible()
     clicked(lecture)
-    expect(lecture.get_by_text("2 answers wait to be let in on the remote control")).to_be_visible()
+    expect(lecture.get_by_text("2 answers wait for “Show” on the remote control")).to_be_visible()
     assert "Rubbish" not in lecture.locator("body").inner_text() and BOLD not in lecture.locator("body").inner_text()
     screenshot(remote, "words-remote")
     remote.get_by_role("listitem").filter(has_text="Rubbish").get_by_role("button", name="Remove").click()

@@ -83,7 +83,7 @@ def test_what_is_meant(text: str, unit: str, value: float) -> None:
         ("9^9^9", "m", "“9^9^9” takes more digits than a field has room for."),
         ("1e999 km", "m", "1e999 km is too large: the largest number that can be held is about 1.8e308."),
         ("10^-400", "m", "10^-400 is too small: the smallest number that can be held is about 5e-324."),
-        ("1/2π", "m", "“1/2π” can be read in two ways: write every · that multiplies, and use brackets."),
+        ("1/2π", "m", "“1/2π” has two meanings: write every multiplication sign ·, and use brackets."),
         ("", "m", "Nothing is typed here: type a number such as 2.5 or 1e-3."),
     ],
 )

@@ -42,7 +42,7 @@ const WAYS = {
   },
   "502 of a proxy": page(502),
   "404 of a proxy": page(404),
-  "404 of a server that has lost the class": said(404, "The class is not there at the moment."),
+  "404 of a server that has lost the class": said(404, "The class cannot be reached at the moment."),
   429: said(429, "Too many messages at once."),
   "200 of a hotel's login page": page(200),
   "killed with the request in its hands": take => {

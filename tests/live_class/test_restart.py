@@ -237,6 +237,6 @@ async def test_answers_given_back_fill_no_more_than_a_room() -> None:
     code, key = await registry.open()
     room = await registry.led(code, key)
     answers = {f"{i:011x}abcdefgh": Voted(**CHOICE, option=1) for i in range(50)}
-    with pytest.raises(ValueError, match="keeps no more answers of this class"):
+    with pytest.raises(ValueError, match="cannot store more answers of this class"):
         await registry.obey(room, RestoreAnswers(answers=answers))
     assert 0 < len(await registry.copied(room, VOTE)) < 50

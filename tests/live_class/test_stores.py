@@ -113,7 +113,7 @@ async def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Kept) -> None
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.vote(code, "a", "one", b"x" * 60)
-        with pytest.raises(store.FullError, match="keeps no more answers"):
+        with pytest.raises(store.FullError, match="cannot store more answers"):
             await kept.vote(code, "b", "two", b"x" * 60)
         assert await kept.vote(code, "a", "one", b"x" * 30)  # in place of the longer one
         assert await kept.vote(code, "b", "two", b"x" * 60)
@@ -148,7 +148,7 @@ async def test_a_greedy_owner_leaves_the_others_a_share(on: Kept, small: None) -
         assert first + second < 50_000 and second == 0  # half of it
         assert 12_000 < other < 25_000 and 5_000 < none < 12_500
         assert await kept.keep("DDDD", {"picture": b"x" * 3000})
-        with pytest.raises(store.FullError, match="record of live classes is full"):
+        with pytest.raises(store.FullError, match="memory for live classes is full"):
             await kept.keep("DDDD", {"walks": b"x" * 30_000})
         await kept.end("AAAA")
         assert await fill(kept, "CCCC") > 3000  # what has ended is free
@@ -199,7 +199,7 @@ async def test_a_full_store_says_so_and_forgets_no_class() -> None:
             with redis.Redis.from_url(server.url) as client:
                 client.config_set("maxmemory", 1)
             for act in (kept.keep("AAAA", {"clock": b"1"}), kept.open("BBBB", {"key": b"1"}), kept.count("x", 60)):
-                with pytest.raises(store.FullError, match="record of live classes is full"):
+                with pytest.raises(store.FullError, match="memory for live classes is full"):
                     await act
             assert await kept.count("x", 60, 0) == 0
             assert await kept.parts("AAAA") == {"key": b"1"} and await kept.votes("AAAA", "a") == {"one": b"1"}

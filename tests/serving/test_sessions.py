@@ -208,7 +208,7 @@ async def test_a_page_has_one_socket() -> None:
     async with served() as server:
         token = token_of((await page_of(server)).text)
         first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
-        assert await first.closed() == (1008, "This page is connected anew.")
+        assert await first.closed() == (1008, "This page has a newer connection.")
         await until(lambda: len(server.context.admission.sockets) == 1)
         for _ in range(3):  # the welcome
             await second.hear()

@@ -44,7 +44,7 @@ def test_a_period_is_given_away_by_the_frequency_in_a_formula(m: float, k: float
     """The formula x = C sin(6.25 t) is shown in the view Formulas, but not in the view Motion."""
     state = f"?scene=oscillator&m={m:.3g}&k={k:.3g}"
     found = walk(step(state, '["value:tau"]'))
-    assert any("omega” is in sight" in one and "2π over it is the answer" in one for one in found), found
+    assert any("omega” is visible" in one and "2π over it is the answer" in one for one in found), found
     covered = walk(step(state, '["value:tau", "value:omega"]'))
     assert not any("omega”" in one or "tau”" in one for one in covered)
 
@@ -92,4 +92,4 @@ def test_no_step_draws_the_curve_that_a_later_one_asks_for(name: str) -> None:
 
 def test_make_walk_says_so() -> None:
     mine = read_walk('title = "Mine"' + step("?scene=oscillator&k=30", '["value:tau"]'), "mine")
-    assert any("“omega” is in sight" in one for one in shortcomings(mine, SCENES))
+    assert any("“omega” is visible" in one for one in shortcomings(mine, SCENES))

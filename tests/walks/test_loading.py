@@ -94,14 +94,14 @@ def test_a_complaint_names_file_step_and_field(old: str, new: str, says: str) ->
         ("k2=3", "k2=3&frame.x=1", "state: frame.x: “1” is not a range"),
         ("k2=3", "k2=3&hidden=x1,fruit", "state: hidden: “fruit” is no curve of this scene."),
         ("k2=3", "k2=3&held.fruit=1", "state: “fruit” is not a parameter of this scene."),
-        ("k2=3", "k2=3&cover=plot:x2", "state: cover: name what is covered in the step's own field"),
-        ("k2=3", "k2=3&before.k2=2", "state: before: a step begins with no prediction that waits."),
+        ("k2=3", "k2=3&cover=plot:x2", "state: cover: list hidden parts in the field cover"),
+        ("k2=3", "k2=3&before.k2=2", "state: before: a step cannot begin with an open prediction."),
         ("{omega_minus}", "{omega_9}", "explain: “omega_9” is not possible: choose from "),
         ("right = true", "right = false", "options: exactly one must be right."),
         ("options = [", "poll = true\noptions = [", "options: none is right in a poll."),
         (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer needs a reply"),
         ("rise?", "rise, $\\\\left($?", "question: “\\left(” cannot be set as a formula."),
-        ("Stiffer is", "{tau} is", "title: live numbers can stand in explain only."),
+        ("Stiffer is", "{tau} is", "title: live numbers are allowed in explain only."),
         ('explain = "Both', 'derive = true\nexplain = "Both', "derive: there are no formulas in follows to show."),
     ],
 )
@@ -205,14 +205,14 @@ def test_an_answer_is_a_quantity_of_the_scene() -> None:
             'of = "period"',
             "answer.of: “period” has a name that the scene does not have, period; it has: ",
         ),
-        ('of = "tau"', 'of = "tau."', "answer.of: “tau.” is no expression of the scene's numbers."),
+        ('of = "tau"', 'of = "tau."', "answer.of: “tau.” is not an expression of the scene's numbers."),
         ('of = "tau"', 'of = "tau / (m - m)"', "answer.of: “tau / (m - m)” has no value here."),
         ('of = "tau"', 'of = "9^9^9"', "answer.of: “9^9^9” has no value here."),
         ('of = "tau"', 'of = "tau", is = 7.5', "answer.is: 7.5 is not what the scene has, 1.00 s."),
         ('of = "tau"', "is = 7.5", "answer: 7.5 is no number of this scene: name the quantity that it is, of = ..."),
         ("2 * tau", "tau + 0.01", "misses[0].is: 1.01099 is within the tolerance of the right answer."),
-        ('["value:tau", "value:omega"]', "[]", "cover: nothing is covered, so that the answer can be read."),
-        ('explain = "e"', f'explain = "{"word " * 61}"', "explain: it has 61 words, 60 are the most."),
+        ('["value:tau", "value:omega"]', "[]", "cover: nothing is hidden, so students can read the answer."),
+        ('explain = "e"', f'explain = "{"word " * 61}"', "explain: it has 61 words, at most 60 are allowed."),
         (
             'explain = "e"',
             'explain = "*τ* = 2.5 s"',
@@ -300,7 +300,7 @@ def test_a_feature_told_by_the_scenes_numbers_is_checked(feature: str, says: str
 def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
     with pytest.raises(WalkError, match=r"mine, step 2: the id “first” was given"):
         read_walk(GOOD + GOOD[GOOD.index("[[step]]") :], "mine")
-    with pytest.raises(WalkError, match=f"{LARGEST} are the most"):
+    with pytest.raises(WalkError, match=f"at most {LARGEST} are allowed"):
         read_walk(GOOD + "#" * LARGEST, "mine")
     with pytest.raises(WalkError, match="small letters"):
         read_walk(GOOD, "../mine")

@@ -228,7 +228,7 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
     assert refusal("d31") == "there is a walk “d31” here already: give the file another name."
     assert given(page, "d31-03", option=0)["lesson"]["right"]
     assert [refusal(f"mine-{i}") for i in range(5)] == [""] * 5
-    assert refusal("mine-5").startswith("A page keeps 5 walks from files, and this would be one more")
+    assert refusal("mine-5").startswith("A page keeps at most 5 walks from files. Give this one the name")
     assert refusal("mine-3") == ""  # mended
     known = [page.say(answering(f"mine-{i}", "one", 100 + i, option=0))["lesson"] is not None for i in range(6)]
     assert known == [True] * 5 + [False]
