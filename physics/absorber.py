@@ -275,7 +275,7 @@ def checked_damping(c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> 
 
 
 def _ratio(above: int, below: int, omega: float) -> float:
-    """The double nearest to a quotient of whole numbers."""
+    """Return the double nearest to a quotient of whole numbers."""
     try:
         return above / below
     except OverflowError:

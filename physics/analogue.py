@@ -31,7 +31,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Constant:
-    """A number that the system needs and that nobody moves."""
+    """A constant of the system, which visitors cannot change."""
 
     name: str
     symbol: str

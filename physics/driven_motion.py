@@ -70,7 +70,7 @@ def _ends(free: FreeModes, omega: float) -> list[float]:
 
 
 def _until(phase: float, omega: Decimal) -> float:
-    """When that phase (rad) is reached."""
+    """Return the time at which a phase (rad) is reached."""
     speed = abs(float(omega))
     return phase / speed if speed else inf
 

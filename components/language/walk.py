@@ -1,4 +1,4 @@
-"""A guided walk: what is asked at each step, and what a session says of an answer."""
+"""A guided walk: the question of each step, and the server's reply to an answer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The context of the live class's handlers: its rooms, and how often somebody may ask."""
+"""The context of the live class's handlers: its rooms, and limits on the rate of requests."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ class LetIn(ClassHandler):
 
 
 class RemoteHandler(ClassHandler):
-    """Answers a phone in the instructor's hand."""
+    """Base handler for the instructor's remote control."""
 
     async def _there(self, code: str) -> ClassRoom:
         """Return the room of a ticket. The refusal for a wrong ticket does not reveal if the room exists."""

@@ -46,7 +46,7 @@ def new_digits(taken: Container[str]) -> str:
 
 
 def begun(digits: str, key: str) -> Parts:
-    """The parts by which a phone waits."""
+    """The parts of a room that store a waiting phone."""
     one = Waiting(digest(key).decode(), time() + PATIENCE)
     return {WAITS + digits: msgspec.json.encode(one)}
 

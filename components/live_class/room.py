@@ -27,7 +27,7 @@ KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question":
 LEADERS = ("deed", "step", "answers")
 """The parts that are sent only to the instructor's page; the store does not keep them."""
 KEPT = 16
-"""Number of these that are sent again to a page that has missed them."""
+"""Number of changes that a page can receive later if it has missed them."""
 OBEYED = 10.0
 """Seconds for which an order of a remote control is valid; later it would surprise the instructor."""
 

@@ -21,21 +21,21 @@ MOST_VOTES = 5000
 MOST_BYTES = 8 * 2**20
 """Bytes of one room: thousands of sketches."""
 ALL_BYTES = 44 * 2**20
-"""Bytes of all rooms: what else the store of compose.yaml keeps needs the rest of its 64 MB."""
+"""Bytes of all rooms. The store of compose.yaml has 64 MB, and needs the rest for other data."""
 RESERVE = 12 * 2**20
-"""Bytes of these that answers leave to the pictures and questions of the rooms."""
+"""Bytes of `ALL_BYTES` that answers cannot use, because pictures and questions need them."""
 OF_AN_ANSWER = 160
 """Overhead of an answer in a store, in bytes; measured: 80 in Valkey, 122 in memory."""
 OF_A_VOTE = 400
 """Bytes that a store needs for the first answer to a vote; measured: 390 in Valkey."""
 OWNER = "owner"
-"""The part of a room that says whose share of the bytes it takes: the network that opened it."""
+"""The part of a room with its owner, in whose share its bytes count: the network that opened the room."""
 MOST_COUNTS = 20_000
-"""Names under which something is counted at a time."""
+"""Largest number of names with a count at the same time."""
 SLOTS = 12
-"""Parts of a span in which events are counted; an event is forgotten at most one part after the span."""
+"""Number of parts of a time span in which events are counted. An event expires at most one part after the span."""
 SEEN = 30.0
-"""Seconds for which a replica's word on how many follow it holds."""
+"""Seconds for which a replica's count of its followers is valid."""
 
 Parts = Mapping[str, bytes]
 """A room by the names of its parts."""
@@ -48,7 +48,7 @@ class AwayError(Exception):
 
 
 class FullError(ValueError):
-    """A refusal: there is no place for more; the sentence says where."""
+    """A refusal because a limit is reached; the sentence says which one."""
 
 
 OF_A_ROOM = "The server cannot store more answers of this class. It keeps the earlier ones."
@@ -275,7 +275,7 @@ class MemoryStore(Store):
         return 0 if answer is None else len(answer) + OF_AN_ANSWER
 
     def _exceeds_share(self, code: str, more: int, limit: int) -> bool:
-        """Return True if so many more bytes are too many for the owner of a room: more than all rooms leave free."""
+        """Return True if a room's owner cannot have so many more bytes: its share would exceed the free memory."""
         if more <= 0:
             return False
         owner = self._rooms[code].parts.get(OWNER)

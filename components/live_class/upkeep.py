@@ -25,7 +25,7 @@ TRIES = 5
 FAREWELL = 1.0
 """Seconds that the end of a replica waits until the store knows that nobody follows there any more."""
 COUNTING = 1.0
-"""Seconds between counts of who is here."""
+"""Seconds between counts of the followers."""
 CROWD = 500
 """Followers for each further second between counts of the answers; with fewer, there is a count every second."""
 SKEW = 0.2

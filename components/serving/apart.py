@@ -22,7 +22,7 @@ from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching
 WAITING, OF_A_NETWORK = 64, 16
 """Jobs that may wait for their turn: of all networks, and of one."""
 ALLOWANCE = 20
-"""Seconds of a processor that one network may use in a minute, all at once if it likes."""
+"""CPU seconds that one network may use in a minute, also all at once."""
 PATIENCE, STARTING = 20.0, 120.0
 """Seconds until a process is given up that keeps to no budget, or that is not ready."""
 OVER_BUDGET = -getattr(signal, "SIGPROF", 0)

@@ -20,7 +20,7 @@ class Context:
 
     settings: Settings
     hosts: Collection[str]
-    """The names that its pages come from, as host:port."""
+    """The names that visitors use for the server, as host:port."""
     trusted: Sequence[Network]
     """The trusted proxies, whose X-Forwarded-For is believed."""
     admission: Admission

@@ -29,7 +29,7 @@ log = logging.getLogger(__name__)
 MOST_WAITING = 8
 """Messages that may wait. The page has one in flight at a time; a queue that its visitor has left is dropped."""
 CHEAP, SURCHARGE = 0.01, 8
-"""Seconds of a processor that an answer may take; of what is more its visitor waits so many times as long as well."""
+"""CPU seconds that an answer may take. After a longer one, the visitor waits a multiple of the excess."""
 MOST_PINGS = 30
 """Number of pings from a visitor, between two of ours, that close the socket."""
 MOST_MISSED = 2

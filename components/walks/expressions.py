@@ -48,7 +48,7 @@ def worked_out(text: str, numbers: Mapping[str, float]) -> float:
 
 
 class UnknownNameError(ValueError):
-    """A name that no number of the scene has."""
+    """An expression contains a name that the scene does not have."""
 
 
 def _value(node: ast.expr, numbers: Mapping[str, float]) -> float:

@@ -22,8 +22,7 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
 
 
 def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
-    """The message on an answer to a step, with the numbers that it was given: a lesson, or in words why there is
-    none."""
+    """Return the reply to an answer, for the numbers of the step that the student had: a lesson, or a refusal."""
     try:
         step = varied(step, given.seed)
         lesson, refused = step.lesson(given, Subject(given.walk, step, scenes, given.seed)), ""

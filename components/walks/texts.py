@@ -23,7 +23,7 @@ _WHOLE = re.compile(r"\\(over|atop|choose|color|(display|text|script)style)\b")
 
 
 def pieces(latex: str) -> list[str]:
-    """A formula in the pieces between which its line may end. They make the formula again when they are joined."""
+    """Return the parts of a formula between which a line may break. Joined, they are the formula."""
     starts = [] if _WHOLE.search(latex) else _starts(latex)
     return [latex[start:end] for start, end in pairwise([0, *starts, len(latex)])]
 

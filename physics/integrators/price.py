@@ -108,5 +108,5 @@ def at_error(runs: Sequence[Run], wanted: float) -> Run | None:
 
 
 def at_cost(runs: Sequence[Run], seconds: float) -> Run | None:
-    """The finest run of a method that takes no longer."""
+    """The finest run of a method within the given time."""
     return next((run for run in reversed(runs) if run.time is not None and run.time <= seconds), None)

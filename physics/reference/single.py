@@ -24,7 +24,7 @@ Points = dict[str, list[Point]]
 
 
 def oscillator_points(oscillator: Oscillator, x_0: float, v_0: float, t: Sequence[float]) -> Points:
-    """x, v and a, measured by their amplitudes; of a free mass, x by what its two terms have reached."""
+    """x, v and a with sizes for relative errors: their amplitudes, or for x of a free mass the size of its terms."""
     import mpmath as mp
 
     omega_n = oscillator.omega_n
