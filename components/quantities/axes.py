@@ -150,8 +150,11 @@ def nice_axis(
     exponent, suffix = power_unit(max(abs(low), abs(high)) / factor)
     bare = Axis(low, high, unit, exponent, suffix, factor=factor)
     a, b = bare.place(low), bare.place(high)
-    ticks = nice_ticks(a, b, count)
     margin = 0.0 if exact else 0.08 * (high - low)
+    ticks = nice_ticks(a, b, count)
+    # A number on one side of 0 is on the other side too.
+    least, most = bare.place(low - margin), bare.place(high + margin)
+    ticks = tuple(sorted({*ticks, *(-tick for tick in ticks if least <= -tick <= most)}))
     return replace(bare, start=low - margin, end=high + margin, ticks=ticks, drawn=drawn, count=count)
 
 

@@ -107,7 +107,8 @@ def _alone() -> list[Shape]:
 def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Shape]:
     """The arrow from equilibrium to the mass; its number stands where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, var(S.x[who])), f"m{i}"
-    look = {"words": f"*x*_{i} = {S.x[who]} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
+    alone = "alone: " if who == ALONE else ""
+    look = {"words": f"{alone}*x*_{i} = {S.x[who]} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
     if i == 1:
         names = [text(zero - WIDE * var(P.lead[who]) * W - 8, lift + 5, anchor="end", **look)]
     else:  # the verdict stands on its right where there is room for it

@@ -15,10 +15,10 @@ from components.chain.forces import LENGTH
 from components.language.blocks import Block
 from components.language.expressions import Number
 from components.language.plots import Room
-from components.language.shapes import Along, AnyShape, Begin, Grab, Share, Swung
+from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Share, Swung
 from components.layout.grabs import begin
 from components.layout.sheet import choice, column, row, stage, table
-from components.layout.stage import H, W, arrow, circle, line, text
+from components.layout.stage import AT_DESK, H, W, arrow, circle, line, text
 from components.layout.views import in_views
 from components.paper.deferred import Axes, computed, deferred, number, recorded
 from components.paper.plot_axes import TIME, PlotAxis, axis
@@ -203,7 +203,8 @@ def shapes() -> list[AnyShape]:
         for i, at in zip(chain.BOTH, places, strict=True):
             low = base - 0.026 * chain.BODY
             found += [arrow(chain.rest(i), low, at, low, tint=mode), *mode_hands(mode, i, at, base)]
-    found += DRAWN.ground(foot)  # its numbers over the parts, which may pass close below
+    # Its numbers over the parts, which may pass close below; a hall's type has no room between these.
+    found += [replace(one, show=(AT_DESK.name,)) if isinstance(one, Label) else one for one in DRAWN.ground(foot)]
     grabs = hand("Mass 1, start", 1), hand("Mass 2, start", 2)
     found += DRAWN.masses(foot, place(1, c.x1), place(2, c.x2), grabs=grabs)
     return found + arrows(foot)

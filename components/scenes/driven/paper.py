@@ -15,7 +15,6 @@ from components.layout.grabs import grab
 from components.layout.sheet import choice, column, desk, row, stage
 from components.layout.stage import (
     HALL,
-    ON_NARROW,
     ON_WIDE,
     STACKED,
     H,
@@ -388,9 +387,8 @@ def half_width() -> list[Shape]:
         circle(high, y, 3.5, tint="T"),
         *shown_by(
             c.view != "forces",  # there the polygon needs the room
-            text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s at half the power", "start", style="halo", show=ON_WIDE),
-            text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s", "start", style="halo", show=ON_NARROW),
-            text(past + 10, y + 20, "at half the power", "start", style="halo", show=ON_NARROW),
+            text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s", "start", style="halo"),
+            text(past + 10, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
         ),
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
         circle(one + 60, height, 5, style="ghost", tint="T", grab=grab("Height at r = 1, Q", hand)),

@@ -363,7 +363,7 @@ def strip(y: Number) -> list[Shape]:
 def table(y: Number) -> list[Shape]:
     """The table seen from above: wall, spring and mass; x points up, as in the plot."""
     side = 0.2 * FRAME * c.side
-    foot = wide(X.top + 1.2 * FRAME, LEVEL + 0.42 * H)
+    foot = wide(X.bottom + 16, LEVEL + 0.42 * H)
     aside = MASS - 0.5 * side - 13
     hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
     seen = text(MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo")

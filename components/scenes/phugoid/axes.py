@@ -40,7 +40,7 @@ def axes_of(swing: Swing) -> dict[str, Axis]:
         Axes.v_0: nice_axis(0.0, fastest, swing.unit, 2, exact=True, factor=size),
         Axes.tau: replace(tau, drawn=(0.0, tau.end * max(AIRCRAFT["airliner"][1], swing.v_0) / fastest)),
         Axes.share: Axis(0.0, 1.0, "%", ticks=(0.0, 50.0, 100.0), factor=0.01),
-        Axes.lift: nice_axis(0.0, float(max(swing.lap.u[0], 1.0)) ** 2, count=2),
+        Axes.lift: nice_axis(0.0, float(max(swing.lap.u[0], 1.0)) ** 2, count=4),
         Axes.forward: forward,
         Axes.upward: upward,
     })  # fmt: skip

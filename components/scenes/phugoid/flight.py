@@ -11,6 +11,7 @@ from components.language.expressions import Number, var
 from components.language.shapes import Trade
 from components.layout.grabs import begin, grab, on_plot
 from components.layout.stage import (
+    HALL,
     NARROW,
     ON_NARROW,
     ON_WIDE,
@@ -142,7 +143,7 @@ def _labels(left: Number, level: Number) -> list[Shape]:
         text(0, 17, f"*h*′ = {S.h} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
         text(BESIDE, 17, f"*v*′ = {S.v} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, f"{N.verdict}", anchor="end", tint="ink", show=ON_WIDE),
-        text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
+        text(PATH.right - 4, level - 7, "*h*_0", anchor="end", style="t2 b halo"),
         text(top[0] - 4, top[1], "exact", anchor="end", **named),
         text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", **named),
     ]
@@ -171,7 +172,7 @@ def period_shapes() -> list[Shape]:
     return [
         *shapes,
         circle(x, y, 6, tint="T"),
-        text(PERIOD.left + 8, PERIOD.top + 14, "period *τ*", anchor="start", tint="mute", style="halo"),
+        text(PERIOD.left + 8, PERIOD.top + 14 + 16 * HALL, "period *τ*", anchor="start", tint="mute", style="halo"),
         text(PERIOD.right - 4, PERIOD.bottom - 10, "speed *v*_0", anchor="end", tint="mute", style="halo"),
     ]
 
