@@ -90,8 +90,10 @@ def _energy_axis(case: EnergyShown) -> Axis:
 
 
 def _axis_beside(case: EnergyShown) -> Axis:
-    """The axis of the energies over time, without the number of the sum, which the well has."""
+    """The axis of the energies over time, without the number of the sum where the bar next to it has that."""
     axis = _energy_axis(case)
+    if case.view != "energy":
+        return axis
     total, labelled = axis.place(case.E_total), zip(axis.ticks, axis.labels, strict=True)
     return replace(axis, labels=tuple("" if tick == total else label for tick, label in labelled))
 
