@@ -72,3 +72,20 @@ def stable_steps(method: str, chain: TwoMassChain) -> float:
     """Steps a slow period that the method needs to be stable; like sqrt(k2/k1) where it has a limit."""
     slow, fast = chain.modes().omega
     return float(2 * pi * (fast / slow) / stability_limit(method))
+
+
+def decay_factor(method: str, z: float) -> float:
+    """R(-z): the share of v that a step of h = z leaves of v' = -v.
+
+    As z grows a method that is stable at every step leaves at most 1, one that is L-stable nothing.
+    """
+    problem = Problem(
+        chain=replace(ONE, k1=0.0), x_0=(0.0, 0.0), v_0=(1.0, 0.0), c=1.0, t=np.array([0.0, z])
+    )  # fmt: skip
+    return float(run_fixed(method, problem, 1, Watch()).v[0, 1])
+
+
+def area(method: str, h_omega: float) -> float:
+    """The determinant of a step of x'' + omega^2 x = 0 in (x, v/omega): 1 for a symplectic method."""
+    (p, r), (q, s) = (_stepped(method, h_omega, start, None) for start in ((1.0, 0.0), (0.0, 1.0)))
+    return p * s - q * r

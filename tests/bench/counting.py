@@ -1,24 +1,53 @@
-"""Jacobians, factorisations and solves of recorded runs, counted in runs without timing."""
+"""Counts of recorded runs, made without timing, so also on a busy machine.
+
+Jacobians, factorisations and solves; and for solvers that choose their steps the evaluations with a start that differs
+by one unit in its last place. That is the same motion to all that a solver can tell: counts that differ nevertheless
+differ from machine to machine too.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from dataclasses import replace
+from functools import cache
+from math import inf, nextafter
 
 from physics.integrators.accuracy import SYSTEMS, Run
 from physics.integrators.fixed_steps import STEPPING
-from physics.integrators.problem import Problem, Watch
+from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.race import counts
 from physics.integrators.solvers import METHODS
-from tests.bench.record import Report
+from physics.reference.driven_chain import reference
+from tests.bench.record import Report, Spread
+
+ASKED = (1e-3, 1e-6, 1e-9)
 
 
 def counted(report: Report) -> Report:
     """The report with these counts for all runs that have a result; times, errors and evaluations stay."""
-    runs = {slug: [_counted(SYSTEMS[slug].problem(), run) for run in many] for slug, many in report.runs.items()}
-    return replace(report, runs=runs)
+    with ProcessPoolExecutor(2) as pool:
+        runs = dict(zip(report.runs, pool.map(_all_counted, report.runs.values()), strict=True))
+        spreads = [one for many in pool.map(_spreads, report.runs.values()) for one in many]
+    worst: dict[str, Spread] = {}
+    for spread in spreads:
+        worst[spread.method] = max(worst.get(spread.method, spread), spread, key=lambda one: one.share)
+    return replace(report, runs=runs, rounding=list(worst.values()))
 
 
-def _counted(problem: Problem, run: Run) -> Run:
+@cache
+def asked(system: str) -> Problem:
+    """The problem as it is measured: tolerances are in units of its largest displacement."""
+    problem = SYSTEMS[system].problem()
+    return replace(problem, size=reference(problem).size)
+
+
+def _all_counted(runs: list[Run]) -> list[Run]:
+    return [_counted(run) for run in runs]
+
+
+def _counted(run: Run) -> Run:
     if run.error is None:
         return run
     if run.family == "fixed":
@@ -26,7 +55,34 @@ def _counted(problem: Problem, run: Run) -> Run:
         return replace(run, factorisations=int(solved), solves=run.steps if solved else 0)
     if run.family != "adaptive":
         return run
-    watch = Watch()
-    METHODS[run.method].run(problem, run.setting, watch)
-    found = counts(watch)
+    found = counts(_watched(asked(run.system), run))
     return replace(run, **{name: found[name] for name in ("jacobians", "factorisations", "solves")})
+
+
+def _spreads(runs: list[Run]) -> list[Spread]:
+    """The evaluations of solvers at three tolerances, from the start and from the two next to it."""
+    chosen = [run for run in runs if run.family == "adaptive" and run.setting in ASKED and run.error]
+    return [
+        Spread(run.method, run.system, run.setting, tuple(_watched(near, run).evaluations for near in neighbours(run)))
+        for run in chosen
+    ]
+
+
+def neighbours(run: Run) -> Iterator[Problem]:
+    """The problem of a run, and two with the next doubles in place of its largest start, or of a drive from rest."""
+    problem = asked(run.system)
+    yield problem
+    place = max(range(4), key=lambda i: abs(problem.start[i]))
+    for towards in (-inf, inf):
+        start = list(problem.start)
+        start[place] = nextafter(start[place], towards)
+        x1, x2, v1, v2 = start
+        moved = {"x_0": (x1, x2), "v_0": (v1, v2)} if problem.start[place] else {"F_0": nextafter(problem.F_0, towards)}
+        yield replace(problem, **moved)
+
+
+def _watched(problem: Problem, run: Run) -> Watch:
+    watch = Watch()
+    with suppress(StoppedError):
+        METHODS[run.method].run(problem, run.setting, watch)
+    return watch

@@ -27,6 +27,8 @@ LINES = {"closed": "none", "exact": "none", "fixed": "--", "adaptive": "-"}
 MARKERS = "osD^v<>Ph*Xpd8"
 ROUNDING = 2.0**-53
 EQUAL_ERROR, EQUAL_COST = 1e-4, 0.1
+ASKED = (1e-3, 1e-6, 1e-9)
+"""Tolerances that are marked along the lines of solvers."""
 
 
 def _look(slug: str) -> dict[str, object]:
@@ -51,7 +53,11 @@ def draw_system(path: Path, system: System, runs: list[Run], caption: str) -> No
     _growth(axes[1][0], system, same_error, f"first run with an error of {EQUAL_ERROR:g} at the most")
     _growth(axes[1][1], system, same_cost, f"finest run within {EQUAL_COST:g} s")
     figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8)
-    figure.suptitle(f"{system.name}: 1000 outputs over 50 {system.unit}; dotted: compiled. {caption}", fontsize=9)
+    figure.suptitle(
+        f"{system.name}: 1000 outputs over 50 {system.unit}; dotted: compiled; "
+        f"framed: rtol 1e-3, 1e-6, 1e-9. {caption}",
+        fontsize=9,
+    )
     _save(figure, path)
 
 
@@ -68,6 +74,8 @@ def _work_precision(axes: Axes, runs: list[Run], quantity: str, label: str) -> N
     for slug, many in by_method(run for run in runs if not run.compiled).items():
         line = {"linestyle": LINES[FAMILIES[slug]], "markersize": 4, "linewidth": 1}
         places, errors = _line(axes, many, quantity, {"label": METHODS[slug].name, **_look(slug), **line})
+        marked = [run for run in many if run.family == "adaptive" and run.setting in ASKED]
+        _line(axes, marked, quantity, {"linestyle": "none", "markersize": 7, "markeredgecolor": "k", **_look(slug)})
         if quantity == "time":
             low, high = ([abs(run.time - end) for run, end in zip(many, ends, strict=True)] for ends in _ends(many))
             axes.errorbar(places, errors, xerr=(low, high), fmt="none", ecolor=_look(slug)["color"], elinewidth=0.8)

@@ -4,9 +4,9 @@ the document is written of."""
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from components.scenes.accuracy.measuring import decoded_run
 from physics.integrators.accuracy import SYSTEMS, Run
@@ -15,6 +15,20 @@ from tests.bench.studies import Curves
 GROWTH = ("error_growth", "energy_growth")
 FULL = ("error", "final_error", "mode_errors")
 """Errors keep four digits more than the rest: 1.0004e-3 misses what 1e-3 reaches."""
+
+
+class Spread(NamedTuple):
+    """The evaluations of a solver on a system, from starts that differ by one unit in the last place."""
+
+    method: str
+    system: str
+    setting: float
+    counts: tuple[int, ...]
+
+    @property
+    def share(self) -> float:
+        """The largest count over the least, less 1."""
+        return max(self.counts) / min(self.counts) - 1
 
 
 @dataclass(frozen=True)
@@ -27,6 +41,8 @@ class Report:
     length: list[Run]
     digits: dict[str, Curves]
     costs: list[dict[str, Any]]
+    rounding: list[Spread] = field(default_factory=list)
+    """The widest spread of each solver."""
 
 
 def record(folder: Path, report: Report) -> None:
@@ -36,17 +52,18 @@ def record(folder: Path, report: Report) -> None:
     for slug, many in report.runs.items():
         _write(folder / f"{slug}.json", {**told, "runs": [slim(run) for run in many]})
     _write(folder / "length.json", {**told, "runs": [slim(run) for run in report.length]})
-    _write(folder / "digits.json", {**told, **report.digits, "costs": report.costs})
+    _write(folder / "digits.json", {**told, **report.digits, "costs": report.costs, "rounding": report.rounding})
 
 
 def recalled(folder: Path) -> Report:
     """The report that was recorded."""
     systems = {slug: _read(folder / f"{slug}.json") for slug in SYSTEMS}
     digits = _read(folder / "digits.json")
-    about, seconds, costs = (digits.pop(name) for name in ("about", "seconds", "costs"))
+    about, seconds, costs, rounding = (digits.pop(name) for name in ("about", "seconds", "costs", "rounding"))
     runs = {slug: [decoded_run(row) for row in data["runs"]] for slug, data in systems.items()}
     length = [decoded_run(row) for row in _read(folder / "length.json")["runs"]]
-    return Report(about, seconds, runs, length, digits, costs)
+    spreads = [Spread(method, system, setting, tuple(many)) for method, system, setting, many in rounding]
+    return Report(about, seconds, runs, length, digits, costs, spreads)
 
 
 def slim(run: Run) -> dict[str, Any]:

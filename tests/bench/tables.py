@@ -13,6 +13,7 @@ from physics.integrators.price import Price, at_error, grouped, in_doubles, pric
 from physics.integrators.solvers import ATOL, METHODS
 from physics.integrators.stiffness import stiffness
 from tests.bench.findings import findings
+from tests.bench.methods import methods_table
 from tests.bench.record import Report
 
 WANTED = (1e-3, 1e-6, 1e-9)
@@ -39,7 +40,7 @@ method stands at its floor or has no finer setting. † marks a time that did no
 ratio that did not repeat within 30 % when the whole benchmark was run again: the second one stands in brackets.
 
 Evaluations of the right-hand side, read off the same way, do not depend on the speed of a machine; of solvers that
-choose their steps they differ with its rounding, as a rule by less than 15 %. Methods without steps have none: theirs
+choose their steps they differ with its rounding, which is told below. Methods without steps have none: theirs
 are the outputs. Implicit midpoint, Newmark and Gauss 4 use constant matrices and have their linear
 systems solved in advance, once for all steps; Radau, BDF and LSODA are given the constant Jacobian, but factorise
 their systems anew whenever their step changes. Newmark with the average acceleration and the implicit midpoint are
@@ -66,7 +67,8 @@ fast rate times the step: at the limit of accuracy that at which Gauss 4, which 
 1e-3; at the limit of stability that of RK4, of the same order. Where accuracy allows more than stability, the motion is
 stiff. It stands under each system. "Stiff: a dashpot" starts off the slow motion, at rest: its velocity jumps at once.
 
-Not in the race: extrapolation methods, Taylor series, Gauss 6, Tsit5, Vern9.
+Not in the race: methods with fixed steps that are L-stable (implicit Euler, SDIRK, TR-BDF2, Radau IIA), generalized-α
+and HHT-α, exponential integrators (Gautschi), extrapolation methods, Taylor series, Gauss 6, Tsit5, Vern9.
 """
 HEAD = ["method", "evaluations", "Python", "× app", "× doubles", "compiled", "× app", "× doubles"]
 
@@ -93,6 +95,7 @@ def markdown(report: Report) -> str:
     """Findings; tables of the price of errors on each system, of the length of the run, and of the digits."""
     lines = ["# Error against run time", "", *(f"- {value}" for value in report.about.values()), ""]
     lines += ["## Found", "", *(f"- {each}" for each in findings(report.runs)), RULES]
+    lines += [*_rounding(report), *methods_table()]
     for slug, many in report.runs.items():
         lines += [
             f"## {SYSTEMS[slug].name}",
@@ -111,6 +114,21 @@ def markdown(report: Report) -> str:
     lines += [*_length_table(report.length), ""]
     lines += ["## Where 80 digits matter, and what they cost", "", *_digits_table(report), ""]
     return "\n".join(lines)
+
+
+def _rounding(report: Report) -> list[str]:
+    """Return the sentence on how far evaluations differ with rounding, as `make bench ARGS=--count` counts them."""
+    if not report.rounding:
+        return []
+    spreads = sorted(report.rounding, key=lambda spread: spread.share)
+    told = [
+        f"{METHODS[one.method].mark} {100 * one.share:.2g} %"
+        + (f" ({SYSTEMS[one.system].name}, rtol {one.setting:g})" if one.share else "")
+        for one in spreads
+    ]
+    text = "How far evaluations differ with rounding: from three starts next to each other in the last place, at rtol "
+    text += f"1e-3, 1e-6 and 1e-9 in all runs that ended, at most by {', '.join(told)} (make bench ARGS=--count)."
+    return [text, ""]
 
 
 def _once_more(runs: list[Run]) -> list[Run]:

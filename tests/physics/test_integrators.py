@@ -12,7 +12,14 @@ from physics.integrators import solvers
 from physics.integrators.fixed_steps import FIXED_STEP, STEPPING, TABLEAUX, WEIGHTS, run_fixed
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.solvers import METHODS
-from physics.integrators.stability import amplification, stability_limit, stable_count, stable_steps
+from physics.integrators.stability import (
+    amplification,
+    area,
+    decay_factor,
+    stability_limit,
+    stable_count,
+    stable_steps,
+)
 from physics.reference.driven_chain import reference
 
 CHAIN = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=3.0)
@@ -73,6 +80,25 @@ def test_stability_limits(method, limit):
     if limit and method not in TABLEAUX:
         near = [0.01, 0.5, 0.999 * min(limit, 1e3)]
         np.testing.assert_allclose(amplification(method, near), 1.0, rtol=1e-12)
+
+
+@pytest.mark.parametrize("method", ["midpoint", "newmark", "gauss4"])
+def test_what_is_stable_at_every_step_is_not_l_stable(method):
+    assert abs(decay_factor(method, 1e12)) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_what_a_step_leaves_of_a_decay():
+    for z in (0.1, 1.0, 2.5):
+        assert decay_factor("euler", z) == pytest.approx(1 - z)
+        assert decay_factor("rk4", z) == pytest.approx(1 - z + z**2 / 2 - z**3 / 6 + z**4 / 24)
+        assert decay_factor("midpoint", z) == pytest.approx((1 - z / 2) / (1 + z / 2))
+        assert decay_factor("gauss4", z) == pytest.approx((1 - z / 2 + z**2 / 12) / (1 + z / 2 + z**2 / 12))
+
+
+@fixed
+def test_symplectic_methods_keep_areas(method):
+    damping = {"euler": -0.25, "rk4": 2.1e-4, "nystrom4": 5.4e-5, "nystrom6": 1.66e-7}
+    assert 1 - area(method, 0.5) == pytest.approx(damping.get(method, 0.0), rel=0.02, abs=1e-12)
 
 
 def test_what_grows_or_decays_at_a_step():

@@ -119,3 +119,28 @@ def test_every_method_that_is_not_refined_further_says_why() -> None:
     for end, told in (("time limit", "not in time"), ("floor", "never"), ("", "not refined so far")):
         runs = [Run(system="benign", method="rk4", setting=1, time=1.0, error=1e-5, end=end)]
         assert f"| {told}, best 1.0e-05 |" in _price_table(runs, 1e-6)[2]
+
+
+def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_counts_differ() -> None:
+    from physics.integrators.solvers import METHODS
+    from tests.bench.methods import methods_table
+
+    names = [row.split(" | ")[0].removeprefix("| ") for row in methods_table() if row.startswith("| ")][2:]
+    assert names == [method.name for slug, method in METHODS.items() if method.family in ("fixed", "adaptive")]
+    spreads = {one.method: one for one in recalled(error_vs_time.RECORDED).rounding}
+    assert spreads.keys() == {slug for slug, method in METHODS.items() if method.family == "adaptive"}
+    text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
+    for slug, spread in spreads.items():
+        assert f"{METHODS[slug].mark} {100 * spread.share:.2g} %" in text
+
+
+def test_neighbours_of_a_run_differ_by_one_unit_in_the_last_place() -> None:
+    from tests.bench.counting import neighbours
+
+    for system in ("benign", "near"):
+        first, *others = neighbours(Run(system=system, method="rk45", setting=1e-3))
+        for other in others:
+            pairs = zip((*first.start, first.F_0), (*other.start, other.F_0), strict=True)
+            moved = [abs(a - b) / abs(b) for a, b in pairs if a != b]
+            assert len(moved) == 1 and 0 < moved[0] < 2.3e-16
+            assert other.size == first.size > 1.2, "in whose units tolerances are"
