@@ -1063,7 +1063,7 @@ declare namespace page {
    *
    * It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
    * of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the
-   * form `form`. */
+   * form `form`. `whole`: it sets whole numbers. */
   interface Handle {
     parameter: string
     label: string
@@ -1076,6 +1076,7 @@ declare namespace page {
     covering: string
     form: string
     bare: boolean
+    whole: boolean
   }
 
   /** A line with a flag across the plot at the scalar `at`, a coordinate of the axis.

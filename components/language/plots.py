@@ -60,7 +60,7 @@ class Handle(Struct, frozen=True, kw_only=True):
 
     It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
     of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the
-    form `form`.
+    form `form`. `whole`: it sets whole numbers.
     """
 
     parameter: str
@@ -74,6 +74,7 @@ class Handle(Struct, frozen=True, kw_only=True):
     covering: str = ""
     form: str = ""
     bare: bool = False
+    whole: bool = False
 
 
 class Mark(Struct, frozen=True, kw_only=True):

@@ -113,7 +113,8 @@ export class Handles {
   /** @param {KeyboardEvent} event @param {Pill} pill */
   #key(event, pill) {
     const axis = this.#axis(pill)
-    const step = KEYS[event.key] * ((axis.end - axis.start) / (event.shiftKey ? STEPS / 10 : STEPS))
+    const least = (axis.end - axis.start) / (event.shiftKey ? STEPS / 10 : STEPS)
+    const step = KEYS[event.key] * (pill.handle?.whole ? Math.max(1, Math.round(least)) : least)
     /** @type {Record<string, number>} */
     const ends = {Home: axis.start, End: axis.end}
     const to = ends[event.key] ?? this.#here(pill) + step
@@ -212,7 +213,9 @@ export class Handles {
     const {page, block} = this.plot
     if (!pill.handle) return page.clock.seek(inside)
     page.compare.along = [block.x, block.y] // a moved pill stays in place when it is released
-    page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
+    const {parameter, least, whole} = pill.handle
+    const value = whole ? clamp(Math.round(inside), Math.max(1, axis.start), Math.floor(axis.end)) : null
+    page.send({type: "set", values: {[parameter]: value ?? settable(axis, inside, least)}})
   }
 
   /** Drags a pill. It moves by the same distance as the pointer. @param {PointerEvent} event @param {Pill} pill */

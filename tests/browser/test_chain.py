@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page
 
+from tests.browser.classroom import Open, joined, taught
+
 pytestmark = pytest.mark.browser
 MASS = """p => {
   const {svg, named} = oscillations.page.stages[0]
@@ -64,3 +66,31 @@ def test_two_masses_open_in_coupled_with_the_same_system(page: Page, open_scene:
     page.get_by_role("link", name="Open in Chain").click()
     page.wait_for_function("oscillations.page.spec.slug === 'chain' && oscillations.page.shown")
     assert page.evaluate(SET, "h") == 0.3
+
+
+@pytest.mark.parametrize("view", ["spectrum", "modes"])
+def test_a_press_over_a_mode_starts_it_and_keys_go_on(view: str, page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="chain", view=view, **PLUCKED)
+    place = page.evaluate(
+        """() => {
+          const plot = oscillations.page.plots.find(({host, absent}) => !absent && host.checkVisibility())
+          const {left, top} = plot.host.getBoundingClientRect(), {height} = plot.frame
+          return [left + plot.px(4.2), top + plot.frame.top + height / 2]
+        }"""
+    )
+    page.mouse.click(*place)
+    page.wait_for_function(f"({SET})('starts') === 'mode' && ({SET})('j') === 4")
+    pill = page.get_by_role("slider", name="Mode that moves alone").locator("visible=true")
+    pill.press("ArrowRight")
+    page.wait_for_function(f"({SET})('j') === 5")
+
+
+def test_phones_follow_a_chain_in_a_class(window: Open) -> None:
+    lecture, code = taught(window, "scene=chain&view=modes&N=8&starts=pluck&p=3&projector")
+    phone = joined(window, code)
+    phone.wait_for_function("oscillations.page?.spec.slug === 'chain' && oscillations.page.shown")
+    lecture.get_by_role("button", name="Mode 1,").click()
+    phone.wait_for_function(f"({SET})('starts') === 'mode' && ({SET})('j') === 1")
+    phone.wait_for_function("document.querySelector('.mode-row [aria-pressed=true]')?.textContent === '1'")
+    lecture.evaluate("oscillations.send({type: 'set', values: {N: 20}})")
+    phone.wait_for_function(f"({SET})('N') === 20")

@@ -41,6 +41,21 @@ def test_a_scene_is_drawn_moves_and_answers(engine: Window, server: Server, slug
     assert engine.evaluate("document.thrown") == []
 
 
+PAINTED = """(() => {
+  const canvas = document.querySelector("canvas.field")
+  const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height)
+  const columns = new Set()
+  for (let i = 3; i < data.length; i += 4) if (data[i] > 100) columns.add(((i - 3) / 4) % canvas.width)
+  return columns.size
+})()"""
+
+
+@pytest.mark.parametrize("engine", ("webkit", "firefox"), indirect=True)
+def test_a_pulse_crosses_the_whole_picture_of_a_chain(engine: Window, server: Server) -> None:
+    opened(engine, f"{server.url}?scene=chain")
+    engine.wait_for_function(f"document.querySelector('canvas.field') && {PAINTED} === 50")
+
+
 STACKED = "Number(getComputedStyle(document.querySelector('.page')).getPropertyValue('--stacked'))"
 BAR = "(innerWidth - document.documentElement.clientWidth)"
 

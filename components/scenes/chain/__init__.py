@@ -137,11 +137,13 @@ class Chain(CaseScene):
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         """Return dependent values: another number of masses makes the same string, and a mode or mass beyond the last
         one becomes the last one. Raises ValueError if the visitor asks for such a mode or mass."""
-        found: dict[str, float] = {}
+        found: dict[str, Any] = {}
         if before and "N" in changed and self.keep == "string" and not changed & {"m", "k", "a"}:
             share = (before.N + PARTS[self.ends]) / (self.N + PARTS[self.ends])
             values = {"m": self.m * share, "k": self.k / share, "a": self.a * share}
-            found = {name: float(f"{value:.{DIGITS}g}") for name, value in values.items()}
+            found |= {name: float(f"{value:.{DIGITS}g}") for name, value in values.items()}
+        if before and "j" in changed and not changed & {"N", "starts"}:
+            found["starts"] = "mode"
         if "j" in changed and self.j > self.N and "N" not in changed:
             raise ValueError(f"mode {self.j:g}: a chain of {self.N:g} masses has the modes 1 to {self.N:g}")
         if "p" in changed and self.p > self.N and "N" not in changed:

@@ -282,6 +282,11 @@ class MassesCase(Case):
         name = "crest" if way > 0 else "other"
         return {f"{name}_x": places, f"{name}_t": times}
 
+    def lap(self, n: int) -> float | None:
+        """The time at which a wave has run n times from end to end, if it is in the window and the crest is drawn."""
+        time = n * self.parts / self.Omega
+        return time if time <= self.end and self.ray(1) else None
+
     def spectrum(self, taking: bool) -> Columns:
         """The modes that take part in the motion, or the others."""
         name = "taking" if taking else "silent"
@@ -336,6 +341,9 @@ class MassesShown(MassesCase):
     graspable = value(lambda c: float(c.can_be_held))
     crest = value.optional(lambda c: c.ray(1))
     other = value.optional(lambda c: c.ray(-1))
+    lap_1 = value.optional(lambda c: c.lap(1))
+    lap_2 = value.optional(lambda c: c.lap(2))
+    lap_3 = value.optional(lambda c: c.lap(3))
     taking = value(lambda c: c.spectrum(True))
     silent = value(lambda c: c.spectrum(False))
     chosen = value(lambda c: str(int(c.j)) if c.starts == "mode" else "")

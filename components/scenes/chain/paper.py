@@ -6,11 +6,11 @@ from typing import Any, Literal
 
 from components.language.blocks import Block
 from components.language.expressions import Expression, Number, as_expression
-from components.language.plots import Room
+from components.language.plots import Handle, Room
 from components.language.shapes import AnyShape, Begin, Grab
 from components.layout.grabs import begin
 from components.layout.sheet import column, modes, row, stage
-from components.layout.stage import H, W, beads, circle, line, text, wall
+from components.layout.stage import ON_WIDE, H, W, beads, circle, line, text, wall
 from components.layout.views import in_views
 from components.paper.deferred import Axes, computed, deferred, number
 from components.paper.plot_axes import TIME, axis
@@ -125,9 +125,25 @@ def field() -> Block:
     return FIELD.block(
         curve(c.crest, "dash", "ink", legend=string, columns=("crest_x", "crest_t"), **look),
         curve(c.other, "dash", "ink", columns=("other_x", "other_t"), **look),
+        over=[
+            text(FIELD.right + 5, FIELD.y(lap) + 5, f"{n}*L*/*c*", "start", tint="mute", show=ON_WIDE)
+            for n, lap in (("", c.lap_1), ("2", c.lap_2), ("3", c.lap_3))
+        ],
         title="Displacement of each mass against time, which runs downwards: blue one way, orange the other",
         room=ROOM, grow=330, phone=10, height=330, modal="x", full=number_name(c.full, Y),
     )  # fmt: skip
+
+
+def pressed() -> tuple[Handle, ...]:
+    """The handles of the plots over the modes: a press starts a mode, a pill moves it on to another one."""
+    look: dict[str, Any] = {
+        "parameter": "j",
+        "label": "Mode that moves alone",
+        "symbol": "mode",
+        "tint": "slow",
+        "whole": True,
+    }
+    return Handle(**look, form=BY_MODE.name), Handle(**look, bare=True)
 
 
 def energies() -> Block:
@@ -135,7 +151,7 @@ def energies() -> Block:
     return ENERGY.block(
         curve(c.bars, "none", "slow", words=legend, fill=1.0, columns=("bar_j", "bar")),
         title="Energy of each mode: it never changes",
-        room=ROOM, grow=220, phone=10, height=200,
+        handles=pressed(), room=ROOM, grow=220, phone=10, height=200,
     )  # fmt: skip
 
 
@@ -147,7 +163,7 @@ def spectrum() -> Block:
         curve(c.law, "thin", words=f"chain: up to {c.fastest} rad/s", read="chain", group="law", columns=chain),
         curve(c.law, "dash", "mute", words="ideal string", label="string", group="string", columns=("law_j", "string")),
         title="Frequency of each mode against its number, with that of an ideal string",
-        room=Room(56, 56), grow=330, phone=10, height=300,
+        handles=pressed(), room=Room(56, 56), grow=330, phone=10, height=300,
     )  # fmt: skip
 
 
