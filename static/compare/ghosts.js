@@ -1,7 +1,7 @@
 // Curves of another picture, dotted, under the current ones. For the held picture also the moving shapes on the stage,
 // as outlines, the old positions of the sliders, and the ledger of numbers.
 
-import {element, long, marked, set, svg} from "../core/dom.js"
+import {element, long, marked, setAttributes, svg} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../controls/scales.js"
@@ -147,7 +147,7 @@ export class PlotGhost extends HeldName {
       [this.lines, false],
       [this.edges, true],
     ])) {
-      set(host, {viewBox: `${left} ${top} ${width} ${height}`})
+      setAttributes(host, {viewBox: `${left} ${top} ${width} ${height}`})
       for (const [side, length] of Object.entries({left, top, width, height}))
         host.style.setProperty(side, long(length))
       const drawn = lines.filter(line => line.above === above)

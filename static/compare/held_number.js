@@ -1,6 +1,6 @@
 // The held picture's number, next to each label of a stage with a live number.
 
-import {set, svg} from "../core/dom.js"
+import {setAttributes, svg} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
 import {moved} from "../scene/places.js"
 
@@ -42,7 +42,7 @@ export class HeldNumber {
   #wishes() {
     const {clear, size} = this.stage
     const {left, right, top, bottom} = clear.box(this.label)
-    set(this.text, {x: right + GAP, y: this.label.getAttribute("y")})
+    setAttributes(this.text, {x: right + GAP, y: this.label.getAttribute("y")})
     const beside = clear.box(this.text)
     const line = bottom - top + 3
     const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)

@@ -13,7 +13,7 @@ const SVG = "http://www.w3.org/2000/svg"
  */
 export function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag)
-  set(made, attributes)
+  setAttributes(made, attributes)
   made.append(...children)
   return made
 }
@@ -24,7 +24,7 @@ export function element(tag, attributes = {}, ...children) {
  */
 export function svg(tag, attributes = {}, ...children) {
   const made = document.createElementNS(SVG, tag)
-  set(made, attributes)
+  setAttributes(made, attributes)
   made.append(...children)
   return made
 }
@@ -53,7 +53,7 @@ export function reword(part, text) {
 }
 
 /** @param {Element} target @param {Attributes} attributes */
-export function set(target, attributes) {
+export function setAttributes(target, attributes) {
   for (const [key, value] of Object.entries(attributes)) {
     if (value !== undefined && value !== null) target.setAttribute(key, String(value))
   }

@@ -1,7 +1,7 @@
 // A plot as a standalone SVG: the content of the figure, in a frame of any size, with its names, flags and shapes.
 
 import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
-import {set, svg, unitSize} from "../core/dom.js"
+import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {Flags, Labels} from "../scene/labels.js"
 import {fixed} from "../core/numbers.js"
 import {geometry, turned} from "../scene/plots.js"
@@ -239,7 +239,7 @@ export function fill(root, view, named) {
 function dotAt(point, marker) {
   const [cx, cy] = point.split(" ")
   const dot = svg("circle", {class: marker === "ring" ? "ring" : "body", r: 4.5})
-  set(dot, {cx, cy})
+  setAttributes(dot, {cx, cy})
   return dot
 }
 

@@ -1,6 +1,6 @@
 // A plot or the stage as a picture for a report: light, with a title, its legend, the parameters and the link.
 
-import {element, long, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {element, long, setAttributes, svg, textWidth, unitSize} from "../core/dom.js"
 import {evaluate} from "../core/signals.js"
 import {Drawing, numbered} from "./drawing.js"
 import {held, instant, link, parameters} from "./caption.js"
@@ -81,8 +81,8 @@ class Easel {
         x = EDGE
         this.y += LINE
       }
-      set(words, {x: room})
-      set(term, {transform: `translate(${x} ${this.y - 5})`})
+      setAttributes(words, {x: room})
+      setAttributes(term, {transform: `translate(${x} ${this.y - 5})`})
       x += width + 14
     }
   }
@@ -100,7 +100,7 @@ class Easel {
     const {width} = this
     const height = Math.ceil(this.y + EDGE)
     this.svg.prepend(svg("title", {}, title), svg("rect", {class: "ground", width, height}))
-    set(this.svg, {width, height, viewBox: `0 0 ${width} ${height}`, xmlns: "http://www.w3.org/2000/svg"})
+    setAttributes(this.svg, {width, height, viewBox: `0 0 ${width} ${height}`, xmlns: "http://www.w3.org/2000/svg"})
     leaveOut(this.svg)
     inline(this.svg)
     const picture = {svg: new XMLSerializer().serializeToString(this.svg), width, height}
@@ -139,7 +139,7 @@ export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * 
   host.style.height = long(frame.top + frame.height + 30)
   easel.host.append(host)
   const drawing = new Drawing(plot, host, frame, true)
-  set(drawing.over, {transform: `translate(0 ${easel.y})`})
+  setAttributes(drawing.over, {transform: `translate(0 ${easel.y})`})
   easel.svg.append(drawing.over)
   drawing.draw(evaluate(view.signals, view.scalars, page.clock.t))
   easel.y += frame.top + frame.height + 26
@@ -253,7 +253,7 @@ function around(hosts) {
 /** @param {SVGElement} part @param {HTMLElement} host @param {Frame} box */
 function shifted(part, host, box) {
   const {left, top} = host.getBoundingClientRect()
-  set(part, {transform: `translate(${(left - box.left) / unitSize()} ${(top - box.top) / unitSize()})`})
+  setAttributes(part, {transform: `translate(${(left - box.left) / unitSize()} ${(top - box.top) / unitSize()})`})
   return part
 }
 
@@ -277,7 +277,7 @@ function inline(root) {
   for (const {one, look} of all) {
     if (!look) one.remove()
     for (const name of ["class", "style", "data-value"]) one.removeAttribute(name)
-    set(one, look ?? {})
+    setAttributes(one, look ?? {})
   }
   root.removeAttribute("class")
 }

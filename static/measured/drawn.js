@@ -1,6 +1,6 @@
 // The points of a record over the curve of a plot, and below it their distances from this curve.
 
-import {element, inUnits, reword, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {element, inUnits, reword, setAttributes, svg, textWidth, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
 import {toPlace} from "../core/ruler.js"
 import {over} from "../core/signals.js"
@@ -41,7 +41,7 @@ export class Points {
   }
 
   place() {
-    set(this.path, {d: this.#line(this.plot)})
+    setAttributes(this.path, {d: this.#line(this.plot)})
   }
 
   /** The points for a drawing of the plot. @param {Canvas} canvas */

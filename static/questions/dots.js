@@ -1,7 +1,7 @@
 // The numbers of a class as dots: for a point on the axis itself, for a typed number on a separate line.
 
 import {short, withUnit} from "../core/numbers.js"
-import {inUnits, set, svg, unitSize} from "../core/dom.js"
+import {inUnits, setAttributes, svg, unitSize} from "../core/dom.js"
 
 const R = 3.5
 const WIDTH = 280
@@ -47,7 +47,7 @@ export class Dots {
     const {now, before} = this.tally
     const numbers = now.numbers.toSorted((a, b) => a - b)
     const middle = middleOf(numbers)
-    set(this.svg, {
+    setAttributes(this.svg, {
       "aria-label": numbers.length ? `${numbers.length} numbers, median ${short(middle)}` : "no answers yet",
     })
     const place = this.plot ? this.#onAxis(this.plot) : this.#onLine(numbers, before?.numbers ?? [])
@@ -80,7 +80,7 @@ export class Dots {
     const [low, high] = reach([...now, ...before], this.truths)
     const span = high - low || Math.abs(high) || 1
     const [start, end] = [low - 0.2 * span, high + 0.2 * span]
-    set(this.svg, {viewBox: `0 0 ${WIDTH} ${HEIGHT}`})
+    setAttributes(this.svg, {viewBox: `0 0 ${WIDTH} ${HEIGHT}`})
     /** @param {number} value */
     const at = value => 8 + ((WIDTH - 16) * (value - start)) / (end - start)
     const base = HEIGHT - 18 - LEAD

@@ -1,7 +1,7 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
 import {short, withUnit} from "../core/numbers.js"
-import {element, long, set, unitSize} from "../core/dom.js"
+import {element, long, setAttributes, unitSize} from "../core/dom.js"
 import {focusByHand} from "../controls/held.js"
 import {clamp} from "../core/ruler.js"
 import {EVERYWHERE, places} from "../scene/places.js"
@@ -91,8 +91,12 @@ export class Marker {
     this.#put(this.line, this.value ?? (start + end) / 2)
     this.line.hidden = this.value === null
     this.pill.textContent = this.value === null ? "?" : this.number
-    set(this.pill, {"aria-valuemin": start, "aria-valuemax": end, "aria-valuenow": this.value ?? (start + end) / 2})
-    set(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
+    setAttributes(this.pill, {
+      "aria-valuemin": start,
+      "aria-valuemax": end,
+      "aria-valuenow": this.value ?? (start + end) / 2,
+    })
+    setAttributes(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
     if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's listener

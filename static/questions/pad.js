@@ -1,7 +1,7 @@
 // Empty axes to draw on, with mouse, pen, finger or keys. There is one height for each abscissa, so drawing over a part
 // replaces it. A stroke outside the frame follows its edge; gaps stay gaps.
 
-import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
+import {element, inUnits, long, setAttributes, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
 import {focusByHand} from "../controls/held.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
@@ -251,7 +251,7 @@ export class Pad {
     const {left, top, width, height} = this.plot.frame
     const sign = mark(has)
     const place = {x: clamp(this.plot.px(x), left, left + width), y: this.plot.py(y)}
-    set(sign, {x: place.x - 9, y: clamp(place.y, top, top + height) - 9, width: 18, height: 18})
+    setAttributes(sign, {x: place.x - 9, y: clamp(place.y, top, top + height) - 9, width: 18, height: 18})
     return sign
   }
 

@@ -1,7 +1,7 @@
 // The masses of a chain on a stage: one path for the springs and one for each side, so that a frame costs the same for
 // one mass as for many.
 
-import {set, svg, unitSize} from "../core/dom.js"
+import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {atInstant} from "../core/signals.js"
 
 const SIDE = 54 // of a lone mass, in pixels; n + 1 masses share its area
@@ -53,7 +53,7 @@ export const beads = {
     const side = Math.min(SIDE / Math.sqrt(s.count + 1), (WIDEST * s.length) / s.parts)
     const [, teeth] = TEETH.find(([most]) => s.count <= most) ?? [0, 0]
     const ends = [...(s.left ? [{x: s.x, y: s.y}] : []), ...found, ...(s.right ? [{x: s.x + s.length, y: s.y}] : [])]
-    set(springs, {
+    setAttributes(springs, {
       d: ends
         .slice(1)
         .map((end, i) => spring(ends[i], end, teeth, Math.min(0.35 * side, 11)))
@@ -67,10 +67,10 @@ export const beads = {
       if (of && s.across) stems[of] += `M${rest.toFixed(1)} ${s.y}V${y.toFixed(1)}`
     }
     for (let i = 0; i < 3; i++) {
-      set(parts[2 * i], {d: stems[i]})
-      set(parts[2 * i + 1], {d: look[i]})
+      setAttributes(parts[2 * i], {d: stems[i]})
+      setAttributes(parts[2 * i + 1], {d: look[i]})
     }
-    set(parts[6], {d: look.join("")})
+    setAttributes(parts[6], {d: look.join("")})
   },
 }
 

@@ -1,7 +1,7 @@
 // Labels over a plot that move only with a change: numbers at the axes, names of curves and bands, flags at marks.
 
 import {toSI} from "../core/ruler.js"
-import {long, marked, set, svg, textWidth, units, unitSize, words} from "../core/dom.js"
+import {long, marked, setAttributes, svg, textWidth, units, unitSize, words} from "../core/dom.js"
 import {everyWhich, inLine, places} from "./places.js"
 
 const LINE = 1.1 // of the size of a text, from one to the next
@@ -33,7 +33,7 @@ export class Labels {
   clear(height) {
     for (const number of this.scale.children) {
       const isUnder = Math.abs(Number(number.getAttribute("y")) - 4.5 - height) < (units("t0") + PILL) / 2
-      set(number, {visibility: isUnder ? "hidden" : "visible"})
+      setAttributes(number, {visibility: isUnder ? "hidden" : "visible"})
     }
   }
 
@@ -44,7 +44,7 @@ export class Labels {
     for (const [i, {text}] of this.bands.entries()) {
       const place = found[i]
       text.style.display = place ? "" : "none"
-      if (place) set(text, {x: (place.left + place.right) / 2, y: (place.top + place.bottom) / 2 + 5})
+      if (place) setAttributes(text, {x: (place.left + place.right) / 2, y: (place.top + place.bottom) / 2 + 5})
     }
   }
 
@@ -92,7 +92,7 @@ export class Labels {
     const size = units("t1") + 2
     const spans = shown.map(({at}) => ({at, size}))
     const heights = inLine(spans, top + 4 - size / 2, top + height - 2 + size / 2)
-    for (const [i, {text}] of shown.entries()) set(text, {x: left + width + 7, y: heights[i] + 4})
+    for (const [i, {text}] of shown.entries()) setAttributes(text, {x: left + width + 7, y: heights[i] + 4})
   }
 
   /** The name of a curve that is drawn as a band is at the band's middle. @param {string} name */
@@ -140,7 +140,7 @@ export class Flags {
     const isPressed = Boolean(mark.set || mark.act)
     const flag = isPressed ? marked("button", {...look, type: "button"}, mark.html) : marked("span", look, mark.html)
     if (isPressed) {
-      set(flag, {"aria-label": mark.label, title: mark.label})
+      setAttributes(flag, {"aria-label": mark.label, title: mark.label})
       flag.addEventListener("click", () => this.plot.page.send(this.#asked(mark)))
     }
     this.plot.controls.append(flag)
@@ -169,7 +169,7 @@ export class Flags {
     const ends = across
       ? {x1: left, x2: left + width, y1: place, y2: place}
       : {x1: place, x2: place, y1: top, y2: top + height}
-    set(line, ends)
+    setAttributes(line, ends)
     one.at = (across ? left + width : place) + mark.shift
     flag.style.left = long(one.at)
     flag.style.top = long((across ? place - 12 : top) - (mark.lift ?? (across ? 0 : LIFT)))

@@ -5,7 +5,7 @@ import {bokeh} from "../net/bokeh.js"
 import {Controls, isPicker} from "../controls/controls.js"
 import {Clock} from "../core/clock.js"
 import {Compare} from "../compare/compare.js"
-import {element, frame, set, unitSize} from "../core/dom.js"
+import {element, frame, setAttributes, unitSize} from "../core/dom.js"
 import {guarded} from "../core/faults.js"
 import {Hand} from "../controls/hand.js"
 import {later, using} from "../later.js"
@@ -61,7 +61,7 @@ export class Page {
     this.root = element("div", {class: `page ${sheet.slug}`})
     this.paper = element("main", {class: "paper"})
     this.sheet = new Sheet(sheet.paper, this)
-    set(this.sheet.element, {id: PAPER, role: sheet.views.length ? "tabpanel" : null})
+    setAttributes(this.sheet.element, {id: PAPER, role: sheet.views.length ? "tabpanel" : null})
     this.heading = element("h1", {tabindex: -1}, sheet.headline)
     this.transport = new (RunBar ?? Transport)(this)
     const send = (/** @type {page.Said} */ message) => this.send(message)

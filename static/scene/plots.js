@@ -2,7 +2,7 @@
 // handles move.
 
 import {Cover} from "../compare/cover.js"
-import {element, inUnits, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {element, inUnits, setAttributes, svg, textWidth, unitSize} from "../core/dom.js"
 import {Field} from "./field.js"
 import {Figure} from "./figure.js"
 import {Handles} from "../controls/handles.js"
@@ -279,8 +279,8 @@ export class Plot {
     if (this.cursor) {
       const {left, width} = this.frame
       const [x, y] = [this.px(t), this.py(t)]
-      if (this.down) set(this.cursor, {x1: left, x2: left + width, y1: y, y2: y})
-      else set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
+      if (this.down) setAttributes(this.cursor, {x1: left, x2: left + width, y1: y, y2: y})
+      else setAttributes(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
       this.handles.placeTime(t, timeText)
       if (this.down) this.labels.clear(y)
     }
@@ -291,7 +291,7 @@ export class Plot {
       const isCovered = this.hidden.has(curve.group) || covers.some(name => covered.includes(name))
       const isShown = !isCovered && isWithin(this.frame, x, y, 1, 2)
       dot.style.display = isShown ? "" : "none"
-      if (isShown) set(dot, {cx: x, cy: y})
+      if (isShown) setAttributes(dot, {cx: x, cy: y})
     }
   }
 }

@@ -1,6 +1,6 @@
 // The numbers at the pointer, over a plot.
 
-import {element, long, set, svg, unitSize} from "../core/dom.js"
+import {element, long, setAttributes, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
 import {stepOf} from "../core/ruler.js"
 import {evaluate} from "../core/signals.js"
@@ -88,7 +88,7 @@ export class Reading {
     this.box.style.left = long(x > left + width / 2 ? x - this.box.offsetWidth / unitSize() - 10 : x + 10)
     this.box.style.top = long(top)
     this.aim.style.display = ""
-    set(this.aim, {x1: x, x2: x, y1: top, y2: top + height})
+    setAttributes(this.aim, {x1: x, x2: x, y1: top, y2: top + height})
   }
 }
 

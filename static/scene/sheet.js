@@ -2,7 +2,7 @@
 // the visible forms.
 
 import {buildChoice} from "../controls/controls.js"
-import {element, long, marked, set} from "../core/dom.js"
+import {element, long, marked, setAttributes} from "../core/dom.js"
 import {ModeButtons} from "./mode_buttons.js"
 import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
@@ -117,7 +117,7 @@ export class Sheet {
       return {name, text}
     })
     if (term.curve) {
-      set(part, {title: "Show or hide this curve", "aria-label": curveName(block, term.curve)})
+      setAttributes(part, {title: "Show or hide this curve", "aria-label": curveName(block, term.curve)})
       part.addEventListener("click", () => this.#switch(term.curve))
     }
     this.headings.push({term, part, variants})
@@ -153,11 +153,11 @@ export class Sheet {
     }
     for (const cells of block.rows) {
       const [name, ...rest] = cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))
-      set(name, {scope: "row"})
+      setAttributes(name, {scope: "row"})
       // A formula alone is no name for every screen reader: its letters are.
       for (const formula of name.querySelectorAll("math")) {
         formula.before(element("span", {class: "heard"}, formula.textContent ?? ""))
-        set(formula, {"aria-hidden": "true"})
+        setAttributes(formula, {"aria-hidden": "true"})
       }
       table.append(element("tr", {}, name, ...rest))
     }

@@ -3,7 +3,7 @@
 import {beads, pointed} from "./beads.js"
 import {Clear} from "./label_collisions.js"
 import {coveredPlots, tells} from "../compare/cover.js"
-import {inUnits, set, svg, unitSize, words} from "../core/dom.js"
+import {inUnits, setAttributes, svg, unitSize, words} from "../core/dom.js"
 import {Grips} from "../controls/grips.js"
 import {atInstant} from "../core/signals.js"
 
@@ -38,7 +38,7 @@ const KINDS = {
   spring: {
     make: () => [svg("path", {class: "spring"})],
     move([path], s) {
-      set(path, {d: zigzag(s.x1, s.y1, s.x2, s.y2, s.height)})
+      setAttributes(path, {d: zigzag(s.x1, s.y1, s.x2, s.y2, s.height)})
       path.style.strokeWidth = String(s.wire)
     },
   },
@@ -48,8 +48,8 @@ const KINDS = {
       svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label)),
     ],
     move([rect, text], s) {
-      set(rect, {x: s.x - s.side / 2, y: s.y - s.side, width: s.side, height: s.side})
-      set(text, s.corner ? {x: s.x - s.side / 2 + 14, y: s.y - 9} : {x: s.x, y: s.y - s.side / 2 + 6})
+      setAttributes(rect, {x: s.x - s.side / 2, y: s.y - s.side, width: s.side, height: s.side})
+      setAttributes(text, s.corner ? {x: s.x - s.side / 2 + 14, y: s.y - 9} : {x: s.x, y: s.y - s.side / 2 + 6})
       text.style.display = s.side < 24 ? "none" : ""
     },
     hold: s => [s.x, s.y - s.side / 2, s.side],
@@ -57,7 +57,7 @@ const KINDS = {
   line: {
     make: () => [svg("line", {class: "ln"})],
     move([line], {x1, y1, x2, y2}) {
-      set(line, {x1, y1, x2, y2})
+      setAttributes(line, {x1, y1, x2, y2})
     },
   },
   arrow: {
@@ -68,9 +68,9 @@ const KINDS = {
       const shown = length > 1
       const size = Math.min(s.head, length)
       const angle = Math.atan2(y2 - y1, x2 - x1)
-      set(line, {x1, y1, x2: x2 - size * 0.8 * Math.cos(angle), y2: y2 - size * 0.8 * Math.sin(angle)})
+      setAttributes(line, {x1, y1, x2: x2 - size * 0.8 * Math.cos(angle), y2: y2 - size * 0.8 * Math.sin(angle)})
       const transform = `translate(${x2} ${y2}) rotate(${(angle * 180) / Math.PI})`
-      set(head, {d: `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`, transform})
+      setAttributes(head, {d: `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`, transform})
       line.style.display = head.style.display = shown ? "" : "none"
     },
     hold: s => [s.x2, s.y2, 0],
@@ -78,7 +78,7 @@ const KINDS = {
   circle: {
     make: () => [svg("circle", {class: "dot"})],
     move([circle], s) {
-      set(circle, {cx: s.x, cy: s.y, r: Math.max(s.r, 0)})
+      setAttributes(circle, {cx: s.x, cy: s.y, r: Math.max(s.r, 0)})
     },
     hold: s => [s.x, s.y, 2 * s.r],
   },
@@ -86,7 +86,9 @@ const KINDS = {
     make: s => [svg("path", {class: "ln", d: s.d})],
     move([path], s) {
       const turn = s.dx || s.dy ? Math.atan2(s.dy, s.dx) : s.turn
-      set(path, {transform: `translate(${s.x} ${s.y}) rotate(${(turn * 180) / Math.PI}) scale(${s.sx} ${s.sy})`})
+      setAttributes(path, {
+        transform: `translate(${s.x} ${s.y}) rotate(${(turn * 180) / Math.PI}) scale(${s.sx} ${s.sy})`,
+      })
     },
     hold: s => [s.x, s.y, 0],
   },
@@ -98,7 +100,7 @@ const KINDS = {
       const middle = (s.start + s.end) / 2
       const sweep = s.end > s.start ? 0 : 1
       const arcs = [middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`)
-      set(path, {d: `M${at(s.start)}${arcs.join("")}`})
+      setAttributes(path, {d: `M${at(s.start)}${arcs.join("")}`})
     },
   },
   wave: {
@@ -112,7 +114,7 @@ const KINDS = {
         points.push(`${(s.x + s.length * share).toFixed(2)} ${(s.y - s.size * Math.sin(angle)).toFixed(2)}`)
       }
       const floor = s.depth ? `L${s.x + s.length} ${s.y + s.depth}L${s.x} ${s.y + s.depth}Z` : ""
-      set(path, {d: `M${points.join("L")}${floor}`})
+      setAttributes(path, {d: `M${points.join("L")}${floor}`})
     },
   },
   layers: {
@@ -124,7 +126,7 @@ const KINDS = {
         const x = s.x + s.length * share + s.size * Math.sin(2 * Math.PI * s.turns * share)
         strokes.push(`M${x.toFixed(2)} ${s.y}v${s.height}`)
       }
-      set(path, {d: strokes.join("")})
+      setAttributes(path, {d: strokes.join("")})
     },
   },
   text: {
@@ -132,7 +134,7 @@ const KINDS = {
       svg("text", {"text-anchor": s.anchor === "beside" ? "start" : s.anchor, class: "t1"}, ...words(s.words)),
     ],
     move([text], {x, y}) {
-      set(text, {x, y})
+      setAttributes(text, {x, y})
     },
   },
   wall: {
@@ -145,8 +147,8 @@ const KINDS = {
       for (let at = 0; at <= s.length - long / 2; at += 0.9 * long) {
         strokes.push(upright ? `M${s.x} ${s.y + at}l${depth} ${long}` : `M${s.x + at + long} ${s.y}l${-long} ${depth}`)
       }
-      set(hatch, {d: strokes.join("")})
-      set(line, {x1: s.x, y1: s.y, x2: upright ? s.x : s.x + s.length, y2: upright ? s.y + s.length : s.y})
+      setAttributes(hatch, {d: strokes.join("")})
+      setAttributes(line, {x1: s.x, y1: s.y, x2: upright ? s.x : s.x + s.length, y2: upright ? s.y + s.length : s.y})
     },
   },
   beads,
@@ -260,7 +262,7 @@ export class Stage {
       if (!(`${plot}.left` in this.plots)) continue
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
       const [width, height] = [Math.max(right - left, 0) + 12, Math.max(bottom - top, 0) + 12]
-      set(rect, {x: left - 6, y: top - 6, width, height})
+      setAttributes(rect, {x: left - 6, y: top - 6, width, height})
     }
   }
 

@@ -1,6 +1,6 @@
 // The views of a scene: the tabs that choose one, and the task of the one that is shown.
 
-import {button, element, intoView, marked, set} from "../core/dom.js"
+import {button, element, intoView, marked, setAttributes} from "../core/dom.js"
 
 export const PAPER = "view" // the id of what a tab shows
 
@@ -70,7 +70,7 @@ export class Views {
     for (const [i, tab] of this.tabs.entries()) {
       const isChosen = tab.dataset.view === now
       if (isChosen && tab.getAttribute("aria-selected") !== "true") this.#enter(tab)
-      set(tab, {"aria-selected": isChosen, tabindex: isChosen ? 0 : -1})
+      setAttributes(tab, {"aria-selected": isChosen, tabindex: isChosen ? 0 : -1})
       this.tasks[i].hidden = !isChosen || Boolean(state.step)
     }
     this.moves = false

@@ -1,6 +1,6 @@
 // Undo and redo: opens earlier states of a scene again.
 
-import {button, element, set, svg} from "../core/dom.js"
+import {button, element, setAttributes, svg} from "../core/dom.js"
 
 const ARROWS = {past: "M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4", future: "M15 14l5-5-5-5M20 9H10a5 5 0 0 0 0 10h4"}
 const RESET = "M5 5v14M19 6l-9 6 9 6z"
@@ -41,7 +41,7 @@ export class Undo {
   #button(name, way) {
     const keys = way === "past" ? "Control+Z" : "Control+Shift+Z"
     const made = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way], () => this.go(way))
-    set(made, {"aria-keyshortcuts": keys, disabled: ""})
+    setAttributes(made, {"aria-keyshortcuts": keys, disabled: ""})
     return made
   }
 
