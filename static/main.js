@@ -101,8 +101,8 @@ export class Lecture {
 
   /** @param {page.Said} message */
   send(message) {
-    this.page.compare.set(this.undo.press, this.undo.deed(message), message)
-    this.messages.send(message, {deed: this.undo.deed(message)})
+    this.page.compare.set(this.undo.press, this.undo.undoGroup(message), message)
+    this.messages.send(message, {undoGroup: this.undo.undoGroup(message)})
     this.#wait()
   }
 

@@ -33,7 +33,7 @@ export class Compare {
   /** @type {number | undefined} set until the server knows that the drag or key press has ended */
   leaving
 
-  deed = "" // of undo: what the frame does when a hand lets go belongs to it
+  undoGroup = "" // the fit of the frame after a drag belongs to the same group
 
   /** @type {string[]} the axes that a handle has been moved along since the last time that a hand let go */
   along = []
@@ -78,14 +78,14 @@ export class Compare {
 
   /**
    * Remembers the current curves at the first change of a press of a pointer or key.
-   * @param {string} press @param {string} deed of undo; one of several messages @param {page.Said} message
+   * @param {string} press @param {string} undoGroup @param {page.Said} message
    */
-  set(press, deed, message) {
-    if (!deed) return
+  set(press, undoGroup, message) {
+    if (!undoGroup) return
     const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
     if (!goesOn || !this.before) this.before = this.page.shown
     this.press = press
-    this.deed = "holding" in message ? "" : deed // a grip reports its end itself
+    this.undoGroup = "holding" in message ? "" : undoGroup // a grip reports its end itself
     clearTimeout(this.ending)
     clearTimeout(this.leaving)
     if (!this.pressed) this.#released()
@@ -102,9 +102,10 @@ export class Compare {
 
   /** Ends a change by a slider or key; a refit of the frame then belongs to the same undo step. */
   #letGo() {
-    const {deed} = this
-    if (deed) this.page.host.messages.send({type: "set", values: {}, holding: false, along: this.along}, {deed})
-    Object.assign(this, {deed: "", press: "", along: []})
+    const {undoGroup} = this
+    if (undoGroup)
+      this.page.host.messages.send({type: "set", values: {}, holding: false, along: this.along}, {undoGroup})
+    Object.assign(this, {undoGroup: "", press: "", along: []})
   }
 
   /** Keeps this picture under the next one, which is drawn in its frame. */
@@ -147,7 +148,7 @@ export class Compare {
   /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} asked */
   update(shown, asked) {
     const {held, state} = shown
-    if (asked && !asked.deed) this.before = null
+    if (asked && !asked.undoGroup) this.before = null
     if (hasLetGo(asked?.message)) this.ending = setTimeout(() => this.#forget(), LINGER)
     if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
     this.last = shown

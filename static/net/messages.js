@@ -8,9 +8,9 @@ const AGAIN = 1000 // ms until a message for which the server had no time is rep
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
  * restarts with its answer; `sets`: the values that it sets if it is built later; `anew`: it must be sent to each new
- * session; `answered`: callback for its answer; `way` and `deed`: for undo.
+ * session; `answered`: callback for its answer; `way` and `undoGroup`: for undo.
  * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
- *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
+ *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, undoGroup?: string}} Envelope
  * @typedef {Envelope & {message: page.Said}} Asked
  * @typedef {Envelope & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
  */

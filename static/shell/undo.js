@@ -8,7 +8,7 @@ const MOST = 200 // states kept per scene
 
 /**
  * @typedef {"past" | "future"} Direction
- * @typedef {{past: page.State[], future: page.State[], now: page.State, deed: string}} Story
+ * @typedef {{past: page.State[], future: page.State[], now: page.State, undoGroup: string}} Story
  * @typedef {(open: () => page.Open | null, about: {way: Direction}) => void} SendBack
  */
 
@@ -54,8 +54,8 @@ export class Undo {
     this.go(event.shiftKey ? "future" : "past")
   }
 
-  /** The name of a deed: all that one press changes is one entry, however many messages that takes. */
-  deed(/** @type {page.Said} */ {type}) {
+  /** The undo group of a message: all messages of one press have the same group, and are undone together. */
+  undoGroup(/** @type {page.Said} */ {type}) {
     return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
   }
 
@@ -74,10 +74,10 @@ export class Undo {
 
   /**
    * Records a state from the server, with the data of the message that it answers.
-   * @param {page.State} state @param {{way?: Direction, deed?: string}} asked
+   * @param {page.State} state @param {{way?: Direction, undoGroup?: string}} asked
    */
-  record(state, {way, deed = ""}) {
-    const story = this.stories.get(state.scene) ?? {past: [], future: [], now: state, deed: ""}
+  record(state, {way, undoGroup = ""}) {
+    const story = this.stories.get(state.scene) ?? {past: [], future: [], now: state, undoGroup: ""}
     this.stories.set(state.scene, story)
     this.story = story
     if (isSame(story.now, state)) {
@@ -85,8 +85,8 @@ export class Undo {
     } else if (way) {
       story[way].pop()
       story[way === "past" ? "future" : "past"].push(story.now)
-      story.deed = ""
-    } else advance(story, state, deed)
+      story.undoGroup = ""
+    } else advance(story, state, undoGroup)
     story.now = state
     this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: null})
     for (const one of /** @type {Direction[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
@@ -102,17 +102,17 @@ function drawn(name, title, d, act) {
 
 /**
  * A gesture that ends where it began has changed nothing.
- * @param {Story} story @param {page.State} state @param {string} deed
+ * @param {Story} story @param {page.State} state @param {string} undoGroup
  */
-function advance(story, state, deed) {
+function advance(story, state, undoGroup) {
   const {past} = story
-  const goesOn = deed && deed === story.deed
+  const goesOn = undoGroup && undoGroup === story.undoGroup
   story.future = []
-  story.deed = deed
+  story.undoGroup = undoGroup
   if (!goesOn) past.push(story.now)
   else if (isSame(past[past.length - 1], state)) {
     past.pop()
-    story.deed = ""
+    story.undoGroup = ""
   }
   if (past.length > MOST) past.shift()
 }

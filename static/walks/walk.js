@@ -299,7 +299,7 @@ export class Walk {
     this.lecture.classes.led?.walked(this)
     this.lecture.page.compare.keep()
     const state = lesson.shows ?? this.step.reveals
-    this.lecture.messages.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
+    this.lecture.messages.send({type: "open", state, keeps: true}, {start: true, undoGroup: `reveal ${step}`})
   }
 
   /** Opens the contents of all walks; after the last step with a summary. @param {boolean} [isOver] */

@@ -242,7 +242,7 @@ def test_the_axes_of_a_plane_stay_when_a_finger_lets_go(
     finger.move(x, y + 100)
     page.wait_for_function(f"oscillations.shown.settings.x2_0.value < 0.3 && {QUIET}")
     finger.up()
-    page.wait_for_function(f"!oscillations.page.hand.grab && !oscillations.page.compare.deed && {QUIET}")
+    page.wait_for_function(f"!oscillations.page.hand.grab && !oscillations.page.compare.undoGroup && {QUIET}")
     passed(page)
     assert page.evaluate(axis) == before
 

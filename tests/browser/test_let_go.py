@@ -108,7 +108,7 @@ def test_the_curves_of_before_await_what_the_server_makes_of_letting_go(page: Pa
     opened(page, open_scene)
     typed(page, "k", "0.001")
     is_wide(page)
-    page.wait_for_function(f"{QUIET} && !oscillations.page.compare.deed")
+    page.wait_for_function(f"{QUIET} && !oscillations.page.compare.undoGroup")
     page.evaluate(KEEP_BACK)
     typed(page, "k", "40")
     page.wait_for_function("Boolean(globalThis.sent)")
@@ -198,7 +198,7 @@ def test_a_frame_of_a_link_stands(page: Page, open_scene: Open) -> None:
     page.locator("input[name=m-slider]").focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_function(f"oscillations.shown.settings.m.value !== 1 && {QUIET}")
-    page.wait_for_function("!oscillations.page.compare.deed")  # the key has been let go
+    page.wait_for_function("!oscillations.page.compare.undoGroup")  # the key has been let go
     page.wait_for_function(QUIET)
     assert page.evaluate(END) == 9
 

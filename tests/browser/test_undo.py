@@ -79,7 +79,7 @@ def test_a_field_that_is_typed_in_undoes_its_own_text(page: Page, open_scene: Op
     field.focus()
     page.keyboard.type("5")
     page.keyboard.press("Control+z")
-    page.wait_for_function("!oscillations.messages.asked && !oscillations.page.compare.deed")
+    page.wait_for_function("!oscillations.messages.asked && !oscillations.page.compare.undoGroup")
     assert page.evaluate("(({past, future}) => [past.length, future.length])(oscillations.undo.story)") == [1, 0]
     expect(field).to_have_value("2.00")
 
