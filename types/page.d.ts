@@ -115,7 +115,8 @@ declare namespace page {
     type: "about"
   }
 
-  /** Sends a piece of a measured record: times in s that never decrease, and displacements in m.
+  /** Sends a piece of a measured record: times in s that never decrease, and displacements in m, or their first or
+   * second derivative, as `derivative` says.
    *
    * The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
    * motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit. */
@@ -124,6 +125,7 @@ declare namespace page {
     piece: number
     of: number
     size?: number
+    derivative?: number
     t: RowNumbers
     x: RowNumbers
   }
@@ -222,8 +224,9 @@ declare namespace page {
     unit: string
   }
 
-  /** A fitted motion, in SI units: offset + drift t + e^(-decay t) (C cos omega t + S sin omega t), with t counted
-   * from the first row. `scatter` is the standard deviation of its residuals. */
+  /** A fitted motion, in SI units: the displacement is e^(-decay t) (C cos omega t + S sin omega t), with t counted
+   * from the first row. The rows are its derivative plus offset + drift t; `scatter` is the standard deviation of their
+   * residuals. */
   interface FittedMotion {
     omega: number
     decay: number

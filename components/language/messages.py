@@ -133,7 +133,8 @@ class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
 
 
 class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
-    """Sends a piece of a measured record: times in s that never decrease, and displacements in m.
+    """Sends a piece of a measured record: times in s that never decrease, and displacements in m, or their first or
+    second derivative, as `derivative` says.
 
     The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
     motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit.
@@ -142,6 +143,7 @@ class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
     piece: Annotated[int, Meta(ge=0, le=15)]
     of: Annotated[int, Meta(ge=1, le=16)]
     size: Annotated[int, Meta(ge=1, le=10)] = 1
+    derivative: Annotated[int, Meta(ge=0, le=2)] = 0
     t: RowNumbers
     x: RowNumbers
 
@@ -248,8 +250,9 @@ class FittedNumber(Struct, frozen=True, kw_only=True):
 
 
 class FittedMotion(Struct, frozen=True, kw_only=True):
-    """A fitted motion, in SI units: offset + drift t + e^(-decay t) (C cos omega t + S sin omega t), with t counted
-    from the first row. `scatter` is the standard deviation of its residuals."""
+    """A fitted motion, in SI units: the displacement is e^(-decay t) (C cos omega t + S sin omega t), with t counted
+    from the first row. The rows are its derivative plus offset + drift t; `scatter` is the standard deviation of their
+    residuals."""
 
     omega: float
     decay: float

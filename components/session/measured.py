@@ -18,6 +18,8 @@ FEW_IN_A_CYCLE = 4.0
 """Rows in a cycle from which on no other frequency is likely."""
 UNEQUAL = "A record has as many times as displacements."
 TIME_GOES_BACK = "The times of a record never decrease."
+UNITS = ("m", "m/s", "m/s²")
+"""The units of a displacement and of its derivatives."""
 EXTREME = "No motion can be fitted: numbers near 1, in units that suit the motion, are needed."
 RANDOM = "The residuals of the fit are random: the model agrees with your points within their scatter."
 SENTENCES = {
@@ -31,11 +33,12 @@ SENTENCES = {
 
 
 class Fitting(Struct, frozen=True, tag=True):
-    """The job to fit a damped motion to rows, each the mean of `size` rows of a file."""
+    """The job to fit a damped motion to rows of a derivative of it, each the mean of `size` rows of a file."""
 
     t: list[float]
     x: list[float]
     size: int
+    derivative: int
 
 
 class MeasuredRows:
@@ -62,7 +65,7 @@ class MeasuredRows:
             raise ValueError(TIME_GOES_BACK)
         if self.next < said.of:
             return None
-        job = Fitting(self._t.tolist(), self._x.tolist(), said.size)
+        job = Fitting(self._t.tolist(), self._x.tolist(), said.size, said.derivative)
         self._clear()
         return job
 
@@ -89,7 +92,8 @@ def fitted(job: Fitting) -> Fitted:
         raise ValueError(EXTREME) from error
     omega, decay = float(fit.omega[0]), float(fit.decay[0])
     step = (job.t[-1] - job.t[0]) / (len(job.t) - 1) / job.size
-    amplitude = before_means(complex(fit.C[0, 0], -fit.S[0, 0]), complex(-decay, omega), step, job.size)
+    exponent = complex(-decay, omega)
+    amplitude = before_means(complex(fit.C[0, 0], -fit.S[0, 0]), exponent, step, job.size) / exponent**job.derivative
     motion = FittedMotion(
         omega=omega,
         decay=decay,
@@ -99,25 +103,23 @@ def fitted(job: Fitting) -> Fitted:
         drift=float(fit.drift[0]),
         scatter=float(fit.scatter[0]) * math.sqrt(job.size),
     )
-    return Fitted(motion=motion, numbers=_numbers(fit, motion), sentences=_sentences(fit))
+    return Fitted(motion=motion, numbers=_numbers(fit, motion, job.derivative), sentences=_sentences(fit))
 
 
-def _numbers(fit: DampedFit, motion: FittedMotion) -> tuple[FittedNumber, ...]:
-    omega, decay, C = motion.omega, motion.decay, math.hypot(motion.C, motion.S)
+def _numbers(fit: DampedFit, motion: FittedMotion, derivative: int) -> tuple[FittedNumber, ...]:
+    omega, decay, C, unit = motion.omega, motion.decay, math.hypot(motion.C, motion.S), UNITS[derivative]
     natural = math.hypot(omega, decay)
     se_natural = math.hypot(omega * fit.se_omega[0], decay * fit.se_decay[0]) / natural
-    bigger = C / float(fit.amplitude[0, 0])
+    se_C = C * math.hypot(fit.se_amplitude[0, 0] / fit.amplitude[0, 0], derivative * se_natural / natural)
     rows = (
         ("<i>ω</i><sub>n</sub>", "natural frequency", natural, se_natural, "rad/s"),
         ("<i>ζ</i>", "damping ratio", fit.zeta[0], fit.se_zeta[0], ""),
-        ("<i>C</i>", "amplitude at the start", C, bigger * fit.se_amplitude[0, 0], "m"),
+        ("<i>C</i>", "amplitude at the start", C, se_C, "m"),
         ("<i>φ</i>", "phase at the start", math.atan2(motion.C, motion.S), fit.se_phase[0, 0], "rad"),
-        ("offset", "offset", motion.offset, fit.se_offset[0], "m"),
+        ("offset", "offset", motion.offset, fit.se_offset[0], unit),
     )
-    numbers = [
-        _number(symbol, name, *with_error(float(value), float(se)), unit) for symbol, name, value, se, unit in rows
-    ]
-    scatter = _number("<i>σ</i>", "standard deviation of the residuals", three(motion.scatter), "", "m")
+    numbers = [_number(symbol, name, *with_error(float(value), float(se)), si) for symbol, name, value, se, si in rows]
+    scatter = _number("<i>σ</i>", "standard deviation of the residuals", three(motion.scatter), "", unit)
     return (*numbers, scatter)
 
 

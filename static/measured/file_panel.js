@@ -1,10 +1,11 @@
 // The file of a measurement, its columns, and the numbers of its fit.
 
 import {chip, element, marked, reword} from "../core/dom.js"
-import {LENGTHS, TIMES, unitIn} from "./record.js"
+import {VALUES, TIMES, unitIn} from "./record.js"
 
 const HINT =
-  "Or drop it here, or paste columns from a spreadsheet. A CSV file has a column of times and one of displacements."
+  "Or drop it here, or paste columns from a spreadsheet. A CSV file has a column of times and one of displacements, " +
+  "velocities or accelerations."
 const EXAMPLES = {"Simulated: dashpot": "simulated-dashpot", "Simulated: air drag": "simulated-air-drag"}
 
 export class FilePanel {
@@ -84,7 +85,7 @@ export class FilePanel {
     this.name.replaceChildren(element("b", {}, name), count ? `: ${count}` : "")
     this.columns.replaceChildren(
       ...this.#choice("Time", table.names, choice.time, TIMES, choice.timeUnit, "time", "timeUnit"),
-      ...this.#choice("Displacement", table.names, choice.value, LENGTHS, choice.valueUnit, "value", "valueUnit"),
+      ...this.#choice("Motion", table.names, choice.value, VALUES, choice.valueUnit, "value", "valueUnit"),
     )
   }
 

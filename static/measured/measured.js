@@ -100,7 +100,7 @@ export class MeasuredView {
     const file = {...opened, choice: {...opened.choice, ...change}, rows: null, fit: null}
     opened = file
     const {timeUnit, valueUnit} = file.choice
-    if (!timeUnit || !valueUnit) return this.#tell(`Choose the unit of the ${timeUnit ? "displacement" : "time"}.`)
+    if (!timeUnit || !valueUnit) return this.#tell(`Choose the unit of the ${timeUnit ? "motion" : "time"}.`)
     try {
       file.rows = rowsOf(file.table, file.choice)
       this.#tell(FITTING)
@@ -183,10 +183,22 @@ export class MeasuredView {
   }
 }
 
-/** The points as they are drawn: without the fitted offset and drift. @param {Opened | null} file */
+/**
+ * The points as they are drawn: displacements without the fitted offset and drift. A velocity or an acceleration is
+ * drawn at the fitted displacement, with its residual over the same power of the natural frequency.
+ * @param {Opened | null} file
+ */
 function shownOf(file) {
-  if (!file?.rows) return null
-  const {t, x} = file.rows
-  const {offset = 0, drift = 0, scatter = 0} = file.fit?.motion ?? {}
-  return {t, x: x.map((one, i) => one - offset - drift * t[i]), scatter}
+  if (!file?.rows || (file.rows.derivative && !file.fit)) return null
+  const {t, x, derivative} = file.rows
+  const {offset = 0, drift = 0, scatter = 0, omega = 1, decay = 0, C = 0, S = 0} = file.fit?.motion ?? {}
+  const scale = Math.hypot(omega, decay) ** derivative
+  const turn = derivative * Math.atan2(omega, -decay)
+  const [size, phase] = [Math.hypot(C, S), Math.atan2(-S, C)]
+  const points = x.map((one, i) => {
+    const motion = (/** @type {number} */ more) =>
+      size * Math.exp(-decay * t[i]) * Math.cos(omega * t[i] + phase + more)
+    return motion(0) + (one - offset - drift * t[i]) / scale - motion(turn)
+  })
+  return {t, x: points, scatter: scatter / scale}
 }

@@ -1,4 +1,5 @@
-// A record: times and displacements in SI units, from two columns of a table; and its pieces for the server.
+// A record: times and displacements, velocities or accelerations in SI units, from two columns of a table; and its
+// pieces for the server.
 
 const MOST_SENT = 20_000
 const PIECE = 1250 // rows: components/language/messages.py
@@ -8,15 +9,17 @@ const DIGITS = 10
 /** Sizes of units. @type {Record<string, number>} */
 export const TIMES = {s: 1, ms: 1e-3, min: 60}
 /** @type {Record<string, number>} */
-export const LENGTHS = {m: 1, cm: 1e-2, mm: 1e-3}
+export const VALUES = {m: 1, cm: 1e-2, mm: 1e-3, "m/s": 1, "m/s²": 1, g: 9.80665}
+/** The order of the derivative, by its unit. @type {Record<string, number>} */
+const DERIVATIVES = {"m/s": 1, "m/s²": 2, g: 2}
 
 /**
  * The chosen columns and their units, "" for a unit that is not known.
  * @typedef {{time: number, value: number, timeUnit: string, valueUnit: string}} ColumnChoice
  */
 /**
- * Times from the first row and displacements; `left` is the number of rows that are left out.
- * @typedef {{t: Float64Array, x: Float64Array, left: number}} Rows
+ * Times from the first row, and displacements or a derivative of them; `left` is the number of rows that are left out.
+ * @typedef {{t: Float64Array, x: Float64Array, derivative: number, left: number}} Rows
  */
 /** @typedef {import("./table.js").Table} Table */
 
@@ -30,12 +33,12 @@ export function guessed({names, columns}) {
   const time = [named(/^\W*(t|time|zeit)\b/i), grows, 0].find(place => place >= 0) ?? 0
   const others = columns.map((_, i) => i).filter(i => i !== time)
   const value = others.find(i => /^\W*(x|y|z|pos|disp|dist|height)/i.test(names[i])) ?? others[0]
-  return {time, value, timeUnit: unitIn(names[time], TIMES), valueUnit: unitIn(names[value], LENGTHS)}
+  return {time, value, timeUnit: unitIn(names[time], TIMES), valueUnit: unitIn(names[value], VALUES)}
 }
 
 /** The unit in "t (s)", "x [mm]" or "x/mm"; "" for none that is known. @param {string} name @param {object} known */
 export function unitIn(name, known) {
-  const [, unit = ""] = name.match(/[([/]\s*([^\s)\]]+)\s*[)\]]?\s*$/) ?? []
+  const [, unit = ""] = name.replace("^2", "²").match(/[([/]\s*([^\s)\]]+)\s*[)\]]?\s*$/) ?? []
   return unit in known ? unit : ""
 }
 
@@ -45,15 +48,15 @@ export function unitIn(name, known) {
  */
 export function rowsOf({columns, lines}, {time, value, timeUnit, valueUnit}) {
   const whole = lines.map((_, i) => i).filter(i => !Number.isNaN(columns[time][i] + columns[value][i]))
-  if (whole.length < LEAST)
-    throw new Error(`${whole.length} rows have a time and a displacement: ${LEAST} or more are needed.`)
+  if (whole.length < LEAST) throw new Error(`${whole.length} rows have both numbers: ${LEAST} or more are needed.`)
   const start = columns[time][whole[0]]
   const t = Float64Array.from(whole, i => (columns[time][i] - start) * TIMES[timeUnit])
   const back = t.findIndex((now, i) => i > 0 && now < t[i - 1])
   if (back >= 0) throw new Error(`Line ${lines[whole[back]]}: the time goes back. The times of a file must increase.`)
   return {
     t,
-    x: Float64Array.from(whole, i => columns[value][i] * LENGTHS[valueUnit]),
+    x: Float64Array.from(whole, i => columns[value][i] * VALUES[valueUnit]),
+    derivative: DERIVATIVES[valueUnit] ?? 0,
     left: lines.length - whole.length,
   }
 }
@@ -62,13 +65,13 @@ export function rowsOf({columns, lines}, {time, value, timeUnit, valueUnit}) {
  * The messages that carry rows to the server: means of neighbouring rows if there are too many.
  * @param {Rows} rows @returns {page.SendRows[]}
  */
-export function piecesOf({t, x}) {
+export function piecesOf({t, x, derivative}) {
   const size = Math.ceil(t.length / MOST_SENT)
   const [times, means] = [t, x].map(column => meansOf(column, size))
   const of = Math.ceil(times.length / PIECE)
   return Array.from({length: of}, (_, piece) => {
     const [start, end] = [piece * PIECE, (piece + 1) * PIECE]
-    return {type: "rows", piece, of, size, t: times.slice(start, end), x: means.slice(start, end)}
+    return {type: "rows", piece, of, size, derivative, t: times.slice(start, end), x: means.slice(start, end)}
   })
 }
 

@@ -5,7 +5,7 @@ const MOST_ROWS = 200_000
 const MOST_COLUMNS = 50
 const LONGEST_LINE = 2000 // characters
 const MOST_NAMES = 100 // lines before the numbers
-const NEEDED = "A file needs a column of times and one of displacements."
+const NEEDED = "A file needs a column of times and one of the motion."
 const SEPARATORS = ["\t", ";", ","]
 
 /**

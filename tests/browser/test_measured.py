@@ -86,11 +86,27 @@ def test_units_that_a_file_lacks_are_asked_for(measured: Page) -> None:
     expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the time.")
     measured.get_by_label("Time: unit").focus()
     measured.get_by_label("Time: unit").select_option("s")
-    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the displacement.")
+    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the motion.")
     expect(measured.get_by_label("Time: unit")).to_be_focused()
-    measured.get_by_label("Displacement: unit").select_option("cm")
+    measured.get_by_label("Motion: unit").select_option("cm")
     shows_fit(measured)
     expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
+
+
+def test_an_acceleration_is_drawn_as_the_displacement_of_the_fit(measured: Page) -> None:
+    t = np.arange(301) / 30
+    a = -0.04 * OMEGA**2 * np.cos(OMEGA * t) + 9.81
+    drop(measured, "phone.csv", "t (s),a (m/s^2)\n" + "\n".join(f"{x},{y:.4f}" for x, y in zip(t, a, strict=True)))
+    shows_fit(measured)
+    expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.04000")
+    expect(measured.get_by_role("row", name=re.compile("offset"))).to_contain_text("9.81")
+    measured.get_by_role("button", name="Fit to data").click()
+    measured.wait_for_function(f"{WINDOW} === 10")
+    with measured.expect_download() as download:
+        measured.get_by_role("button", name="Save residuals").click()
+    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    points = np.array([float(row[1]) for row in rows[1:]])
+    np.testing.assert_allclose(points, 0.04 * np.cos(OMEGA * t), atol=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -100,7 +116,7 @@ def test_units_that_a_file_lacks_are_asked_for(measured: Page) -> None:
         ("wide.csv", "x," * 1_000_000 + "\n1,2\n", "wide.csv: Line 1: it is too long"),
         ("line.csv", "t (s),x (m)\n1,2\n" + "9" * 5_000_000, "line.csv: Line 3: it is too long"),
         ("large.csv", "1,2\n" * 1_400_000, "large.csv has 5.3 MB: files of at most 5 MB are read."),
-        ("short.csv", "t (s),x (m)\n1,2\n2,3\n", "short.csv: 2 rows have a time and a displacement: 8 or more"),
+        ("short.csv", "t (s),x (m)\n1,2\n2,3\n", "short.csv: 2 rows have both numbers: 8 or more"),
     ],
 )
 def test_a_file_that_is_no_record_is_refused_in_a_sentence(

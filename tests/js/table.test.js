@@ -43,6 +43,19 @@ test("without names the first column that only grows is the time, and units are 
   assert.deepEqual(guessed(table), {time: 1, value: 0, timeUnit: "", valueUnit: ""})
 })
 
+test("the unit says whether a column is a displacement, a velocity or an acceleration", () => {
+  for (const [unit, derivative, size] of [
+    ["cm", 0, 0.01],
+    ["m/s", 1, 1],
+    ["m/s^2", 2, 1],
+    ["g", 2, 9.80665],
+  ]) {
+    const record = recordIn(`Time (s),Linear Acceleration x (${unit})\n${rows(10, i => `${i},${i}`)}`)
+    assert.equal(record.derivative, derivative)
+    assert.equal(record.x[3], 3 * size)
+  }
+})
+
 test("rows with holes are left out and counted", () => {
   const text = `t (s),x (m)\n${rows(12, i => `${i},${i % 6 ? i * i : ""}`)}\n\n`
   const {t, left} = recordIn(text)
@@ -58,7 +71,7 @@ test("a file that is no record is refused with the line and the reason", () => {
     ["\nA letter.\nIt has words.\n", /^Line 2: “A letter\.” has no two numbers/],
     [`1,2\n${rows(9, () => "one,two")}`, /^Line 2: “one” is not a number/],
     [`t (s),x (m)\n${rows(10, i => `${i === 7 ? 2 : i},${i}`)}`, /^Line 9: the time goes back/],
-    ["t (s),x (m)\n1,2\n2,3\n", /^2 rows have a time and a displacement: 8 or more are needed/],
+    ["t (s),x (m)\n1,2\n2,3\n", /^2 rows have both numbers: 8 or more are needed/],
     [Array(1e6).fill("x").join(","), /^Line 1: it is too long. At most 2,000 characters/],
     [`t,x\n1,2\n${"9".repeat(5e6)}`, /^Line 3: it is too long/],
     [rows(9, () => "1,".repeat(60)), /^Line 1: it has 61 columns, and at most 50/],
@@ -70,7 +83,7 @@ test("a file that is no record is refused with the line and the reason", () => {
 test("a long record is sent as means, in pieces that fit into a message", () => {
   const count = 200_000
   const t = Float64Array.from({length: count}, (_, i) => i / 1000)
-  const pieces = piecesOf({t, x: t.map(time => Math.sin(6.3 * time) - 1e-7 / 3), left: 0})
+  const pieces = piecesOf({t, x: t.map(time => Math.sin(6.3 * time) - 1e-7 / 3), derivative: 0, left: 0})
   assert.equal(pieces.length, 16)
   for (const [i, {piece, of, size, t: times}] of pieces.entries()) {
     assert.deepEqual([piece, of, size, times.length], [i, 16, 10, 1250])

@@ -62,6 +62,17 @@ def test_means_of_rows_give_the_amplitude_of_the_rows(page: Page) -> None:
     assert math.hypot(told["motion"]["C"], told["motion"]["S"]) == pytest.approx(C * math.exp(-0.02 * 0.18), rel=1e-6)
 
 
+@pytest.mark.parametrize(("derivative", "unit"), [(1, "m/s"), (2, "m/s²")])
+def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: str) -> None:
+    exponent = complex(-DECAY, OMEGA)
+    rows = np.real(C * exponent**derivative * np.exp(exponent * T)) + 9.81
+    told = page.say(piece(0, 1, T, rows + np.random.default_rng(5).normal(0, 1e-3, T.size), derivative=derivative))
+    numbers = {number["name"]: number for number in told["numbers"]}
+    assert within(numbers["amplitude at the start"], C) and numbers["amplitude at the start"]["unit"] == "m"
+    assert within(numbers["offset"], 9.81) and numbers["offset"]["unit"] == unit
+    assert told["motion"]["C"] == pytest.approx(C, rel=1e-2) and abs(told["motion"]["S"]) < 0.02 * C
+
+
 def test_a_piece_out_of_order_is_left_out_and_the_needed_one_named(page: Page) -> None:
     x = motion(2)
     assert page.say(piece(1, 2, T[200:], x[200:]))["piece"] == 0
@@ -94,6 +105,7 @@ def test_rows_without_a_motion_are_refused_in_words(page: Page, rows: dict[str, 
         piece(16, 16, T, T),
         piece(0, 17, T, T),
         piece(0, 1, T, T, size=11),
+        piece(0, 1, T, T, derivative=3),
         piece(0, 1, T, 1e300 * T),
         piece(0, 1, [0.0, 1.0], [math.nan, 1.0]),
         {**piece(0, 1, T, T), "x": ["1"]},
