@@ -40,7 +40,7 @@ def test_a_covered_plot_takes_its_motion_along() -> None:
     assert view["columns"]["time"].keys() >= {"t", "x1", "x1_slow"}
     told = page.say({"type": "set", "values": {"k2": 3.0}, "number": 70})
     assert told["state"]["covered"] == ["plot:x2"] and "x2" in told["view"]["left_out"]
-    assert "covered" in page.say({"type": "about", "number": 72})["notes"][0]
+    assert "hidden parts" in page.say({"type": "about", "number": 72})["notes"][0]
     told = covering(page)
     assert told["view"]["signals"].keys() == before["view"]["signals"].keys() and told["view"]["left_out"] == []
 
