@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from html import escape
 from pathlib import Path
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import panel as pn
 from bokeh.document import Document
 
+from components.language.state import State
 from components.live_class.question_bank import QuestionBank
 from components.panel_face.face import PanelFace
-from components.scene.face import face_of
+from components.scene import Picture
+from components.scene.face import SceneFace, face_of
 from components.scenes import SCENES
 from components.scenes.things import THINGS
+from components.serving.assets import STATIC
 from components.serving.shell import navigation, page_template, when_open
 from components.serving.start import StartPage
 from components.session.links import linked
@@ -24,7 +29,7 @@ from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
 from components.session.worker import Apart
 from components.state.commands import sentence
-from components.state.link import read_query
+from components.state.link import read_query, write_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
 from components.walks import Query, Walks
@@ -112,12 +117,13 @@ def open_page(
     SceneView(session).server_doc(document, location=False)
 
 
-ELSEWHERE = """The whole lecture, with moving stages, guided walks and live classes, has a server of its own.
+ELSEWHERE = """The whole lecture, with guided walks and live classes, has a server of its own.
 Start it in this folder by `make run`, or by `python -m components.serving --show`."""
 
 
-def scene_page(query: Query) -> pn.template.BootstrapTemplate:
-    """The page of `panel serve`: a menu of the scenes, and the one that a link asks for with its values."""
+def scene_page(query: Query) -> pn.template.FastListTemplate:
+    """The page of `panel serve`: a menu of the scenes, and the one that a link asks for with its values. Its address
+    follows the values."""
     link = read_query(query, SCENES).as_opened(SCENES)
     kind, problems = SCENES[link.slug], list(link.problems)
     scene = face_of(kind)()
@@ -126,10 +132,37 @@ def scene_page(query: Query) -> pn.template.BootstrapTemplate:
     except ValueError as reason:
         problems.append(sentence(reason))
     face = PanelFace(scene)
-    menu = "\n".join(f"- [{one.title}](?scene={slug})" for slug, one in SCENES.items())
+    links = "".join(f'<li><a href="?scene={slug}">{escape(one.title)}</a></li>' for slug, one in SCENES.items())
+    menu = pn.pane.HTML(f"<details><summary><b>All scenes</b></summary><ul>{links}</ul></details>")
     said = [pn.pane.Alert(problem, alert_type="warning") for problem in problems]
-    title, main = f"Oscillations: {kind.title}", [ELSEWHERE, *said, face.paper]
-    return pn.template.BootstrapTemplate(title=title, sidebar=[menu, face.panel], main=main)
+    if location := pn.state.location:
+
+        def follow(_: Picture) -> None:
+            location.search = f"?{write_query(state_of(scene), kind)}"
+
+        scene.on_picture(follow)
+    return pn.template.FastListTemplate(
+        title=f"Oscillations: {kind.title}",
+        sidebar=[menu, face.panel],
+        main=[pn.Column(*said, face.paper, ELSEWHERE, sizing_mode="stretch_width")],
+        raw_css=[math_font()],
+        theme_toggle=False,
+        main_layout=None,
+        sidebar_width=300,
+        collapsed_sidebar="Mobi" in pn.state.headers.get("User-Agent", ""),
+    )
+
+
+def state_of(scene: SceneFace) -> State:
+    """The state that a link of `panel serve` has: the values that are not at their defaults."""
+    values: dict[str, Any] = dict(scene.value.off_default())
+    return State(scene=scene.scene_kind.slug, parameters=values)
+
+
+def math_font() -> str:
+    """The font of formulas, within the style sheet, since `panel serve` has no files of ours."""
+    font = b64encode((STATIC / "fonts" / "stix-two-math.woff").read_bytes()).decode()
+    return f'@font-face {{ font-family: "Lecture Math"; src: url("data:font/woff;base64,{font}") format("woff"); }}'
 
 
 if __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs

@@ -1,4 +1,4 @@
-"""A scene as a Panel object: its controls and its paper, which follow each other."""
+"""A scene as a Panel object: its controls and its paper, which follow each other, and a player that moves time."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from components.language.blocks import (
     ChoiceBlock,
     Column,
     MeasuredBlock,
+    ModesBlock,
     PlotBlock,
     Row,
     StageBlock,
@@ -20,60 +21,89 @@ from components.language.blocks import (
     WordsBlock,
 )
 from components.language.controls import ActionButton, GroupSection, PresetButton, SliderRow
-from components.language.messages import Act, Choose, ViewTab
+from components.language.messages import Act, Choose, Typed, ViewTab
 from components.language.text import Html
 from components.layout.controls import settings
-from components.panel_face.live_figure import LiveFigure, colours
-from components.panel_face.widgets import ChoiceControl, QuantityControl
+from components.layout.sheet import blocks, in_force
+from components.layout.views import shown_blocks
+from components.panel_face.colours import colours
+from components.panel_face.live_figure import LiveFigure, LiveStage, plot_under
+from components.panel_face.widgets import ChoiceControl, ModeControl, QuantityControl
+from components.quantities.axes import TIME_AXIS
+from components.quantities.instant import instant
 from components.quantities.parameters import Values
 from components.quantities.refusals import SORRY, report
 from components.scene import Picture
 from components.scene.face import SceneFace
-from components.scene.html import filled, heading, notes, table, words
+from components.scene.html import filled, heading, live_texts, notes, table, words
 from components.scene.scene import VIEW
 from components.state.commands import Command, RefusalError, asked_values, refusal
 from components.state.scene_sheet import scene_sheet
 
-NARROWEST = 280  # pixels of a part of a row; on narrower screens, parts are stacked
+NARROWEST = 280  # pixels of a text in a row; on narrower screens, texts are stacked
 NO_FILES = "The page of the lecture reads files with measured points; this version shows only the model."
-STYLE = "".join(f".sample.{name}, .tint.{name} {{ color: {colour} }} " for name, colour in colours().items())
+FRAMES = 20  # a second
+MOST_FRAMES = 4000
+TEXT = """
+.v { font-style: italic } p { margin: 0 0 .3em } math { font-family: "Lecture Math", "STIX Two Math", math }
+table { border-collapse: collapse } td { padding: 2px 10px 2px 0 }
+"""
+STYLE = TEXT + "".join(f".sample.{name}, .tint.{name} {{ color: {colour} }} " for name, colour in colours().items())
 
 
 class PanelFace(Viewer):
-    """Panel widgets for the parameters of a scene, and Bokeh figures of its plots.
+    """Panel widgets for the parameters of a scene, and Bokeh figures of its stages and plots.
 
     `widgets` has the fields and choices and `sliders` the sliders by parameter, `presets` and `actions` the buttons by
-    name, `figures` the figures by plot; `refused` says why a value was rejected; the scene is then unchanged.
+    name, `figures` the figures of plots and `stages` those of stages by name, `seen` those that the view shows;
+    `player` moves time. `problems` says why a value was refused, by parameter; the scene is then unchanged.
     """
 
     def __init__(self, scene: SceneFace) -> None:
         super().__init__()  # type: ignore[no-untyped-call]  # Panel's own has no types
-        self.scene, sheet = scene, scene_sheet(scene.scene_kind)
+        self.scene, self.sheet = scene, scene_sheet(scene.scene_kind)
         self.controls: list[QuantityControl | ChoiceControl] = []
+        self.modes: list[ModeControl] = []
         self.figures: dict[str, LiveFigure] = {}
+        self.stages: dict[str, LiveStage] = {}
         self.actions: dict[str, Any] = {}
+        self.seen: list[LiveStage | LiveFigure] = []
+        self.problems: dict[str, str] = {}
         self._texts: list[tuple[Any, Callable[[Picture], Html]]] = []
         self.parts: list[tuple[Viewable, str, tuple[str, ...]]] = []
         self.refused = pn.pane.Alert(alert_type="danger", visible=False)
+        self.player = pn.widgets.Player(
+            label="Time", interval=1000 // FRAMES, loop_policy="loop", show_loop_controls=False, height=70,
+            visible_buttons=["first", "previous", "play", "pause", "next"], sizing_mode="stretch_width", max_width=760,
+        )  # fmt: skip
+        self.player.param.watch(lambda _: self._tick(), "value")
+        self._lay_out()
+        self._show(scene.value.shown)
+        scene.on_picture(self._show)
+
+    def _lay_out(self) -> None:
+        sheet = self.sheet
+        self._stages = [block for block in blocks(sheet.paper) if isinstance(block, StageBlock)]
         self.presets = {
-            one.label: self._button(one, scene.scene_kind.preset_all(one.label)) for one in sheet.panel.presets
+            one.label: self._button(one, self.scene.scene_kind.preset_all(one.label)) for one in sheet.panel.presets
         }
         groups = map(self._section, sheet.panel.groups)
         self.panel = pn.Column(self.refused, pn.FlexBox(*self.presets.values()), *groups, max_width=320)
         self.tabs = self._tabs(sheet.views)
         paper = self._block(sheet.paper)
-        self.paper = pn.Column(f"## {sheet.headline}", self.tabs, paper, self._html(notes), min_width=NARROWEST)
+        self.paper = pn.Column(
+            f"## {sheet.headline}", self.tabs, self.player, paper, self._html(notes),
+            min_width=NARROWEST, sizing_mode="stretch_width",
+        )  # fmt: skip
         self.widgets = {one.row.name: one.field for one in self.controls}
         self.sliders = {one.row.name: one.slider for one in self.controls if isinstance(one, QuantityControl)}
-        self._show(scene.value.shown)
-        scene.on_picture(self._show)
 
     def __panel__(self) -> Viewable:
-        return pn.Row(self.panel, self.paper)
+        return pn.Row(self.panel, self.paper, sizing_mode="stretch_width")
 
     def _ask(self, command: Command, values: Values | None = None) -> None:
-        """Set the value of a widget, or show why it is rejected; then update all widgets."""
-        errors = {}
+        """Set the value of a widget, or show why it is refused; then update all widgets."""
+        errors, before = {}, self.scene.value
         try:
             self.scene.set(asked_values(self.scene.value, command) if values is None else values)
         except RefusalError as refused:
@@ -83,27 +113,70 @@ class PanelFace(Viewer):
         except Exception as error:
             report(error)
             errors = {"": SORRY}
-        self.refused.param.update(object=" ".join(errors.values()), visible=bool(errors))
-        self._tell(self.scene.value.shown)
+        typed = command if isinstance(command, Typed) and command.name in errors else None
+        if self.scene.value is before:  # else all widgets show it already
+            self._tell(self.scene.value.shown, typed.name if typed else "")
+        self._refuse(errors, typed.text if typed else "")
+
+    def _refuse(self, errors: dict[str, str], text: str) -> None:
+        """Show each sentence next to its field, or above the controls if it belongs to none."""
+        self.problems = dict(errors)
+        rest = dict(errors)
+        for one in self.controls:
+            if isinstance(one, QuantityControl) and one.row.name in rest:
+                one.refuse(text or one.setting.text, rest.pop(one.row.name))
+        self.refused.param.update(object=" ".join(rest.values()), visible=bool(rest))
+
+    def _take(self, values: Values, plays: bool = False) -> None:
+        """Set values from a drag; a motion that begins with it starts at t = 0."""
+        command = Act(name="")
+        self._ask(command, values)
+        if plays:
+            self.player.value = 0
+        self._show(self.scene.value.shown)  # what was dragged returns to the place of its value
 
     def _show(self, picture: Picture) -> None:
         """Update everything after any change of the scene."""
         self._tell(picture)
-        with pn.io.unlocked():  # Panel does not send these Bokeh models automatically
-            for figure in self.figures.values():
-                figure.show(self.scene.value, picture)
-        pn.io.push_notebook(self.paper)
-        for pane, write in self._texts:
-            pane.object = filled(write(picture), picture)
+        time = picture.axes.get(TIME_AXIS)
+        count = min(max(round(FRAMES * time.end / picture.pace.auto), 1), MOST_FRAMES) if time else 1
+        self.player.param.update(end=count, value=min(self.player.value, count), visible=bool(time and picture.signals))
         view = self.scene.value.values.get(VIEW)
+        seen = {id(block) for block in shown_blocks(self.sheet.paper, view or "")}
+        seen &= {id(block) for block in in_force(self.sheet.paper, picture.forms)}
+        figures: tuple[LiveStage | LiveFigure, ...] = (*self.stages.values(), *self.figures.values())
+        self.seen = [one for one in figures if id(one.block) in seen]
+        with pn.io.unlocked():  # Panel does not send these Bokeh models automatically
+            for one in self.seen:
+                one.show(self.scene.value, picture)
+        for modes in self.modes:
+            modes.show(picture)
+        self._written = [(pane, write(picture)) for pane, write in self._texts]
         for part, form, views in self.parts:
             part.visible = (not form or bool(picture.forms.get(form))) and (not views or view in views)
+        self._tick()
 
-    def _tell(self, picture: Picture) -> None:
+    def _tick(self) -> None:
+        """Draw the instant that the player is at: shapes, dots, and numbers that move."""
+        picture = self.scene.value.shown
+        time = picture.axes.get(TIME_AXIS)
+        t = time.ruler.end * self.player.value / self.player.end if time else 0.0
+        named = instant(picture.signals, picture.scalars, t)
+        texts = live_texts(picture, named)
+        with pn.io.unlocked():
+            for one in self.seen:
+                one.tick(picture, named, texts)
+        pn.io.push_notebook(self.paper)
+        for pane, html in self._written:
+            pane.object = filled(html, texts)
+
+    def _tell(self, picture: Picture, refused: str = "") -> None:
+        """Show the values in all widgets but that of the refused one, whose text stays."""
         scene = self.scene.value
         told = settings(scene.param.objects("existing"), scene.values, scene.units(), picture.spans)
         for one in self.controls:
-            one.tell(told[one.row.name])
+            if one.row.name != refused:
+                one.tell(told[one.row.name])
         if self._words:
             self.tabs.active = self._words.index(scene.values[VIEW])
         here = {scene.preset(), *scene.here()}
@@ -112,7 +185,8 @@ class PanelFace(Viewer):
 
     def _tabs(self, views: tuple[ViewTab, ...]) -> Any:
         """Tabs that choose a view, each with its task."""
-        tabs = pn.Tabs(*((one.name, pn.pane.HTML(one.task)) for one in views), visible=bool(views))
+        tasks = ((one.name, pn.pane.HTML(one.task, stylesheets=[STYLE])) for one in views)
+        tabs = pn.Tabs(*tasks, visible=bool(views), sizing_mode="stretch_width")
 
         def choose(event: Any) -> None:
             self._ask(Choose(name=VIEW, value=views[event.new].word))
@@ -140,7 +214,7 @@ class PanelFace(Viewer):
         return self.controls[-1].view
 
     def _html(self, write: Callable[[Picture], Html]) -> Viewable:
-        pane = pn.pane.HTML(stylesheets=[STYLE, ".v { font-style: italic } p { margin: 0 }"])
+        pane = pn.pane.HTML(stylesheets=[STYLE])
         self._texts.append((pane, write))
         return pane
 
@@ -152,23 +226,30 @@ class PanelFace(Viewer):
         return self._standing(self._part(block), block.form, block.views)
 
     def _part(self, block: Block) -> Viewable:
-        """A part of the paper; nothing for the stage, which only the lecture moves."""
+        """A part of the paper. Figures stand below each other and have the width of the page; texts may share it."""
         match block:
-            case Row(blocks=blocks):
-                parts = [(self._block(part), part) for part in blocks if not isinstance(part, StageBlock)]
-                for view, part in parts:
-                    view.styles = {"flex": f"{max(part.grow, 1):g} 1 {part.basis or NARROWEST}px", "min-width": "0"}
-                return pn.FlexBox(*(view for view, _ in parts), sizing_mode="stretch_width")
-            case Column(blocks=blocks):
-                return pn.Column(*map(self._block, blocks), sizing_mode="stretch_width")
+            case Row(blocks=inside) if not any(isinstance(one, StageBlock | PlotBlock) for one in blocks(block)):
+                views = [self._block(part) for part in inside]
+                for view in views:
+                    view.styles = {"flex": f"1 1 {NARROWEST}px", "min-width": "0"}
+                return pn.FlexBox(*views, sizing_mode="stretch_width")
+            case Row(blocks=inside) | Column(blocks=inside):
+                return pn.Column(*map(self._block, inside), sizing_mode="stretch_width")
+            case StageBlock(part=name):
+                self.stages[name] = LiveStage(block, self._take)
+                return pn.Column(self.stages[name].model, sizing_mode="stretch_width")
             case PlotBlock(name=name, heading=terms, brief=brief):
-                figure = self.figures[name] = LiveFigure(block)
+                over = (shape for stage in self._stages for shape in stage.shapes if plot_under(shape) == name)
+                figure = self.figures[name] = LiveFigure(block, (*block.shapes, *over), self._take)
                 head = self._html(lambda picture: heading(terms, picture.forms) or brief)
                 return pn.Column(head, figure.model, sizing_mode="stretch_width")
             case WordsBlock():
                 return self._html(lambda picture: words(block, picture.forms))
             case TableBlock():
                 return self._html(lambda picture: table(block, picture.forms))
+            case ModesBlock():
+                self.modes.append(ModeControl(block, self._take))
+                return pn.Column(self.modes[-1].field)
             case ChoiceBlock():
                 return self._control(block)
             case MeasuredBlock(shows="file"):

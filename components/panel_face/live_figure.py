@@ -1,60 +1,159 @@
-"""A live figure: the Bokeh figure of a plot, updated with the numbers of each picture."""
+"""Live Bokeh figures of one visitor: plots, updated with the numbers of each picture, and stages."""
 
 from __future__ import annotations
 
 import re
-from functools import cache
-from pathlib import Path
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from bokeh.models import ColumnDataSource, HoverTool, LinearColorMapper, Span
+from bokeh.models import (
+    BasicTicker,
+    ColumnDataSource,
+    FixedTicker,
+    HoverTool,
+    Label,
+    Legend,
+    LegendItem,
+    LinearColorMapper,
+    PanTool,
+    Range1d,
+    ResetTool,
+    SaveTool,
+    Scatter,
+    Span,
+    WheelZoomTool,
+)
+from bokeh.plotting import figure
 
-from components.language.blocks import PlotBlock
+from components.language.blocks import PlotBlock, StageBlock
+from components.language.expressions import names_in
 from components.language.plots import Curve, Handle, Mark, Region
+from components.language.shapes import AnyShape
 from components.language.signals import Modal
 from components.layout.plots import figure_of
-from components.quantities.axes import Axis
+from components.panel_face.colours import colours, diverging
+from components.panel_face.drawing import Plane, ShapeGlyphs
+from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.motion import displacements
 from components.scene import Picture, Scene
 
-TOKENS = Path(__file__).parents[2] / "static" / "styles" / "tokens.css"
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
-LOWEST = 160  # pixels
-ROWS, SHADES = 240, 101
-"""Numbers of instants and of colours in the picture of a chain."""
+LOWEST = 240  # pixels
+FRAME = 560.0
+"""The width of the frame of a plot in pixels, as the shapes over it count; Bokeh scales it to the page."""
+STAGE = 520.0
+"""The width of a stage in pixels, as its shapes count."""
+LONGEST = 34
+"""Characters of the words at an axis."""
+LAYOUT = {"wide": 0.0, "narrow": 1.0, "stacked": 1.0, "hall": 0.0, "desk": 1.0, "low": 0.0}
+"""The layout that shapes see: a stage above its plots, as on a phone."""
+ROWS = 240
+"""Number of instants in the picture of a chain."""
+SetByHand = Callable[[dict[str, float], bool], None]
+"""A function that sets values, and plays from the start if a motion begins with them."""
 
 
-@cache
-def colours() -> dict[str, str]:
-    """The colours of the page by name, on white."""
-    light = TOKENS.read_text(encoding="utf-8").partition("/* Type and lines")[0]
-    return dict(re.findall(r"--(\w+): (#[0-9a-f]{6});", light))
+class LiveStage:
+    """One visitor's figure of a stage: its shapes, in pixels that scale with the page."""
 
+    def __init__(self, block: StageBlock, moved: SetByHand) -> None:
+        self.block, self.height = block, float(block.height or 180)
+        self.model = figure(
+            x_range=Range1d(0, STAGE), y_range=Range1d(self.height, 0), toolbar_location=None, tools="",
+            aspect_ratio=STAGE / self.height, sizing_mode="scale_width", max_width=760, min_border=0,
+            outline_line_color=None, background_fill_color=None, border_fill_color=None,
+        )  # fmt: skip
+        self.model.axis.visible = self.model.grid.visible = False
+        own = tuple(shape for shape in block.shapes if not plot_under(shape))
+        self.nowhere = dict.fromkeys((name for shape in own for name in _names(shape) if "." in name), 0.0)
+        self.drawing = ShapeGlyphs(self.model, own, lambda grab, values: moved(values, grab.begins))
 
-def diverging() -> list[str]:
-    """Return colours from the tint m2 over white to the tint m1."""
-    hues = [np.array([int(colours()[tint][i : i + 2], 16) for i in (1, 3, 5)]) for tint in ("m2", "m1")]
-    shares = np.linspace(-1.0, 1.0, SHADES)
-    mixed = [255 + abs(share) ** 0.7 * (hues[int(share > 0)] - 255) for share in shares]
-    return ["#" + "".join(f"{round(part):02x}" for part in colour) for colour in mixed]
+    def show(self, scene: Scene, picture: Picture) -> None:
+        """Do nothing: all shapes are drawn for each instant."""
+
+    def tick(self, picture: Picture, named: Mapping[str, float], texts: Mapping[str, str]) -> None:
+        """Draw the instant of `named`."""
+        size = {"W": STAGE, "H": self.height}
+        self.drawing.show({**named, **self.nowhere, **LAYOUT, **size}, texts, picture.axes, Plane())
 
 
 class LiveFigure:
     """One visitor's figure of a plot; its columns count in the units of its axes, as on the page."""
 
-    def __init__(self, block: PlotBlock) -> None:
+    def __init__(self, block: PlotBlock, shapes: tuple[AnyShape, ...], moved: SetByHand) -> None:
         self.block, self.model = block, figure_of(block)
-        self.model.update(height=max(block.height or 0, LOWEST), sizing_mode="stretch_width")
-        self.model.yaxis.visible = not block.plain
+        self.height = float(max(block.height or 0, LOWEST))
+        self._size()
         self.parts = {one: self._painted(one) for one in self.model.renderers}
         self.field = self._field() if block.modal else None
-        self.model.add_tools(HoverTool(tooltips="$name: ($x, $y)"))
+        self._tools()
+        self._legend()
+        self.drawing = ShapeGlyphs(self.model, shapes, lambda grab, values: moved(values, grab.begins))
+        self.dots = ColumnDataSource({"x": [], "y": [], "colour": []})
+        self.model.add_glyph(self.dots, Scatter(x="x", y="y", size=9, fill_color="colour", line_color="white"))
+        self.cursor = Span(dimension="width" if block.y == TIME_AXIS else "height", line_color=colours()["ink"])
+        if block.time:
+            self.model.add_layout(self.cursor)
         lines: tuple[Mark | Handle, ...] = (*block.marks, *block.handles)
-        self.lines = {one: Span(line_color=colours()[one.tint], line_dash=[4, 3]) for one in lines}
-        for one, line in self.lines.items():
-            line.dimension = "height" if one.axis == "x" else "width"
-            self.model.add_layout(line)
+        self.lines = {one: self._line(one, moved) for one in lines}
+        self.flags = {
+            one: Label(x=0, y=0, text_font_size="12px", text_color=colours()[one.tint], visible=False)
+            for one in block.marks
+        }
+        for flag in self.flags.values():
+            self.model.add_layout(flag)
+
+    def _size(self) -> None:
+        """Give the figure the width of the page, and room for numbers at both axes."""
+        self.model.update(min_border_left=62, min_border_right=16, min_border_bottom=46, min_border_top=8)
+        self.model.axis.visible = True
+        for axis in self.model.axis:
+            axis.update(axis_label_text_font_size="13px", axis_label_text_font_style="normal")
+        for grid in self.model.grid:
+            grid.ticker = None  # that of its axis
+        if self.block.square:
+            self.model.update(aspect_ratio=(FRAME + 78) / (self.height + 54), sizing_mode="scale_width", max_width=720)
+        else:
+            self.model.update(height=int(self.height) + 54, sizing_mode="stretch_width")
+
+    def _tools(self) -> None:
+        """Bokeh's own tools: the wheel zooms only after a click on its tool, so that the page scrolls."""
+        hover = HoverTool(tooltips=[("", "$name"), ("x", "$x"), ("y", "$y")], renderers=list(self.parts))
+        self.model.add_tools(PanTool(), WheelZoomTool(), ResetTool(), SaveTool(), hover)
+        self.model.toolbar.autohide = True
+        self.model.toolbar_location = "above"
+        self.model.toolbar.active_drag = None
+
+    def _legend(self) -> None:
+        """The names of the curves; a click on one hides it."""
+        self.items: list[LegendItem] = []
+        named: dict[str, list[Any]] = {}
+        for renderer, part in self.parts.items():
+            if part.read:
+                named.setdefault(part.read, []).append(renderer)
+        if len(named) > 1:
+            self.items = [LegendItem(label=name, renderers=renderers) for name, renderers in named.items()]
+            look = {"orientation": "horizontal", "click_policy": "hide", "label_text_font_size": "12px", "padding": 2}
+            self.model.add_layout(Legend(items=self.items, border_line_color=None, ncols=4, **look), "above")
+
+    def _line(self, one: Mark | Handle, moved: SetByHand) -> Span:
+        """The line of a mark, or of a handle, which can be dragged."""
+        line = Span(
+            line_color=colours()[one.tint], line_dash=[4, 3], dimension="height" if one.axis == "x" else "width"
+        )
+        self.model.add_layout(line)
+        if isinstance(one, Handle):
+            line.update(editable=True, line_width=2, hover_line_width=4)
+            line.on_change("location", lambda attr, old, new: self._dragged(one, new, moved))
+        return line
+
+    def _dragged(self, handle: Handle, place: float, moved: SetByHand) -> None:
+        """Set the value of a handle that a visitor has moved."""
+        if place != self._at.get(handle):
+            value = self._axes[handle.axis].value(place)
+            least = -np.inf if handle.least is None else handle.least
+            moved({handle.parameter: float(f"{max(value, least):.4g}")}, False)
 
     def _field(self) -> ColumnDataSource:
         """The source of the picture of a chain under the curves."""
@@ -82,23 +181,68 @@ class LiveFigure:
         if isinstance(part, Curve):
             glyph.update(line_color=colours()[part.tint], line_width=WIDTHS[part.width])
         if "fill_color" in glyph.properties():
-            glyph.fill_color = colours()[part.tint]
+            glyph.fill_color = "white" if isinstance(part, Curve) and part.marker == "ring" else colours()[part.tint]
         return part
 
     def show(self, scene: Scene, picture: Picture) -> None:
         """Draw a picture of the scene; if it lacks an axis of the plot, the figure does not change."""
-        if not {self.block.x, self.block.y} <= picture.axes.keys():
+        if not self.has(picture):
             return
         x, y = picture.axes[self.block.x], picture.axes[self.block.y]
-        for span, scale, axis in ((self.model.x_range, self.model.xaxis, x), (self.model.y_range, self.model.yaxis, y)):
-            span.update(start=axis.ruler.start, end=axis.ruler.end)
-            scale.ticker.ticks = list(axis.ruler.ticks)
-            scale.major_label_overrides = dict(zip(axis.ruler.ticks, axis.ruler.labels, strict=True))
+        self._axes, self._ends = {"x": x, "y": y}, self._ranges(x, y)
+        says, _, against = re.split("[,:]", self.block.title)[0].partition(" against ")
+        if self.block.y == TIME_AXIS:
+            says, against = against, ""
+        for span, scale, axis, ends, text in (
+            (self.model.x_range, self.model.xaxis, x, self._ends[0], against),
+            (self.model.y_range, self.model.yaxis, y, self._ends[1], says),
+        ):
+            span.update(start=ends[0], end=ends[1], reset_start=ends[0], reset_end=ends[1])
+            _label(scale, axis, text)
         self._fill(picture, x, y, scene.values["hidden"])
         self._show_field(picture, y.ruler.end)
+        self._at = {one: _place(one, scene, picture, self._axes[one.axis]) for one in self.lines}
         for one, line in self.lines.items():
-            place = _place(one, scene, picture, x if one.axis == "x" else y)
+            place = self._at[one]
             line.update(location=place or 0.0, visible=place is not None)
+            if isinstance(one, Mark):
+                side = {
+                    one.axis: place or 0.0,
+                    "y" if one.axis == "x" else "x": self._ends[one.axis == "x"][one.axis == "x"],
+                }
+                self.flags[one].update(**side, text=plain_html(one.html, picture), visible=place is not None)
+
+    def has(self, picture: Picture) -> bool:
+        """Return whether a picture has the axes of this plot."""
+        return {self.block.x, self.block.y} <= picture.axes.keys()
+
+    def _ranges(self, x: Axis, y: Axis) -> tuple[tuple[float, float], tuple[float, float]]:
+        """The ends of both axes: of a square plot with one scale, so the axis with room to spare shows more."""
+        ends = ((x.ruler.start, x.ruler.end), (y.ruler.start, y.ruler.end))
+        if not self.block.square:
+            return ends
+        unit = 10.0 ** (x.exponent - y.exponent)
+        scale = max(unit * (ends[0][1] - ends[0][0]) / FRAME, (ends[1][1] - ends[1][0]) / self.height)
+        half, half_y = scale * FRAME / unit / 2, scale * self.height / 2
+        middle, middle_y = sum(ends[0]) / 2, sum(ends[1]) / 2
+        return (middle - half, middle + half), (middle_y - half_y, middle_y + half_y)
+
+    def tick(self, picture: Picture, named: Mapping[str, float], texts: Mapping[str, str]) -> None:
+        """Draw the instant of `named`: shapes, dots on the curves, and the time cursor."""
+        if not self.has(picture):
+            return
+        (left, right), (low, high) = self._ends
+        per_x, per_y, name = FRAME / (right - left), -self.height / (high - low), self.block.name
+        frame = {"left": 0.0, "right": FRAME, "top": 0.0, "bottom": self.height, "x0": -left * per_x, "x1": per_x,
+                 "y0": -high * per_y, "y1": per_y}  # fmt: skip
+        here = {f"{name}.{what}": value for what, value in frame.items()} | LAYOUT | {"W": FRAME, "H": self.height}
+        self.drawing.show({**named, **here}, texts, picture.axes, Plane(left, 1 / per_x, high, 1 / per_y))
+        self.cursor.location = named["t"]
+        seen = [one for renderer, one in self.parts.items() if renderer.visible and isinstance(one, Curve)]
+        moving = [(one, named.get(one.signal_x or "t"), named.get(one.signal)) for one in seen if one.signal]
+        dots = [(one, x, y) for one, x, y in moving if x is not None and y is not None]
+        columns = {"x": [x for _, x, _ in dots], "y": [y for _, _, y in dots]}
+        self.dots.data = {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]}
 
     def _fill(self, picture: Picture, x: Axis, y: Axis, hidden: list[str]) -> None:
         """Give all sources their columns; what lacks one, or is switched off, is not drawn."""
@@ -111,6 +255,39 @@ class LiveFigure:
                 if renderer.data_source is source:
                     needed = {part.x, part.y} if isinstance(part, Curve) else {part.x, part.low, part.high}
                     renderer.visible = needed <= data.keys() and part.group not in hidden
+        for item in self.items:
+            item.visible = any(renderer.visible for renderer in item.renderers)
+
+
+def plot_under(shape: AnyShape) -> str:
+    """Return the plot over which a shape of a stage lies, "" for none. Shapes that continue the lines of a plot beside
+    the stage lie on the stage."""
+    names = _names(shape)
+    return "" if "wide" in names else next((name.partition(".")[0] for name in names if "." in name), "")
+
+
+def _names(shape: AnyShape) -> set[str]:
+    """The names that the numbers of a shape use."""
+    return {name for field in shape.__struct_fields__ for name in names_in(getattr(shape, field))}
+
+
+def _label(scale: Any, axis: Axis, says: str) -> None:
+    """Round numbers that follow a zoom, or the scene's own, and the words of an axis with its unit."""
+    own = axis.log or axis.labels
+    kind = FixedTicker if own else BasicTicker
+    if not isinstance(scale[0].ticker, kind):
+        scale.ticker = kind()
+    if own:
+        scale.ticker.ticks = list(axis.ruler.ticks)
+    scale.major_label_overrides = dict(zip(axis.ruler.ticks, axis.ruler.labels, strict=True)) if own else {}
+    unit = f"[{axis.full_unit}]" if axis.full_unit else ""
+    scale.axis_label = f"{says if len(says) <= LONGEST else ''} {unit}".strip() or None
+
+
+def plain_html(html: str, picture: Picture) -> str:
+    """Return the words of a text in HTML, with its live numbers."""
+    filled = re.sub(r'data-value="(\w+)"></\w+>', lambda found: ">" + picture.values.get(found[1], ""), html)
+    return re.sub("<[^>]*>", "", filled)
 
 
 def _place(one: Mark | Handle, scene: Scene, picture: Picture, axis: Axis) -> float | None:

@@ -76,6 +76,12 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
             raise OverflowError(f"{value} has no place on an axis in units of {self.factor}e{self.exponent}")
         return place
 
+    def value(self, place: float) -> float:
+        """The value at a place of this axis: the inverse of `place`."""
+        if self.log:
+            return float(10.0**place * self.factor)
+        return float(place ** (1 / self.power) * 10.0 ** (self.exponent / self.power) * self.factor)
+
     @property
     def full_unit(self) -> str:
         """The unit with the power of ten before it."""

@@ -7,7 +7,6 @@ of the signal's own axis. The coefficients are therefore of order one for all pa
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -190,28 +189,6 @@ def sine_of(angle: Name) -> SineOf:
 def cosine_of(angle: Name) -> CosineOf:
     """The cosine of an earlier signal in rad."""
     return CosineOf(of=angle.name)
-
-
-def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
-    """The values of the signals at the start."""
-    named = {"t": 0.0, **scalars}
-    for name, signal in signals.items():
-        match signal:
-            case Sines(sines=terms, line=(first, _)):
-                named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
-            case DampedMass(start=start):
-                named[name] = start
-            case Modal():
-                named[name] = float(displacements(signal, np.zeros(1))[0, round(named[signal.at]) - 1])
-            case Derived(value=Expression(terms=products)):
-                named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
-            case Sampled(y=tuple(values)):
-                named[name] = values[0]
-            case SineOf() | CosineOf():
-                named[name] = (math.sin if isinstance(signal, SineOf) else math.cos)(named[signal.of])
-            case _:  # a response to a drive begins at rest
-                named[name] = 0.0
-    return named
 
 
 def total(*signals: Name) -> Derived:

@@ -10,21 +10,24 @@ from components.language.plots import Term
 from components.language.text import Html
 from components.layout.text import rich
 from components.quantities.formatting import MINUS
-from components.quantities.motion import starts
 from components.scene.picture import Picture
 
 SAMPLES = {"sum": "━━", "line": "──", "dash": "╌╌", "band": "██", "none": ""}
 _LIVE = re.compile(r'(<(span|mn) class="n" data-value="(\w+)">)(?=</\2>)')
 
 
-def filled(html: Html, picture: Picture) -> Html:
-    """Return a text with its live numbers; moving ones have their initial values."""
-    begun = starts(picture.signals, picture.scalars) if picture.live else {}
+def live_texts(picture: Picture, named: Mapping[str, float]) -> dict[str, str]:
+    """Return the texts of all live numbers by name; `named` are the signals at the instant shown."""
     moving = {
-        name: f"{begun[name]:{'+' if digits.signed else ''}.{digits.decimals}f}".replace("-", MINUS)
+        name: f"{named[name]:{'+' if digits.signed else ''}.{digits.decimals}f}".replace("-", MINUS)
         for name, digits in picture.live.items()
     }
-    return _LIVE.sub(lambda found: found[1] + (picture.values | moving).get(found[3], ""), html)
+    return picture.values | moving
+
+
+def filled(html: Html, texts: Mapping[str, str]) -> Html:
+    """Return a text with its live numbers."""
+    return _LIVE.sub(lambda found: found[1] + texts.get(found[3], ""), html)
 
 
 def words(block: WordsBlock, forms: Mapping[str, str]) -> Html:
@@ -47,5 +50,4 @@ def table(block: TableBlock, forms: Mapping[str, str]) -> Html:
 
 def notes(picture: Picture) -> Html:
     """Return the notes of a picture."""
-    still = ("Numbers that move are those at *t* = 0.",) if picture.live else ()
-    return rich(" ".join((*still, *picture.notes)))
+    return rich(" ".join(filter(None, (picture.to_scale, *picture.notes))))

@@ -31,7 +31,8 @@ from components.language.signals import AnySignal, CosineOf, Derived, Modal, Sin
 from components.layout.sheet import blocks, in_force
 from components.quantities.axes import Axis, round_ticks
 from components.quantities.formatting import excerpt
-from components.quantities.motion import derived, starts
+from components.quantities.instant import instant
+from components.quantities.motion import derived
 from components.scene import Picture, Scene
 from components.scene.traces import Columns, Traces
 from components.state.scene_sheet import heading_names, live_names, plots
@@ -210,7 +211,7 @@ def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bo
     A named signal that the visitor can drag, or a chain, keeps its initial values. With `all_rest`, every other named
     signal that does not depend on another one is zero.
     """
-    begun, held = starts(picture.signals, picture.scalars), _held(scene)
+    begun, held = instant(picture.signals, picture.scalars), _held(scene)
     rest = {
         name: _resting(signal, begun[name] if name in held else 0.0)
         for name, signal in picture.signals.items()

@@ -76,7 +76,9 @@ def test_what_of_a_link_cannot_be_is_said(panel_serve: str) -> None:
 
 @pytest.mark.browser
 @pytest.mark.slow
-def test_a_widget_drives_the_figures_and_a_refused_value_goes_back(panel_serve: str, browser: Browser) -> None:
+def test_a_widget_drives_the_figures_and_the_address_and_a_refused_value_stays(
+    panel_serve: str, browser: Browser
+) -> None:
     page = browser.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
@@ -92,8 +94,12 @@ def test_a_widget_drives_the_figures_and_a_refused_value_goes_back(panel_serve: 
         before = page.evaluate(LAST)
     k2.fill("-5")
     k2.press("Enter")
-    expect(page.get_by_text("−5 N/m is not possible")).to_be_visible()
-    expect(k2).to_have_value("0.3333333333333333")
+    expect(page.get_by_text("k2, stiffness: −5 N/m is not possible")).to_be_visible()
+    expect(k2).to_have_value("-5")
+    page.wait_for_url("**k2=0.3333333333333333**")
     assert page.evaluate(LAST) == before
+    cursor = "[...Bokeh.documents[0]._all_models.values()].find(model => model.type === 'Span' && model.location > 0)"
+    page.locator("button.play").click()
+    page.wait_for_function(f"() => {cursor}")
     assert faults == []
     page.close()

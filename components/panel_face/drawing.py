@@ -1,0 +1,141 @@
+"""Shapes in a Bokeh figure: four glyphs for their marks, and one for the dots that a visitor can drag."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from bokeh.models import ColumnDataSource, MultiLine, Patches, PointDrawTool, Scatter, Text
+from bokeh.models import Plot as BokehPlot
+
+from components.language.shapes import AnyShape, Grab
+from components.panel_face.colours import colours
+from components.panel_face.shapes import evaluated, marks, words
+from components.panel_face.ways import dragged
+from components.quantities.axes import Axis
+
+LINES = {"line_color": "colour", "line_width": "width", "line_dash": "dash", "line_alpha": "alpha"}
+AREAS = {
+    "fill_color": "fill",
+    "fill_alpha": "opacity",
+    "line_color": "colour",
+    "line_width": "width",
+    "line_dash": "dash",
+}
+POINTS = {"size": "size", "marker": "marker", "angle": "angle", "fill_color": "fill", "fill_alpha": "opacity",
+          "line_color": "colour", "line_width": "width"}  # fmt: skip
+TEXTS = {"text": "text", "text_align": "align", "text_color": "colour", "text_font_size": "font",
+         "text_font_style": "bold"}  # fmt: skip
+GLYPHS: dict[str, tuple[Any, dict[str, str], str]] = {
+    "areas": (Patches, AREAS, "xs"),
+    "lines": (MultiLine, LINES, "xs"),
+    "points": (Scatter, POINTS, "x"),
+    "texts": (Text, TEXTS, "x"),
+}
+"""The glyph of each kind of mark, its properties that are columns, and the name of its first coordinate."""
+GRIP = 26  # pixels
+
+
+class Plane(NamedTuple):
+    """The pixels of a drawing as coordinates of its figure: `left` + `right` x, and `top` + `down` y."""
+
+    left: float = 0.0
+    right: float = 1.0
+    top: float = 0.0
+    down: float = 1.0
+
+    def x(self, pixels: Any) -> Any:
+        return self.left + self.right * np.asarray(pixels)
+
+    def y(self, pixels: Any) -> Any:
+        return self.top + self.down * np.asarray(pixels)
+
+    def pixels(self, x: float, y: float) -> tuple[float, float]:
+        return (x - self.left) / self.right, (y - self.top) / self.down
+
+
+def draggable(grab: Grab | None) -> bool:
+    """Return whether a drag sets a value."""
+    return grab is not None and any(way.parameter for way in grab.ways)
+
+
+class ShapeGlyphs:
+    """The shapes of a stage or of a plot, drawn in a figure. `moved` gets the values that a drag sets."""
+
+    def __init__(
+        self, figure: BokehPlot, shapes: tuple[AnyShape, ...], moved: Callable[[Grab, dict[str, float]], None]
+    ) -> None:
+        self.shapes, self._moved = shapes, moved
+        self.sources = {of: ColumnDataSource(_columns(of, ())) for of in GLYPHS}
+        for of, (glyph, columns, first) in GLYPHS.items():
+            places = {first: "x", first.replace("x", "y"): "y"}
+            figure.add_glyph(self.sources[of], glyph(**places, **columns))
+        self.grips = ColumnDataSource({"x": [], "y": []})
+        self._held: list[Grab] = []
+        self._at: dict[str, list[float]] = {"x": [], "y": []}
+        if any(draggable(shape.grab) for shape in shapes):
+            self._add_grips(figure)
+
+    def _add_grips(self, figure: BokehPlot) -> None:
+        ring = Scatter(x="x", y="y", size=GRIP, line_color=colours()["mute"], line_dash=[2, 3], fill_alpha=0.0)
+        renderer = figure.add_glyph(self.grips, ring)
+        tool = PointDrawTool(renderers=[renderer], add=False)
+        figure.add_tools(tool)
+        figure.toolbar.active_tap = figure.toolbar.active_drag = tool
+        self.grips.on_change("data", lambda attr, old, new: self._dragged())
+
+    def show(
+        self, named: Mapping[str, float], texts: Mapping[str, str], axes: Mapping[str, Axis], plane: Plane
+    ) -> None:
+        """Draw all shapes at an instant; those that need an absent name are not drawn."""
+        self._named, self._axes, self._plane = named, axes, plane
+        found: dict[str, list[dict[str, Any]]] = {of: [] for of in GLYPHS}
+        self._held, places = [], []
+        for shape in self.shapes:
+            if not all(named.get(name) for name in shape.show):
+                continue
+            try:
+                drawn = list(marks(shape, named))
+                for of, row in drawn:
+                    found[of].append(self._placed(of, row, texts))
+                if draggable(shape.grab):
+                    places.append(_hold(shape, named))
+                    self._held.append(shape.grab)  # type: ignore[arg-type]
+            except KeyError:
+                continue
+        for of, rows in found.items():
+            if (data := _columns(of, rows)) != self.sources[of].data:
+                self.sources[of].data = data
+        self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}
+        if self.grips.data != self._at:
+            self.grips.data = {name: list(column) for name, column in self._at.items()}
+
+    def _placed(self, of: str, row: dict[str, Any], texts: Mapping[str, str]) -> dict[str, Any]:
+        x, y = self._plane.x(row["x"]), self._plane.y(row["y"])
+        text = {"text": words(row["text"], texts)} if of == "texts" else {}
+        return row | {"x": x.tolist(), "y": y.tolist()} | text
+
+    def _dragged(self) -> None:
+        """Set the values of the dot that a visitor has moved."""
+        xs, ys = self.grips.data["x"], self.grips.data["y"]
+        if len(xs) != len(self._held):  # one was deleted by a key
+            self.grips.data = {name: list(column) for name, column in self._at.items()}
+            return
+        for grab, x, y, old_x, old_y in zip(self._held, xs, ys, self._at["x"], self._at["y"], strict=True):
+            if (x, y) != (old_x, old_y):
+                self._moved(grab, dragged(grab, *self._plane.pixels(x, y), self._named, self._axes))
+                return
+
+
+def _hold(shape: AnyShape, named: Mapping[str, float]) -> tuple[float, float]:
+    """Return the point in pixels at which a shape is held."""
+    s = evaluated(shape, named)
+    if hasattr(s, "side"):
+        return s.x, s.y - s.side / 2
+    return (s.x2, s.y2) if hasattr(s, "x2") else (s.x, s.y)
+
+
+def _columns(of: str, rows: Any) -> dict[str, list[Any]]:
+    names = ("x", "y", *GLYPHS[of][1].values())
+    return {name: [row[name] for row in rows] for name in names}
