@@ -34,7 +34,8 @@ def test_there_are_three() -> None:
 
 
 @pytest.mark.parametrize("path", spread(NOTEBOOKS), ids=lambda path: path.stem)
-def test_a_notebook_shows_what_it_gives(path: Path) -> None:
+def test_a_notebook_shows_what_it_gives(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))  # as if the lecture were installed, which the notebooks expect
     # Reading them compiles grammars for two seconds: not where tests are merely listed.
     import nbformat
     from nbclient import NotebookClient
