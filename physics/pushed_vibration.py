@@ -26,6 +26,9 @@ from physics.steady_motions import SteadyMotion
 
 _APART, _LONG = 4.0, 12  # as in physics.forced_vibration
 _DRAWN, _NEAR = 100, 3  # lines that are drawn; lines next to the peak
+WIDE = 0.35
+"""Damping ratio above which a peak is too wide to be met by one harmonic."""
+_NONE = 1e-12  # of the size of the push: a smaller line is a rounding error
 _ON_PEAK = 0.02  # distance of n r from the peak at which a harmonic without damping counts as on it
 
 
@@ -80,6 +83,11 @@ class PushedVibration:
         return self.exists and self.steady.size <= _APART * max(self.largest, self.steady.size / _LONG)
 
     @property
+    def rings(self) -> bool:
+        """False: a band is as long as the window."""
+        return False
+
+    @property
     def tallest(self) -> float:
         """The largest displacement in m; 1 if nothing moves."""
         return (self._bound if self.is_fast else self.largest) or 1.0
@@ -92,7 +100,7 @@ class PushedVibration:
             found["x"] = VibrationBand(none - self._bound, none + self._bound)
         if not drawable(self.push.omega, self.t):
             high = self.push.size / self.oscillator.k
-            found["hold"] = VibrationBand(none - (high if self.push.alternates else 0.0), none + high)
+            found["F_over_k"] = VibrationBand(none - (high if self.push.alternates else 0.0), none + high)
         return found
 
     @cached_property
@@ -125,7 +133,7 @@ class PushedVibration:
         x, v = self.steady.at(np.zeros(1))
         return FreeDecay(oscillator=self.oscillator, x_0=self.x_0 - float(x[0]), v_0=self.v_0 - float(v[0]))
 
-    @property
+    @cached_property
     def _bound(self) -> float:
         return self.steady.size + self.transient.reach() if self.exists else self.largest
 
@@ -152,8 +160,17 @@ class PushHarmonics:
 
     def drawn(self, end: float) -> Harmonics:
         """Return the lines that the push has up to a frequency in rad/s, at most 100, and the first one."""
-        count = int(min(max(end / self.push.omega, 1.0), _DRAWN))
-        return self.lines(n for n in range(count + 1) if (self.push.has_line(n) if n else self.push.mean))
+        n, f, X = self._first
+        here = (n * self.push.omega <= max(end, self.push.omega)) & (f > _NONE * abs(self.push.size))
+        return Harmonics(n[here], f[here], X[here])
+
+    @cached_property
+    def _first(self) -> Harmonics:
+        return self.lines(range(_DRAWN + 1))
+
+    def has_line(self, n: int) -> bool:
+        """True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth."""
+        return abs(self.push.line(n)) > _NONE * abs(self.push.size)
 
     @property
     def resonant(self) -> int:
@@ -167,7 +184,7 @@ class PushHarmonics:
         n r is within 0.02 of the peak, or the response is at least 0.7 of its maximum.
         """
         peak = highest(self.oscillator.zeta)
-        if not peak or self.oscillator.zeta > 0.35:  # a wide peak is no peak
+        if not peak or self.oscillator.zeta > WIDE:
             return 0
         n = max(1, round(peak[0] / self.r))
         return n if abs(n * self.r - peak[0]) <= max(0.7 * self.oscillator.zeta, _ON_PEAK) else 0

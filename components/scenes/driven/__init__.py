@@ -7,16 +7,24 @@ import math
 from components.dashpot import DashpotScene, keeping, parts
 from components.layout.controls import Group
 from components.layout.views import View
-from components.quantities.parameters import angular_frequency, displacement, force, not_negative, one_of, velocity
+from components.quantities.parameters import (
+    angular_frequency,
+    displacement,
+    force,
+    not_negative,
+    one_of,
+    positive,
+    velocity,
+)
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import AXES, KIND_FORMS, RESPONSE, paper
+from components.scenes.driven.paper import AXES, KIND_FORMS, PULSES, RESPONSE, paper
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 BELOW = {
-    "kind": "force", "F_0": 2.0, "Y": 0.05, "moment": 0.05, "omega": 4.398, "m": 1.0, "k": 39.48, "c": 2.513,
-    "keep": "c", "x_0": 0.0, "v_0": 0.0,
+    "kind": "force", "push": "sine", "F_0": 2.0, "Y": 0.05, "moment": 0.05, "omega": 4.398, "m": 1.0, "k": 39.48,
+    "c": 2.513, "keep": "c", "x_0": 0.0, "v_0": 0.0, "width": 0.2,
 }  # fmt: skip
 
 
@@ -61,7 +69,13 @@ class DrivenScene(DashpotScene, CaseScene):
     )  # fmt: skip
 
     kind = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
-    physical = (kind,)
+    push = one_of("sine", {"sine": "Sine", "square": "Square", "triangle": "Triangle", "pulses": "Pulses"}, "The push")
+    width = positive(
+        0.2, symbol="w", unit="", label="width", tint="F", softbounds=(0.05, 0.95), bounds=(0.0, 1.0),
+        inclusive_bounds=(False, False), allowed="a width is a share of the period, above 0 and below 1",
+        says="is the share of each period in which the pulse acts, above 0 and below 1.",
+    )  # fmt: skip
+    physical = (kind, push)
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     Y = not_negative(
         0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),
@@ -89,6 +103,10 @@ class DrivenScene(DashpotScene, CaseScene):
             keys=(omega,), names=("stage", "plot:x"),
         ),
         View(
+            "Harmonics", "Choose a push and change *ω*: which of its harmonics hits the peak?",
+            keys=(push, omega), names=("stage", "plot:harmonics", "keys"),
+        ),
+        View(
             "Forces", "Drag *ω* through the peak: which arrow balances the push below it, at it, and above it?",
             keys=(omega,), names=("stage:forces", "plot:response"),
         ),
@@ -104,6 +122,8 @@ class DrivenScene(DashpotScene, CaseScene):
     groups = (
         Group("Drive", (kind, omega)),
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
+        Group("", (push,), form=KIND_FORMS["force"], apart=True),
+        Group("", (width,), form=PULSES, apart=True),
         Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),

@@ -10,7 +10,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from components.dashpot import DashpotCase
 from components.language.picture import Pace
 from components.layout.stage import wire
 from components.paper.deferred import Attributes
@@ -21,10 +20,12 @@ from components.scene import Picture
 from components.scene.about import About, Place, bands_among, bounded, few_of, points
 from components.scene.case_curves import BandColumns
 from components.scene.traces import BAND, RINGING, Columns
+from components.scenes.driven.pushes import PushedCase
 from physics.bode import ResponsePeak, magnification_peak
-from physics.driven import Drive, DrivenOscillator, half_power, highest, lag, magnification, past_half, ratios
-from physics.forced_vibration import ForcedVibration, SampledVibration, rotating
+from physics.driven import Drive, half_power, highest, lag, magnification, past_half, ratios
+from physics.forced_vibration import SampledVibration, rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
+from physics.pushed_vibration import PushedVibration
 from physics.reference.damped import driven_points, response_points
 from physics.sampling import periods
 
@@ -45,8 +46,6 @@ DECADE = 10.0
 """The reach of log axes to each side of r = 1, unless the drive is beyond it."""
 LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
 """Height of the response: the smallest, that without a peak to show, the largest."""
-FEWEST, MOST, PER_PERIOD = 60, 240, 16
-"""The times at which powers are computed: the fewest, the most, those in a period."""
 # The polygon of the forces.
 ASIDE = 0.09
 """Distance of arrows that would lie on each other, in pushes."""
@@ -98,32 +97,11 @@ class Polygon(NamedTuple):
         return FILLED / self.height
 
 
-class DrivenCase(DashpotCase):
+class DrivenCase(PushedCase):
     """A driven motion of a mass on a spring and a dashpot."""
 
     view: str
     axes: str
-    kind: Drive
-    F_0: float
-    Y: float
-    moment: float
-    omega: float
-
-    @property
-    def amount(self) -> float:
-        """The size of the drive: F_0 in N, Y in m, or m_0 e in kg m."""
-        return {"force": self.F_0, "base": self.Y, "unbalance": self.moment}[self.kind]
-
-    @cached_property
-    def vibration(self) -> ForcedVibration:
-        oscillator = DrivenOscillator(m=self.m, c=self.c, k=self.k)
-        return ForcedVibration(
-            oscillator=oscillator, kind=self.kind, size=self.amount, omega=self.omega, x_0=self.x_0, v_0=self.v_0
-        )
-
-    @property
-    def is_driven(self) -> bool:
-        return self.vibration.is_driven
 
     @property
     def shaken(self) -> bool:
@@ -189,7 +167,7 @@ class DrivenCase(DashpotCase):
         """The axis of the magnification: on a log axis down to a decade below the ends."""
         if self.is_log:
             top = 10.0 ** math.ceil(math.log10(1.2 * self.top_mark.height) if self.top_mark else 2.0)
-            return log_axis(DECADE**-2, top)
+            return log_axis(DECADE ** (-3 if self.view == "harmonics" else -2), top)
         return replace(nice_axis(0.0, self.top, "", 3, exact=True), drawn=(0.0, self.top / 1.1))
 
     @property
@@ -197,23 +175,12 @@ class DrivenCase(DashpotCase):
         unit = {"force": "N", "base": "m", "unbalance": "kg m"}[self.kind]
         return nice_axis(0.0, 1.25 * (self.amount or 1.0), unit, exact=True)
 
-    @property
-    def power_range(self) -> tuple[float, float]:
-        """The lowest and the highest power that is drawn, in W."""
-        values = np.concatenate([[0.0], *(self.power[name] for name in ("P_in", "P_lost") if self.power)])
-        return float(values.min()), float(values.max()) or 1.0
-
-    @property
-    def power_ends(self) -> tuple[float, float]:
-        low, high = self.power_range
-        return 1.1 * low, 1.15 * high
-
     # Resonance.
 
     @property
     def is_log(self) -> bool:
-        """True if the response has log axes: not next to the polygon of the forces, which is on its scale."""
-        return self.axes == "log" and self.view == "response"
+        """True if the response has log axes: never next to the polygon of the forces, which is on its scale."""
+        return self.view == "harmonics" or (self.axes == "log" and self.view == "response")
 
     @cached_property
     def top_mark(self) -> ResponsePeak | None:
@@ -233,7 +200,7 @@ class DrivenCase(DashpotCase):
     @property
     def swells(self) -> bool:
         """True if the motion grows, under a push."""
-        return self.grows and self.is_driven
+        return self.grows and self.is_driven and self.is_sine
 
     @property
     def settles(self) -> bool:
@@ -242,8 +209,8 @@ class DrivenCase(DashpotCase):
 
     @property
     def steady(self) -> bool:
-        """True if there is a steady part."""
-        return self.is_driven and self.settles
+        """True if there is a steady part that is a sine."""
+        return self.is_driven and self.settles and self.is_sine
 
     @property
     def has_dial(self) -> bool:
@@ -257,7 +224,7 @@ class DrivenCase(DashpotCase):
     @cached_property
     def half_power(self) -> tuple[float, float] | None:
         """omega in rad/s below and above omega_n at which the dashpot takes half of its most, if that is drawn."""
-        if self.is_log or self.kind != "force" or not 0.02 < self.zeta < 0.6:
+        if (self.is_log and self.view == "response") or self.kind != "force" or not 0.02 < self.zeta < 0.6:
             return None
         below, above = half_power(self.zeta)
         return below * self.one.omega_n, above * self.one.omega_n
@@ -289,7 +256,9 @@ class DrivenCase(DashpotCase):
     # What is drawn over time.
 
     @cached_property
-    def sampled(self) -> SampledVibration:
+    def sampled(self) -> SampledVibration | PushedVibration:
+        if isinstance(self.moved, PushedVibration):
+            return self.moved
         return SampledVibration(vibration=self.vibration, t=self.times, is_split=not self.grows)
 
     @property
@@ -309,22 +278,12 @@ class DrivenCase(DashpotCase):
     def notes(self) -> tuple[str, ...]:
         rings, is_band = self.sampled.rings, "x" in self.bands
         found = {
-            APART_NOTE: self.is_driven and not self.split and not self.grows,
+            APART_NOTE: self.is_driven and not self.split and not (self.grows if self.is_sine else is_band),
             RINGS_NOTE: rings,
             BAND_NOTE: is_band and not rings,
             BASE_NOTE: self.shaken and "y" in self.bands,
         }
         return tuple(note for note, holds in found.items() if holds)
-
-    @cached_property
-    def power(self) -> Columns:
-        """The mean powers; none if nothing pushes, or if they are too fast for a line."""
-        if not self.is_driven:
-            return {}
-        wanted = PER_PERIOD * self.end * max(self.highest, self.omega) / (2 * math.pi)
-        if wanted > 4 * MOST:
-            return {}
-        return self.vibration.mean_powers(self.end, int(min(max(wanted, FEWEST), MOST)))._asdict()
 
     # The polygon of the forces.
 
@@ -354,7 +313,9 @@ class DrivenCase(DashpotCase):
             below=below, height=top + below,
         )  # fmt: skip
 
-    def about(self, shown: Picture) -> About:
+    def about(self, shown: Picture) -> About | None:
+        if not self.is_sine:
+            return None
         columns, sweep, one = shown.sources["time"], shown.sources["below"], self.vibration.oscillator
         response, x = {"M": "$|X|$ over its unit", "lag": r"$\phi$"}, {"x": "$x$"}
         true = driven_points(one, self.omega, self.amount, self.kind, self.x_0, self.v_0, few_of(columns["t"]))
@@ -377,6 +338,11 @@ def outline(kind: Drive, zeta: float, of_phase: bool) -> str:
     X = magnification(r[r != 1], zeta, kind)
     up = np.array([lag(complex(one)) for one in X]) if of_phase else np.minimum(np.abs(X), 12.0)
     return "M" + "L".join(f"{a:.3f} {-b:.3f}" for a, b in zip(r[r != 1], up, strict=True))
+
+
+def _size(case: DrivenCase) -> float:
+    """The amplitude of the steady part in m."""
+    return math.inf if case.resonant else abs(case.vibration.X)
 
 
 def _growth(case: DrivenCase) -> float:
@@ -416,6 +382,8 @@ def _holds(case: DrivenCase) -> str:
         return "still"
     if not case.amount:
         return "idle"
+    if not case.is_sine:
+        return "others"
     if case.grows:
         return ("grows" if case.resonant else "nearly") + ("_on" if case.x_0 or case.v_0 else "")
     r, zeta = case.r, case.zeta
@@ -437,22 +405,23 @@ value = Attributes(DrivenCase)
 class DrivenShown(DrivenCase):
     """Everything that the paper shows. Motions come first: their order is that of the columns in a file."""
 
-    x = value(lambda c: c.vibration.x)
-    x_c = value.optional(lambda c: c.vibration.transient.x if c.split else None)
+    x = value(lambda c: c.moved.x)
+    x_c = value.optional(lambda c: c.moved.transient.x if c.split else None)
     y = value.optional(lambda c: c.vibration.drive if c.shaken else None)
     base = value(lambda c: c.vibration.drive if c.shaken else constant(0.0))
-    x_p = value.optional(lambda c: c.vibration.x_p if c.split and not c.shaken else None)
+    x_p = value.optional(lambda c: c.moved.x_p if c.split and not c.shaken else None)
     upper = value.optional(lambda c: _line(_rate(c)) if c.swells else None)
     lower = -upper
-    F = value(lambda c: c.vibration.drive)
+    F = value(lambda c: c.moved.drive)
+    F_over_k = value.optional(lambda c: c.moved.drive / c.k if c.harmonics else None)
     sine = value(lambda c: rotating("sine", 1.0, c.omega))
     cosine = value(lambda c: rotating("cosine", 1j, c.omega))
     turn = value(lambda c: _line(c.omega))
     mass_sine = value.optional(lambda c: _hand("mass_sine", c, 0.0))
     mass_cosine = value.optional(lambda c: _hand("mass_cosine", c, math.pi / 2))
     # Numbers in formulas and sentences.
-    X = value.optional(lambda c: (math.inf if c.resonant else abs(c.vibration.X)) if c.is_driven else None, "m", "size")
-    phi = value.optional(lambda c: c.lag if c.is_driven else None, "rad", "lag behind the drive")
+    X = value.optional(lambda c: _size(c) if c.is_driven and c.is_sine else None, "m", "size")
+    phi = value.optional(lambda c: c.lag if c.is_driven and c.is_sine else None, "rad", "lag behind the drive")
     phi_minus = value(lambda c: -c.lag)
     Q = value(lambda c: 0.5 / c.zeta if c.zeta else math.inf, "", "quality factor")
     width = value(lambda c: 2 * c.zeta * c.one.omega_n, "rad/s", "width of the response at half the power")
@@ -466,6 +435,7 @@ class DrivenShown(DrivenCase):
     P_lost = value.optional(lambda c: float(c.power["P_lost"][-1]) if c.power else None, "W", "mean power lost")
     # Which formulas and words are shown.
     size = value(lambda c: ("grows" if c.resonant else "nearly") if c.swells else c.kind)
+    no_powers = value(lambda c: "others" if not c.is_sine else "")
     quality = value(lambda c: c.kind if c.kind != "base" and c.zeta else "")
     work = value(lambda c: ("base" if c.shaken else "push") if c.steady and c.c else "")
     holds = value(_holds)
@@ -498,3 +468,15 @@ class DrivenShown(DrivenCase):
     peak_low, peak_high = value.pair(lambda c: c.top_mark and c.top_mark.ends)
     peak_half = value.optional(lambda c: c.top_mark and c.top_mark.height / math.sqrt(2))
     peak_width = value.optional(lambda c: c.top_mark and c.top_mark.width)
+    # The harmonics of a push.
+    has_width = value(lambda c: c.kind == "force" and c.push == "pulses")
+    on_peak = value.optional(lambda c: c.harmonics.on_peak or None if c.harmonics else None, "", "harmonic at the peak")
+    strongest = value.optional(lambda c: c.harmonics.strongest[0] if c.harmonics else None, "", "strongest harmonic")
+    n_peak = value.optional(lambda c: str(c.harmonics.on_peak) if c.harmonics else None)
+    n_strongest = value.optional(lambda c: str(c.harmonics.strongest[0]) if c.harmonics else None)
+    X_strongest = value.optional(lambda c: c.harmonics.strongest[1] if c.harmonics else None, "m", "size of its swing")
+    harmonic_growth = value.optional(lambda c: c.harmonics.mass.growth if c.harmonics else None)
+    meets = value(lambda c: c.met())
+    strongest_at = value.optional(lambda c: c.harmonics.strongest[0] * c.omega if c.harmonics else None)
+    first_line = value(lambda c: float(c.harmonics.lines([1]).f[0]) / c.F_0 if c.harmonics else 1.0)
+    sine_at = value.optional(lambda c: c.M if c.settles and c.is_sine else None)

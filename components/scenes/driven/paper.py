@@ -54,6 +54,7 @@ from components.paper.plots import (
 from components.quantities.axes import Axis
 from components.quantities.parameters import one_of
 from components.scenes.driven.case import KINDS, DrivenShown, outline
+from components.scenes.driven.harmonics import OTHERS, in_harmonics
 
 c = deferred(DrivenShown)
 BESIDE = 1 - STACKED
@@ -63,10 +64,9 @@ SIDES, LEFT = Room(48, 26), Room(40, 14, top=10)
 FAINT = (0.0, 0.5, 1.0)
 """The damping ratios of the curves behind."""
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
-
-
 AXES = one_of("linear", {"linear": "Linear", "log": "Log"}, "Axes of the response")
 KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
+PULSES = form_of(c.has_width)
 LAGS = Axis(
     0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
 )
@@ -75,6 +75,7 @@ X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, coun
 POWER = Plot("power", TIME, axis("W", lambda c: c.power_ends, "P", count=1, seen=lambda c: c.power_range))
 RESPONSE = Plot("response", R, axis("", lambda c: c.response_axis, "M"))
 PHASE = Plot("phase", R, axis("", lambda c: LAGS, "lag"))
+HARMONICS, PUSHED = Plot("harmonics", R, RESPONSE.up), Plot("pushed", TIME, X.up)
 
 MIDDLE, LEVEL = wide(0.34 * W, W * (0.22 * STACKED + 0.3 * BESIDE)), wide(X.y(0), H * (0.44 * STACKED + 0.28 * BESIDE))
 IS_BASE = number(c.kind == "base")
@@ -105,6 +106,7 @@ def paper() -> Block:
             in_views(response(), "response", "forces"),
             in_views(phase(), "response"),
             in_views(desk(choice(AXES, phone=62)), "response"),
+            *in_harmonics(HARMONICS, PUSHED, sweeps("M", "harmonics", c.sine_at), LEFT, SIDES),
             in_views(displacement(), "motion", "power", "formulas"),
             in_views(when(c.has_power, powers()), "power"),
             in_views(words(sentence(), phone=16, name="balance"), "response", "forces", "formulas"),
@@ -212,6 +214,7 @@ def sentence() -> EitherText:
         alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
         less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
         isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
+        others=f"**{OTHERS}**",
         still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
         idle="**No push: the motion is that of the start alone.**",
     )

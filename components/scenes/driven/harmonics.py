@@ -1,0 +1,110 @@
+"""The harmonics of a push under the response of the driven mass: bars of the push, a dot for the swing of each."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from components.language.blocks import Block
+from components.language.plots import Room
+from components.layout.grabs import grab
+from components.layout.stage import circle, line, text
+from components.layout.views import in_views
+from components.paper.deferred import deferred
+from components.paper.plots import Plot, PlotItem, along, curve, either, handle, note, words
+from components.quantities.axes import Axis
+from components.scene.traces import Columns
+from components.scenes.driven.case import DrivenCase, DrivenShown
+from physics.pushed_vibration import Harmonics, PushHarmonics
+
+c = deferred(DrivenShown)
+OTHERS = "The push is no sine. This view is about a sine of the same frequency: the view Harmonics shows the others."
+
+
+def _bars(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
+    """Return a path up and down each line of the push, over F_0, from the lower end of the axis."""
+    if not case.harmonics:
+        return None
+    lines = _lines(case.harmonics, r)
+    up = np.full((len(lines.n), 3), M.start)
+    up[:, 1] = np.maximum(lines.f / case.F_0, M.start)
+    return {"bar_omega": np.repeat(lines.n * case.omega, 3), "bar": up.ravel()}
+
+
+def _dots(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
+    """Return the amplitude of each harmonic over F_0/k; one beyond the axis is at its end."""
+    if not case.harmonics:
+        return None
+    lines = _lines(case.harmonics, r)
+    return {"dot_omega": lines.n * case.omega, "dot": np.clip(lines.X * (case.k / case.F_0), M.start, M.end)}
+
+
+def _lines(harmonics: PushHarmonics, r: Axis) -> Harmonics:
+    """Return the lines on the axis, which has no place for a mean."""
+    n, f, X = harmonics.drawn(r.end)
+    return Harmonics(n[n > 0], f[n > 0], X[n > 0])
+
+
+def _strongest(case: DrivenCase, r: Axis, M: Axis) -> float | None:
+    """Return the height of the highest dot."""
+    return min(case.harmonics.strongest[1] * (case.k / case.F_0), M.end) if case.harmonics else None
+
+
+def in_harmonics(plot: Plot, below: Plot, response: list[PlotItem], room: Room, sides: Room) -> list[Block]:
+    """Return the blocks of the view Harmonics, and the sentence of the view Power on pushes that are no sines."""
+    power = words(either(c.no_powers, others=OTHERS), phone=12, name="powers")
+    blocks = harmonics(plot, *response, room=room), pushed(below, room=sides), strongest()
+    return [in_views(power, "power"), *(in_views(one, "harmonics") for one in blocks)]
+
+
+def harmonics(plot: Plot, *response: PlotItem, room: Room) -> Block:
+    """Return the plot, over the curve of the response."""
+    bars, dots = (plot.in_frame(c, of.__name__.strip("_"), of, optional=True) for of in (_bars, _dots))
+    hand = grab(
+        "Drive frequency, first harmonic", along("x", plot.x, plot.across, omega=c.omega_at, least=0.0), inside=plot
+    )
+    x, top = plot.x(c.omega_at), plot.in_frame(c, "strongest_up", _strongest, optional=True)
+    return plot.block(
+        curve(dots, "none", "m1", "disc", columns=("dot_omega", "dot"), words="swing", read="swing of a harmonic"),
+        curve(bars, "line", "F", columns=("bar_omega", "bar"), words="push", read="harmonics of the push"),
+        *response,
+        note("of each harmonic, against *nω*/*ω*_n", "mute"),
+        title="Harmonics of the push over its size, the response, and the swing of each harmonic over F_0/k",
+        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
+        over=[
+            line(x, plot.top, x, plot.bottom, style="thin", tint="F"),
+            circle(x, plot.y(c.first_line), 0, grab=hand),
+            text(
+                plot.x(c.strongest_at) + 8, plot.y(top) + 5, f"*n* = {c.n_strongest}", "start", tint="m1",
+                style="t2 b halo",
+            ),
+        ],
+        room=room, grow=330, phone=10, height=212,
+    )  # fmt: skip
+
+
+def pushed(plot: Plot, room: Room) -> Block:
+    """Return the plot of the motion with its push, which a spring without a mass would follow."""
+    return plot.block(
+        curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
+        curve(c.F_over_k, "line", "mute", words="push *F*/*k*", read="push over k", fast="band"),
+        title="Displacement and push against time", room=room, grow=220, phone=15, height=150,
+    )  # fmt: skip
+
+
+def strongest() -> Block:
+    """The sentence on which harmonic meets the peak."""
+    most = either(
+        c.meets,
+        hit=f"**Harmonic {c.n_peak} is at the peak, and moves the mass most: by {c.X_strongest} m.**",
+        beaten=f"**Harmonic {c.n_peak} is at the peak, but harmonic {c.n_strongest} moves the mass most: "
+        f"by {c.X_strongest} m.**",
+        missing=f"**Harmonic {c.n_peak} would be at the peak, but this push has none. "
+        f"Harmonic {c.n_strongest} moves the mass most: by {c.X_strongest} m.**",
+        between=f"**No harmonic is at the peak. Harmonic {c.n_strongest} moves the mass most: by {c.X_strongest} m.**",
+        wide=f"**The peak is wide or missing. Harmonic {c.n_strongest} moves the mass most: by {c.X_strongest} m.**",
+        grows=f"**Harmonic {c.n_peak} has exactly the natural frequency, and there is no dashpot: "
+        f"its swing grows by {c.harmonic_growth} m each second.**",
+        sine="**A sine has one harmonic only. Choose another push.**",
+        idle="**No push: the motion is that of the start alone.**",
+    )
+    return words(most, phone=16, name="harmonics")

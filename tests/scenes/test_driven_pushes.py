@@ -1,0 +1,160 @@
+"""The driven mass under a square, a triangle and pulses: its motion, its harmonics, and what is said of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from components.layout.sheet import blocks
+from components.scenes import SCENES
+from physics.damped import DampedOscillator
+from physics.driven import highest, magnification
+from physics.periodic import PeriodicPush
+from physics.pushed import PushedMass
+from tests.grids import tries
+from tests.scenes.said import read
+
+DRIVEN = SCENES["driven"]
+PUSHES = ("square", "triangle", "pulses")
+EXACT = {"view": "harmonics", "m": 1.0, "k": 36.0}
+
+
+def sentence(scene: Any, name: str = "meets") -> str:
+    texts = (item for block in blocks(DRIVEN.sheet()) for item in getattr(block, "items", ()))
+    variants = next(item.variants for item in texts if item.name == name)
+    return read(scene, variants[scene.shown.forms[name]])
+
+
+def lines_of(scene: Any) -> tuple[list[int], list[float], list[float]]:
+    """The harmonics from 1 on, |f_n| in N and |X_n| in m, by the formulas of a textbook."""
+    n = list(range(1, 400))
+    match scene.push:
+        case "square":
+            f = [4 * scene.F_0 / (i * math.pi) if i % 2 else 0.0 for i in n]
+        case "triangle":
+            f = [8 * scene.F_0 / (i * math.pi) ** 2 if i % 2 else 0.0 for i in n]
+        case _:
+            f = [2 * scene.F_0 * abs(math.sin(i * math.pi * scene.width)) / (i * math.pi) for i in n]
+    w = scene.omega
+    return (
+        n,
+        f,
+        [f_n / abs(scene.k - scene.m * (i * w) ** 2 + 1j * i * scene.c * w) for i, f_n in zip(n, f, strict=True)],
+    )
+
+
+@pytest.mark.parametrize("push", PUSHES)
+@pytest.mark.parametrize("omega", [0.7, 2.0944, 5.0])
+def test_a_file_has_the_exact_motion_and_its_parts(push: Any, omega: float) -> None:
+    scene = DRIVEN(push=push, omega=omega, x_0=0.02, v_0=0.1, c=1.0)
+    data = scene.sources["time"].data
+    mass = PushedMass(
+        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=scene.F_0, omega=omega, width=scene.width)
+    )
+    free = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).motion(scene.x_0, scene.v_0, data["t"])
+    assert data["x"] == pytest.approx(mass.from_rest(data["t"]).x + free.x, abs=1e-15)
+    assert data["x_p"] + data["x_c"] == pytest.approx(data["x"], abs=1e-12)
+    assert data["F_over_k"] == pytest.approx(mass.force(data["t"]) / scene.k, abs=1e-15)
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_a_push_is_one_of_a_force(push: Any) -> None:
+    """A shaken base and an unbalance keep their sine."""
+    for kind in ("base", "unbalance"):
+        assert DRIVEN(kind=kind, push=push).sources["time"].data["x"].tolist() == (
+            DRIVEN(kind=kind).sources["time"].data["x"].tolist()
+        )
+    none = DRIVEN(push=push, F_0=0.0, x_0=0.1)
+    assert none.sources["time"].data["x"].tolist() == DRIVEN(F_0=0.0, x_0=0.1).sources["time"].data["x"].tolist()
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_bars_are_the_push_and_dots_lie_under_the_response(push: Any) -> None:
+    scene = DRIVEN(view="harmonics", push=push, omega=1.7, c=2.0)
+    bars, dots = scene.sources["bars"].data, scene.sources["dots"].data
+    n, f, X = lines_of(scene)
+    place = np.round(dots["dot_omega"] / scene.omega).astype(int)
+    M = scene.shown.axes["M"]
+    assert bars["bar_omega"][::3] == pytest.approx(dots["dot_omega"]) and np.all(bars["bar"][::3] == M.start)
+    for i, height, dot in zip(place.tolist(), bars["bar"][1::3].tolist(), dots["dot"].tolist(), strict=True):
+        assert height == pytest.approx(max(f[i - 1] / scene.F_0, M.start))
+        assert dot == pytest.approx(max(X[i - 1] * scene.k / scene.F_0, M.start))
+    seen = scene.shown.axes["r"].end / 1.7
+    assert set(place.tolist()) == {i for i, f_n in zip(n, f, strict=True) if f_n > 1e-12 and i < seen}
+    assert M.end >= dots["dot"].max()
+
+
+@settings(max_examples=tries(120), deadline=None)
+@given(
+    st.sampled_from(PUSHES), st.floats(0.05, 3.0), st.floats(0.004, 1.2), st.floats(0.05, 0.95), st.floats(0.1, 10.0)
+)
+def test_its_sentence_is_true(push: Any, r: float, zeta: float, width: float, m: float) -> None:
+    scene = DRIVEN(view="harmonics", push=push, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m), width=width)
+    told, word = sentence(scene), scene.shown.forms["meets"]
+    _, f, X = lines_of(scene)
+    found = scene.numbers["strongest"].value
+    assert X[int(found) - 1] == pytest.approx(max(X), rel=1e-9)
+    assert scene.numbers["X_strongest"].value == pytest.approx(max(X))
+    assert f"armonic {int(found)} moves the mass most" in told or (
+        word == "hit" and f"armonic {int(found)} is at" in told
+    )
+    peak = highest(scene.zeta)
+    if word in ("hit", "beaten", "missing"):
+        assert peak
+        i = int(scene.numbers["on_peak"].value)
+        height = float(np.abs(magnification(i * r, scene.zeta))[0])
+        assert height >= 0.7 * peak[1] or abs(i * r - peak[0]) < 0.021
+        assert (word == "missing") == (f[i - 1] < 1e-12 * scene.F_0)
+        assert (word == "hit") == (f[i - 1] > 0 and i == found)
+    else:
+        assert "on_peak" not in scene.numbers
+        assert word == ("wide" if scene.zeta > 0.35 else "between")
+
+
+def test_a_harmonic_at_the_natural_frequency_grows_without_a_dashpot() -> None:
+    scene = DRIVEN(**EXACT, push="square", c=0.0, omega=2.0)
+    assert "Harmonic 3 has exactly the natural frequency" in sentence(scene)
+    x, t = (scene.sources["time"].data[name] for name in ("x", "t"))
+    assert "x_p" not in scene.sources["time"].data
+    rate = 4 * scene.F_0 / (3 * math.pi) / (2 * scene.m * 6.0)
+    assert f"{rate:.3g}" in sentence(scene)
+    late = t > t[-1] - math.pi
+    assert np.abs(x[late]).max() == pytest.approx(rate * t[-1], rel=0.2)
+    assert scene.sources["dots"].data["dot"].max() == scene.shown.axes["M"].end
+    assert "grows" not in sentence(DRIVEN(**EXACT, push="square", c=0.0, omega=math.nextafter(2.0, 3.0)))
+
+
+def test_a_missing_harmonic_is_harmless() -> None:
+    """The second harmonic of a square is missing, that of a pulse of a fifth of a period is not."""
+    scene = DRIVEN(**EXACT, push="square", c=0.0, omega=3.0)
+    assert "Harmonic 2 would be at the peak, but this push has none" in sentence(scene)
+    assert np.abs(scene.sources["time"].data["x"]).max() < 0.3
+    assert "Harmonic 2 has exactly" in sentence(DRIVEN(**EXACT, push="pulses", c=0.0, omega=3.0, width=0.2))
+    assert "would be" in sentence(DRIVEN(**EXACT, push="pulses", c=0.0, omega=3.0, width=0.5))
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
+    scene = DRIVEN(view="response", push=push)
+    assert "The push is no sine" in sentence(scene, "holds") and "The push is no sine" in sentence(scene, "no_powers")
+    assert {"X", "phi", "W", "P_in"}.isdisjoint(scene.numbers)
+    assert scene.shown.forms["no_powers"] and not DRIVEN().shown.forms.get("no_powers")
+    assert DRIVEN(view="harmonics").shown.forms["meets"] == "sine"
+
+
+@pytest.mark.parametrize("values", [{"omega": 600.0}, {"omega": 0.01}, {"window": 1e5}, {"window": 1e-3}, {"k": 1e-6}])
+@pytest.mark.parametrize("push", PUSHES)
+def test_a_motion_too_fast_or_too_slow_is_drawn_all_the_same(push: Any, values: dict[str, float]) -> None:
+    scene = DRIVEN(view="harmonics", push=push, **values)
+    band = scene.shown.sources["band"]
+    if "x_hi" not in band:
+        assert np.all(np.isfinite(scene.sources["time"].data["x"]))
+        return
+    mass = PushedMass(scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=scene.F_0, omega=scene.omega, width=0.2))
+    x = mass.from_rest(np.linspace(0.0, band["t"][-1], 50)).x
+    assert np.all(band["x_lo"] <= x.min()) and np.all(band["x_hi"] >= x.max() * (1 - 1e-9))
