@@ -35,7 +35,9 @@ def _dots(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
     if not case.harmonics:
         return None
     lines = _lines(case.harmonics, r)
-    return {"dot_omega": lines.n * case.omega, "dot": np.clip(lines.X * (case.k / case.F_0), M.start, M.end)}
+    sizes = lines.X * (case.k / case.F_0)
+    seen = sizes >= M.start
+    return {"dot_omega": lines.n[seen] * case.omega, "dot": np.minimum(sizes[seen], M.end)}
 
 
 def _lines(harmonics: PushHarmonics, r: Axis) -> Harmonics:
