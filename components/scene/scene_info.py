@@ -48,6 +48,8 @@ class SceneInfo(param.Parameterized):
     """True if the presets are folded under the title `start`."""
     physical: ClassVar[tuple[AnyParameter, ...]] = ()
     """The choices that change the physical system; other choices only change how it is shown."""
+    covered_with: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """The plots that have the curves of another one: if it is covered, they are too."""
     reached: ClassVar[tuple[AnyParameter, ...]] = ()
     """The parameters that record a visitor's progress: links have them, comparisons do not."""
     places: ClassVar[tuple[str, ...]] = ()

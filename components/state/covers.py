@@ -86,6 +86,10 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
     """
     if not covered:
         return picture, ()
+    covered = (
+        *covered,
+        *(PLOT + other for name in _named(covered, PLOT) for other in scene.covered_with.get(name, ())),
+    )
     drawn = [one for plot in plots(scene) for one in _drawn(plot)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
     names = set(_named(covered, VALUE)) | _marks(covered)

@@ -76,6 +76,9 @@ class DrivenScene(DashpotScene, CaseScene):
         says="is the share of each period in which the pulse acts, above 0 and below 1.",
     )  # fmt: skip
     physical = (kind, push)
+    covered_with = {
+        "response": ("harmonics",), "harmonics": ("response",), "x": ("pushed",), "pushed": ("x",)
+    }  # fmt: skip
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     Y = not_negative(
         0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),
