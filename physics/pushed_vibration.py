@@ -105,17 +105,17 @@ class PushedVibration:
 
     @cached_property
     def x(self) -> ExactMotion:
-        """The displacement in m. It is played as the steady and the free part, or if these cancel by samples of it."""
-        free = self.oscillator
-        exact = lambda t: self.steady.mass.from_rest(t).x + free.motion(self.x_0, self.v_0, t).x  # noqa: E731
+        """The displacement in m, exact as the sum of the steady and the free part; if these cancel, in doubles."""
         if self._has_parts:
-            return MotionPolynomial(((ONE, (self.x_p,)), (ONE, (self.transient.x,))), exact)
+            return MotionPolynomial(((ONE, (self.x_p,)), (ONE, (self.transient.x,))))
         t = np.linspace(0.0, 1.02 * float(self.t[-1]), 1 + max(self.t.size, 512))  # samples repeat after the window
-        x, v = self.steady.from_start(self.x_0, self.v_0, t)
         return Elementary(
-            symbol="x", exact=exact, played=SampledCycle(float(t[-1]), x, v), size=lambda: self.largest,
+            symbol="x",
+            exact=lambda t: self.steady.from_start(self.x_0, self.v_0, t)[0],
+            played=SampledCycle(float(t[-1]), *self.steady.from_start(self.x_0, self.v_0, t)),
+            size=lambda: self.largest,
             omega=max(self.oscillator.omega_d, self.push.omega),
-        )  # fmt: skip
+        )
 
     @property
     def x_p(self) -> ExactMotion:
