@@ -443,7 +443,7 @@ class DrivenShown(DrivenCase):
     steady_part = value(lambda c: c.worded("" if c.shaken else _part(c)))
     base_form = value(lambda c: c.worded("name" if c.shaken else ""))
     growing = value(lambda c: c.worded(("always" if c.resonant else "first") if c.swells else ""))
-    is_peaked = value(lambda c: bool(c.half_power))
+    is_peaked = value(lambda c: bool(c.half_power) and not c.is_log)
     is_flat = value(lambda c: not (c.half_power or c.is_log))
     outlined = value(lambda c: "" if c.is_log else c.kind)
     has_power = value(lambda c: bool(c.power))
