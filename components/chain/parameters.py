@@ -54,7 +54,13 @@ def dashpots() -> tuple[Quantity, Quantity]:
 def start_positions(x1_0: float = 0.0, x2_0: float = 0.0, *, how: str = "") -> tuple[Quantity, Quantity]:
     """x1_0 and x2_0; `how` says what else the start is."""
     one, two = (
-        displacement(x, symbol=f"x_{i}", tint=f"m{i}", says=f"is where mass {i} starts{how}. Type any value.")
+        displacement(
+            x,
+            symbol=f"x_{i}",
+            label=f"displacement of mass {i}",
+            tint=f"m{i}",
+            says=f"is where mass {i} starts{how}. Type any value.",
+        )
         for i, x in enumerate((x1_0, x2_0), start=1)
     )
     return one, two

@@ -177,15 +177,23 @@ export class Compare {
     this.#draw()
   }
 
+  /** True if the parameters are no longer those of the earlier curves. */
+  #differs() {
+    const {held, parameters} = this.page.shown.state
+    const earlier = held ?? this.before?.state.parameters
+    return JSON.stringify(earlier) !== JSON.stringify(parameters)
+  }
+
   /** Draws the picture held, or else the one from before a drag. */
   #draw() {
     const {shown} = this.page
-    const {held, view} = shown
+    const {held, view, state} = shown
+    const name = state.step && this.#differs() ? "before" : "" // a step names the curves of its question
     /** @type {import("./ghosts.js").Under | null} */
     let under = null
-    if (held) under = {columns: held.columns, axes: view.axes, name: "held"}
+    if (held) under = {columns: held.columns, axes: view.axes, name: name || "held"}
     else if (this.before && this.before !== shown) {
-      under = {columns: this.before.view.columns, axes: this.before.view.axes, name: ""}
+      under = {columns: this.before.view.columns, axes: this.before.view.axes, name}
     }
     this.ghosts?.update(under, held)
   }

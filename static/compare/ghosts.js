@@ -24,6 +24,8 @@ export class Ghosts {
   /** @type {Kept | null} */
   held = null
 
+  name = "" // of what is drawn under the current curves
+
   /** @param {PartHost} page */
   constructor(page) {
     this.page = page
@@ -39,6 +41,7 @@ export class Ghosts {
   /** @param {Under | null} under @param {Kept | null} held */
   update(under, held) {
     this.held = held
+    this.name = under?.name ?? ""
     for (const plot of this.plots) plot.update(under)
     for (const stage of this.stages) stage.show(Boolean(held))
     for (const thumb of this.thumbs) thumb.update(held)
@@ -51,7 +54,7 @@ export class Ghosts {
   frame(t) {
     if (!this.held) return
     const named = evaluate(this.held.signals, this.held.scalars, t)
-    for (const stage of this.stages) stage.frame(named, this.page.shown.view)
+    for (const stage of this.stages) stage.frame(named, this.page.shown.view, this.name)
   }
 }
 
@@ -121,6 +124,9 @@ export class PlotGhost extends HeldName {
   /** @type {Under | null} */
   under = null
 
+  /** @type {HTMLElement | null} the entry of the legend */
+  legend = null
+
   /** @param {import("../scene/plots.js").Plot} plot */
   constructor(plot) {
     super(plot.over)
@@ -153,7 +159,17 @@ export class PlotGhost extends HeldName {
       const drawn = lines.filter(line => line.above === above)
       host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
     }
-    this.tell(lines, this.under?.name ?? "", this.plot.block.time)
+    const name = this.under?.name ?? ""
+    this.tell(lines, name, this.plot.block.time)
+    this.#explain(this.end === null && lines.length ? name : "")
+  }
+
+  /** Adds the dotted lines to the legend, if no curve carries their name. @param {string} name */
+  #explain(name) {
+    if (name === this.legend?.textContent) return
+    this.legend?.remove()
+    this.legend = name ? element("span", {class: "part mute"}, element("i", {class: "key dots"}), name) : null
+    if (this.legend) this.plot.host.parentElement?.querySelector(".head")?.append(this.legend)
   }
 }
 
@@ -266,10 +282,10 @@ export class StageGhost {
     if (!isHeld) for (const {group} of [...this.shapes, ...this.numbers]) group.style.display = "none"
   }
 
-  /** @param {Named} named @param {Drawn["view"]} view */
-  frame(named, view) {
+  /** @param {Named} named @param {Drawn["view"]} view @param {string} name */
+  frame(named, view, name) {
     const {stage} = this
-    for (const number of this.numbers) number.frame(named, view)
+    for (const number of this.numbers) number.frame(named, view, name)
     const all = {...named, ...stage.plots, ...stage.size}
     for (const shape of this.shapes) {
       const {spec, needs, parts, group} = shape

@@ -53,7 +53,7 @@ export class Slider {
     this.send = send
     this.soft = spec.soft
     const {name, unit} = spec
-    const label = called(spec.label, unit)
+    const label = withIts(spec.label, unit)
     this.slider = element("input", {
       type: "range",
       name: `${name}-slider`,
@@ -77,7 +77,9 @@ export class Slider {
     this.unit = element("span", {class: "unit", "aria-hidden": "true"}, unit)
     this.label = element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol))
     const number = element("span", {class: "num"}, this.field, this.unit)
-    this.element = element("div", {class: "control"}, this.label, this.slider, number, this.problem)
+    const words = spec.label.replace(/^[^,]*, /, "") // without the symbol, which stands beside it
+    const called = element("span", {class: "called", "aria-hidden": "true"}, words)
+    this.element = element("div", {class: "control"}, this.label, this.slider, called, number, this.problem)
     this.size = 1 // the shown unit, divided by the quantity's own unit
     if (spec.marks.length) this.#mark(spec.marks)
     this.element.style.setProperty("--c", `var(--${spec.tint})`)
@@ -235,7 +237,7 @@ export class Slider {
     const unit = other ?? this.spec.unit
     this.size = size
     if (!reword(this.unit, unit)) return
-    const label = called(this.spec.label, unit)
+    const label = withIts(this.spec.label, unit)
     for (const part of [this.slider, this.field]) part.setAttribute("aria-label", label)
     this.label.title = label
   }
@@ -306,4 +308,4 @@ export class Slider {
 }
 
 /** The name of a slider with its unit. @param {string} label @param {string} unit */
-const called = (label, unit) => [label, unit].filter(Boolean).join(", ")
+const withIts = (label, unit) => [label, unit].filter(Boolean).join(", ")

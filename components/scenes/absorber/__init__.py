@@ -154,7 +154,8 @@ class Absorber(Scene):
 
     views = (
         View(
-            "Goals", "Meet all three goals, then meet them with less mass *m*_2.",
+            "Goals",
+            "Meet the goals for the displacements *x*_1, *x*_2 at the drive *ω*; then meet them with less mass *m*_2.",
             keys=(m2, k2), names=("stage", "stage:goals", "plot:swing"),
         ),
         View(

@@ -45,9 +45,9 @@ TEETH = 0.8 * H * var(P.hook)
 """The height of a spring's teeth: they stay above the floor."""
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 FREQUENCIES = (
-    (P.slow, P.slow_seen, "slow", rf"$\omega_-$ {N.slow}"),
-    (P.omega, P.omega_seen, "F", rf"$\omega$ {N.omega}"),
-    (P.fast, P.fast_seen, "fast", rf"$\omega_+$ {N.fast}"),
+    (P.slow, P.slow_seen, "slow", f"slow {N.slow}"),
+    (P.omega, P.omega_seen, "F", f"drive {N.omega}"),
+    (P.fast, P.fast_seen, "fast", f"fast {N.fast}"),
 )
 """The lines that cross both plots: their places, whether they are seen, colours, flags."""
 
@@ -147,7 +147,7 @@ def _forces() -> list[Shape]:
     """The drive and the pull of spring 2 start at one point: equally long, they are the explanation."""
     x, y = _place(1, var(S.x[1])), FLOORS[1] - 0.5 * side(1) - 4
     pulls, look = f"{N.link}: {S.pull_now} {N.F_unit}", "t1 b halo"
-    drives = f"*F* = {S.drive_now} {N.F_unit}"
+    drives = f"push *F* = {S.drive_now} {N.F_unit}"
     return [
         arrow(x, y, x + var(P.push) * W * var(S.drive), y, tint="F", style="thick", head=16),
         arrow(x, y, x + var(P.push) * W * var(S.pull), y, tint="k", style="thick", head=16),
@@ -163,7 +163,7 @@ def _verdicts() -> list[Shape]:
     below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 3)
     told = "verdict b halo told"
     return [
-        text(W, above, "Alone, the machine shakes", "end", style=told, show=P.alone_shakes),
+        text(W, above, "Alone, it shakes", "end", style=told, show=P.alone_shakes),
         text(W, above, "Alone, it grows without limit", "end", style=told, show=P.alone_grows),
         text(W, above, "Alone, it beats, slowly", "end", style=told, show=P.alone_beats),
         text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=told, show=P.alone_within),

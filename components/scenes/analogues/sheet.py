@@ -95,13 +95,32 @@ def _roles() -> Block:
     systems = ANALOGUES.items()
     T, V = ({slug: s.T_formula for slug, s in systems}, {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems})
     rows = [
-        _role("m1", "x", "x", f"{S.x}${N.x_unit}", {slug: s.coordinate for slug, s in systems}, f"{S.q}${N.q_unit}"),
-        _role("m1", "m", "m", f"{N.m}${GAP}kg", {slug: s.inertia_formula for slug, s in systems}, f"{N.m}${N.m_unit}"),
         _role(
-            "k", "k", "k", f"{N.k}${GAP}N/m", {slug: s.stiffness_formula for slug, s in systems}, f"{N.k}${N.k_unit}"
+            "m1",
+            "displacement *x*",
+            "x",
+            f"{S.x}${N.x_unit}",
+            {slug: s.coordinate for slug, s in systems},
+            f"{S.q}${N.q_unit}",
         ),
-        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", f"{S.T_x}${N.J_unit}", T, f"{S.T_q}${N.E_unit}"),
-        _role("V", "V", r"\tfrac{1}{2} k x^2", f"{S.V_x}${N.J_unit}", V, f"{S.V_q}${N.E_unit}"),
+        _role(
+            "m1",
+            "mass *m*",
+            "m",
+            f"{N.m}${GAP}kg",
+            {slug: s.inertia_formula for slug, s in systems},
+            f"{N.m}${N.m_unit}",
+        ),
+        _role(
+            "k",
+            "stiffness *k*",
+            "k",
+            f"{N.k}${GAP}N/m",
+            {slug: s.stiffness_formula for slug, s in systems},
+            f"{N.k}${N.k_unit}",
+        ),
+        _role("T", "kinetic energy *T*", r"\tfrac{1}{2} m \dot{x}^2", f"{S.T_x}${N.J_unit}", T, f"{S.T_q}${N.E_unit}"),
+        _role("V", "potential energy *V*", r"\tfrac{1}{2} k x^2", f"{S.V_x}${N.J_unit}", V, f"{S.V_q}${N.E_unit}"),
     ]
     omega = {slug: f"${s.omega_formula} = {N.omega}$ rad/s" for slug, s in systems}
     rows.append(["natural frequency", rf"$\sqrt{{k/m}} = {N.omega}$ rad/s", either(F.system, **omega)])
@@ -109,10 +128,10 @@ def _roles() -> Block:
     return table(*rows, head=["", "Spring and mass", f"{N.system_name}"], phone=10, style="roles")
 
 
-def _role(tint: str, symbol: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
+def _role(tint: str, name: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
     """A row: its name, the spring's side, the chosen system's side; the values end their formulas."""
     ours = {slug: f"[{tint}|${text} = {own}]" for slug, text in formulas.items()}
-    return [f"role of ${symbol}$", f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
+    return [f"role of {name}", f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
 
 
 def _motions() -> dict[str, str]:

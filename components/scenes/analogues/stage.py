@@ -48,13 +48,13 @@ CENTRE = 0.5 * (W - 92)
 
 COORDINATES = {
     "spring": "*x*",
-    "shaft": "*θ*",
-    "pendulum": "*θ*",
-    "rocking": "*θ*",
-    "floating": "*z*",
-    "circuit": "*q*",
+    "shaft": "angle *θ*",
+    "pendulum": "angle *θ*",
+    "rocking": "angle *θ*",
+    "floating": "depth *z*",
+    "circuit": "charge *q*",
     "string": "*q_n*",
-    "wave": "*η*",
+    "wave": "rise *η*",
     "pipe": "*q_n*",
 }
 
@@ -110,7 +110,7 @@ def pendulum() -> list[Shape]:
         arrow(*bob, bob[0], bob[1] + 0.17 * HIGH, tint="k", style="thick", head=17),
         circle(*bob, radius, style="body", tint="m1", grab=swing),
         text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
-        text(bob[0] + 12, bob[1] + 0.16 * HIGH, "*m g*", anchor="start", tint="k", style="t2 b halo"),
+        text(bob[0] + 12, bob[1] + 0.16 * HIGH, "weight *m g*", anchor="start", tint="k", style="t2 b halo"),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
     return shown_by(P.of["pendulum"], *found)

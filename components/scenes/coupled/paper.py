@@ -18,7 +18,7 @@ from components.language.plots import Room
 from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Share, Swung
 from components.layout.grabs import begin
 from components.layout.sheet import choice, column, row, stage, table
-from components.layout.stage import AT_DESK, H, W, arrow, circle, line, text
+from components.layout.stage import AT_DESK, ON_NARROW, H, W, arrow, circle, line, text
 from components.layout.views import in_views
 from components.paper.deferred import Axes, computed, deferred, number, recorded
 from components.paper.plot_axes import TIME, PlotAxis, axis
@@ -200,6 +200,7 @@ def shapes() -> list[AnyShape]:
         found.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [place(i, part) for i, part in zip(chain.BOTH, parts, strict=True)]
         found += DRAWN.masses(base, *places, small=True)
+        found.append(text(W, base - 5, f"{mode} part", "end", tint=mode, style="t0 halo", show=ON_NARROW))
         for i, at in zip(chain.BOTH, places, strict=True):
             low = base - 0.026 * chain.BODY
             found += [arrow(chain.rest(i), low, at, low, tint=mode), *mode_hands(mode, i, at, base)]
@@ -305,7 +306,7 @@ def displacements() -> Iterator[Block]:
         slow_legend = either(c.slow_term, words=r"\text{slow part}", sine=slow, drift=rf"{a}\; {b:+}\,t")
         fast_legend = either(c.fast_term, words=r"+\; \text{fast part}", sine=fast)
         yield plot.block(
-            curve(WHOLE[i - 1], "sum", f"m{i}", legend=f"x_{i} =", label=f"*x*_{i}", fast="band", dot=True),
+            curve(WHOLE[i - 1], "sum", f"m{i}", words=f"mass {i}: $x_{i} =$", label=f"*x*_{i}", fast="band", dot=True),
             curve(slow_part, tint="slow", legend=slow_legend, read="slow", fast="band", dot=True),
             curve(fast_part, "dash", "fast", legend=fast_legend, read="fast", fast="band", dot=True),
             title=f"Displacement of mass {i} against time, with its slow and its fast part",

@@ -70,7 +70,7 @@ class Damped(DashpotScene, CaseScene):
     views = (
         View(
             "Motion",
-            "Turn up the damping *ζ*: where does the swinging end, and does still more bring the mass home sooner?",
+            "Turn up the damping *ζ*: where does the swinging end, and does still more bring the mass *m* home sooner?",
             keys=(zeta,), names=("stage", "plot:x"),
         ),
         View(

@@ -260,9 +260,9 @@ def stairs() -> list[Shape]:
     (x1, y1), (x2, y2) = points[:2]
     shapes += shown_by(
         drops[0],
-        text(x1 + 8, y1 - 11.5 * c.over + 4.5, "*x*_1", "start", tint="m1", style="t2 b halo"),
+        text(x1 + 8, y1 - 11.5 * c.over + 4.5, "peak *x*_1", "start", tint="m1", style="t2 b halo"),
         text(x2, y2 + 16 * c.over + 4.5, "*x*_2", tint="m1", style="t2 b halo"),
-        text(x1 + 28, y1 - 11.5 * c.over + 4.5, f"*τ*_d {c.tau_d} s", "start", style="b halo"),
+        text(x1 + 28, y1 - 11.5 * c.over + 4.5, f"period *τ*_d {c.tau_d} s", "start", style="b halo"),
     )
     return shapes + at_fastest(X, X.y(c.quickest.x))
 

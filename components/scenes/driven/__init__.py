@@ -98,7 +98,8 @@ class DrivenScene(DashpotScene, CaseScene):
     axes = AXES
     views = (
         View(
-            "Response", "Drag the dot through the peak: when does the mass go with the push, and when against it?",
+            "Response",
+            "Drag the dot through the peak: when does the mass *m* go with the push *F*_0, when against it?",
             keys=(omega,), names=("stage", "plot:response"),
         ),
         View(

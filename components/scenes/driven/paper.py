@@ -256,7 +256,7 @@ def block() -> list[Shape]:
         *apparatus(MIDDLE, y, SIDE, FLOOR, STROKE, number(c.wire), hand, raised(c.base), beside=True),
         arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
         *drives(y),
-        text(2, 16, f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+        text(2, 16, f"displacement *x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
@@ -328,11 +328,11 @@ def behind(plot: Plot) -> list[Shape]:
     return [shape for kind, d in outlines for shape in shown_by(c.outlined == kind, path(d, **place, **look))]
 
 
-def sweeps(column: str, group: str, dot: float, legend: EitherText | str = "") -> list[PlotItem]:
+def sweeps(column: str, group: str, dot: float, words_: EitherText | str = "") -> list[PlotItem]:
     """Return the curve below an undamped resonance, with its dot, and the one above."""
     columns = ("omega", column)
     return [
-        curve(BELOW, "sum", "m1", columns=columns, group=group, legend=legend, dot=(c.omega_at, dot)),
+        curve(BELOW, "sum", "m1", columns=columns, group=group, words=words_, dot=(c.omega_at, dot)),
         curve(ABOVE, "sum", "m1", columns=columns, group=group),
     ]
 
@@ -344,17 +344,19 @@ def response() -> Block:
     x, y, root2, one = RESPONSE.x(c.omega_at), RESPONSE.y(M), RESPONSE.x(c.root2), RESPONSE.y(c.unity)
     top, low, high, own = map(RESPONSE.x, (c.peak_at, c.peak_low, c.peak_high, c.natural))
     hand = grab("Drive frequency, on the curve", along("x", RESPONSE.x, R, omega=c.omega, least=0.0), inside=RESPONSE)
-    legend = either(c.kind, force="k |X| / F_0", base="|X| / Y", unbalance="m |X| / m_0 e")
+    legend = either(
+        c.kind, force="amplitude $k |X| / F_0$", base="amplitude $|X| / Y$", unbalance="amplitude $m |X| / m_0 e$"
+    )
     return RESPONSE.block(
         *sweeps("M", "response", c.M_at, legend),
         curve(
             BELOW, "line", "T", columns=("omega", "power"), words=either(c.is_peaked, shown="power lost")
         ),
-        note("against *r* = *ω*/*ω*_n", "mute"),
+        note("against frequency ratio *r* = *ω*/*ω*_n", "mute"),
         note(either(c.is_flat, shown=BEHIND), "mute"),
         note(either(c.peak_form, shown=f"peak at {c.peak_at} rad/s, width {c.peak_width}"), "m1"),
         title="Amplitude of the steady part against r, the drive frequency over the natural one",
-        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
+        handles=(handle(c.r, parameter="omega", symbol="ratio r", label="Drive frequency", tint="F"),),
         over=[
             *behind(RESPONSE),
             *half_width(),
@@ -390,12 +392,12 @@ def half_width() -> list[Shape]:
         circle(high, y, 3.5, tint="T"),
         *shown_by(
             c.view != "forces",  # there the polygon needs the room
-            text(past + 10, y + 5, f"Δ*ω* = {c.width} rad/s", "start", style="halo"),
+            text(past + 10, y + 5, f"width Δ*ω* = {c.width} rad/s", "start", style="halo"),
             text(past + 10, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
         ),
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
         circle(one + 60, height, 5, style="ghost", tint="T", grab=grab("Height at r = 1, Q", hand)),
-        text(one + 70, height + 5, f"*Q* = {c.Q}", "start", style="b halo"),
+        text(one + 70, height + 5, f"quality *Q* = {c.Q}", "start", style="b halo"),
         text(RESPONSE.right - 4, aside, BEHIND, "end", tint="mute", style="halo", show=ON_WIDE),
     )
 
@@ -409,7 +411,7 @@ def phase() -> Block:
             *behind(PHASE),
             upright(PHASE, PHASE.x(c.natural), "mute"),
             upright(PHASE, x, "F"),
-            text(PHASE.left + 8, PHASE.top + 18, "*φ*: how far *x* lags", "start", tint="mute", style="halo"),
+            text(PHASE.left + 8, PHASE.top + 18, "lag *φ* of *x* behind the push", "start", tint="mute", style="halo"),
         ],
         room=LEFT, grow=110, phone=15, height=130,
     )  # fmt: skip
@@ -435,7 +437,7 @@ def polygon() -> Block:
         *shown_by(p.idle, text(CENTER, BASE - 40, "no push", tint="mute", style="t2")),
     ]
     label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
-    return stage(*shapes, label=label, grow=230, phone=11, height=200, style="still", name="forces")
+    return stage(*shapes, label=label, grow=230, phone=11, height=184, style="still", name="forces")
 
 
 def arrows(

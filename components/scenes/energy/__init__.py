@@ -83,7 +83,7 @@ class Energy(CaseScene):
     views = (
         View(
             "Energy",
-            "Pull the mass down and let go: where is the bar all *T*, where all *V*, and what never changes?",
+            "Pull the mass *m* down and let go: where is all energy motion *T*, where position *V*? What stays?",
             keys=(x_0,), names=("stage", "plot:energy"),
         ),
         View(

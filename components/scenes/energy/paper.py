@@ -172,11 +172,11 @@ def claim() -> Block:
 
 
 def energies() -> Block:
-    twice = rf"at $2 \omega_n = {c.omega_2}$ rad/s"
+    twice = f"at {c.omega_2} rad/s, twice the natural *ω*_n"
     return ENERGY.block(
-        curve(c.total, "sum", "total", legend="T + V", read="*T*+*V*", dot=True),
-        curve(c.V, "line", "V", legend="V", read="*V*", fast="band", dot=True),
-        curve(c.T, "dash", "T", legend="T", read="*T*", fast="band", dot=True),
+        curve(c.total, "sum", "total", words="sum $T + V$", read="*T*+*V*", dot=True),
+        curve(c.V, "line", "V", words="position $V$", read="*V*", fast="band", dot=True),
+        curve(c.T, "dash", "T", words="motion $T$", read="*T*", fast="band", dot=True),
         curve(c.spring, "line", "k", words="spring", label="spring", fast="band"),
         curve(c.gravity, "dash", "k", words="gravity", label="gravity", fast="band"),
         curve(c.constant, "dots", "k", label="const.", dot=True),

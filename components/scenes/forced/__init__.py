@@ -83,7 +83,8 @@ class Forced(Scene):
     curve, axes, scale = CURVE, UNITS, SCALE
     views = (
         View(
-            "Response", "Drag *ω*: where does mass 1 swing farthest, where not at all, and when against the push?",
+            "Response",
+            "Drag the drive *ω*: where is the swing *x*_1 of mass 1 largest, where zero, when against the push *F*?",
             keys=(omega,), names=("stage", "plot:response"),
         ),
         View(

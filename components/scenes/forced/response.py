@@ -16,7 +16,7 @@ from components.language.plots import Curve, Handle
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, mark, plot
-from components.layout.sheet import phrase, term
+from components.layout.sheet import phrase
 from components.layout.stage import PlotFrame, Shape, arrow, circle
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
@@ -231,9 +231,9 @@ def _marks(case: AnyCase, across: Axis, up: Axis, log: bool, signed: bool) -> di
 
 
 FLAGS = (
-    ("minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
+    ("minus", "slow", r"slow $\omega_-$", "Drive at the slow natural frequency", ""),
     ("still", "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
-    ("plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
+    ("plus", "fast", r"fast $\omega_+$", "Drive at the fast natural frequency", ""),
 )
 
 
@@ -254,9 +254,9 @@ def response_plot() -> PlotBlock:
         curves=tuple(_branch(i, b) for i in BOTH for b in range(len(BRANCHES))),
         x_column=Swings.omega,
         heading=(
-            *(term(Swings.Xp[i], "sum", f"m{i}", formula=rf"X_{{\mathrm{{p}}{i}}}") for i in BOTH),
+            *(phrase(Swings.Xp[i], "sum", f"m{i}", formula=rf"amplitude $X_{{\mathrm{{p}}{i}}}$") for i in BOTH),
             phrase("", "dash", "ink", form=F.rows, sign="against the push", braked=""),
-            phrase("", "none", "mute", formula="over *ω*"),
+            phrase("", "none", "mute", formula="over drive *ω*"),
         ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),

@@ -97,7 +97,7 @@ class ModesScene(Scene):
     views = (
         View(
             "Hunt",
-            "Drag the ring, the start: from where is the path a straight line? With both springs there are two.",
+            "Drag the ring, where mass 1 and 2 start: when is the path straight? With both springs there are two.",
             keys=(x1_0, x2_0), names=("stage", "plot:plane"),
         ),
         View(

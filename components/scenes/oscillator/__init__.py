@@ -64,7 +64,7 @@ class OscillatorScene(CaseScene):
     )  # fmt: skip
     views = (
         View(
-            "Motion", "Pull the mass out and let go: the tip of the turning arrow is always as high as *x*. Why?",
+            "Motion", "Pull the mass *m* out and let go: the tip of the turning arrow is always as high as *x*. Why?",
             keys=(x_0,), names=("stage", "plot:x"),
         ),
         View(

@@ -143,6 +143,8 @@ LOOKS = (
     ("*a*/*ω*_n²", "F", "thin", (30, 16)),
 )
 """Their names, tints and styles, and the pixels from the tip to the middle of the name, across and up."""
+IN_WORDS = ("*x*", "velocity", "acceleration")
+"""Their names in the first view, which has no curves of v and a."""
 BOLD: Looks = {"style": "t2 b halo"}
 
 
@@ -183,7 +185,7 @@ def idea() -> Block:
     """In place of the formulas: the scene's idea in words."""
     turning = (
         "The tip of the turning arrow is as high as [m1|$x$]. An arrow a quarter turn ahead is as high as "
-        r"[T|$v/\omega_n$], one half a turn ahead as [F|$a/\omega_n^2$]."
+        r"[T|velocity $v/\omega_n$], one half a turn ahead as [F|acceleration $a/\omega_n^2$]."
     )
     return words(
         either(
@@ -405,9 +407,12 @@ def turning(centre: StageVector) -> list[Shape]:
         circle(*at(centre, START_WAY, RADIUS), 4, style="ghost", tint="mute"),
         circle(speed(c.v), height(c.x), 5, tint="m1", grab=hand),
     ]
-    for (x, y), (name, tint, _, (across, up)) in zip(WAYS, LOOKS, strict=True):
+    is_first = c.view == "motion"
+    for (x, y), (symbol, tint, _, (across, up)), name in zip(WAYS, LOOKS, IN_WORDS, strict=True):
         place = centre[0] + (RADIUS + across) * x, centre[1] - (RADIUS + up) * y + 5
-        found.append(text(*place, name, tint=tint, style="t2 b halo told"))
+        look: Looks = {"tint": tint, "style": "t2 b halo told"}
+        found += shown_by(is_first, text(*place, name, **look))
+        found += shown_by(c.view != "motion", text(*place, symbol, **look))
     return found
 
 

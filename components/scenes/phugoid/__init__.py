@@ -59,7 +59,7 @@ class Phugoid(Scene):
     }
 
     excess = Quantity(
-        0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T",
+        0.6, symbol="v′", unit="v₀", label="extra speed at the start", tint="T",
         bounds=(-1.0, LARGEST), softbounds=(0.0, 1.1),
         allowed="an excess of speed is from −v₀ (standstill) to 3 v₀",
         says="is the speed in excess of v₀ at the start, in level flight. Below 0 the flight starts at its top.",

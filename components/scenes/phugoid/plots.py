@@ -74,11 +74,11 @@ def period_plot() -> Block:
         x_column=Periods.v_0,
         curves=(curve(Periods.tau, tint="ink", width="sum", read="*τ*"),),
         heading=(
-            term("", "sum", "ink", formula=r"\tau ="),
+            phrase("", "sum", "ink", formula=r"period of small swings $\tau =$"),
             term("", "none", "ink", formula=rf"\sqrt{{2}}\,\pi\,v_0 / g = {N.tau}\;\text{{s}}"),
         ),
         room=Room(44, 26, top=60),
-        handles=(Handle(parameter="v_0", symbol="v₀", label="Speed of steady flight", tint="T", least=1.0),),
+        handles=(Handle(parameter="v_0", symbol="speed v₀", label="Speed of steady flight", tint="T", least=1.0),),
         marks=tuple(map(_example, AIRCRAFT, N.examples, (0, 1, 0, 1))),
         phone=10,
         height=222,
