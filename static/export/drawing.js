@@ -194,9 +194,9 @@ export class Drawing {
    */
   #held(stage, named) {
     const {compare, clock} = this.page
-    const held = compare.ghosts?.held
+    const {held, name} = compare.ghosts ?? {}
     if (!held) return
-    new StageGhost(stage).frame(evaluate(held.signals, held.scalars, clock.t), this.view)
+    new StageGhost(stage).frame(evaluate(held.signals, held.scalars, clock.t), this.view, name ?? "")
     stage.frame(named)
   }
 

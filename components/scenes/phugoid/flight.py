@@ -139,7 +139,7 @@ def _labels(left: Number, level: Number) -> list[Shape]:
         for x, y in ((Places.top_x, Places.top_y), (Places.top_lin_x, Places.top_lin_y))
     )
     named: Looks = {"tint": "m1", "style": "halo which", "show": Places.named}
-    quiet: Looks = {"tint": "mute", "style": "t0 halo given"}
+    quiet: Looks = {"tint": "mute", "style": "t0 halo given names-dashed"}
     return [
         text(0, 17, f"height *h*′ = {S.h} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
         text(BESIDE, 17, f"extra speed *v*′ = {S.v} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
