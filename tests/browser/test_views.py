@@ -34,7 +34,7 @@ HEADLINE = """(() => {
 SIDE_BY_SIDE = """(() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
-  const [stage, plot] = [seen("stage"), seen("plot")]
+  const [stage, plot] = [seen("plot.path") ?? seen("stage"), seen("plot:not(.path)")] // a path is a picture, too
   return !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom && plot.top < stage.bottom)
 })()"""
 CHOSEN = """() => [...document.querySelectorAll("[role=tab][aria-selected=true]")].map(tab => tab.textContent)"""

@@ -344,9 +344,7 @@ def response() -> Block:
     x, y, root2, one = RESPONSE.x(c.omega_at), RESPONSE.y(M), RESPONSE.x(c.root2), RESPONSE.y(c.unity)
     top, low, high, own = map(RESPONSE.x, (c.peak_at, c.peak_low, c.peak_high, c.natural))
     hand = grab("Drive frequency, on the curve", along("x", RESPONSE.x, R, omega=c.omega, least=0.0), inside=RESPONSE)
-    legend = either(
-        c.kind, force="amplitude $k |X| / F_0$", base="amplitude $|X| / Y$", unbalance="amplitude $m |X| / m_0 e$"
-    )
+    legend = either(c.kind, force="swing $k |X| / F_0$", base="swing $|X| / Y$", unbalance="swing $m |X| / m_0 e$")
     return RESPONSE.block(
         *sweeps("M", "response", c.M_at, legend),
         curve(
