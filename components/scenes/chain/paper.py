@@ -120,7 +120,7 @@ def hand(axis: Literal["x", "y"], zero: Number) -> Grab:
 
 
 def field() -> Block:
-    string = rf"\text{{a string's crest, }} c = {c.wave_speed}\ \text{{m/s}}"
+    string = rf"\text{{crest on a string, speed }} c = {c.wave_speed}\ \text{{m/s, length }} L"
     look: dict[str, Any] = {"read": "crest of the string", "group": "crest"}
     return FIELD.block(
         curve(c.crest, "dash", "ink", legend=string, columns=("crest_x", "crest_t"), **look),
