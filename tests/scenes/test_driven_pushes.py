@@ -119,7 +119,7 @@ def test_a_harmonic_at_the_natural_frequency_grows_without_a_dashpot() -> None:
     scene = DRIVEN(**EXACT, push="square", c=0.0, omega=2.0)
     assert "Harmonic 3 has exactly the natural frequency" in sentence(scene)
     x, t = (scene.sources["time"].data[name] for name in ("x", "t"))
-    assert "x_p" not in scene.sources["time"].data
+    assert "x_p" not in scene.sources["time"].data and scene.shown.notes == ()
     rate = 4 * scene.F_0 / (3 * math.pi) / (2 * scene.m * 6.0)
     assert f"{rate:.3g}" in sentence(scene)
     late = t > t[-1] - math.pi

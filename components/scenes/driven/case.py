@@ -277,8 +277,9 @@ class DrivenCase(PushedCase):
 
     def notes(self) -> tuple[str, ...]:
         rings, is_band = self.sampled.rings, "x" in self.bands
+        grows = bool(self.harmonics and self.harmonics.resonant)
         found = {
-            APART_NOTE: self.is_driven and not self.split and not (self.grows if self.is_sine else is_band),
+            APART_NOTE: self.is_driven and not self.split and not (self.grows if self.is_sine else is_band or grows),
             RINGS_NOTE: rings,
             BAND_NOTE: is_band and not rings,
             BASE_NOTE: self.shaken and "y" in self.bands,
