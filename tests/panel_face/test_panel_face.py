@@ -54,6 +54,7 @@ def check_figures(face: PanelFace) -> None:
             if renderer.visible:
                 assert np.array_equal(renderer.data_source.data[part.x], picture.axes[block.x].places(given))
                 drawn += 1
+        drawn += figure.field is not None and len(figure.field.data["image"])
     assert drawn or not any(isinstance(one, LiveFigure) for one in face.seen)
 
 
