@@ -140,7 +140,9 @@ def test_a_missing_harmonic_is_harmless() -> None:
 @pytest.mark.parametrize("push", PUSHES)
 def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
     scene = DRIVEN(view="response", push=push)
-    assert "The push is no sine" in sentence(scene, "holds") and "The push is no sine" in sentence(scene, "no_powers")
+    assert "The push is not a sine" in sentence(scene, "holds") and "The push is not a sine" in sentence(
+        scene, "no_powers"
+    )
     assert {"X", "phi", "W", "P_in"}.isdisjoint(scene.numbers)
     assert scene.shown.forms["no_powers"] and not DRIVEN().shown.forms.get("no_powers")
     assert DRIVEN(view="harmonics").shown.forms["meets"] == "sine"

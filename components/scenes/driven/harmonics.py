@@ -17,7 +17,7 @@ from components.scenes.driven.case import DrivenCase, DrivenShown
 from physics.pushed_vibration import Harmonics, PushHarmonics
 
 c = deferred(DrivenShown)
-OTHERS = "The push is no sine. This view is about a sine of the same frequency: the view Harmonics shows the others."
+OTHERS = "The push is not a sine. This view is about a sine of the same frequency; the view Harmonics shows the others."
 
 
 def _bars(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
@@ -52,7 +52,7 @@ def _strongest(case: DrivenCase, r: Axis, M: Axis) -> float | None:
 
 
 def in_harmonics(plot: Plot, below: Plot, response: list[PlotItem], room: Room, sides: Room) -> list[Block]:
-    """Return the blocks of the view Harmonics, and the sentence of the view Power on pushes that are no sines."""
+    """Return the blocks of the view Harmonics, and the sentence of the view Power on pushes that are not sines."""
     power = words(either(c.no_powers, others=OTHERS), phone=12, name="powers")
     blocks = harmonics(plot, *response, room=room), pushed(below, room=sides), strongest()
     return [in_views(power, "power"), *(in_views(one, "harmonics") for one in blocks)]
