@@ -29,6 +29,7 @@ TRIED = {
     ),
     "make up REPLICAS=4 SITE=lecture.example": "tests/tooling/test_compose.py",
     "panel serve app.py": "tests/serving/test_panel_serve.py",
+    "pip install .": "tests/tooling/test_packaging.py::test_an_installed_lecture_serves_its_first_page",
 }
 """Each command of README, and the test that runs it; the image is walked without an engine for containers."""
 PATIENCE = 60.0

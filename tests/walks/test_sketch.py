@@ -151,7 +151,11 @@ def test_a_feature_is_told_by_expressions_of_the_scenes_numbers() -> None:
         .startswith("1000")
     )
     assert TROUGH.worked_out(numbers, AXES) is TROUGH
-    for text, says in (("tua", "does not have, tua"), ("tau +", "is no expression"), ("1 / (tau - 1)", "has no value")):
+    for text, says in (
+        ("tua", "does not have, tua"),
+        ("tau +", "is not an expression"),
+        ("1 / (tau - 1)", "has no value"),
+    ):
         with pytest.raises(ValueError, match=says):
             feature(f="zero", at=text, tol=0.1).worked_out(numbers, AXES)
     with pytest.raises(ValueError, match="> 0"):
