@@ -75,7 +75,8 @@ class Tabs:
         if tab.page.is_closed() or len(tab.context.pages) > 1:
             return tab.close()
         tab.page.unroute_all()
-        tab.page.emulate_media(media="null", reduced_motion="null", color_scheme="null")
+        asked = {name: options.get(name, "null") for name in ("reduced_motion", "color_scheme")}
+        tab.page.emulate_media(media="null", **asked)
         tab.context.set_offline(False)
         tab.page.route(home, lambda route: route.fulfill(body=EMPTY, content_type="text/html"))
         tab.page.goto(home)

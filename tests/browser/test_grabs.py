@@ -414,7 +414,7 @@ def test_keys_move_what_has_the_focus_and_enter_lets_it_go(page: Page, open_scen
 def test_a_value_that_cannot_be_stays_at_the_last_good_one_and_says_why(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="phugoid", view="limits", excess=-0.5)
     stopped(page)
-    grip = page.get_by_role("slider", name="Speed at the start")
+    grip = page.get_by_role("slider", name="Speed at the start", exact=True)
     x, y = middle(grip)
     page.mouse.move(x, y)
     page.mouse.down()

@@ -35,7 +35,8 @@ SIDE_BY_SIDE = """(() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
   const [stage, plot] = [seen("plot.path") ?? seen("stage"), seen("plot:not(.path)")] // a path is a picture, too
-  return !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom && plot.top < stage.bottom)
+  const {bottom} = document.querySelector(".transport").getBoundingClientRect() // of the picture with its clock
+  return !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom && plot.top < bottom)
 })()"""
 CHOSEN = """() => [...document.querySelectorAll("[role=tab][aria-selected=true]")].map(tab => tab.textContent)"""
 FOCUSED = "() => document.activeElement.textContent"

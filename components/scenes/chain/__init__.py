@@ -116,7 +116,7 @@ class Chain(CaseScene):
         ),
     )  # fmt: skip
     groups = (
-        Group("Chain", (N, m, k, a)),
+        Group("Chain", (N, m, k, a), dense=True),
         Group("Ends", (ends,)),
         Group("Start", (starts, h)),
         Group("", (j,), form=BY_MODE),

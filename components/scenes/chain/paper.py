@@ -120,10 +120,10 @@ def hand(axis: Literal["x", "y"], zero: Number) -> Grab:
 
 
 def field() -> Block:
-    string = rf"\text{{crest on a string, speed }} c = {c.wave_speed}\ \text{{m/s, length }} L"
     look: dict[str, Any] = {"read": "crest of the string", "group": "crest"}
+    string = f"crest on a string, speed *c* = {c.wave_speed} m/s, length *L*"
     return FIELD.block(
-        curve(c.crest, "dash", "ink", legend=string, columns=("crest_x", "crest_t"), **look),
+        curve(c.crest, "dash", "ink", words=string, columns=("crest_x", "crest_t"), **look),
         curve(c.other, "dash", "ink", columns=("other_x", "other_t"), **look),
         over=[
             text(FIELD.right + 5, FIELD.y(lap) + 5, f"{n}*L*/*c*", "start", tint="mute", show=ON_WIDE)

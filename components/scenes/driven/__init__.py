@@ -18,7 +18,7 @@ from components.quantities.parameters import (
 )
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import AXES, KIND_FORMS, PULSES, RESPONSE, paper
+from components.scenes.driven.paper import AXES, KIND_FORMS, PULSES, PUSHES, RESPONSE, paper
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
@@ -126,7 +126,7 @@ class DrivenScene(DashpotScene, CaseScene):
     groups = (
         Group("Drive", (kind, omega)),
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
-        Group("", (push,), form=KIND_FORMS["force"], apart=True),
+        Group("", (push,), form=PUSHES, apart=True),
         Group("", (width,), form=PULSES, apart=True),
         Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),

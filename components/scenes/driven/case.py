@@ -470,6 +470,7 @@ class DrivenShown(DrivenCase):
     peak_half = value.optional(lambda c: c.top_mark and c.top_mark.height / math.sqrt(2))
     peak_width = value.optional(lambda c: c.top_mark and c.top_mark.width)
     # The harmonics of a push.
+    offers_pushes = value(lambda c: c.kind == "force" and (c.view == "harmonics" or c.push != "sine"))
     has_width = value(lambda c: c.kind == "force" and c.push == "pulses")
     on_peak = value.optional(lambda c: c.harmonics.on_peak or None if c.harmonics else None, "", "harmonic at the peak")
     strongest = value.optional(lambda c: c.harmonics.strongest[0] if c.harmonics else None, "", "strongest harmonic")

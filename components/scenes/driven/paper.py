@@ -66,7 +66,7 @@ FAINT = (0.0, 0.5, 1.0)
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
 AXES = one_of("linear", {"linear": "Linear", "log": "Log"}, "Axes of the response")
 KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
-PULSES = form_of(c.has_width)
+PUSHES, PULSES = form_of(c.offers_pushes), form_of(c.has_width)
 LAGS = Axis(
     0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
 )
@@ -256,7 +256,7 @@ def block() -> list[Shape]:
         *apparatus(MIDDLE, y, SIDE, FLOOR, STROKE, number(c.wire), hand, raised(c.base), beside=True),
         arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
         *drives(y),
-        text(2, 16, f"displacement *x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
+        text(2, 16, f"mass at *x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
