@@ -4,6 +4,8 @@
 const PATIENCE = 5000 // ms without an answer until a message is repeated, and until the connection counts as lost
 const PROBE = 2500 // the same for a page that becomes visible again
 const AGAIN = 1000 // ms until a message for which the server had no time is repeated
+const JOBS = ["about", "csv", "rows"] // messages for a worker of the server, which may still be starting
+const LONGER = 4 // times the patience, for their answers
 
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
@@ -195,8 +197,10 @@ export class Messages {
 
   // A lost message is repeated. The server applies each number only once.
   #ask(/** @type {() => void} */ otherwise) {
-    if (this.asked) this.wire?.send(this.asked.message)
-    this.reminder = setTimeout(otherwise, this.patience)
+    const {asked} = this
+    if (asked) this.wire?.send(asked.message)
+    const isJob = asked && JOBS.includes(asked.message.type)
+    this.reminder = setTimeout(otherwise, this.patience * (isJob ? LONGER : 1))
   }
 
   /** @param {Packet} packet */

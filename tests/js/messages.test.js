@@ -124,3 +124,23 @@ test("the wire of a page in sight again is given up after one message without an
   messages.detach()
   assert.equal(messages.changes, 0)
 })
+
+test("the answer of a worker that is still starting is waited for four times as long", () => {
+  for (const [type, patience] of [
+    ["act", 5000],
+    ["about", 20000],
+    ["csv", 20000],
+    ["rows", 20000],
+  ]) {
+    let lost = 0
+    const messages = new Messages(async told => told, () => {}, assert.fail, assert.fail) // prettier-ignore
+    messages.overdue = () => void lost++
+    messages.attach({send: () => {}}, false)
+    messages.send({type})
+    mock.timers.tick(patience) // it is repeated
+    mock.timers.tick(patience - 1)
+    assert.equal(lost, 0)
+    mock.timers.tick(1)
+    assert.equal(lost, 1)
+  }
+})
