@@ -41,7 +41,7 @@ def test_pictures_of_each_step_stand_beside_its_problems(tmp_path: Path) -> None
     names = {f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")}
     assert {one.name for one in folder.glob("*.png")} == names
     page = (folder / "index.html").read_text(encoding="utf-8")
-    assert all(f'src="{name}"' in page for name in names) and "cover: nothing is covered" in page
+    assert all(f'src="{name}"' in page for name in names) and "cover: nothing is hidden" in page
     assert "build/walk/flat/index.html has its pictures" in told.stdout
 
 

@@ -131,7 +131,7 @@ def _roles() -> Block:
 def _role(tint: str, name: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
     """A row: its name, the spring's side, the chosen system's side; the values end their formulas."""
     ours = {slug: f"[{tint}|${text} = {own}]" for slug, text in formulas.items()}
-    return [f"role of {name}", f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
+    return [name, f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
 
 
 def _motions() -> dict[str, str]:
