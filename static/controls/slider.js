@@ -77,7 +77,7 @@ export class Slider {
     this.unit = element("span", {class: "unit", "aria-hidden": "true"}, unit)
     this.label = element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol))
     const number = element("span", {class: "num"}, this.field, this.unit)
-    const words = spec.label.replace(/^[^,]*, /, "") // without the symbol, which stands beside it
+    const words = spec.label.replace(/^[^,]*, /, "") // without the symbol, which is the label
     const called = element("span", {class: "called", "aria-hidden": "true"}, words)
     this.element = element("div", {class: "control"}, this.label, this.slider, called, number, this.problem)
     this.size = 1 // the shown unit, divided by the quantity's own unit

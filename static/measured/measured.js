@@ -164,7 +164,7 @@ export class MeasuredView {
     save("residuals.csv", `${[head, ...lines].join("\r\n")}\r\n`, "text/csv")
   }
 
-  /** Shows a sentence, and everything else anew. @param {string} sentence */
+  /** Shows a sentence and updates everything else. @param {string} sentence */
   #tell(sentence) {
     this.panel.show(sentence)
     this.shown = shownOf(opened)

@@ -4,8 +4,8 @@
 const PATIENCE = 5000 // ms without an answer until a message is repeated, and until the connection counts as lost
 const PROBE = 2500 // the same for a page that becomes visible again
 const AGAIN = 1000 // ms until a message for which the server had no time is repeated
-const JOBS = ["about", "csv", "rows"] // messages for a worker of the server, which may still be starting
-const LONGER = 4 // times the patience, for their answers
+const JOBS = ["about", "csv", "rows"] // done by a worker process that may still be starting
+const LONGER = 4 // factor of the patience for jobs
 
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
