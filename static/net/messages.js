@@ -4,7 +4,7 @@
 const PATIENCE = 5000 // ms without an answer until a message is repeated, and until the connection counts as lost
 const PROBE = 2500 // the same for a page that becomes visible again
 const AGAIN = 1000 // ms until a message for which the server had no time is repeated
-const JOBS = ["about", "csv", "rows"] // done by a worker process that may still be starting
+const JOBS = new Set(["about", "csv", "rows"]) // done by a worker process that may still be starting
 const LONGER = 4 // factor of the patience for jobs
 
 /**
@@ -199,7 +199,7 @@ export class Messages {
   #ask(/** @type {() => void} */ otherwise) {
     const {asked} = this
     if (asked) this.wire?.send(asked.message)
-    const isJob = asked && JOBS.includes(asked.message.type)
+    const isJob = asked && JOBS.has(asked.message.type)
     this.reminder = setTimeout(otherwise, this.patience * (isJob ? LONGER : 1))
   }
 
