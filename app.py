@@ -117,7 +117,7 @@ def open_page(
     SceneView(session).server_doc(document, location=False)
 
 
-ELSEWHERE = """The whole lecture, with guided walks and live classes, has a server of its own.
+ELSEWHERE = """The whole lecture, with guided walks and live classes, runs on another server.
 Start it in this folder by `make run`, or by `python -m components.serving --show`."""
 
 

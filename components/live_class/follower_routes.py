@@ -267,7 +267,7 @@ class Answers(Follower):
 
 
 class TimeOfDay(ClassHandler):
-    """The handler of the server's clock, in ms; a page estimates the error of its own from the round trip."""
+    """The handler of the server's clock, in ms. A page estimates the error of its clock from the round trip."""
 
     def get(self) -> None:
         self.reply(1000 * time())

@@ -108,6 +108,10 @@ class ShapeGlyphs:
             if (data := _columns(of, rows)) != self.sources[of].data:
                 self.sources[of].data = data
         self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}
+        self._put_grips()
+
+    def _put_grips(self) -> None:
+        """Move the dots to the shapes that they hold."""
         if self.grips.data != self._at:
             self.grips.data = {name: list(column) for name, column in self._at.items()}
 
@@ -120,7 +124,7 @@ class ShapeGlyphs:
         """Set the values of the dot that a visitor has moved."""
         xs, ys = self.grips.data["x"], self.grips.data["y"]
         if len(xs) != len(self._held):  # one was deleted by a key
-            self.grips.data = {name: list(column) for name, column in self._at.items()}
+            self._put_grips()
             return
         for grab, x, y, old_x, old_y in zip(self._held, xs, ys, self._at["x"], self._at["y"], strict=True):
             if (x, y) != (old_x, old_y):

@@ -59,7 +59,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "on": {"tint": "paper"},
     "pick": {"fill": None, "width": 2.0},
 }
-"""What a style changes. A `fill` is a colour, "" for the shape's own, None for none."""
+"""Changes of the look by each style. A `fill` is a colour; "" is the colour of the shape, None is no fill."""
 SIZES = {"t0": 12, "t1": 13, "t2": 14, "t3": 16}
 SUBSCRIPTS = str.maketrans("0123456789+-−aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
 

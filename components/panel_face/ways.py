@@ -18,7 +18,7 @@ STEPS = 30
 PLACES = 6001
 """Number of points of a curve among which the nearest is found."""
 DIGITS = 4
-"""Digits of a value set by hand."""
+"""Number of digits of a value that a drag sets."""
 FREE = Axis(0.0, 1.0)
 """The axis of a quantity that is drawn on none."""
 

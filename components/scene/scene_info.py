@@ -25,7 +25,7 @@ class SceneInfo(param.Parameterized):
     points: ClassVar[str]
     """The part of the lecture that it is about."""
     headline: ClassVar[str]
-    """What the scene shows, in a sentence."""
+    """The main statement of the scene, in a sentence."""
     equations: ClassVar[tuple[str, ...]]
     """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}

@@ -182,7 +182,7 @@ class MassesCase(Case):
 
     @property
     def by_mass(self) -> bool:
-        """Whether a hand holds one mass at the start, which the visitor chooses."""
+        """True if the motion starts from one mass, chosen by the visitor."""
         return self.starts in ("pluck", "mass")
 
     @cached_property

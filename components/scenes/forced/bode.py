@@ -36,7 +36,7 @@ PEAKS = tuple((i, n) for i in BOTH for n in (0, 1))
 NAMED = {"minus": ("slow", "*ω*_{−}"), "still": ("mute", "√(*k*_2/*m*_2)"), "plus": ("fast", "*ω*_{+}")}
 KEYS: dict[int, Literal["sum", "line"]] = {1: "sum", 2: "line"}
 LAGS = {f"mass {i}": N.phase[i].aloud for i in BOTH}
-"""What is read aloud of the lags."""
+"""The lags that screen readers announce, by mass."""
 QUARTERS = (0.0, 90.0, 180.0, 270.0, 360.0)
 TURN = 2 * math.pi
 scalar, column = Scalar[AnyCase], Column[AnyCase]
