@@ -91,7 +91,7 @@ fast: $(VENV)/test.stamp
 coverage: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) --cov --cov-report=term --cov-report=html -m "not browser"
 
-# Breaks a copy of the project in some twenty ways, and lists the tests that find each fault.
+# Breaks a copy of the project by each known fault and by 100 random ones, and lists the tests that find them.
 mutants: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tools.mutants $(ARGS)
 

@@ -1,8 +1,11 @@
-"""`python -m tools.mutants [NAME ...]` breaks a copy of the project in some twenty ways, one by one, and prints the
-test that finds each fault. Of the fast tests in the files named for a fault, at least one must fail; all pass on the
-unbroken copy.
+"""`python -m tools.mutants [NAME ...]` breaks a copy of the project, once for each fault, and prints what finds it.
 
-A pattern must occur exactly once in its file; otherwise the tool stops, so that no fault is skipped.
+Without names it puts in the faults of the register (tools/faults.py), each held against its own test files, and random
+ones (tools/random_faults.py), each held against the tests that run its line. It prints the share that is found.
+
+    --seed 20261127    the random faults of that seed; by default the date
+    --random 30        so many random faults; 0 for none
+    --tests FILE ...   only these test files for the random faults, without measuring which tests run a line
 """
 
 from __future__ import annotations
@@ -12,152 +15,137 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
-from dataclasses import dataclass
+import time
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
+from queue import Queue
+from tempfile import TemporaryDirectory
+
+from tools.faults import MUTANTS, Mutant, broken
+from tools.random_faults import AREAS, RandomFault, random_faults
+from tools.tests_by_line import TestsByLine
 
 ROOT = Path(__file__).parents[1]
 LEFT = (".git", "build", "*_cache", "__pycache__", ".hypothesis")
 SHARED = (".venv", "node_modules")
 FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
+SECONDS = 60.0
+"""Measured duration of the tests that are tried for one random fault."""
+ENDLESS = 900.0
+"""Seconds after which tests count as stopped by the fault."""
+WORKERS = 2
+MutantTrial = Callable[[Path], tuple[str, bool]]
+"""Puts a fault into a copy of the project; returns what is to be said, and whether a test has found it."""
 
 
-@dataclass(frozen=True)
-class Mutant:
-    """A fault: what is written in a file in place of what, and the files of tests that must find it."""
-
-    name: str
-    file: str
-    old: str
-    new: str
-    tests: str
-
-
-MUTANTS = (
-    # physics
-    Mutant(
-        "sign", "physics/oscillator.py", "exact(v_0), -omega * omega", "exact(v_0), omega * omega",
-        "tests/physics/test_oscillator.py",
-    ),
-    Mutant(
-        "digits", "physics/forced.py", "float(exact(self.omega) - mode.omega)", "self.omega - float(mode.omega)",
-        "tests/physics/test_forced.py",
-    ),
-    Mutant(
-        "half", "physics/energy.py", "2 * exponents + exponent - 1", "2 * exponents + exponent",
-        "tests/physics/test_energy.py",
-    ),
-    Mutant(
-        "seam", "physics/damped.py", '_SAME = Decimal("1e-6")', '_SAME = Decimal("0.5")',
-        "tests/physics/test_damped.py",
-    ),
-    Mutant(
-        "pairing", "physics/damped_chain.py", "(real[1], real[2]), (real[0], real[3])",
-        "(real[1], real[0]), (real[2], real[3])", "tests/physics/test_damped_chain.py",
-    ),
-    # what a page says and hides
-    Mutant(
-        "cover", "components/state/covers.py",
-        "for one in hidden for column in one.columns", "for one in () for column in ()",
-        "tests/page/test_covers.py",
-    ),
-    Mutant(
-        "rounding", "components/quantities/formatting.py", "{value:.2e}", "{value:.1e}",
-        "tests/components/test_numbers.py"
-    ),
-    Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
-    Mutant(
-        "answer", "components/walks/content/d31.toml",
-        'answer = { of = "2 * delta_st"', 'answer = { of = "delta_st"',
-        "tests/walks/test_content.py tests/walks/test_claims.py",
-    ),
-    # the server and the class
-    Mutant(
-        "vote", "components/live_class/room.py", "return name in self.streams or", "return name not in self.streams or",
-        "tests/live_class/test_abuse.py",
-    ),
-    Mutant(
-        "table", "components/live_class/votes_csv.py", "and not NUMBER.fullmatch(text)", "and NUMBER.fullmatch(text)",
-        "tests/live_class/test_registry.py",
-    ),
-    Mutant(
-        "line", "components/serving/admission.py", "has < OF_A_NETWORK", "has <= OF_A_NETWORK",
-        "tests/serving/test_admission.py",
-    ),
-    Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_headers.py"),
-    # scripts
-    Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
-    Mutant("twice told", "static/core/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
-    Mutant(
-        "slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value",
-        "tests/browser/test_controls.py",
-    ),
-    Mutant(
-        "dead button", "static/controls/transport.js",
-        '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
-        "tests/browser/test_page.py",
-    ),
-    Mutant(
-        "dead key", "static/controls/keys.js", "=> l.page.compare.toggle()", "=> {}",
-        "tests/browser/test_compare.py",
-    ),
-    Mutant(
-        "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
-        "tests/browser/test_undo.py",
-    ),
-    Mutant("overlap", "static/scene/labels.js", "everyWhich(spans)", "1", "tests/browser/test_screens.py"),
-    Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_axe.py"),
-)  # fmt: skip
-
-
-def broken(mutant: Mutant, folder: Path) -> str:
-    """Return the text of the file with the fault. Raises ValueError unless its pattern occurs once."""
-    text = (folder / mutant.file).read_text(encoding="utf-8")
-    if (count := text.count(mutant.old)) != 1:
-        raise ValueError(f"{mutant.name}: {mutant.old!r} stands {count} times in {mutant.file}")
-    return text.replace(mutant.old, mutant.new)
-
-
-def failures(mutant: Mutant, folder: Path) -> list[str]:
-    """The tests that fail in a copy of the project while the fault is in it."""
-    path = folder / mutant.file
-    sound, faulty = path.read_bytes(), broken(mutant, folder)
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-x",
-        "-m",
-        "not slow",
-        "-p",
-        "no:cacheprovider",
-        *mutant.tests.split(),
-    ]
+def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list[str]:
+    """The tests that fail, or what else stops them, in a copy of the project while the fault is in it."""
+    path = folder / file
+    sound = path.read_bytes()
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests]
     try:
         path.write_text(faulty, encoding="utf-8")
-        told = subprocess.run(command, cwd=folder, env=dict(os.environ), capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            command, cwd=folder, env=dict(os.environ), capture_output=True, text=True, check=False, timeout=ENDLESS
+        )
+    except subprocess.TimeoutExpired:
+        return ["no end"]
     finally:
         path.write_bytes(sound)
-    return FAILED.findall(told.stdout)
+    return FAILED.findall(done.stdout) or ([f"exit {done.returncode}"] if done.returncode not in (0, 5) else [])
 
 
-def main(names: list[str]) -> int:
-    """The number of faults that no test has found."""
-    asked = [mutant for mutant in MUTANTS if not names or mutant.name in names]
+def known(mutant: Mutant, folder: Path) -> tuple[str, bool]:
+    """Return what is to be said of a fault of the register, and whether it is found."""
+    found = failures(folder, mutant.file, broken(mutant, folder), mutant.tests.split())
+    return f"{mutant.name:12} {'; '.join(found) or 'NOT FOUND by ' + mutant.tests}", bool(found)
+
+
+def drawn(fault: RandomFault, tests: Sequence[str], folder: Path) -> tuple[str, bool]:
+    """Return what is to be said of a random fault, and whether it is found."""
+    found = failures(folder, fault.site.file, fault.text, tests) if tests else []
+    place = f"{fault.site.file}:{fault.site.line}"
+    change = f"{_short(fault.old)} -> {_short(fault.new)}"
+    return f"{place:44} {change:60} {'; '.join(found) or f'NOT FOUND by {len(tests)} tests'}", bool(found)
+
+
+def _short(text: str) -> str:
+    return text.splitlines()[0][:60]
+
+
+def in_copies(top: Path, jobs: Sequence[MutantTrial]) -> list[bool]:
+    """Do jobs, each in one of the copies of the project, print what they say, and return which found their fault."""
+    free: Queue[Path] = Queue()
+    for number in range(WORKERS):
+        free.put(copied(top / str(number)))
+
+    def done(job: MutantTrial) -> bool:
+        folder = free.get()
+        try:
+            said, is_found = job(folder)
+        finally:
+            free.put(folder)
+        print(said, flush=True)
+        return is_found
+
+    with ThreadPoolExecutor(WORKERS) as pool:
+        return list(pool.map(done, jobs))
+
+
+def copied(folder: Path) -> Path:
+    """Return a copy of the project."""
+    shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*LEFT, *SHARED))
+    for name in SHARED:
+        (folder / name).symlink_to((ROOT / name).resolve())
+    return folder
+
+
+def try_known(asked: Sequence[Mutant]) -> int:
+    """The number of faults of the register that no test has found."""
     for mutant in asked:
         broken(mutant, ROOT)
+    with TemporaryDirectory() as top:
+        found = in_copies(Path(top), [partial(known, mutant) for mutant in asked])
+    print(f"{sum(found)} of {len(asked)} faults of the register are found")
+    return len(asked) - sum(found)
+
+
+def try_random(seed: int, count: int, tests: Sequence[str]) -> None:
+    """Print which random faults are found, and their share in each area."""
+    faults = random_faults(ROOT, seed, count)
+    with TemporaryDirectory() as top:
+        measured = TestsByLine(copied(Path(top) / "sound"), ROOT / "build" / "tests-by-line")
+        if not tests:
+            measured.measure()
+        jobs = [partial(drawn, one, tests or measured.tests(one.site.file, one.site.line, SECONDS)) for one in faults]
+        found = in_copies(Path(top), jobs)
+    for area in AREAS:
+        of_area = [done for one, done in zip(faults, found, strict=True) if one.site.file.startswith(area)]
+        print(f"{area}: {sum(of_area)} of {len(of_area)}")
+    print(f"{sum(found)} of {len(faults)} random faults are found; seed {seed}")
+
+
+def options(arguments: Sequence[str]) -> Namespace:
+    """Return the choices of the command line."""
+    parser = ArgumentParser(prog="python -m tools.mutants", description="Break a copy and see which test notices.")
+    parser.add_argument("names", nargs="*", help="faults of the register")
+    parser.add_argument("--seed", type=int, default=int(time.strftime("%Y%m%d")), help="of the random faults")
+    parser.add_argument("--random", type=int, default=100, help="how many random faults")
+    parser.add_argument("--tests", nargs="+", default=[], help="test files for the random faults")
+    return parser.parse_args(arguments)
+
+
+def main(arguments: Sequence[str]) -> int:
+    """The number of faults of the register that no test has found."""
+    asked = options(arguments)
     missed = 0
-    with tempfile.TemporaryDirectory() as top:
-        folder = Path(top) / "project"
-        shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*LEFT, *SHARED))
-        for name in SHARED:
-            (folder / name).symlink_to((ROOT / name).resolve())
-        for mutant in asked:
-            found = failures(mutant, folder)
-            missed += not found
-            print(f"{mutant.name:12} {'; '.join(found) or 'NOT FOUND by ' + mutant.tests}", flush=True)
-    print(f"{len(asked) - missed} of {len(asked)} faults are found")
+    if not asked.tests:
+        missed = try_known([mutant for mutant in MUTANTS if not asked.names or mutant.name in asked.names])
+    if asked.random and not asked.names:
+        try_random(asked.seed, asked.random, asked.tests)
     return missed
 
 

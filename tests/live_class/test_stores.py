@@ -260,6 +260,32 @@ async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
         await asyncio.gather(task, return_exceptions=True)
 
 
+async def test_who_no_longer_listens_hears_nothing(on: Kept) -> None:
+    async with on() as kept:
+        heard: dict[str, list[Parts]] = {"left": [], "stays": []}
+        tasks = {}
+        for name, updates in heard.items():
+            ready = asyncio.Event()
+            hear = partial(_append, updates)
+            tasks[name] = asyncio.create_task(kept.listen(hear, ready.set))
+            await asyncio.wait_for(ready.wait(), 5)
+        tasks["left"].cancel()
+        await asyncio.gather(tasks["left"], return_exceptions=True)
+        await kept.tell("AAAA", {"clock": b"1"})
+
+        async def arrived() -> bool:
+            return bool(heard["stays"])
+
+        await until(arrived)
+        assert heard == {"left": [], "stays": [{"clock": b"1"}]}
+        tasks["stays"].cancel()
+        await asyncio.gather(tasks["stays"], return_exceptions=True)
+
+
+def _append(updates: list[Parts], code: str, parts: Parts) -> None:
+    updates.append(dict(parts))
+
+
 async def test_those_present_are_counted_over_replicas(on: Kept) -> None:
     async with on() as kept:
         code = code_of(new_key())

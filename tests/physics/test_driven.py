@@ -10,6 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from physics.driven import DrivenOscillator, drawn, half_power, highest, lag, magnification
+from physics.forced_vibration import ForcedVibration
 from tests.physics.chain_truth import U, ulps
 
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["driven"]
@@ -134,3 +135,29 @@ def test_growth_at_resonance_without_damping():
 def test_refusals_name_the_value(call, words):
     with pytest.raises(ValueError, match=words):
         call()
+
+
+@pytest.mark.parametrize("c", [0.0, 0.3, 9.0])
+@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+def test_mean_powers_are_work_over_a_period(kind, c):
+    """The work of each force is integrated with the motion by another method. Before t = 0 no work was done."""
+    one = ForcedVibration(
+        oscillator=DrivenOscillator(m=2.0, c=c, k=8.0), kind=kind, size=0.7, omega=1.7, x_0=0.2, v_0=-0.5
+    )
+    w, k = one.omega, one.oscillator.k
+
+    def rates(t, state):
+        x, v = state[:2]
+        base, rate = (0.7 * math.sin(w * t), 0.7 * w * math.cos(w * t)) if kind == "base" else (0.0, 0.0)
+        push = {"force": 0.7, "unbalance": 0.7 * w * w}.get(kind, 0.0) * math.sin(w * t)
+        spring, dashpot = k * (base - x), c * (rate - v)
+        put_in = (spring + dashpot) * rate if kind == "base" else push * v
+        return v, (push + spring + dashpot) / 2.0, put_in, dashpot * (rate - v)
+
+    end, count = 14.0, 400
+    found = one.mean_powers(end, count)
+    solved = solve_ivp(rates, (0, end), (0.2, -0.5, 0, 0), method="DOP853", rtol=1e-12, atol=1e-14, dense_output=True)
+    before = np.maximum(found.t - 2 * math.pi / w, 0.0)
+    work = solved.sol(found.t)[2:] - solved.sol(before)[2:]
+    expected = work * w / (2 * math.pi)
+    assert np.abs(np.array([found.P_in, found.P_lost]) - expected).max() < 1e-5 * np.abs(expected).max()

@@ -1,11 +1,14 @@
-"""The faults of `make mutants` can be put in: each pattern stands once, each file of tests is there."""
+"""The faults of `make mutants` can be put in: each pattern occurs once, each file of tests exists."""
 
 from __future__ import annotations
+
+import ast
 
 import pytest
 
 from tests.serving.server import ROOT
-from tools.mutants import MUTANTS, Mutant, broken
+from tools.faults import MUTANTS, Mutant, broken
+from tools.random_faults import AREAS, KINDS, random_faults
 
 
 @pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
@@ -15,5 +18,18 @@ def test_a_fault_can_be_put_in(mutant: Mutant) -> None:
 
 
 def test_a_pattern_that_is_missing_is_an_error() -> None:
-    with pytest.raises(ValueError, match=r"gone: 'no such words' stands 0 times in app\.py"):
+    with pytest.raises(ValueError, match=r"gone: 'no such words' occurs 0 times in app\.py"):
         broken(Mutant("gone", "app.py", "no such words", "", "tests"), ROOT)
+
+
+def test_random_faults_are_the_same_for_one_seed_and_change_one_place() -> None:
+    found = random_faults(ROOT, 56, 25)
+    assert [one.site for one in found[:5]] == [one.site for one in random_faults(ROOT, 56, 5)]
+    assert {one.site.kind for one in found} == set(KINDS)
+    assert all(any(one.site.file.startswith(area) for one in found) for area in AREAS)
+    for one in found:
+        sound = ast.unparse(ast.parse((ROOT / one.site.file).read_text(encoding="utf-8"))).splitlines()
+        faulty = ast.unparse(ast.parse(one.text)).splitlines()
+        assert sound != faulty and one.old != one.new
+        if one.site.kind == "number":
+            assert sum(line != other for line, other in zip(sound, faulty, strict=True)) == 1

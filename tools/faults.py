@@ -1,0 +1,118 @@
+"""Faults that were found once, for `make mutants`: what is written in a file in place of what, and who must notice.
+
+They are written for the code of today. A pattern must occur exactly once in its file; otherwise the tool stops, so that
+no fault is skipped.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A fault: what is written in a file in place of what, and the files of tests that must find it."""
+
+    name: str
+    file: str
+    old: str
+    new: str
+    tests: str
+
+
+MUTANTS = (
+    # physics
+    Mutant(
+        "sign", "physics/oscillator.py", "exact(v_0), -omega * omega", "exact(v_0), omega * omega",
+        "tests/physics/test_oscillator.py",
+    ),
+    Mutant(
+        "digits", "physics/forced.py", "float(exact(self.omega) - mode.omega)", "self.omega - float(mode.omega)",
+        "tests/physics/test_forced.py",
+    ),
+    Mutant(
+        "half", "physics/energy.py", "2 * exponents + exponent - 1", "2 * exponents + exponent",
+        "tests/physics/test_energy.py",
+    ),
+    Mutant(
+        "seam", "physics/damped.py", '_SAME = Decimal("1e-6")', '_SAME = Decimal("0.5")',
+        "tests/physics/test_damped.py",
+    ),
+    Mutant(
+        "pairing", "physics/damped_chain.py", "(real[1], real[2]), (real[0], real[3])",
+        "(real[1], real[0]), (real[2], real[3])", "tests/physics/test_damped_chain.py",
+    ),
+    Mutant(
+        "no swings", "physics/damped_chain.py", "return _turns(self.exponents[0])", "return None",
+        "tests/physics/test_damped_chain.py",
+    ),
+    Mutant(
+        "cubic", "physics/forced_vibration.py", "3 * rise - 2 * first - last", "3 * rise - 2 * first + last",
+        "tests/physics/test_driven.py",
+    ),
+    # what a page says and hides
+    Mutant(
+        "cover", "components/state/covers.py",
+        "for one in hidden for column in one.columns", "for one in () for column in ()",
+        "tests/page/test_covers.py",
+    ),
+    Mutant(
+        "rounding", "components/quantities/formatting.py", "{value:.2e}", "{value:.1e}",
+        "tests/components/test_numbers.py"
+    ),
+    Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
+    Mutant(
+        "answer", "components/walks/content/d31.toml",
+        'answer = { of = "2 * delta_st"', 'answer = { of = "delta_st"',
+        "tests/walks/test_content.py tests/walks/test_claims.py",
+    ),
+    # the server and the class
+    Mutant(
+        "vote", "components/live_class/room.py", "return name in self.streams or", "return name not in self.streams or",
+        "tests/live_class/test_abuse.py",
+    ),
+    Mutant(
+        "listener", "components/live_class/store.py", "self._listeners.remove(hear)", "pass",
+        "tests/live_class/test_stores.py",
+    ),
+    Mutant(
+        "table", "components/live_class/votes_csv.py", "and not NUMBER.fullmatch(text)", "and NUMBER.fullmatch(text)",
+        "tests/live_class/test_registry.py",
+    ),
+    Mutant(
+        "line", "components/serving/admission.py", "has < OF_A_NETWORK", "has <= OF_A_NETWORK",
+        "tests/serving/test_admission.py",
+    ),
+    Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_headers.py"),
+    # scripts
+    Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
+    Mutant("twice told", "static/core/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
+    Mutant(
+        "slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value",
+        "tests/browser/test_controls.py",
+    ),
+    Mutant(
+        "dead button", "static/controls/transport.js",
+        '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
+        "tests/browser/test_page.py",
+    ),
+    Mutant(
+        "dead key", "static/controls/keys.js", "=> l.page.compare.toggle()", "=> {}",
+        "tests/browser/test_compare.py",
+    ),
+    Mutant(
+        "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
+        "tests/browser/test_undo.py",
+    ),
+    Mutant("overlap", "static/scene/labels.js", "everyWhich(spans)", "1", "tests/browser/test_screens.py"),
+    Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_axe.py"),
+)  # fmt: skip
+
+
+def broken(mutant: Mutant, folder: Path) -> str:
+    """Return the text of the file with the fault. Raises ValueError unless its pattern occurs once."""
+    text = (folder / mutant.file).read_text(encoding="utf-8")
+    if (count := text.count(mutant.old)) != 1:
+        raise ValueError(f"{mutant.name}: {mutant.old!r} occurs {count} times in {mutant.file}")
+    return text.replace(mutant.old, mutant.new)

@@ -1,0 +1,85 @@
+"""Which tests run a line: measured once by coverage, with the duration of each test, for `make mutants`.
+
+The measurement takes about twice as long as `make fast`. It stays in build/tests-by-line until code or tests change.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterable
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+
+from coverage import CoverageData
+
+MEASURED = ("components", "physics", "tests")
+SETTINGS = "[run]\nsource = components,physics\nrelative_files = true\ndata_file = {}\n"
+IN_MEMORY = "not browser and not slow"
+"""The tests that can run in one process, without a page."""
+
+
+class TestsByLine:
+    """The tests of a folder that pass, by the lines of code that they run."""
+
+    def __init__(self, folder: Path, kept: Path) -> None:
+        self.folder = folder
+        self.kept = kept / _digest(folder)[:16]
+
+    def measure(self) -> None:
+        """Run all fast tests without a browser, unless the measurement of this code is there."""
+        if (self.kept / "times.xml").exists():
+            return
+        self.kept.mkdir(parents=True, exist_ok=True)
+        settings = self.kept / "settings"
+        settings.write_text(SETTINGS.format(self.kept / "lines"), encoding="utf-8")
+        told = (f"--cov-config={settings}", f"--junitxml={self.kept / 'running.xml'}", "-o", "junit_family=xunit1")
+        command = ("-m", "pytest", "-q", "-n", "2", "--dist", "worksteal", "-p", "no:cacheprovider", "-m", IN_MEMORY)
+        coverage = ("--cov", "--cov-context=test", "--cov-report=", *told)
+        subprocess.run([sys.executable, *command, *coverage], cwd=self.folder, check=False)
+        (self.kept / "running.xml").rename(self.kept / "times.xml")
+
+    def tests(self, file: str, line: int, seconds: float) -> list[str]:
+        """Return tests that take so many seconds together: those that run the line, then those that run its file, the
+        quickest first. What runs at import or is cached has no test of its own, so its file must do."""
+        lines = self._data.contexts_by_lineno(file)
+        of_line, of_file = _named(lines.get(line, [])), _named(test for tests in lines.values() for test in tests)
+        found, left = list[str](), seconds
+        for test in [*self._passing(of_line), *self._passing(of_file - of_line)]:
+            left -= self._seconds[test]
+            if left > 0:
+                found.append(test)
+        return found
+
+    def _passing(self, tests: set[str]) -> list[str]:
+        return sorted(tests & self._seconds.keys(), key=lambda test: (self._seconds[test], test))
+
+    @cached_property
+    def _data(self) -> CoverageData:
+        data = CoverageData(str(self.kept / "lines"))
+        data.read()
+        return data
+
+    @cached_property
+    def _seconds(self) -> dict[str, float]:
+        """The duration of each test that passed."""
+        cases = ElementTree.parse(self.kept / "times.xml").iter("testcase")
+        return {
+            f"{case.get('file')}::{case.get('name')}": float(case.get("time", 0)) for case in cases if not list(case)
+        }
+
+
+def _named(contexts: Iterable[str]) -> set[str]:
+    """The tests of contexts such as "tests/page/test_hold.py::test_one|run"."""
+    return {context.rpartition("|")[0] for context in contexts}
+
+
+def _digest(folder: Path) -> str:
+    found = sha256()
+    for top in MEASURED:
+        for path in sorted((folder / top).rglob("*")):
+            if path.suffix in (".py", ".toml", ".json", ".js"):
+                found.update(path.read_bytes())
+    return found.hexdigest()
