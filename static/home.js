@@ -2,7 +2,7 @@
 
 import {inWords} from "./core/notes.js"
 import {play} from "./core/moving.js"
-import {ask} from "./live_class/requests.js"
+import {fetchJson} from "./live_class/requests.js"
 import {turnTheme} from "./shell/theme.js"
 
 /** Fetches all that a scene needs before it is pressed. @param {HTMLAnchorElement} link */
@@ -25,7 +25,7 @@ function join(form) {
     event.preventDefault()
     const code = field.value.trim()
     try {
-      await ask(`${encodeURIComponent(code)}/token`, {method: "POST"})
+      await fetchJson(`${encodeURIComponent(code)}/token`, {method: "POST"})
       location.assign(`./?class=${encodeURIComponent(code)}`)
     } catch (reason) {
       says.textContent = inWords(reason)

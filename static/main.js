@@ -50,7 +50,7 @@ export class Lecture {
     this.token = token
     this.messages = new Messages(
       packet => this.#unpacked(packet),
-      (told, asked) => this.#hear(told, asked),
+      (message, asked) => this.#handle(message, asked),
       error => this.#fail(error),
       report,
     )
@@ -99,7 +99,7 @@ export class Lecture {
     return this.page.about
   }
 
-  /** @param {page.Said} message */
+  /** @param {page.BrowserMessage} message */
   send(message) {
     this.page.compare.set(this.undo.press, this.undo.undoGroup(message), message)
     this.messages.send(message, {undoGroup: this.undo.undoGroup(message)})
@@ -182,7 +182,7 @@ export class Lecture {
 
   /** @param {Packet} packet */
   async #unpacked({sheet, data}) {
-    return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).usual : "")
+    return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).preset_dictionary : "")
   }
 
   /** Reconnects after an unreadable message or a failed request. */
@@ -192,16 +192,16 @@ export class Lecture {
     this.connection.lose()
   }
 
-  /** @param {Told} told @param {Asked | null} asked the message that it answers */
-  #hear(told, asked) {
-    guarded(() => asked?.answered?.(told))
-    if (told.type === "about") this.page.about?.show(told)
-    if (told.type === "file") download(told)
-    const {answer} = told
-    if (told.type === "kept") this.#next(() => this.page.keep(answer, asked))
-    if (told.type !== "shown") return
-    guarded(() => this.undo.record(told.state, asked ?? {}))
-    this.#next(() => this.#show(told, asked))
+  /** @param {ServerMessage} message @param {Asked | null} asked the message that it answers */
+  #handle(message, asked) {
+    guarded(() => asked?.answered?.(message))
+    if (message.type === "about") this.page.about?.show(message)
+    if (message.type === "file") download(message)
+    const {answer} = message
+    if (message.type === "kept") this.#next(() => this.page.keep(answer, asked))
+    if (message.type !== "shown") return
+    guarded(() => this.undo.record(message.state, asked ?? {}))
+    this.#next(() => this.#show(message, asked))
   }
 
   /** Shows pictures in the order of their messages. @param {() => unknown} act */

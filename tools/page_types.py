@@ -85,14 +85,14 @@ def aliases() -> dict[str, Alias]:
     return {one.name: one for chapter in chapters() for one in chapter.types if isinstance(one, Alias)}
 
 
-def said() -> frozenset[str]:
+def from_browser() -> frozenset[str]:
     """Return the types of the browser's messages and of their parts; fields with defaults may be left out in these."""
-    return _made_of("Said")
+    return _made_of("BrowserMessage")
 
 
-def only_said() -> frozenset[str]:
+def browser_only() -> frozenset[str]:
     """Return the types that the server never sends, with all their fields."""
-    return said() - _made_of("ToldAny")
+    return from_browser() - _made_of("AnyServerMessage")
 
 
 def _made_of(whole: str) -> frozenset[str]:

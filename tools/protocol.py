@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from tools.notation import limit, notation
-from tools.page_types import Alias, Chapter, Field, Record, chapters, only_said, said
+from tools.page_types import Alias, Chapter, Field, Record, browser_only, chapters, from_browser
 
 ROOT = Path(__file__).parents[1]
 WRITTEN = "Written by `make protocol` from components/language. Edit the code, not this file."
@@ -28,12 +28,12 @@ def _introduction() -> str:
     return f"""\
 One visitor's page and its session on the server exchange JSON messages over one WebSocket.
 
-The browser numbers its messages (`Said`), sends one at a time and waits for the answer. The server answers each, also
-when it rejects one, with a message of type `ToldAny`. It also sends changes without a request, for example while a
-measurement runs. The fixed parts of a scene are sent once, as its `SceneSheet`. The first picture is in the
-page itself.
+The browser numbers its messages (`BrowserMessage`), sends one at a time and waits for the answer. The server answers
+each, also when it rejects one, with a message of type `AnyServerMessage`. It also sends changes without a request, for
+example while a measurement runs. The fixed parts of a scene are sent once, as its `SceneSheet`. The first picture is
+in the page itself.
 
-A message of the server is compressed with the sheet's `usual` text as preset dictionary. It is a line of JSON. With a
+A message of the server is compressed with the sheet's `preset_dictionary`. It is a line of JSON. With a
 `PagePicture`, the numbers of its columns and of the runs of its signals follow as scaled integers:
 components/state/encoding.py.
 
@@ -71,7 +71,7 @@ def _cell(field: Field) -> str:
 
 
 def _default(record: Record, field: Field) -> str:
-    return f" `{field.default}`" if field.default is not None and record.name in said() else ""
+    return f" `{field.default}`" if field.default is not None and record.name in from_browser() else ""
 
 
 def definitions() -> str:
@@ -89,7 +89,7 @@ def _definition(type: Alias | Record) -> str:
         return f"type {type.name} = {notation(type.type)}"
     if type.array:
         return f"type {type.name} = [{', '.join(f'{field.name}: {notation(field.type)}' for field in type.fields)}]"
-    mark = "?" if type.name in only_said() else ""
+    mark = "?" if type.name in browser_only() else ""
     lines = [f'{type.tag[0]}: "{type.tag[1]}"'] if type.tag else []
     lines += [f"{field.name}{mark if field.default else ''}: {notation(field.type)}" for field in type.fields]
     extends = f" extends {type.base}" if type.base else ""

@@ -43,7 +43,7 @@ interface Kind<Shape = page.AnyShape> {
 type Toml = string | number | boolean | Toml[] | {[name: string]: Toml}
 
 /** Takes a message to the server. */
-type Send = (message: page.Said) => void
+type Send = (message: page.BrowserMessage) => void
 
 /** A rectangle in pixels. */
 interface Frame {
@@ -63,11 +63,11 @@ interface Span {
   end: number
 }
 
-/** A message as it comes: packed over the usual text of a sheet, whose address is "" where there is none. */
+/** A message as it comes: packed with the preset dictionary of a sheet, whose address is "" where there is none. */
 interface Packet {
   sheet: string
   data: ArrayBuffer
 }
 
 /** A message of the server, unpacked. */
-type Told = Drawn | page.Kept | page.File | page.AboutNumbers | page.Taught | page.Walking | page.Fitted
+type ServerMessage = Drawn | page.Kept | page.File | page.AboutNumbers | page.Taught | page.Walking | page.Fitted

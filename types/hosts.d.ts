@@ -30,7 +30,7 @@ interface PartHost {
   readonly plots: import("../static/scene/plots.js").Plot[]
   readonly stages: import("../static/scene/stage.js").Stage[]
   readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}
-  send(message: page.Said): void
+  send(message: page.BrowserMessage): void
   redraw(): void
   draw(at: number): void
   join(): Promise<void>
@@ -76,8 +76,8 @@ interface PlotHost extends Canvas {
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
   readonly messages: Pick<import("../static/net/messages.js").Messages, "send" | "last" | "rests"> &
-    Partial<Pick<import("../static/net/messages.js").Messages, "ask">>
-  send(message: page.Said): void
+    Partial<Pick<import("../static/net/messages.js").Messages, "request">>
+  send(message: page.BrowserMessage): void
   take(sets: page.State["parameters"]): void
   open(state: Pick<page.State, "scene"> & Partial<page.State>): void
   change(to: (state: page.State) => Partial<page.State>): void
@@ -100,7 +100,7 @@ interface WalkHost {
   readonly where: string
   readonly isTour: boolean
   readonly answers: {of(step: string): unknown}
-  readonly before: Pick<page.Given, "curves"> | null
+  readonly earlierAnswer: Pick<page.Given, "curves"> | null
   lesson: page.Lesson | null
   unfolded: boolean
   readonly press: Press

@@ -130,10 +130,10 @@ declare namespace page {
     x: RowNumbers
   }
 
-  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
+  type BrowserMessage = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
 
   /** Any message of the server; `answer` is the number of the message that it answers. */
-  interface Told {
+  interface ServerMessage {
     answer: number | null
   }
 
@@ -143,7 +143,7 @@ declare namespace page {
    * parameter, `preset` the name of the current preset, `here` the buttons whose values the scene has now, `errors` the
    * reasons for rejected values of the last message by parameter, `problems` the rejected parts of a link, `query` the
    * link of this state. */
-  interface Shown extends Told {
+  interface Shown extends ServerMessage {
     type: "shown"
     scene: string
     sheet: string
@@ -160,12 +160,12 @@ declare namespace page {
   }
 
   /** The answer to the end of a drag if the page does not change. */
-  interface Kept extends Told {
+  interface Kept extends ServerMessage {
     type: "kept"
   }
 
   /** A file to save, and its media type. */
-  interface File extends Told {
+  interface File extends ServerMessage {
     type: "file"
     name: string
     kind: string
@@ -188,7 +188,7 @@ declare namespace page {
   }
 
   /** The known errors of the displayed numbers. */
-  interface AboutNumbers extends Told {
+  interface AboutNumbers extends ServerMessage {
     type: "about"
     reading: Html
     tables: AboutTable[]
@@ -197,7 +197,7 @@ declare namespace page {
 
   /** The lesson of a step, in answer to `GiveAnswer`. `refused` is the reason if there is none; if `is_busy`, the
    * server has no time now and the page may ask again. */
-  interface Taught extends Told {
+  interface Taught extends ServerMessage {
     type: "taught"
     walk: string
     step: string
@@ -208,7 +208,7 @@ declare namespace page {
 
   /** A walk that this session runs. `refused` says what is wrong with its file; if `is_busy`, the server has no time
    * now. */
-  interface Walking extends Told {
+  interface Walking extends ServerMessage {
     type: "walking"
     sheet: WalkSheet | null
     refused: string
@@ -241,7 +241,7 @@ declare namespace page {
    *
    * `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
    * the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now. */
-  interface Fitted extends Told {
+  interface Fitted extends ServerMessage {
     type: "fitted"
     piece: number
     motion: FittedMotion | null
@@ -251,7 +251,7 @@ declare namespace page {
     is_busy: boolean
   }
 
-  type ToldAny = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
+  type AnyServerMessage = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
 
   /** A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
    * first of the panel. */
@@ -264,7 +264,7 @@ declare namespace page {
 
   /** Everything about a scene that is the same for every visitor: an immutable file.
    *
-   * `usual` is the preset dictionary with which messages about the scene are compressed. `hidden` are the curves that
+   * `preset_dictionary` compresses the messages about the scene. `hidden` are the curves that
    * are switched off at first. `spoken` maps names to texts with {live numbers} that are read aloud after a change. A
    * scene with `views` shows one at a time, chosen by the parameter `view`; other scenes always show the whole paper. */
   interface SceneSheet {
@@ -275,7 +275,7 @@ declare namespace page {
     runs: boolean
     about: boolean
     onward: Onward[]
-    usual: string
+    preset_dictionary: string
     spoken: Record<string, string>
     views: ViewTab[]
     paper: Block

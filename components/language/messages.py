@@ -148,18 +148,18 @@ class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
     x: RowNumbers
 
 
-Said: TypeAlias = (
+BrowserMessage: TypeAlias = (
     SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
 )
 
 
-class Told(Struct, frozen=True, kw_only=True, tag_field="type"):
+class ServerMessage(Struct, frozen=True, kw_only=True, tag_field="type"):
     """Any message of the server; `answer` is the number of the message that it answers."""
 
     answer: int | None = None
 
 
-class Shown(Told, frozen=True, kw_only=True, tag="shown"):
+class Shown(ServerMessage, frozen=True, kw_only=True, tag="shown"):
     """The current page.
 
     `sheet` is the address of the scene's sheet, `held` the compared picture, `settings` the values of the controls by
@@ -182,11 +182,11 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
     progress: Progress | None
 
 
-class Kept(Told, frozen=True, kw_only=True, tag="kept"):
+class Kept(ServerMessage, frozen=True, kw_only=True, tag="kept"):
     """The answer to the end of a drag if the page does not change."""
 
 
-class File(Told, frozen=True, kw_only=True, tag="file"):
+class File(ServerMessage, frozen=True, kw_only=True, tag="file"):
     """A file to save, and its media type."""
 
     name: str
@@ -211,7 +211,7 @@ class AboutTable(Struct, frozen=True):
     rows: tuple[AboutPoint, ...]
 
 
-class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
+class AboutNumbers(ServerMessage, frozen=True, kw_only=True, tag="about"):
     """The known errors of the displayed numbers."""
 
     reading: Html
@@ -219,7 +219,7 @@ class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
     notes: tuple[Html, ...]
 
 
-class Taught(Told, frozen=True, kw_only=True, tag="taught"):
+class Taught(ServerMessage, frozen=True, kw_only=True, tag="taught"):
     """The lesson of a step, in answer to `GiveAnswer`. `refused` is the reason if there is none; if `is_busy`, the
     server has no time now and the page may ask again."""
 
@@ -230,7 +230,7 @@ class Taught(Told, frozen=True, kw_only=True, tag="taught"):
     is_busy: bool = False
 
 
-class Walking(Told, frozen=True, kw_only=True, tag="walking"):
+class Walking(ServerMessage, frozen=True, kw_only=True, tag="walking"):
     """A walk that this session runs. `refused` says what is wrong with its file; if `is_busy`, the server has no time
     now."""
 
@@ -263,7 +263,7 @@ class FittedMotion(Struct, frozen=True, kw_only=True):
     scatter: float
 
 
-class Fitted(Told, frozen=True, kw_only=True, tag="fitted"):
+class Fitted(ServerMessage, frozen=True, kw_only=True, tag="fitted"):
     """The answer to `SendRows`.
 
     `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
@@ -278,7 +278,7 @@ class Fitted(Told, frozen=True, kw_only=True, tag="fitted"):
     is_busy: bool = False
 
 
-ToldAny: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
+AnyServerMessage: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
 
 
 class ViewTab(Struct, frozen=True, kw_only=True):
@@ -294,7 +294,7 @@ class ViewTab(Struct, frozen=True, kw_only=True):
 class SceneSheet(Struct, frozen=True, kw_only=True):
     """Everything about a scene that is the same for every visitor: an immutable file.
 
-    `usual` is the preset dictionary with which messages about the scene are compressed. `hidden` are the curves that
+    `preset_dictionary` compresses the messages about the scene. `hidden` are the curves that
     are switched off at first. `spoken` maps names to texts with {live numbers} that are read aloud after a change. A
     scene with `views` shows one at a time, chosen by the parameter `view`; other scenes always show the whole paper.
     """
@@ -306,7 +306,7 @@ class SceneSheet(Struct, frozen=True, kw_only=True):
     runs: bool
     about: bool
     onward: tuple[Onward, ...]
-    usual: str
+    preset_dictionary: str
     spoken: dict[str, str]
     views: tuple[ViewTab, ...]
     paper: Block

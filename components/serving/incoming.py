@@ -71,7 +71,7 @@ class Ready(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", t
     values: Values
 
 
-class DataEvent(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", tag="said"):
+class DataEvent(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", tag="from_browser"):
     """A message of our component (components/session/panel_bridge.py)."""
 
     class Values(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="map"):

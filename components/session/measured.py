@@ -49,32 +49,32 @@ class MeasuredRows:
         """The piece that is needed next."""
         self._t, self._x = array("d"), array("d")
 
-    def take(self, said: SendRows) -> Fitting | None:
+    def take(self, message: SendRows) -> Fitting | None:
         """Add a piece; return the job with the last one. Raises ValueError for rows that are no record.
 
         A piece other than the next one is left out, except for piece 0, which begins again.
         """
-        if said.piece == 0:
+        if message.piece == 0:
             self._clear()
-        if said.piece != self.next:
+        if message.piece != self.next:
             return None
         last = self._t[-1:]
-        self._add(said)
-        if any(later < earlier for earlier, later in pairwise([*last, *said.t])):
+        self._add(message)
+        if any(later < earlier for earlier, later in pairwise([*last, *message.t])):
             self._clear()
             raise ValueError(TIME_GOES_BACK)
-        if self.next < said.of:
+        if self.next < message.of:
             return None
-        job = Fitting(self._t.tolist(), self._x.tolist(), said.size, said.derivative)
+        job = Fitting(self._t.tolist(), self._x.tolist(), message.size, message.derivative)
         self._clear()
         return job
 
-    def _add(self, said: SendRows) -> None:
-        if len(said.t) != len(said.x):
+    def _add(self, message: SendRows) -> None:
+        if len(message.t) != len(message.x):
             self._clear()
             raise ValueError(UNEQUAL)
-        self._t.extend(said.t)
-        self._x.extend(said.x)
+        self._t.extend(message.t)
+        self._x.extend(message.x)
         self.next += 1
 
     def _clear(self) -> None:

@@ -14,7 +14,7 @@ from panel.widgets.base import Widget
 from components.session.session import Session
 from components.state.wire import Packet, in_one
 
-TOLD = "told"
+FROM_SERVER = "from_server"
 """The type of a message of the server, as Bokeh calls it."""
 
 
@@ -25,7 +25,7 @@ class Wire(Model):  # type: ignore[misc]  # Bokeh's are not looked into
 class SaidEvent(ModelEvent):  # type: ignore[misc]  # Bokeh's are not looked into
     """A message of the browser, as JSON has it."""
 
-    event_name = "said"
+    event_name = "from_browser"
 
     def __init__(self, model: Wire | None, data: object = None) -> None:
         super().__init__(model=model)
@@ -61,4 +61,4 @@ class SceneView(Widget):
 
         It is a message of the document, not an event of the model: its envelope has half the bytes.
         """
-        doc.callbacks.trigger_on_change(MessageSentEvent(doc, TOLD, in_one(packet)))
+        doc.callbacks.trigger_on_change(MessageSentEvent(doc, FROM_SERVER, in_one(packet)))

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from components.language.messages import (
     AskAbout,
     AskCsv,
+    BrowserMessage,
     Fitted,
     GiveAnswer,
     Given,
@@ -22,7 +23,6 @@ from components.language.messages import (
     Lead,
     RunOrder,
     RunWalk,
-    Said,
     SendRows,
     SetValues,
     Shown,
@@ -42,7 +42,7 @@ from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
 from components.state.encoding import view_of
 from components.state.page_state import PageState, changed, with_values
-from components.state.scene_sheet import sheet_address, usual
+from components.state.scene_sheet import preset_dictionary, sheet_address
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.wire import Packet, decoded, packed
 from components.walks import Walks
@@ -143,16 +143,16 @@ class Session:
         if self.running or not self.now.is_told_like(before):
             self._tell_class()
 
-    def _decoded(self, data: object) -> Said:
+    def _decoded(self, data: object) -> BrowserMessage:
         try:
             return decoded(data)
         except ValueError as error:
             raise RefusalError({"message": excerpt(str(error), 200)}) from error
 
-    def _reply(self, said: Said, answer: int | None) -> Packet | None:
+    def _reply(self, message: BrowserMessage, answer: int | None) -> Packet | None:
         """Return the answer to a message, or None if it comes later. A repeated message is only answered again, because
         its first answer was lost."""
-        match said:
+        match message:
             case AskCsv(page=page):
                 return self._ask_apart(PageExport(self.now.state, page, answer), answer)
             case AskAbout():
@@ -162,9 +162,9 @@ class Session:
             case GiveAnswer(answer=given):
                 return packed(replace(taught(given, self.walks, self.scenes), answer=answer))
             case RunWalk():
-                return self._ask_apart(Reading(said.name, said.text), answer)
+                return self._ask_apart(Reading(message.name, message.text), answer)
             case SendRows():
-                return self._take_rows(said, answer)
+                return self._take_rows(message, answer)
             case Lead(code=code, key=key):
                 self._end_publishing()
                 self._publish = self.lead(code, key) if code else None
@@ -172,24 +172,26 @@ class Session:
                 return self._packed(self.now, answer)
         if answer is not None and answer == self.now.number:
             return self._packed(self.now, answer)
-        after = self._ordered(said.order) if isinstance(said, RunOrder) else changed(self.now, said, self.scenes)
+        after = (
+            self._ordered(message.order) if isinstance(message, RunOrder) else changed(self.now, message, self.scenes)
+        )
         after = dataclasses.replace(after, number=answer)
-        if self._is_kept(said, after):
+        if self._is_kept(message, after):
             self.now = after
             return packed(Kept(answer=answer))
         return self._stand(after, answer)
 
-    def _take_rows(self, said: SendRows, answer: int | None) -> Packet | None:
+    def _take_rows(self, message: SendRows, answer: int | None) -> Packet | None:
         """Take a piece of a measured record, and give the worker the whole one."""
         try:
-            job = self._rows.take(said)
+            job = self._rows.take(message)
         except ValueError as reason:
             return packed(Fitted(answer=answer, refused=str(reason)))
         return self._ask_apart(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
 
-    def _is_kept(self, said: Said, after: PageState) -> bool:
+    def _is_kept(self, message: BrowserMessage, after: PageState) -> bool:
         """Return True if a hand has let go and the page does not change: its picture is not sent again."""
-        lets_go = isinstance(said, SetValues) and said.holding is False and not said.values
+        lets_go = isinstance(message, SetValues) and message.holding is False and not message.values
         return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
 
     def _ordered(self, order: str) -> PageState:
@@ -205,11 +207,11 @@ class Session:
         """Set the new state of the page, after it has been encoded."""
         running = self.running if after.kind is self.now.kind else self._work_for(after)
         after = with_news(after, running)
-        told = self._packed(after, answer, errors={}, running=running)
+        reply = self._packed(after, answer, errors={}, running=running)
         if self.running and running is not self.running:
             self.running.close()
         self.now, self.running, self._errors = after, running, {}
-        return told
+        return reply
 
     def _work_for(self, now: PageState) -> Running | None:
         """The work of a scene that has some."""
@@ -294,7 +296,7 @@ class Session:
         view, numbers = view_of(sent_picture(now, shown), drawn_on(now), left_out)
         held, more = told_beside(now, shown)
         scene, work = now.scene, running or self.running
-        told = Shown(
+        reply = Shown(
             answer=answer,
             scene=scene.slug,
             sheet=sheet_address(now.kind),
@@ -309,7 +311,7 @@ class Session:
             query=now.query,
             progress=work.progress(scene) if work and now.kind.work else None,
         )
-        return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(now.kind))
+        return packed(reply, [*numbers, *more], sheet=reply.sheet, preset_dictionary=preset_dictionary(now.kind))
 
 
 def with_news(now: PageState, running: Running | None) -> PageState:

@@ -37,7 +37,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
         about=scene.is_checked(),
         onward=scene.onward,
         spoken={what: text if isinstance(text, str) else text.aloud for what, text in scene.spoken.items()},
-        usual=usual(scene).decode(),
+        preset_dictionary=preset_dictionary(scene).decode(),
         views=tuple(view.sent for view in scene.views),
         paper=scene.sheet(),
         panel=panel(
@@ -54,7 +54,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 
 
 @cache
-def usual(scene: type[Scene]) -> bytes:
+def preset_dictionary(scene: type[Scene]) -> bytes:
     """Return the preset dictionary for the compression of messages about the scene.
 
     It is the text of the scene's first picture, with six digits, so that it is the same on every machine.

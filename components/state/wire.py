@@ -1,7 +1,7 @@
 """The encoding of a message: one block of bytes, compressed once for all receivers.
 
 It has a line of JSON and, for a picture, the numbers of its columns. A message about a scene is compressed with a
-preset dictionary, the `usual` text, which the browser has in the scene's sheet.
+`preset_dictionary` that the browser has in the scene's sheet.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.messages import Said, Told
+from components.language.messages import BrowserMessage, ServerMessage
 
 Steps = NDArray[np.int32]
 """Numbers of a column as integers."""
@@ -48,11 +48,13 @@ def as_json(value: object) -> bytes:
     return _encoder.encode(value)
 
 
-def packed(told: Told, columns: Sequence[Steps] = (), *, sheet: str = "", usual: bytes = b"") -> Packet:
-    """Return a packed message; `usual` is the preset dictionary."""
-    known = (usual,) if usual else ()
+def packed(
+    message: ServerMessage, columns: Sequence[Steps] = (), *, sheet: str = "", preset_dictionary: bytes = b""
+) -> Packet:
+    """Return a packed message."""
+    known = (preset_dictionary,) if preset_dictionary else ()
     deflate = zlib.compressobj(6, zlib.DEFLATED, -15, zlib.DEF_MEM_LEVEL, zlib.Z_DEFAULT_STRATEGY, *known)
-    data = deflate.compress(as_json(told) + b"\n" + _in_bytes(columns)) + deflate.flush()
+    data = deflate.compress(as_json(message) + b"\n" + _in_bytes(columns)) + deflate.flush()
     return {"sheet": sheet, "data": data}
 
 
@@ -81,10 +83,10 @@ def on_page(packet: Packet) -> str:
     return b64encode(packet["data"]).decode()
 
 
-def decoded(data: object) -> Said:
+def decoded(data: object) -> BrowserMessage:
     """Return a message of the browser. Raises ValueError, with a sentence, for anything that our page does not send."""
     try:
-        said: Said = msgspec.convert(data, Said)
+        message: BrowserMessage = msgspec.convert(data, BrowserMessage)
     except (msgspec.ValidationError, RecursionError) as error:
         raise ValueError(f"This is not a message that this page sends: {error}.") from error
-    return said
+    return message

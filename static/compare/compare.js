@@ -17,7 +17,7 @@ export class Compare {
   coming
 
   /** @type {Drawn | null} the picture from before a drag */
-  before = null
+  beforeDrag = null
 
   /** @type {string} the press that changes it */
   press = ""
@@ -78,12 +78,12 @@ export class Compare {
 
   /**
    * Remembers the current curves at the first change of a press of a pointer or key.
-   * @param {string} press @param {string} undoGroup @param {page.Said} message
+   * @param {string} press @param {string} undoGroup @param {page.BrowserMessage} message
    */
   set(press, undoGroup, message) {
     if (!undoGroup) return
-    const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
-    if (!goesOn || !this.before) this.before = this.page.shown
+    const goesOn = press === this.press || (this.beforeDrag && press.startsWith("key") && this.press.startsWith("key"))
+    if (!goesOn || !this.beforeDrag) this.beforeDrag = this.page.shown
     this.press = press
     this.undoGroup = "holding" in message ? "" : undoGroup // a grip reports its end itself
     clearTimeout(this.ending)
@@ -94,7 +94,7 @@ export class Compare {
   /** @param {Event} [event] */
   #released(event) {
     this.pressed = false
-    if (!this.before) return
+    if (!this.beforeDrag) return
     clearTimeout(this.leaving)
     const isLast = !this.press.startsWith("key") || (event instanceof KeyboardEvent && event.key === "Enter")
     this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
@@ -110,13 +110,13 @@ export class Compare {
 
   /** Keeps this picture under the next one, which is drawn in its frame. */
   keep() {
-    this.before = this.page.shown
+    this.beforeDrag = this.page.shown
     this.press = ""
     clearTimeout(this.ending)
   }
 
   #forget() {
-    this.before = null
+    this.beforeDrag = null
     this.#draw()
   }
 
@@ -148,7 +148,7 @@ export class Compare {
   /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} asked */
   update(shown, asked) {
     const {held, state} = shown
-    if (asked && !asked.undoGroup) this.before = null
+    if (asked && !asked.undoGroup) this.beforeDrag = null
     if (hasLetGo(asked?.message)) this.ending = setTimeout(() => this.#forget(), LINGER)
     if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
     this.last = shown
@@ -159,7 +159,7 @@ export class Compare {
     this.predict.textContent = isCovered ? "Reveal" : "Predict"
     this.predict.setAttribute("aria-pressed", String(isCovered))
     this.predict.hidden = Boolean(state.step)
-    if (held || this.before) this.coming ??= this.#come()
+    if (held || this.beforeDrag) this.coming ??= this.#come()
     this.#draw()
   }
 
@@ -180,7 +180,7 @@ export class Compare {
   /** True if the parameters are no longer those of the earlier curves. */
   #differs() {
     const {held, parameters} = this.page.shown.state
-    const earlier = held ?? this.before?.state.parameters
+    const earlier = held ?? this.beforeDrag?.state.parameters
     return JSON.stringify(earlier) !== JSON.stringify(parameters)
   }
 
@@ -192,8 +192,8 @@ export class Compare {
     /** @type {import("./ghosts.js").Under | null} */
     let under = null
     if (held) under = {columns: held.columns, axes: view.axes, name: name || "held"}
-    else if (this.before && this.before !== shown) {
-      under = {columns: this.before.view.columns, axes: this.before.view.axes, name}
+    else if (this.beforeDrag && this.beforeDrag !== shown) {
+      under = {columns: this.beforeDrag.view.columns, axes: this.beforeDrag.view.axes, name}
     }
     this.ghosts?.update(under, held)
   }
@@ -210,7 +210,7 @@ export class Compare {
   }
 }
 
-/** @param {page.Said | undefined} message */
+/** @param {page.BrowserMessage | undefined} message */
 const hasLetGo = message => message?.type === "set" && message.holding === false
 
 /** True if an axis shows a smaller range, because it was fitted again. @param {Drawn} shown @param {Drawn} before */

@@ -282,10 +282,10 @@ export class StageGhost {
     if (!isHeld) for (const {group} of [...this.shapes, ...this.numbers]) group.style.display = "none"
   }
 
-  /** @param {Named} named @param {Drawn["view"]} view @param {string} told */
-  frame(named, view, told) {
+  /** @param {Named} named @param {Drawn["view"]} view @param {string} prefix */
+  frame(named, view, prefix) {
     const {stage} = this
-    for (const number of this.numbers) number.frame(named, view, told)
+    for (const number of this.numbers) number.frame(named, view, prefix)
     const all = {...named, ...stage.plots, ...stage.size}
     for (const shape of this.shapes) {
       const {spec, needs, parts, group} = shape

@@ -24,8 +24,11 @@ export class HeldNumber {
     stage.clear.labels.push({text: this.text, group: this.group, fixed: false, wishes: () => this.#wishes()})
   }
 
-  /** Skips equal numbers. @param {Named} named the quantities held @param {Drawn["view"]} view @param {string} told */
-  frame(named, view, told) {
+  /**
+   * Skips equal numbers.
+   * @param {Named} named the quantities held @param {Drawn["view"]} view @param {string} prefix
+   */
+  frame(named, view, prefix) {
     const {label, name, rest} = this
     const digits = view.live[name]
     const isThere = Boolean(digits) && name in named && label.style.display !== "none"
@@ -35,7 +38,7 @@ export class HeldNumber {
     this.group.style.display = isShown ? "" : "none"
     if (!isShown) return
     const after = rest.map(({kind, text}) => (kind === "value" ? (view.values[text] ?? "") : text)).join("")
-    this.text.textContent = `${told} ${held}${after}`
+    this.text.textContent = `${prefix} ${held}${after}`
   }
 
   /** To the right of the label, or above or below it if there is no room. */

@@ -276,7 +276,7 @@ export class Controls {
     return element("div", {class: "chips"}, ...buttons, problem)
   }
 
-  /** @param {PanelState} told the state from the server */
+  /** @param {PanelState} state the state from the server */
   update({settings, errors, preset, here, view: {forms}}) {
     this.#arrange(viewOf(settings))
     for (const [i, {form}] of this.spec.groups.entries())

@@ -208,7 +208,7 @@ export class Grips {
     if (lets) return this.#let(grip)
     if (!held) this.#take(grip)
     if (way) this.#move(stepped(grip, way, event.shiftKey ? 1 : STEP, this.all))
-    else hand.grab?.put(this.#ends(set(grip.grab)[0])[end])
+    else hand.grab?.setTo(this.#ends(set(grip.grab)[0])[end])
     hand.grab?.rest()
   }
 

@@ -131,7 +131,7 @@ class Grab {
   }
 
   /** Sets the first value to this; the others do not change. @param {number} value */
-  put(value) {
+  setTo(value) {
     const way = this.spec.ways.find(one => one.parameter)
     if (!way) return
     this.moved = {}

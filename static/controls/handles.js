@@ -25,14 +25,14 @@ export class Handles {
     this.setters = handles.map(handle => /** @type {Setter} */ (this.#pill(handle.tint, handle.label, handle)))
     this.time = time && numbered ? this.#pill("ink", `Time, ${name}`, null) : null
     /** @type {Record<string, page.Ruler> | null} */
-    this.held = null
+    this.frozenAxes = null
   }
 
   /** An axis is frozen while a handle is dragged along it, because otherwise the value would change the scale. */
   ruler(/** @type {string} */ name) {
     const now = this.plot.view.axes[name]
-    const held = this.held?.[name]
-    return held && held.exponent === now?.exponent ? held : now
+    const frozen = this.frozenAxes?.[name]
+    return frozen && frozen.exponent === now?.exponent ? frozen : now
   }
 
   /**
@@ -51,9 +51,9 @@ export class Handles {
       const {parameter, text, form, bare} = pill.handle
       pill.off = Boolean(form) && !this.plot.view.forms[form]
       pill.element.hidden = pill.off || bare
-      const {text: told, size} = this.plot.shown.settings[parameter]
-      const waits = this.plot.page.waiting.get(parameter)
-      const own = typeof waits === "number" ? tidy(waits / size) : told
+      const {text: shown, size} = this.plot.shown.settings[parameter]
+      const pending = this.plot.page.waiting.get(parameter)
+      const own = typeof pending === "number" ? tidy(pending / size) : shown
       this.#place(pill, this.#value(pill), text ? this.plot.view.values[text] : brief(own))
     }
   }
@@ -196,9 +196,9 @@ export class Handles {
   /** @param {Setter} pill */
   #value(pill) {
     const {parameter} = pill.handle
-    const waits = this.plot.page.waiting.get(parameter)
+    const pending = this.plot.page.waiting.get(parameter)
     const {value} = this.plot.shown.settings[parameter]
-    return toPlace(this.#axis(pill), Number(typeof waits === "number" ? waits : value))
+    return toPlace(this.#axis(pill), Number(typeof pending === "number" ? pending : value))
   }
 
   /** The position of a pill on its axis. @param {Pill} pill */
@@ -242,11 +242,11 @@ export class Handles {
   #hold(pills) {
     const {x, y, square} = this.plot.block
     const names = square ? [x, y] : pills.map(pill => (pill.handle.axis === "y" ? y : x))
-    this.held = Object.fromEntries(names.map(name => [name, this.plot.view.axes[name]]))
+    this.frozenAxes = Object.fromEntries(names.map(name => [name, this.plot.view.axes[name]]))
   }
 
   #release() {
-    this.held = null
+    this.frozenAxes = null
     this.plot.update(this.plot.shown)
     this.plot.page.redraw()
   }

@@ -37,10 +37,10 @@ export class Slider {
   /** @type {Finger} */
   finger
 
-  waits = false // true while the value waits to be sent
+  isPending = false // true while the value waits to be sent
 
   unsent = false // true if a text is typed and not sent yet
-  held = false // true while a pointer drags it
+  isPressed = false // true while a pointer drags it
 
   /** @type {() => void} lets the page move again under a pointer that holds nothing */
   free = () => {}
@@ -112,12 +112,12 @@ export class Slider {
     })
     slider.addEventListener("keydown", event => this.#stepSlider(event))
     slider.addEventListener("pointerdown", () => {
-      this.held = true
+      this.isPressed = true
       this.free = steady(slider)
     })
     for (const end of ["pointerup", "pointercancel", "change", "blur"]) {
       slider.addEventListener(end, () => {
-        this.held = false
+        this.isPressed = false
         this.free()
         if (this.state && !this.asked) this.#place(this.state.value)
       })
@@ -206,8 +206,8 @@ export class Slider {
 
   /** Shows a value that waits for the server; undefined if none waits. @param {page.Value | undefined} value */
   wait(value) {
-    this.waits = value !== undefined
-    this.element.classList.toggle("waits", this.waits)
+    this.isPending = value !== undefined
+    this.element.classList.toggle("waits", this.isPending)
     if (typeof value !== "number" || value === this.asked?.value) return
     this.asked = {value, since: performance.now()}
     this.write(withTrueMinus(tidy(this.#shown(value))))
@@ -216,7 +216,7 @@ export class Slider {
 
   /** @param {page.Setting} state @param {string | undefined} error */
   update(state, error) {
-    if (this.waits) {
+    if (this.isPending) {
       this.state = state
       return
     }
@@ -245,7 +245,7 @@ export class Slider {
   #accept() {
     this.#say("")
     if (!this.unsent) this.write(this.state.text)
-    if (!this.held) this.#place(this.state.value)
+    if (!this.isPressed) this.#place(this.state.value)
   }
 
   /** @param {string} error */
@@ -253,7 +253,7 @@ export class Slider {
     this.asked = null
     this.#say(error)
     if (!this.unsent) this.field.value = this.typed
-    if (!this.held) this.#place(this.state.value)
+    if (!this.isPressed) this.#place(this.state.value)
   }
 
   /** @param {string} error */

@@ -1,15 +1,15 @@
 // Busy: a pointer is down or a field is being edited, so the page must not reload yet.
 
 export class Busy {
-  held = false
+  isPressed = false
   edits = false
 
   /** @type {(() => void) | null} */
   act = null
 
   constructor() {
-    this.#on(["pointerdown"], () => (this.held = true))
-    this.#on(["pointerup", "pointercancel"], () => (this.held = false))
+    this.#on(["pointerdown"], () => (this.isPressed = true))
+    this.#on(["pointerup", "pointercancel"], () => (this.isPressed = false))
     this.#on(["input"], ({target}) => (this.edits = target instanceof HTMLInputElement && target.type === "text"))
     this.#on(["change", "focusout"], () => (this.edits = false))
   }
@@ -35,8 +35,8 @@ export class Busy {
   }
 
   #look() {
-    const {act, held, edits} = this
-    if (!act || held || edits) return
+    const {act, isPressed, edits} = this
+    if (!act || isPressed || edits) return
     this.act = null
     act()
   }

@@ -5,7 +5,7 @@ import {inWords, note} from "./notes.js"
 /** @type {Set<string>} logged faults, because the same fault can occur in every frame */
 const logged = new Set()
 
-let told = false
+let wasReported = false
 
 /** Logs each fault once, and notifies the visitor of the first one. @param {unknown} reason */
 export function report(reason) {
@@ -16,8 +16,8 @@ export function report(reason) {
 
 /** @param {unknown} reason */
 function tell(reason) {
-  if (told) return
-  told = true
+  if (wasReported) return
+  wasReported = true
   note(`Part of this page does not work (${inWords(reason)}). The rest does; reloading the page may help.`)
 }
 

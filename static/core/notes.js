@@ -10,11 +10,11 @@ export const inWords = reason => (reason instanceof Error ? reason.message : Str
  * @param {string} sentence @param {HTMLElement[]} parts
  */
 export function note(sentence, ...parts) {
-  const close = button({"aria-label": "Close"}, () => said.remove(), "×")
-  const said = element("div", {class: "remark", role: "status"}, close)
-  document.body.append(said)
-  said.prepend(element("span", {}, sentence), ...parts) // announced, since the status exists already
-  return () => said.remove()
+  const close = button({"aria-label": "Close"}, () => status.remove(), "×")
+  const status = element("div", {class: "remark", role: "status"}, close)
+  document.body.append(status)
+  status.prepend(element("span", {}, sentence), ...parts) // announced, since the status exists already
+  return () => status.remove()
 }
 
 /** A notice over a scene, until it is closed: why a request was refused. */

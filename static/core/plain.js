@@ -26,14 +26,14 @@ export function indexed(symbol) {
 }
 
 /** A text in brackets, unless it is a single term. @param {string} text */
-const held = text => (/^[^\s+−=/]+$/.test(text) ? text : `(${text})`)
+const bracketed = text => (/^[^\s+−=/]+$/.test(text) ? text : `(${text})`)
 
 /** @type {Record<string, (parts: string[], node: Element) => string>} */
 const MATH = {
-  mfrac: ([over, under]) => `${held(over)}/${held(under)}`,
-  msqrt: parts => `√${held(parts.join("").trim())}`,
+  mfrac: ([over, under]) => `${bracketed(over)}/${bracketed(under)}`,
+  msqrt: parts => `√${bracketed(parts.join("").trim())}`,
   msub: ([base, index]) => base + shifted(index.trim(), LOW, "_"),
-  msup: ([base, power]) => held(base) + shifted(power.trim(), HIGH, "^"),
+  msup: ([base, power]) => bracketed(base) + shifted(power.trim(), HIGH, "^"),
   msubsup: ([base, index, power]) => base + shifted(index.trim(), LOW, "_") + shifted(power.trim(), HIGH, "^"),
   mover: ([base, accent]) => base + (OVER[accent.trim()] ?? accent),
   mspace: () => " ",
@@ -46,13 +46,13 @@ export function plain(node) {
   if (node.nodeType === Node.TEXT_NODE) return (node.textContent ?? "").replace(/\s+/g, " ")
   if (!(node instanceof Element) || isHidden(node)) return ""
   const parts = [...node.childNodes].map(plain)
-  const told = MATH[node.localName]?.(parts, node) ?? parts.join("")
+  const spoken = MATH[node.localName]?.(parts, node) ?? parts.join("")
   return node.localName === "math"
-    ? told
+    ? spoken
         .replace(/\s+/g, " ")
         .replace(/([(|]) | ([)|])/g, "$1$2")
         .trim()
-    : told
+    : spoken
 }
 
 /** A text without its markup. @param {page.Html} html */

@@ -96,15 +96,15 @@ export function atInstant({spec, moving}, all) {
 }
 
 /** @type {Set<string>} */
-const told = new Set()
+const reported = new Set()
 
 /**
  * Logs an unknown name once in the console, so that tests fail; the picture continues without it.
  * @param {string} name
  */
 export function unknown(name) {
-  if (!told.has(name)) console.error(`The picture has no “${name}”.`)
-  told.add(name)
+  if (!reported.has(name)) console.error(`The picture has no “${name}”.`)
+  reported.add(name)
   return 0
 }
 

@@ -5,7 +5,7 @@ import {note} from "./notes.js"
 
 const NOTHING = "This browser stores nothing for this page: your choices and answers are lost when it is closed."
 
-let told = false
+let wasReported = false
 
 class Shelf {
   /** @param {() => Storage} find a function, because even access to the storage can throw */
@@ -32,8 +32,8 @@ class Shelf {
   /** Stores data that a visitor would miss, or shows a notice. @param {string} name @param {unknown} value */
   keepOrSay(name, value) {
     if (this.keep(name, value)) return
-    if (!told) note(NOTHING)
-    told = true
+    if (!wasReported) note(NOTHING)
+    wasReported = true
   }
 
   /** @param {string[]} names */

@@ -31,8 +31,8 @@ export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFix
  */
 export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
-  const told = rows.map(({symbol, held: number, unit}) => {
+  const numbers = rows.map(({symbol, held: number, unit}) => {
     return `${plain(marked("i", {}, symbol))} = ${withUnit(number, unit)}`
   })
-  return told.length ? [`${drawn}: held, ${told[0]}`, ...told.slice(1)] : []
+  return numbers.length ? [`${drawn}: held, ${numbers[0]}`, ...numbers.slice(1)] : []
 }

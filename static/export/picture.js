@@ -168,13 +168,13 @@ function legend({block, host}) {
   const terms = parts.map((part, i) => ({...block.heading[i], text: seen[i] ? plain(part).trim() : ""}))
   const isTitle = (/** @type {string} */ text) =>
     block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
-  const told = terms.filter(
+  const words = terms.filter(
     ({key, text, curve}, i) =>
       text && !(key === "none" && isTitle(text)) && !(curve && parts[i].classList.contains("off")),
   )
-  const [before, last] = told.slice(-2)
-  if (last?.key !== "none" || last.text.length > UNIT) return told
-  return [...told.slice(0, -2), {...before, text: `${before.text} ${last.text}`}]
+  const [before, last] = words.slice(-2)
+  if (last?.key !== "none" || last.text.length > UNIT) return words
+  return [...words.slice(0, -2), {...before, text: `${before.text} ${last.text}`}]
 }
 
 /** @param {string} key */

@@ -27,7 +27,7 @@ export function brief(view, code, moderate) {
     element("p", {class: "remote-count", role: "status"}, answeredBy(view)),
     ...split(view, question.card, code),
     element("ul", {class: "remote-words"}, ...tally.now.words.map(group => grouped(group, moderate))),
-    ...told(sureness(tally.now, true)),
+    ...paragraph(sureness(tally.now, true)),
     ...advice(view),
     ...notes.map(note => marked("p", {class: "remote-note"}, note)),
   ]
@@ -70,7 +70,7 @@ function row(html, count, all, isRight = false) {
 }
 
 /** @param {string} words */
-const told = words => (words ? [element("p", {}, words)] : [])
+const paragraph = words => (words ? [element("p", {}, words)] : [])
 
 /** The advice to let students discuss, as in peer instruction. @param {page.RemoteView} view */
 function advice({question, tally, judges}) {

@@ -1,7 +1,7 @@
 // Copies of a class in its instructor's browser, to restore it on a server that has lost it.
 
 import {LED, browserStorage, tabStorage} from "../core/storage.js"
-import {Refusal, ask, pause} from "./requests.js"
+import {Refusal, fetchJson, pause} from "./requests.js"
 
 const ROOM = "class-room"
 const GIVEN = "class-given"
@@ -70,7 +70,7 @@ export class Copies {
   async #copyAll() {
     const {code, key} = this.room
     /** @type {page.StepSummary[]} */
-    const steps = await ask(`${code}/summary`, {word: key}).catch(() => [])
+    const steps = await fetchJson(`${code}/summary`, {word: key}).catch(() => [])
     const last = {...this.room.last}
     for (const {walk, step, votes} of steps)
       for (const {vote} of votes) {
@@ -88,7 +88,7 @@ export class Copies {
     const [vote] = this.stale
     this.stale.delete(vote)
     const path = `${code}/answers?question=${encodeURIComponent(vote)}`
-    const answers = await ask(path, {word: key}).catch(() => null)
+    const answers = await fetchJson(path, {word: key}).catch(() => null)
     if (answers) {
       this.answers.set(vote, answers)
       browserStorage.keep(copyOf(GIVEN, code, vote), answers) // if there are too many, only this page has them
@@ -118,7 +118,7 @@ export class Copies {
   async restore() {
     const {code, key, control = "", put} = this.room
     this.save({isLost: true})
-    this.save(await ask(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
+    this.save(await fetchJson(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
     /** @type {page.Order[]} */
     const orders = [...this.walks].map(([name, text]) => ({type: "walk", name, text}))
     if (put) {
@@ -138,7 +138,7 @@ export class Copies {
   async #order(order) {
     const {code, key} = this.room
     try {
-      await ask(`${code}/lead`, {method: "POST", body: order, word: key})
+      await fetchJson(`${code}/lead`, {method: "POST", body: order, word: key})
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.status === 404) throw reason
       if (!reason.passes) return console.warn(reason)
@@ -158,7 +158,7 @@ export class Copies {
     const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
     if (!room) return null
     try {
-      const found = new Copies({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
+      const found = new Copies({...room, ...(await fetchJson(`${room.code}/lead`, {word: room.key}))})
       if (!room.seen) found.#copyAll()
       if (room.isLost) await found.restore()
       return found
@@ -180,7 +180,7 @@ export class Copies {
  */
 export async function takeOver(code, word) {
   /** @type {page.TakenOver} */
-  const {query, walks, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
+  const {query, walks, ...room} = await fetchJson(`${code}/word`, {method: "PUT", body: {word}})
   for (const [name, text] of Object.entries(walks)) browserStorage.keep(copyOf(WALK, room.code, name), text)
   browserStorage.keepOrSay(ROOM, room)
   tabStorage.keep(LED, "open") // the next page of this tab returns to it

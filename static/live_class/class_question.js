@@ -4,7 +4,7 @@ import {element} from "../core/dom.js"
 import {Card} from "../walks/card.js"
 import {haveAnswered} from "./counts.js"
 import {Delivery} from "./delivery.js"
-import {ask, insist, pause} from "./requests.js"
+import {fetchJson, insist, pause} from "./requests.js"
 import {Sureness} from "./sureness.js"
 
 const UNTIL_SHOWN = "You can change it until the answer is shown."
@@ -38,11 +38,11 @@ export class ClassQuestion {
   }
 
   /** @param {page.PutTo} question */
-  async put(question) {
-    const before = this.question
+  async show(question) {
+    const earlier = this.question
     this.question = question
-    const isSame = before && nameOf(before) === nameOf(question) && isEqual(before.card, question.card)
-    const isTakenBack = before?.lesson && !question.lesson
+    const isSame = earlier && nameOf(earlier) === nameOf(question) && isEqual(earlier.card, question.card)
+    const isTakenBack = earlier?.lesson && !question.lesson
     if (!question.step) this.#leave()
     else if (!isSame || isTakenBack || !this.card) await this.#lay()
     else this.#resend()
@@ -95,8 +95,8 @@ export class ClassQuestion {
   }
 
   get #sent() {
-    const said = this.card?.question.said()
-    return said ? `Sent: ${said}.` : "Sent."
+    const answer = this.card?.question.said()
+    return answer ? `Sent: ${answer}.` : "Sent."
   }
 
   get name() {
@@ -111,7 +111,7 @@ export class ClassQuestion {
   /** A picture of another scene has no card yet. @param {Drawn} shown */
   shown(shown) {
     if (this.card && this.card.page === this.following.page) this.card.update(shown)
-    else if (this.question?.step) this.put(this.question)
+    else if (this.question?.step) this.show(this.question)
   }
 
   async #lay() {
@@ -138,7 +138,16 @@ export class ClassQuestion {
   #walk(step, where) {
     const [sheet, answers] = [{steps: [step]}, {of: () => null}]
     const {code: seed} = this.following
-    const own = {seed, sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
+    const own = {
+      seed,
+      sheet,
+      place: 0,
+      where,
+      step: {...step, controls: []},
+      answers,
+      earlierAnswer: null,
+      lesson: null,
+    }
     return {
       ...own,
       unfolded: false,
@@ -190,7 +199,7 @@ export class ClassQuestion {
   /** Shows the answer that was given before: the page was loaded again, or the question comes back. */
   #restore() {
     const {given} = this
-    this.sureness.put(given?.sure ?? 0)
+    this.sureness.setTo(given?.sure ?? 0)
     if (!given) return
     this.card?.question.restore(given)
     this.#settle()
@@ -248,7 +257,7 @@ export class ClassQuestion {
     if (!given) return null
     await pause(Math.random() * SPREAD)
     const request = () =>
-      card === this.card ? ask(`${code}/answer`, {method: "POST", body: given, word: token}) : null
+      card === this.card ? fetchJson(`${code}/answer`, {method: "POST", body: given, word: token}) : null
     const taught = await insist(async () => request(), {woken: () => this.delivery.retry.signal}).catch(() => null)
     return taught?.lesson ?? null
   }

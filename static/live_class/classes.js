@@ -10,7 +10,7 @@ export class Classes {
 
   code = "" // of the class that this page leads or has led, for the order of its answers
 
-  put = "" // the step that the lecture asks while this page looks around
+  askedStep = "" // the step that the lecture asks while this page looks around
 
   /** @param {LectureHost} lecture */
   constructor(lecture) {
@@ -79,6 +79,6 @@ export class Classes {
     const sought = /** @type {page.State | null} */ (tabStorage.value(SOUGHT))
     tabStorage.forget(SOUGHT)
     if (left && sought) this.lecture.open(sought)
-    if (left) (await later("live_class/looking_around")).ownWay(left, step => (this.put = step))
+    if (left) (await later("live_class/looking_around")).ownWay(left, step => (this.askedStep = step))
   }
 }

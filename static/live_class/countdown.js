@@ -18,7 +18,7 @@ export class Countdown {
   }
 
   /** Counts for a question that takes answers. @param {page.PutTo | null | undefined} question */
-  put(question) {
+  show(question) {
     this.until = question?.step && !question.lesson && !question.closed ? question.until : 0
     this.#tick()
   }

@@ -1,7 +1,7 @@
 // The delivery of a phone's answers: each is kept, and sent until the class has it or refuses it.
 
 import {amend, mine} from "./my_answers.js"
-import {ask, insist, isMissing, isRefused} from "./requests.js"
+import {fetchJson, insist, isMissing, isRefused} from "./requests.js"
 
 /** The stream finds out whether a missing class is over. @param {unknown} reason */
 const isFinal = reason => isRefused(reason) && !isMissing(reason)
@@ -106,7 +106,7 @@ export class Delivery {
     const {code, token, server} = this.follower
     const answer = (this.tried = this.unsent.get(question))
     if (!answer || this.isOver) return
-    await ask(`${code}/answer`, {method: "PUT", body: answer, word: token})
+    await fetchJson(`${code}/answer`, {method: "PUT", body: answer, word: token})
     this.sent.set(question, answer)
     this.takenBy.set(question, server)
     amend(code, known => (known.answers[question] = answer))

@@ -31,8 +31,8 @@ export function earlier(text, walks) {
   if (!found.size) throw new Error("This file has no answers.")
   const names = new Set([...found.keys()].map(question => question.split("/")[0]))
   if (!walks.some(name => names.has(name))) {
-    const [told] = names
-    throw new Error(`Its answers belong to the walk “${told.slice(0, 40)}”. Open that walk first.`)
+    const [first] = names
+    throw new Error(`Its answers belong to the walk “${first.slice(0, 40)}”. Open that walk first.`)
   }
   return found
 }
@@ -45,8 +45,8 @@ export function countedOf(answers, step) {
   const nothing = {options: [], numbers: [], sketches: [], having: [], sure: [], words: []}
   if (step.options.length) {
     const names = step.options.map(html => letters(bare(html)))
-    const told = answers.map(letters)
-    const options = names.map(name => told.filter(one => one === name).length)
+    const chosen = answers.map(letters)
+    const options = names.map(name => chosen.filter(one => one === name).length)
     return {...nothing, answered: answers.length, options}
   }
   const numbers = answers.map(answer => Number(answer.replace(/^'/, ""))).filter(Number.isFinite)

@@ -3,7 +3,7 @@
 import {button, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {save} from "../export/save.js"
-import {ask, asked} from "./requests.js"
+import {fetchJson, asked} from "./requests.js"
 
 const PATIENCE = 60000 // ms for the answers of a whole lecture
 
@@ -26,16 +26,16 @@ export class Ending {
     this.isOpening = true
     const {code, key} = this.room
     /** @type {page.Stored} */
-    const stored = await ask(`${code}/stored`, {word: key}).finally(() => (this.isOpening = false))
-    const said = element("p", {class: "done", role: "status"})
-    const end = button({class: "act"}, () => this.#end(said), "End the class")
+    const stored = await fetchJson(`${code}/stored`, {word: key}).finally(() => (this.isOpening = false))
+    const status = element("p", {class: "done", role: "status"})
+    const end = button({class: "act"}, () => this.#end(status), "End the class")
     const cancel = button({class: "act"}, () => this.close(), "Cancel")
-    const csv = button({class: "act"}, () => this.#save(said, end), "Save the answers as CSV")
+    const csv = button({class: "act"}, () => this.#save(status, end), "Save the answers as CSV")
     const buttons = stored.answers ? [csv, end, cancel] : [cancel, end]
     buttons[0].classList.add("filled")
     const about = {class: "asking class-ending", "aria-labelledby": "ending"}
     const heading = element("h1", {id: "ending"}, `End the class ${code}?`)
-    this.dialog = element("dialog", about, heading, element("p", {}, deleted(stored)), said)
+    this.dialog = element("dialog", about, heading, element("p", {}, deleted(stored)), status)
     this.dialog.append(element("div", {class: "tools"}, ...buttons))
     this.dialog.addEventListener("close", () => this.close()) // by Esc
     document.body.append(this.dialog)
@@ -49,9 +49,9 @@ export class Ending {
     else this.open().catch(reason => this.tell(inWords(reason)))
   }
 
-  /** @param {HTMLElement} said */
-  #end(said) {
-    said.textContent = "Ending the class."
+  /** @param {HTMLElement} status */
+  #end(status) {
+    status.textContent = "Ending the class."
     this.end()
   }
 
@@ -63,17 +63,17 @@ export class Ending {
     return dialog !== null
   }
 
-  /** @param {HTMLElement} said @param {HTMLElement} end the button that comes next */
-  async #save(said, end) {
-    said.textContent = ""
+  /** @param {HTMLElement} status @param {HTMLElement} end the button that comes next */
+  async #save(status, end) {
+    status.textContent = ""
     try {
       const name = await saveAnswers(this.room)
-      said.textContent = `Saved as ${name}.`
+      status.textContent = `Saved as ${name}.`
       end.focus()
     } catch (reason) {
-      said.textContent = `Not saved. ${inWords(reason)}`
+      status.textContent = `Not saved. ${inWords(reason)}`
     }
-    said.className = said.textContent.startsWith("Saved") ? "done" : "problem"
+    status.className = status.textContent.startsWith("Saved") ? "done" : "problem"
   }
 }
 

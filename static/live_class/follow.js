@@ -90,7 +90,7 @@ export class Following {
     this.asked.count()
     if (news.picture) this.#next(() => this.#show(/** @type {page.SentPicture} */ (news.picture)))
     if (news.clock) this.#run()
-    if (news.question) this.#next(() => this.asked.put(/** @type {page.PutTo} */ (news.question)))
+    if (news.question) this.#next(() => this.asked.show(/** @type {page.PutTo} */ (news.question)))
   }
 
   /** @param {() => Promise<void>} act */
@@ -103,14 +103,14 @@ export class Following {
     if (picture !== this.news.picture) return
     const sheet = await this.sheets.fetch(picture.sheet).catch(() => null)
     if (!sheet) return void setTimeout(() => this.#next(() => this.#show(picture)), AGAIN)
-    const {usual} = sheet
+    const {preset_dictionary} = sheet
     const bytes = Uint8Array.from(atob(String(picture.data)), sign => sign.charCodeAt(0))
-    const told = await unpacked(bytes.buffer, usual)
-    if (told.type !== "shown") return
-    this.shown = told
-    if (told.scene === this.page?.spec.slug) this.page.apply(told)
-    else await this.#turn(told)
-    this.asked.shown(told)
+    const message = await unpacked(bytes.buffer, preset_dictionary)
+    if (message.type !== "shown") return
+    this.shown = message
+    if (message.scene === this.page?.spec.slug) this.page.apply(message)
+    else await this.#turn(message)
+    this.asked.shown(message)
     this.bar.update()
   }
 

@@ -43,7 +43,7 @@ export class FollowBar {
     this.within.textContent =
       this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms of the lecture`
     const behind = news.lost ? "The lecturer's page is not connected; this is what it showed last." : ""
-    this.countdown.put(news.question)
+    this.countdown.show(news.question)
     const calm = news.question?.place || "the lecture"
     this.line.textContent = this.away
       ? this.why || "Not connected; the connection comes back by itself."

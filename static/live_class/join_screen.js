@@ -5,7 +5,7 @@ import {inWords} from "../core/notes.js"
 import {Ending, saveAnswers} from "./ending.js"
 import {earlier} from "./earlier.js"
 import {place} from "./join_badge.js"
-import {ask} from "./requests.js"
+import {fetchJson} from "./requests.js"
 import {summary} from "./summary.js"
 
 export class JoinScreen {
@@ -20,7 +20,7 @@ export class JoinScreen {
 
   asking = element("div", {class: "class-asking", role: "status"}) // whether they are
 
-  said = element("p", {class: "done", role: "status"})
+  status = element("p", {class: "done", role: "status"})
 
   /** @param {import("./teach.js").Teach} teach */
   constructor(teach) {
@@ -55,7 +55,7 @@ export class JoinScreen {
     )
     words.append(element("p", {}, this.here, " here"))
     this.#say("done", "")
-    const tools = element("div", {class: "class-tools"}, this.asking, this.said, ...this.#tools())
+    const tools = element("div", {class: "class-tools"}, this.asking, this.status, ...this.#tools())
     this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
     this.dialog.addEventListener("close", () => this.close())
     document.body.append(this.dialog)
@@ -85,8 +85,8 @@ export class JoinScreen {
 
   /** @param {"done" | "problem"} kind @param {string} sentence */
   #say(kind, sentence) {
-    this.said.className = kind
-    this.said.textContent = sentence
+    this.status.className = kind
+    this.status.textContent = sentence
   }
 
   /** Does something, or says why not. @param {() => unknown} act */
@@ -121,7 +121,7 @@ export class JoinScreen {
     const {code, key} = room
     const query = `${lecture.page.shown.query}${lecture.hall.ending}`
     const body = {query, shown: Object.fromEntries(Object.entries(copies.room.shown ?? {}).slice(-100))}
-    const {address} = await ask(`${code}/word`, {method: "POST", body, word: key})
+    const {address} = await fetchJson(`${code}/word`, {method: "POST", body, word: key})
     const words = element(
       "div",
       {class: "class-words"},
@@ -137,7 +137,7 @@ export class JoinScreen {
   async #remote() {
     const {dialog} = this
     const {code, key} = this.teach.room
-    const ticket = await ask(`${code}/tickets`, {method: "POST", word: key})
+    const ticket = await fetchJson(`${code}/tickets`, {method: "POST", word: key})
     const square = this.dialog?.querySelector(".class-square")
     if (!square || dialog !== this.dialog) return // it was closed meanwhile
     square.innerHTML = ticket.square
@@ -160,7 +160,7 @@ export class JoinScreen {
     const {code, key} = this.teach.room
     const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
       this.#try(async () => {
-        const control = await ask(`${code}/tickets`, {method, body: {digits}, word: key})
+        const control = await fetchJson(`${code}/tickets`, {method, body: {digits}, word: key})
         if (control) this.teach.copies.save(control)
         this.#say("done", done)
       })

@@ -5,7 +5,7 @@ import {LEFT, tabStorage} from "../core/storage.js"
 import {forget, mine} from "./my_answers.js"
 import {Stream} from "./stream.js"
 
-/** @param {string} code @param {(step: string) => void} asks told which step the lecture asks now, if any */
+/** @param {string} code @param {(step: string) => void} asks called with the step the lecture asks now, if any */
 export function ownWay(code, asks) {
   const token = mine(code)?.token
   if (!token) return

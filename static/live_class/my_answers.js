@@ -1,7 +1,7 @@
 // The part of a phone in a class: its token, and its answers, sent and unsent. It is kept until the class is over.
 
 import {browserStorage} from "../core/storage.js"
-import {ask, insist, isMissing, isRefused} from "./requests.js"
+import {fetchJson, insist, isMissing, isRefused} from "./requests.js"
 
 /**
  * Answers by question.
@@ -40,7 +40,7 @@ export async function entered(typed, word, failed) {
   if (known().token) return known()
   const doubts = Date.now() + (word ? DOUBT : 0)
   const isFinal = (/** @type {unknown} */ reason) => isRefused(reason) && !(isMissing(reason) && Date.now() < doubts)
-  const request = () => ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
+  const request = () => fetchJson(`${encodeURIComponent(code)}/token`, {method: "POST", word})
   const found = await insist(request, {failed, isFinal})
   if (known().token) return known() // another tab of this phone has joined meanwhile: both are one follower
   enter(found.code, found.token)

@@ -10,11 +10,11 @@ const LETTERS = ["A", "B", "C", "D"]
  */
 export async function poll({walks, messages, kept}) {
   const covered = walks.walk?.lesson ? [] : kept.covered
-  const told = await messages.ask({type: "open", state: {...kept, covered, step: ""}})
-  if (told.type !== "shown") return "This picture cannot be voted on."
+  const answer = await messages.request({type: "open", state: {...kept, covered, step: ""}})
+  if (answer.type !== "shown") return "This picture cannot be voted on."
   const before = walks.texts[ALOUD] ?? walkText("Votes", [])
   const place = before.split("\n[[step]]\n").length - 1
-  return walks.run(ALOUD, before + stepText(stepOn(shownBy(told.query), covered, place + 1)), place)
+  return walks.run(ALOUD, before + stepText(stepOn(shownBy(answer.query), covered, place + 1)), place)
 }
 
 /** @param {string} state that is shown, as a link @param {string[]} cover @param {number} number of the vote */

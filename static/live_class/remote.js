@@ -7,7 +7,7 @@ import {tabStorage} from "../core/storage.js"
 import {Countdown} from "./countdown.js"
 import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
-import {Refusal, ask, insist, isMissing} from "./requests.js"
+import {Refusal, fetchJson, insist, isMissing} from "./requests.js"
 
 const DOUBTS = 30 // looks until a missing class counts as over, because its server may be restarting
 const ASKING = 1000 // ms between requests for its contents
@@ -41,7 +41,7 @@ async function pairedWith(code, ticket, say) {
   const name = `remote-${code}-${ticket}`
   const kept = /** @type {page.Paired | null} */ (tabStorage.value(name))
   if (kept) return kept
-  const request = () => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}})
+  const request = () => fetchJson(`${code}/remote`, {method: "PUT", body: {address: ticket}})
   const paired = await insist(request, {failed: reason => say(inWords(reason))})
   tabStorage.keep(name, paired)
   return paired
@@ -71,7 +71,7 @@ class Remote {
     const {code, paired, view} = this
     const after = view ? `?after=${view.number}` : ""
     /** @type {page.RemoteView | null | undefined} */
-    const news = await ask(`${code}/remote${after}`, {word: paired.key}).catch(reason => this.#failed(reason))
+    const news = await fetchJson(`${code}/remote${after}`, {word: paired.key}).catch(reason => this.#failed(reason))
     if (this.over) return
     if (news !== undefined) this.doubts = 0
     if (news === null && !this.isIn) this.state.textContent = "" // it waits
@@ -85,7 +85,7 @@ class Remote {
     this.view = view
     if (!this.isIn) this.#enter()
     this.state.textContent = view.question.place || "No question is open now."
-    this.countdown.put(view.question)
+    this.countdown.show(view.question)
     this.#fill()
     this.#ready()
     if (haveAllAnswered(view) && !haveAllAnswered(before)) navigator.vibrate?.(BUZZ)
@@ -179,7 +179,7 @@ class Remote {
   async #list() {
     const {code, paired} = this
     /** @type {page.Listed[] | undefined} */
-    const steps = await ask(`${code}/steps`, {word: paired.key}).catch(reason => this.#failed(reason))
+    const steps = await fetchJson(`${code}/steps`, {word: paired.key}).catch(reason => this.#failed(reason))
     if (!steps || this.over) return
     const rows = steps.map(({step, title}) => {
       const go = () => {
@@ -199,7 +199,7 @@ class Remote {
   #do(done) {
     const {code, paired} = this
     this.deeds = this.deeds
-      .then(() => ask(`${code}/remote`, {method: "POST", body: done, word: paired.key}))
+      .then(() => fetchJson(`${code}/remote`, {method: "POST", body: done, word: paired.key}))
       .catch(reason => this.#failed(reason))
   }
 

@@ -27,7 +27,7 @@ export class Refusal extends Error {
  * @typedef {{method?: string, body?: unknown, word?: string, signal?: AbortSignal}} How
  * @param {string} path below class/ @param {How} [how]
  */
-export async function ask(path, {method = "GET", body, word = "", signal} = {}) {
+export async function fetchJson(path, {method = "GET", body, word = "", signal} = {}) {
   const answer = await asked(path, {method, body, word, signal})
   if (answer.status === 204) return null
   return answer.json().catch(reason => {
@@ -82,8 +82,8 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
     throw new Refusal(`The server does not answer: ${inWords(reason)}.`, 0)
   }
   if (answer.ok) return answer
-  const said = await answer.json().catch(() => null)
-  throw new Refusal(said?.sentence ?? "The class does not answer.", answer.status, Boolean(said?.sentence))
+  const answered = await answer.json().catch(() => null)
+  throw new Refusal(answered?.sentence ?? "The class does not answer.", answer.status, Boolean(answered?.sentence))
 }
 
 /**

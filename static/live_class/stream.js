@@ -1,6 +1,6 @@
 // The stream of updates of a live class: reopened if it breaks, and replaced by polling if nothing comes through.
 
-import {Refusal, ask, asked, pause, pauseAfter} from "./requests.js"
+import {Refusal, fetchJson, asked, pause, pauseAfter} from "./requests.js"
 
 const PATIENCE = 3000 // ms without data until an attempt is given up
 const HASTE = 150 // the same for the first try of a page that wakes, whose old connections may be dead
@@ -146,7 +146,7 @@ export class Stream {
   /** Requests the news until now, and returns the time until the next request. @param {AbortSignal} signal */
   async #look(signal) {
     const came = this.#expect()
-    const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)
+    const news = await fetchJson(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)
     if (news) this.#hear(news)
     else this.#heard()
     if (Date.now() > this.knockAt) this.#knock()
@@ -225,7 +225,7 @@ export class Stream {
  * @param {AbortSignal} signal when something has come, or nothing will
  */
 function probe(signal) {
-  for (let i = 1; i < CONNECTIONS; i++) ask("time", {signal}).catch(() => {})
+  for (let i = 1; i < CONNECTIONS; i++) fetchJson("time", {signal}).catch(() => {})
 }
 
 /**

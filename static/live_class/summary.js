@@ -1,12 +1,12 @@
 // The summary of a class on one screen, or on one sheet of paper: each question, and how many were right.
 
 import {button, chip, element, marked} from "../core/dom.js"
-import {ask} from "./requests.js"
+import {fetchJson} from "./requests.js"
 
 /** @param {page.Opened} room */
 export async function summary({code, key}) {
   /** @type {page.StepSummary[]} */
-  const steps = await ask(`${code}/summary`, {word: key})
+  const steps = await fetchJson(`${code}/summary`, {word: key})
   const dialog = element("dialog", {class: "class-summary", "aria-label": "Summary of the class"})
   const tools = element(
     "div",

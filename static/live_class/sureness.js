@@ -14,17 +14,17 @@ export class Sureness {
     this.chips = LEVELS.map((name, i) => chip(name, () => this.#choose(i + 1, changed)))
     const about = {class: "chips sureness", role: "group", "aria-label": "How sure are you?"}
     this.element = element("div", about, element("span", {}, "How sure are you?"), ...this.chips)
-    this.put(0)
+    this.setTo(0)
   }
 
   /** @param {number} level @param {() => void} changed */
   #choose(level, changed) {
-    this.put(level)
+    this.setTo(level)
     changed()
   }
 
   /** Marks the chosen level. @param {number} level */
-  put(level) {
+  setTo(level) {
     this.level = level
     for (const [i, one] of this.chips.entries()) one.setAttribute("aria-pressed", String(i + 1 === level))
   }

@@ -9,7 +9,7 @@ import {Copies} from "./class_backup.js"
 import {Countdown, FIRST, MORE} from "./countdown.js"
 import {JoinScreen} from "./join_screen.js"
 import {poll} from "./poll.js"
-import {Refusal, ask, isMissing, pause} from "./requests.js"
+import {Refusal, fetchJson, isMissing, pause} from "./requests.js"
 import {describedScreen} from "./screen.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
@@ -28,10 +28,10 @@ export class Teach {
   news = {}
 
   /** @type {page.RunClock | null} the clock that was last sent to followers */
-  told = null
+  sentClock = null
 
   /** @type {string} the name of the followers' question */
-  put = ""
+  askedStep = ""
 
   /** @type {page.WalkSheet | undefined} its walk; a file that is read again gives a new one */
   sheet
@@ -94,7 +94,7 @@ export class Teach {
       await pause(AGAIN)
       return this.isOver ? undefined : this.#restore()
     }
-    this.told = null
+    this.sentClock = null
     this.described = ""
     this.lead()
     this.stream.close()
@@ -138,7 +138,7 @@ export class Teach {
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
     if (news.question && this.isTakenBack(walk)) this.votes.open()
-    if (news.question) this.countdown.put(news.question)
+    if (news.question) this.countdown.show(news.question)
     if (news.answers || news.question || news.lost === false) this.votes.count()
     else if (news.here !== undefined) this.votes.update()
     if (news.remotes) this.joinScreen.wait(news.remotes)
@@ -184,9 +184,9 @@ export class Teach {
    */
   async #sent(order) {
     const {code, key} = this.room
-    if (this.isOver || (order.type === "clock" && order !== this.told)) return false // a newer clock is on its way
+    if (this.isOver || (order.type === "clock" && order !== this.sentClock)) return false // a newer clock is on its way
     try {
-      await ask(`${code}/lead`, {method: "POST", body: order, word: key})
+      await fetchJson(`${code}/lead`, {method: "POST", body: order, word: key})
       return true
     } catch (reason) {
       if (isMissing(reason) && order.type !== "end") {
@@ -200,7 +200,7 @@ export class Teach {
     }
     await pause(AGAIN)
     if (order.type !== "clock") return this.#sent(order)
-    if (order === this.told) this.told = null // the current clock is sent instead
+    if (order === this.sentClock) this.sentClock = null // the current clock is sent instead
     return false
   }
 
@@ -213,14 +213,16 @@ export class Teach {
     const {clock} = this.lecture
     const now = this.timing.now
     const rate = clock.playing && clock.running ? clock.factor / clock.unit : 0
-    const {told} = this
-    const expected = told ? (told.t + (told.rate * (now - told.at)) / 1000) % (told.end || 1) : NaN
+    const {sentClock} = this
+    const expected = sentClock
+      ? (sentClock.t + (sentClock.rate * (now - sentClock.at)) / 1000) % (sentClock.end || 1)
+      : NaN
     const off = Math.abs(expected - clock.t)
     const apart = Math.min(off, Math.abs(clock.end - off))
     const slack = rate ? OFF * rate : 1e-9 * clock.end
-    if (told && told.rate === rate && told.end === clock.end && apart <= slack) return
-    this.told = {type: "clock", t: clock.t, rate, end: clock.end, at: now}
-    this.order(this.told)
+    if (sentClock && sentClock.rate === rate && sentClock.end === clock.end && apart <= slack) return
+    this.sentClock = {type: "clock", t: clock.t, rate, end: clock.end, at: now}
+    this.order(this.sentClock)
   }
 
   /** Describes the screen to a remote control, if it has changed. */
@@ -254,11 +256,11 @@ export class Teach {
   walked(walk) {
     if (!this.news.number) return // the current question is not known yet
     if (walk?.numbers) return walk.go(walk.place) // everyone in a class has the numbers of the file
-    if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) this.#arrive(walk)
+    if (nameOf(walk) !== this.askedStep || (walk && walk.sheet !== this.sheet)) this.#arrive(walk)
     else if (walk?.card && this.votes.card !== walk.card) {
       this.votes.begin(walk)
       if (walk.lesson && this.shown) this.votes.open() // its card is new
-      else if (this.shown) this.#put(walk) // its answer was taken back
+      else if (this.shown) this.#askClass(walk) // its answer was taken back
     }
     if (walk?.lesson && !this.shown) {
       this.shown = true
@@ -274,13 +276,13 @@ export class Teach {
   async #arrive(walk) {
     const isShown = this.#isShown(walk)
     const isTakenBack = this.isTakenBack(walk)
-    const put = (this.put = nameOf(walk))
+    const step = (this.askedStep = nameOf(walk))
     this.sheet = walk?.sheet
     this.votes.begin(walk)
     if (!walk?.step) return this.order({type: "withdraw"})
-    if (!isShown) await this.#put(walk)
-    const isAnswered = isShown || (this.copies.isAnswered(put) && !isTakenBack)
-    if (isAnswered && put === this.put && !walk.lesson) walk.show(true)
+    if (!isShown) await this.#askClass(walk)
+    const isAnswered = isShown || (this.copies.isAnswered(step) && !isTakenBack)
+    if (isAnswered && step === this.askedStep && !walk.lesson) walk.show(true)
   }
 
   /** True if the class has seen the answer to this question and it is hidden again. @param {Walk | null} walk */
@@ -300,15 +302,16 @@ export class Teach {
   }
 
   /** Sends a walk from a file to the room before its first question. @param {Walk} walk */
-  async #put({sheet: {name}, step, walks: {own, texts}}) {
-    const {put} = this
+  async #askClass({sheet: {name}, step, walks: {own, texts}}) {
+    const {askedStep} = this
     if (own.has(name)) {
       const text = texts[name]
       if (!(await this.order({type: "walk", name, text}))) return
       this.copies.take(name, text)
     }
-    if (put !== this.put) return
-    const [vote, answered] = [this.copies.last(put), this.copies.isAnswered(put)] // restore its earlier state
+    if (askedStep !== this.askedStep) return
+    // Restore the earlier state of the question.
+    const [vote, answered] = [this.copies.last(askedStep), this.copies.isAnswered(askedStep)]
     this.order({type: "put", walk: name, step: step.id, vote, answered})
   }
 
@@ -412,7 +415,7 @@ export async function teach(lecture) {
 /** A new room, with the instructors' passphrase if the server asks for one. @returns {Promise<page.Opened>} */
 async function opened(phrase = "") {
   try {
-    return await ask("", {method: "POST", word: encodeURIComponent(phrase)})
+    return await fetchJson("", {method: "POST", word: encodeURIComponent(phrase)})
   } catch (reason) {
     if (!(reason instanceof Refusal) || reason.status !== 401) throw reason
     const typed = await passphrase(reason.message)

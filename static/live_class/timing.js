@@ -1,6 +1,6 @@
 // An estimate of the server's clock from the fastest of several requests, with a bound of its error.
 
-import {ask} from "./requests.js"
+import {fetchJson} from "./requests.js"
 
 const FIRST = [3, 12] // requests, at least and at most
 const THEN = [1, 3]
@@ -45,7 +45,7 @@ export class Timing {
   /** Measures once. The server read its clock within the round trip, so its middle is off by at most half of it. */
   async measure([least, most] = THEN) {
     const sent = clock()
-    const server = await ask("time", {signal: AbortSignal.timeout(LIMIT)}).catch(() => null)
+    const server = await fetchJson("time", {signal: AbortSignal.timeout(LIMIT)}).catch(() => null)
     const back = clock()
     const within = (back - sent) / 2
     if (server !== null && within < this.bound) {

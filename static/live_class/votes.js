@@ -2,7 +2,7 @@
 
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/headline.js"
-import {ask} from "./requests.js"
+import {fetchJson} from "./requests.js"
 import {haveAnswered} from "./counts.js"
 import {countedOf} from "./earlier.js"
 import {sureness} from "./sureness.js"
@@ -61,11 +61,11 @@ export class Votes {
   }
 
   /** True if the filled button shows the votes of a class before the answer. */
-  get waits() {
+  get isUnopened() {
     return Boolean(this.card) && !this.isOpen && !this.teach.lecture.walks.walk?.lesson
   }
 
-  /** True if the question can be put again. */
+  /** True if the question can be asked again. */
   get canRepeat() {
     return this.isOpen || Boolean(this.teach.news.question?.closed)
   }
@@ -97,10 +97,10 @@ export class Votes {
     this.counting = true
     this.again = false
     const {code, key} = this.teach.room
-    const tally = await ask(`${code}/tally`, {word: key}).catch(() => {
+    const tally = await fetchJson(`${code}/tally`, {word: key}).catch(() => {
       this.again = true
     })
-    if (tally && `${tally.walk}/${tally.step}` === this.teach.put) this.tally = tally
+    if (tally && `${tally.walk}/${tally.step}` === this.teach.askedStep) this.tally = tally
     this.update()
     setTimeout(() => {
       this.counting = false

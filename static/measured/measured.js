@@ -118,19 +118,19 @@ export class MeasuredView {
    */
   async #send(file, pieces, piece = 0, tries = 0) {
     if (opened !== file) return
-    const told = /** @type {page.Fitted} */ (await this.page.host.messages.ask?.(pieces[piece]))
-    const isLate = told.is_busy || told.piece <= piece
-    if (told.motion || (told.refused && !told.is_busy)) return this.#fitted(file, told)
-    if (isLate && tries === MOST_TRIES) return this.#fitted(file, {...told, refused: told.refused || BUSY})
-    if (told.is_busy) await new Promise(done => setTimeout(done, AGAIN))
-    await this.#send(file, pieces, told.is_busy ? 0 : told.piece, tries + Number(isLate))
+    const answer = /** @type {page.Fitted} */ (await this.page.host.messages.request?.(pieces[piece]))
+    const isLate = answer.is_busy || answer.piece <= piece
+    if (answer.motion || (answer.refused && !answer.is_busy)) return this.#fitted(file, answer)
+    if (isLate && tries === MOST_TRIES) return this.#fitted(file, {...answer, refused: answer.refused || BUSY})
+    if (answer.is_busy) await new Promise(done => setTimeout(done, AGAIN))
+    await this.#send(file, pieces, answer.is_busy ? 0 : answer.piece, tries + Number(isLate))
   }
 
-  /** @param {Opened} file @param {page.Fitted} told */
-  #fitted(file, told) {
+  /** @param {Opened} file @param {page.Fitted} answer */
+  #fitted(file, answer) {
     if (opened !== file) return
-    file.fit = told.motion ? told : null
-    this.#tell(told.refused)
+    file.fit = answer.motion ? answer : null
+    this.#tell(answer.refused)
   }
 
   /** Sets the parameters of the scene to the fit. */

@@ -8,25 +8,25 @@ const FINE = 2 ** 24 - 1
 const ORDER = 4
 const LINE_FEED = 10
 
-/** @param {ArrayBuffer} data @param {string} usual the sheet's dictionary @returns {Promise<Told>} */
-export async function unpacked(data, usual) {
-  const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(usual))
+/** @param {ArrayBuffer} data @param {string} presetDictionary the sheet's @returns {Promise<ServerMessage>} */
+export async function unpacked(data, presetDictionary) {
+  const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(presetDictionary))
   const end = bytes.indexOf(LINE_FEED)
-  const told = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)))
-  if (told.view) fill(told, bytes.subarray(end + 1))
-  return told
+  const message = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)))
+  if (message.view) fill(message, bytes.subarray(end + 1))
+  return message
 }
 
 /**
  * Inflates a message with a preset dictionary. The dictionary is put in front as a stored block, so that
  * DecompressionStream, which has no parameter for it, can be used.
- * @param {Uint8Array<ArrayBuffer>} data @param {Uint8Array} before
+ * @param {Uint8Array<ArrayBuffer>} data @param {Uint8Array} dictionary
  */
-async function inflated(data, before) {
-  const {length} = before
+async function inflated(data, dictionary) {
+  const {length} = dictionary
   const stored = new Uint8Array(5 + length)
   stored.set([0, length & 255, length >> 8, ~length & 255, (~length >> 8) & 255])
-  stored.set(before, 5)
+  stored.set(dictionary, 5)
   const {readable, writable} = new DecompressionStream("deflate-raw")
   const writer = writable.getWriter()
   const written = [writer.write(stored), writer.write(data), writer.close()]
@@ -36,7 +36,7 @@ async function inflated(data, before) {
 
 /**
  * Replaces the descriptions of columns and samples by their numbers: first of the view, then of the compared picture.
- * @param {any} told @param {Uint8Array} data
+ * @param {any} message @param {Uint8Array} data
  */
 function fill({view, held}, data) {
   const numbers = new Numbers(data)

@@ -12,9 +12,10 @@ const LONGER = 4 // factor of the patience for jobs
  * restarts with its answer; `sets`: the values that it sets if it is built later; `anew`: it must be sent to each new
  * session; `answered`: callback for its answer; `way` and `undoGroup`: for undo.
  * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
- *   answered?: (told: Told) => void, way?: import("../shell/undo.js").Direction, undoGroup?: string}} Envelope
- * @typedef {Envelope & {message: page.Said}} Asked
- * @typedef {Envelope & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
+ *   answered?: (message: ServerMessage) => void, way?: import("../shell/undo.js").Direction,
+ *   undoGroup?: string}} Envelope
+ * @typedef {Envelope & {message: page.BrowserMessage}} Asked
+ * @typedef {Envelope & {message: page.BrowserMessage | ((state: page.State) => page.BrowserMessage | null)}} Waiting
  */
 
 export class Messages {
@@ -32,13 +33,13 @@ export class Messages {
 
   behind = true // until the messages that waited for a connection are answered
 
-  /** The messages that a new session gets first. @returns {page.Said[]} */
-  before = () => []
+  /** The messages that a new session gets first. @returns {page.BrowserMessage[]} */
+  greeting = () => []
 
   /** Called when a message has been sent twice without an answer. */
   overdue = () => {}
 
-  wires = 0 // lost
+  lostConnections = 0
   number = 0
   patience = PATIENCE
 
@@ -49,15 +50,15 @@ export class Messages {
   heard = Promise.resolve()
 
   /**
-   * `unpack` reads a packet. `hear` handles a message and, if it is an answer, the message that it answers. `fail` is
-   * called if a packet cannot be read, `report` with exceptions of `hear`, which say nothing about the connection.
-   * @param {(packet: Packet) => Promise<Told>} unpack
-   * @param {(told: Told, asked: Asked | null) => void} hear
+   * `unpack` reads a packet. `handle` handles a message and, if it is an answer, the message that it answers. `fail` is
+   * called if a packet cannot be read, `report` with exceptions of `handle`, which say nothing about the connection.
+   * @param {(packet: Packet) => Promise<ServerMessage>} unpack
+   * @param {(message: ServerMessage, asked: Asked | null) => void} handle
    * @param {(error: unknown) => void} fail @param {(error: unknown) => void} report
    */
-  constructor(unpack, hear, fail, report) {
+  constructor(unpack, handle, fail, report) {
     this.unpack = unpack
-    this.hear = hear
+    this.handle = handle
     this.fail = fail
     this.report = report
   }
@@ -72,9 +73,9 @@ export class Messages {
     if (anew) {
       if (this.asked && !this.asked.anew) this.outbox.unshift(this.asked)
       this.asked = null
-      const said = this.before().map(message => ({anew, message}))
+      const greeting = this.greeting().map(message => ({anew, message}))
       const stand = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
-      this.outbox = [...said, stand, ...this.outbox.filter(waiting => !waiting.anew)]
+      this.outbox = [...greeting, stand, ...this.outbox.filter(waiting => !waiting.anew)]
     }
     this.#flush()
     this.behind = Boolean(this.asked)
@@ -84,7 +85,7 @@ export class Messages {
   detach() {
     clearTimeout(this.reminder)
     this.wire = null
-    this.wires++
+    this.lostConnections++
     this.heard = Promise.resolve()
     this.behind = true
   }
@@ -98,15 +99,18 @@ export class Messages {
     if (names.length) this.#supersede(names)
     const last = this.outbox[this.outbox.length - 1]
     const values = valuesOf(message)
-    const before = last && valuesOf(last.message)
-    const copy = values ? {.../** @type {page.SetValues} */ (message), values: {...before, ...values}} : message
-    if (before && values) Object.assign(last, about, {message: copy})
+    const earlier = last && valuesOf(last.message)
+    const copy = values ? {.../** @type {page.SetValues} */ (message), values: {...earlier, ...values}} : message
+    if (earlier && values) Object.assign(last, about, {message: copy})
     else this.outbox.push({...about, message: copy})
     this.#flush()
   }
 
-  /** Sends a message and resolves with its answer. @param {page.Said} message @returns {Promise<Told>} */
-  ask(message) {
+  /**
+   * Sends a message and resolves with its answer.
+   * @param {page.BrowserMessage} message @returns {Promise<ServerMessage>}
+   */
+  request(message) {
     return new Promise(answered => this.send(message, {answered}))
   }
 
@@ -162,7 +166,7 @@ export class Messages {
     return this.behind ? this.#queue.filter(({anew}) => !anew) : []
   }
 
-  /** The unsent messages, for a page that replaces this one. @returns {page.Said[]} */
+  /** The unsent messages, for a page that replaces this one. @returns {page.BrowserMessage[]} */
   get left() {
     let {state} = this
     const plain = this.#queue.flatMap(({message: made, anew}) => {
@@ -192,11 +196,11 @@ export class Messages {
   }
 
   #say() {
-    this.#ask(() => this.#ask(() => this.overdue()))
+    this.#sendWithReminder(() => this.#sendWithReminder(() => this.overdue()))
   }
 
   // A lost message is repeated. The server applies each number only once.
-  #ask(/** @type {() => void} */ otherwise) {
+  #sendWithReminder(/** @type {() => void} */ otherwise) {
     const {asked} = this
     if (asked) this.wire?.send(asked.message)
     const isJob = asked && JOBS.has(asked.message.type)
@@ -205,14 +209,14 @@ export class Messages {
 
   /** @param {Packet} packet */
   receive(packet) {
-    const {wires} = this
+    const {lostConnections} = this
     const unpacked = this.unpack(packet)
     // Ignore packets of a lost connection; the next one repeats them.
-    const current = () => wires === this.wires
+    const current = () => lostConnections === this.lostConnections
     this.heard = this.heard
       .then(() => unpacked)
       .then(
-        told => current() && this.#hear(told),
+        message => current() && this.#receive(message),
         error => current() && this.fail(error),
       )
   }
@@ -220,28 +224,28 @@ export class Messages {
   /**
    * Handles a message of the server. Answers to other than the awaited message are repetitions and are dropped;
    * messages that have no number are not answers.
-   * @param {Told} told
+   * @param {ServerMessage} message
    */
-  #hear(told) {
-    if (told.answer === null) return this.#take(told, null)
+  #receive(message) {
+    if (message.answer === null) return this.#take(message, null)
     const {asked} = this
-    if (told.answer !== asked?.message.number) return
+    if (message.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
-    if (asked.anew && "is_busy" in told && told.is_busy) {
+    if (asked.anew && "is_busy" in message && message.is_busy) {
       this.reminder = setTimeout(() => this.#say(), AGAIN) // later messages depend on it
       return
     }
     this.asked = null
-    this.#take(told, asked)
+    this.#take(message, asked)
     this.#flush()
     if (!this.asked) this.behind = false
   }
 
-  /** @param {Told} told @param {Asked | null} asked the message that it answers */
-  #take(told, asked) {
-    if (told.type === "shown") this.state = told.state
+  /** @param {ServerMessage} message @param {Asked | null} asked the message that it answers */
+  #take(message, asked) {
+    if (message.type === "shown") this.state = message.state
     try {
-      this.hear(told, asked)
+      this.handle(message, asked)
     } catch (error) {
       this.report(error)
     }

@@ -2,10 +2,10 @@
 
 import {bokeh} from "./bokeh.js"
 
-/** @typedef {{send: (message: page.Said) => void, close: () => void}} Wire */
+/** @typedef {{send: (message: page.BrowserMessage) => void, close: () => void}} Wire */
 
 const LINE_FEED = 10
-const TOLD = "told" // the type of a message of the server
+const FROM_SERVER = "from_server" // the type of a message of the server
 
 /** @type {boolean} whether Bokeh knows the model */
 let defined = false
@@ -15,8 +15,8 @@ function define() {
   if (defined) return
   defined = true
   const {ModelEvent} = Bokeh.require("core/bokeh_events")
-  class Said extends ModelEvent {
-    event_name = "said"
+  class FromBrowser extends ModelEvent {
+    event_name = "from_browser"
 
     get event_values() {
       return {model: this.origin, data: this.data}
@@ -26,9 +26,9 @@ function define() {
     static __name__ = "Wire"
     static __module__ = "components.session.panel_bridge"
 
-    /** @param {page.Said} message */
+    /** @param {page.BrowserMessage} message */
     send(message) {
-      this.document.event_manager.send_event(Object.assign(new Said(), {origin: this, data: message}))
+      this.document.event_manager.send_event(Object.assign(new FromBrowser(), {origin: this, data: message}))
     }
   }
   Bokeh.require("base").default_resolver.register(Wire)
@@ -47,7 +47,7 @@ export async function connect(token, receive, lost) {
   const {document: shared} = session
   const [wire] = shared.roots()
   const hear = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
-  shared.on_message(TOLD, hear)
+  shared.on_message(FROM_SERVER, hear)
   shared.on_event("connection_lost", lost)
   shared.notify_idle(wire) // Panel sends nothing before it has received this
   return {send: message => wire.send(message), close: () => close(session, hear)}
@@ -65,7 +65,7 @@ function packetIn(message) {
  * @param {BokehModel} session @param {(message: ArrayBuffer) => void} hear
  */
 function close(session, hear) {
-  session.document.remove_on_message(TOLD, hear)
+  session.document.remove_on_message(FROM_SERVER, hear)
   session.close()
   const index = Bokeh.documents.indexOf(session.document)
   if (index >= 0) Bokeh.documents.splice(index, 1)

@@ -33,6 +33,6 @@ export const answerFields = label => [labelled(label, "is"), labelled("or an exp
 export function answerIn(form, unit) {
   const [is, of] = [text(form, "is"), text(form, "of")]
   /** @type {import("./question.js").Fields} */
-  const told = of ? {of} : {is}
-  return {...told, ...(of && is ? {is} : {}), unit, tol: text(form, "tol")}
+  const target = of ? {of} : {is}
+  return {...target, ...(of && is ? {is} : {}), unit, tol: text(form, "tol")}
 }

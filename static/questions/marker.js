@@ -55,14 +55,14 @@ export class Marker {
     event.stopPropagation()
     this.layer.setPointerCapture(event.pointerId)
     focusByHand(this.pill)
-    this.put(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+    this.setTo(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
   }
 
   /** @param {PointerEvent} event */
   #drag(event) {
     if (!this.layer.hasPointerCapture(event.pointerId)) return
     event.stopPropagation()
-    this.put(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+    this.setTo(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
   }
 
   /** @param {KeyboardEvent} event */
@@ -73,11 +73,11 @@ export class Marker {
     event.stopPropagation()
     const {start, end} = this.ruler
     const size = (end - start) / STEPS / (event.shiftKey ? 10 : 1)
-    this.put((this.value ?? (start + end) / 2) + way * size)
+    this.setTo((this.value ?? (start + end) / 2) + way * size)
   }
 
   /** @param {number} value a place on the axis */
-  put(value) {
+  setTo(value) {
     const {start, end} = this.ruler
     this.value = clamp(value, Math.min(start, end), Math.max(start, end))
     this.place()
@@ -87,8 +87,8 @@ export class Marker {
   /** The current position of the axis. */
   place() {
     const {start, end} = this.ruler
-    this.#put(this.pill, this.value ?? (start + end) / 2)
-    this.#put(this.line, this.value ?? (start + end) / 2)
+    this.#placeAt(this.pill, this.value ?? (start + end) / 2)
+    this.#placeAt(this.line, this.value ?? (start + end) / 2)
     this.line.hidden = this.value === null
     this.pill.textContent = this.value === null ? "?" : this.number
     setAttributes(this.pill, {
@@ -98,7 +98,7 @@ export class Marker {
     })
     setAttributes(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
-      this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
+      this.#placeAt(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
     if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's listener
   }
 
@@ -120,7 +120,7 @@ export class Marker {
   }
 
   /** @param {HTMLElement} part @param {number} value */
-  #put(part, value) {
+  #placeAt(part, value) {
     const {left, top, width, height} = this.plot.frame
     const along = this.which === "x" ? this.plot.px(value) : this.plot.py(value)
     part.style.setProperty("--at", long(along))

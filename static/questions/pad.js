@@ -25,18 +25,18 @@ export class Pad {
   findings = []
 
   /**
-   * `drawn` is called after every stroke; the earlier sketch `before` stays, dotted.
+   * `drawn` is called after every stroke; the sketch `earlier` stays, dotted.
    * @param {import("../scene/plots.js").Plot} plot
-   * @param {page.StepCard} step @param {page.Given["curves"]} before @param {() => void} drawn
+   * @param {page.StepCard} step @param {page.Given["curves"]} earlier @param {() => void} drawn
    */
-  constructor(plot, {curves, frame}, before, drawn) {
+  constructor(plot, {curves, frame}, earlier, drawn) {
     const [across, up] = /** @type {[page.Ruler, page.Ruler]} */ (frame)
     this.across = across
     this.up = up
     this.plot = plot
     this.drawn = drawn
     this.span = {...plot.x}
-    this.before = Object.values(before ?? {}).map(sent => this.#heights(sent))
+    this.earlier = Object.values(earlier ?? {}).map(sent => this.#heights(sent))
     this.status = element("p", {class: "hint", role: "status"})
     for (const name of curves) this.heights.set(name, Array(COLUMNS + 1).fill(null))
     this.name = curves[0]
@@ -204,7 +204,7 @@ export class Pad {
   /** The ink where the axes now are. */
   place() {
     const box = this.plot.frame
-    const old = this.before.map(heights => svg("path", {class: "old", d: this.#path(this.#points(heights))}))
+    const old = this.earlier.map(heights => svg("path", {class: "old", d: this.#path(this.#points(heights))}))
     const lines = [...this.heights].map(([name, heights]) => this.#line(name, this.#points(heights)))
     const {column, height} = this.pen
     const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})

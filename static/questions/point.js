@@ -44,7 +44,7 @@ export class AxisPlace extends Question {
 
   /** @param {import("./question.js").Answer} given */
   restore({value}) {
-    if (typeof value === "number") this.marker.put(value)
+    if (typeof value === "number") this.marker.setTo(value)
   }
 
   /** @param {page.Lesson} lesson */

@@ -26,7 +26,10 @@ export class Sketch extends Question {
   static read(form, plots) {
     const [name, y] = text(form, "curve").split(".")
     const must = seen(plots, `${name}.${y}`).map((one, i) =>
-      Object.assign(one, {at: told(text(form, `at-${i}`), one.at), is: told(text(form, `is-${i}`), one.is)}),
+      Object.assign(one, {
+        at: numberOrText(text(form, `at-${i}`), one.at),
+        is: numberOrText(text(form, `is-${i}`), one.is),
+      }),
     )
     return {plot: name, curve: y, must, cover: [`plot:${name}`]}
   }
@@ -34,7 +37,7 @@ export class Sketch extends Question {
   again = "Draw again"
 
   counted = "a sketch"
-  pad = new Pad(this.plot, this.step, this.walk.before?.curves ?? {}, () => this.changed())
+  pad = new Pad(this.plot, this.step, this.walk.earlierAnswer?.curves ?? {}, () => this.changed())
   pens = this.step.curves.map((name, i) => toggle(`Draw ${name}`, i === 0, () => this.#take(name)))
   tools = element(
     "div",
@@ -125,4 +128,4 @@ const featureFields = ({f, at, is}, i) => [
 ]
 
 /** A number, or an expression of the scene's. @param {string} typed @param {number} read off the curve */
-const told = (typed, read) => (typed === "" ? read : Number.isNaN(Number(typed)) ? typed : Number(typed))
+const numberOrText = (typed, read) => (typed === "" ? read : Number.isNaN(Number(typed)) ? typed : Number(typed))

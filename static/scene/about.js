@@ -41,7 +41,7 @@ export class About {
     this.send({type: "about"})
   }
 
-  /** @param {page.AboutNumbers} told the server's message */
+  /** @param {page.AboutNumbers} message the server's message */
   show({reading, tables, notes}) {
     this.body.replaceChildren(
       ...(reading ? [marked("p", {}, reading)] : []),

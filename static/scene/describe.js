@@ -75,10 +75,10 @@ export function description(plot) {
   if (isCovered(plot))
     return `${block.title}. Covered until you press ${shown.state.step ? "Show the answer" : "Reveal"}.`
   const {x, y} = axes(plot)
-  const told = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
+  const lines = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
   const numbers = [...spoken(block.says, view.values)].map(([name, text]) => `${name} ${text}`).join("; ")
   const now = numbers && [`${numbers[0].toUpperCase()}${numbers.slice(1)}.`]
-  return [`${block.title}.`, ...now, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")
+  return [`${block.title}.`, ...now, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...lines].join(" ")
 }
 
 /** The curves that are seen; pieces of one curve are one. @param {Plot} plot @returns {Trace[]} */
@@ -260,9 +260,9 @@ export function course({name, pieces, lines, motion}, x, y) {
  */
 function placed(one, motion, x, y) {
   const [first, last] = [one.xs[0], one.xs.at(-1) ?? 0].map(place => measured(x, place))
-  const told = way(one, motion, x, y, false)
-  if (isUpright(one)) return told
-  return `from ${first} to ${last} it ${told.startsWith("from ") ? "goes " : ""}${told}`
+  const phrase = way(one, motion, x, y, false)
+  if (isUpright(one)) return phrase
+  return `from ${first} to ${last} it ${phrase.startsWith("from ") ? "goes " : ""}${phrase}`
 }
 
 /** True if a piece is a point or a vertical line. @param {Piece} piece */

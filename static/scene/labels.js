@@ -148,7 +148,7 @@ export class Flags {
   }
 
   // The message of a flag that is pressed.
-  /** @param {page.Mark} mark @returns {page.Said} */
+  /** @param {page.Mark} mark @returns {page.BrowserMessage} */
   #asked({act, set: name, exactly, at, axis}) {
     if (act) return {type: "act", name: act}
     const {scalars} = this.plot.view

@@ -64,7 +64,7 @@ export class Page {
     setAttributes(this.sheet.element, {id: PAPER, role: sheet.views.length ? "tabpanel" : null})
     this.heading = element("h1", {tabindex: -1}, sheet.headline)
     this.transport = new (RunBar ?? Transport)(this)
-    const send = (/** @type {page.Said} */ message) => this.send(message)
+    const send = (/** @type {page.BrowserMessage} */ message) => this.send(message)
     this.views = new Views(sheet.views, send)
     this.root.classList.toggle("in-views", sheet.views.length > 0)
     const {heading, notice, views, transport} = this
@@ -104,12 +104,12 @@ export class Page {
   #measure() {
     const {measured} = this.sheet
     const isSeen = [...measured.values()].some(host => !host.closest("[hidden]"))
-    if (this.isMeasuring || !isSeen || !this.host.messages.ask) return
+    if (this.isMeasuring || !isSeen || !this.host.messages.request) return
     this.isMeasuring = true
     using("measured/measured", ({MeasuredView}) => this.left || this.parts.push(new MeasuredView(this, measured)))
   }
 
-  /** @param {page.Said} message */
+  /** @param {page.BrowserMessage} message */
   send(message) {
     this.host.send(message)
   }
@@ -197,7 +197,7 @@ export class Page {
 
   async #joinNext() {
     await frame()
-    const plot = this.left ? undefined : this.plots.find(one => one.waits)
+    const plot = this.left ? undefined : this.plots.find(one => one.needsFigure)
     if (!plot) return
     try {
       await bokeh()

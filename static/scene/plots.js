@@ -114,7 +114,7 @@ export class Plot {
   }
 
   /** True if it is visible and has no figure yet. */
-  get waits() {
+  get needsFigure() {
     return !this.mounted && !this.absent && this.box && this.host.offsetParent !== null
   }
 
@@ -166,7 +166,7 @@ export class Plot {
     this.#widen()
     this.#draw()
     this.still()
-    if (this.waits) this.page.join()
+    if (this.needsFigure) this.page.join()
   }
 
   #draw() {

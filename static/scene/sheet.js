@@ -205,9 +205,9 @@ export class Sheet {
     }
     for (const {name, variants, holder} of this.items) {
       const wanted = forms[name] ?? ""
-      const waits = !holder.hidden && covered.includes(`form:${name}`)
-      holder.classList.toggle("waits", waits)
-      if (waits) continue // its place is kept
+      const isPending = !holder.hidden && covered.includes(`form:${name}`)
+      holder.classList.toggle("waits", isPending)
+      if (isPending) continue // its place is kept
       holder.hidden = wanted === ""
       for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }

@@ -17,7 +17,7 @@ export class Voice {
     page.root.append(this.status)
     this.describe()
     this.parameters = JSON.stringify(page.shown.state.parameters)
-    this.told = this.#numbers()
+    this.lastNumbers = this.#numbers()
   }
 
   leave() {
@@ -39,9 +39,9 @@ export class Voice {
     this.describe()
     const now = this.#numbers()
     const parameters = JSON.stringify(this.page.shown.state.parameters)
-    if (parameters !== this.parameters) this.status.textContent = said(this.told, now)
+    if (parameters !== this.parameters) this.status.textContent = changedNumbers(this.lastNumbers, now)
     this.parameters = parameters
-    this.told = now
+    this.lastNumbers = now
   }
 
   /** The numbers to announce, by name, without hidden ones: those of the scene and of the visible plots. */
@@ -56,12 +56,12 @@ export class Voice {
  * "slow mode 1.22 rad/s, was 1.00 rad/s; unchanged: fast mode".
  * @param {Map<string, string>} before @param {Map<string, string>} now
  */
-export function said(before, now) {
+export function changedNumbers(before, now) {
   const names = [...now.keys()]
   const moved = names.filter(name => now.get(name) !== before.get(name))
   const still = names.filter(name => !moved.includes(name))
-  const told = moved.map(name => `${name} ${now.get(name)}${before.has(name) ? `, was ${before.get(name)}` : ""}`)
-  if (still.length) told.push(`unchanged: ${still.join(", ")}`)
-  const sentence = told.join("; ")
+  const parts = moved.map(name => `${name} ${now.get(name)}${before.has(name) ? `, was ${before.get(name)}` : ""}`)
+  if (still.length) parts.push(`unchanged: ${still.join(", ")}`)
+  const sentence = parts.join("; ")
   return sentence && `${sentence[0].toUpperCase()}${sentence.slice(1)}.`
 }

@@ -10,12 +10,12 @@ export function framed(lecture) {
   const lead = () => out.setAttribute("href", lecture.page?.shown ? lecture.page.link : location.search || "./")
   for (const event of ["pointerenter", "focus", "click"]) out.addEventListener(event, lead)
   lead()
-  let told = 0
+  let sentHeight = 0
   /** Sends the height to any origin, because it is no secret; the server decides who may frame the page. */
   const tell = () => {
     const height = Math.ceil(bar.offsetHeight + wanted(lecture.page))
-    if (height === told) return
-    told = height
+    if (height === sentHeight) return
+    sentHeight = height
     parent.postMessage({type: "oscillations:height", height}, "*")
   }
   const observer = new ResizeObserver(tell)

@@ -55,7 +55,7 @@ export class Undo {
   }
 
   /** The undo group of a message: all messages of one press have the same group, and are undone together. */
-  undoGroup(/** @type {page.Said} */ {type}) {
+  undoGroup(/** @type {page.BrowserMessage} */ {type}) {
     return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
   }
 

@@ -3,7 +3,7 @@
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
 import {SUCH, mark} from "../questions/question.js"
-import {ask, claim} from "./headline.js"
+import {claim, showQuestion} from "./headline.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 export const FOLLOWS = "How it follows"
@@ -72,7 +72,7 @@ export class Card {
     const {page} = this
     const {question, opens} = this.walk.step
     page.root.classList.add("asked")
-    ask(page, question)
+    showQuestion(page, question)
     for (const {name, holder} of page.sheet.items)
       holder.classList.toggle("at-issue", opens.covered.includes(`form:${name}`))
     for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")

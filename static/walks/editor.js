@@ -13,7 +13,7 @@ const NAME = "asked"
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
 /** @param {LectureHost["walks"]} walks */
-export const ask = walks => new Editor(walks).open()
+export const openEditor = walks => new Editor(walks).open()
 
 class Editor {
   /** @type {string[]} what is covered already and is not offered here */

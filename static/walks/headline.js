@@ -8,7 +8,7 @@ export function claim({heading, spec}, html) {
 }
 
 /** Shows the question in the claim's place. @param {PartHost} page @param {page.Html} html */
-export function ask({heading}, html) {
+export function showQuestion({heading}, html) {
   heading.classList.add("waits")
   heading.innerHTML = html
 }

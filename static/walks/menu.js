@@ -33,7 +33,7 @@ export class Menu {
     this.#entry("walk-file", () => this.file.click())
     this.#entry("handout", () => this.#print(false))
     this.#entry("handout-answers", () => this.#print(true))
-    this.#entry("ask", () => this.#ask())
+    this.#entry("ask", () => this.#openEditor())
     this.#entry("teach", () => walks.lecture.classes.begin())
     this.#entry("projector", () => hall.toggle())
     this.#entry("full-screen", () => hall.full())
@@ -63,11 +63,11 @@ export class Menu {
   }
 
   /** Opens the editor of questions for the current scene, outside a walk. In hall mode it opens in another window. */
-  async #ask() {
+  async #openEditor() {
     const {walk, lecture} = this.walks
     if (walk) lecture.page.notice.tell("Leave the walk first: you can only write a question on a scene.")
     else if (lecture.hall.on) open(`./?${lecture.page.shown.query}${ASK}`, "_blank", "noopener")
-    else (await later("walks/editor")).ask(this.walks)
+    else (await later("walks/editor")).openEditor(this.walks)
   }
 
   /** @param {HTMLElement} link */
@@ -113,7 +113,7 @@ export class Menu {
     this.purpose = ""
     if (purpose === ASK || purpose === STEPS)
       history.replaceState(history.state, "", location.href.replace(purpose, ""))
-    if (purpose === ASK) this.#ask()
+    if (purpose === ASK) this.#openEditor()
     else if (purpose === STEPS) lead(this.walks)
   }
 

@@ -42,7 +42,7 @@ export class Walk {
   known = answered() // the step that was open before the reload
 
   /** @type {import("../questions/question.js").Answer | null} the earlier answer, if the visitor answers again */
-  before = null
+  earlierAnswer = null
 
   /** @param {LectureHost["walks"]} walks @param {page.WalkSheet} sheet */
   constructor(walks, sheet) {
@@ -111,15 +111,15 @@ export class Walk {
 
   /** Asks the question again; the earlier sketch stays, dotted. */
   again() {
-    const before = this.card?.question.given() ?? null
+    const given = this.card?.question.given() ?? null
     this.go(this.place)
-    this.before = before
+    this.earlierAnswer = given
   }
 
   #putAway() {
     forgetAnswered()
     this.lesson = null
-    this.before = null
+    this.earlierAnswer = null
     this.card?.leave()
     this.card = null
   }
@@ -197,7 +197,7 @@ export class Walk {
     const {led} = this.lecture.classes
     if (this.lesson) return this.#onward(this.card, led?.votes)
     if (led?.isTakenBack(this)) return {words: "Vote again", act: () => led.again()}
-    if (led?.votes.waits) return {words: "Show the votes", act: () => led.votes.open()}
+    if (led?.votes.isUnopened) return {words: "Show the votes", act: () => led.votes.open()}
     if (this.isAloud) return {words: "Go on", act: () => this.walks.goOn()}
     if (this.step.poll) return this.#leading()
     return {words: "Show the answer", needsAnswer: !led, act: always => this.show(always || Boolean(led))}
@@ -245,21 +245,21 @@ export class Walk {
   /** @param {boolean} always */
   async show(always) {
     if (this.step.poll) return
-    if (this.lecture.classes.put === this.#name) return this.card?.refuse(ASKED_NOW)
+    if (this.lecture.classes.askedStep === this.#name) return this.card?.refuse(ASKED_NOW)
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
-    const answer = {walk: this.sheet.name, step: this.step.id, seed: this.numbers, ...given}
-    const told = await this.#told({type: "given", answer})
-    if (told.type === "taught") this.#taught(told)
+    const sent = {walk: this.sheet.name, step: this.step.id, seed: this.numbers, ...given}
+    const answer = await this.#answerTo({type: "given", answer: sent})
+    if (answer.type === "taught") this.#taught(answer)
   }
 
   /** Sends an answer, and again if the session did not know the walk's file. @param {page.GiveAnswer} message */
-  async #told(message) {
+  async #answerTo(message) {
     const {name} = this.sheet
     const {own, texts} = this.walks
-    const told = await this.walks.ask(message)
-    const isRead = !own.has(name) || (told.type === "taught" && told.lesson)
-    return isRead || (await this.walks.check(name, texts[name])) ? told : this.walks.ask(message)
+    const answer = await this.walks.request(message)
+    const isRead = !own.has(name) || (answer.type === "taught" && answer.lesson)
+    return isRead || (await this.walks.check(name, texts[name])) ? answer : this.walks.request(message)
   }
 
   next() {
@@ -285,7 +285,7 @@ export class Walk {
     return {walk: this.sheet.name, place: this.place, state: this.state, known}
   }
 
-  /** @param {page.Taught} told the server's message */
+  /** @param {page.Taught} message the server's message */
   #taught({step, lesson, refused}) {
     if (!this.card || this.lesson || step !== this.step.id) return
     if (!lesson) return this.card.refuse(refused)

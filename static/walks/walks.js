@@ -34,7 +34,7 @@ export class Walks {
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
     // A new session does not know these walks, so it gets them before any request.
-    lecture.messages.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
+    lecture.messages.greeting = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
     if (walk in this.texts) this.coming = this.#rejoin(walk, step)
   }
@@ -165,13 +165,13 @@ export class Walks {
 
   /**
    * Requests an answer of the session; repeats the request while the server is busy.
-   * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<Told>}
+   * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<ServerMessage>}
    */
-  async ask(message) {
-    const told = await this.lecture.messages.ask(message)
-    if (!("is_busy" in told && told.is_busy)) return told
+  async request(message) {
+    const answer = await this.lecture.messages.request(message)
+    if (!("is_busy" in answer && answer.is_busy)) return answer
     await new Promise(done => setTimeout(done, AGAIN))
-    return this.ask(message)
+    return this.request(message)
   }
 
   /**
@@ -179,9 +179,9 @@ export class Walks {
    * @param {string} name @param {string} text @returns {Promise<string>}
    */
   async check(name, text) {
-    const told = await this.ask({type: "walk", name, text})
-    if (told.type !== "walking") return NOT_READ
-    const {sheet, refused} = told
+    const answer = await this.request({type: "walk", name, text})
+    if (answer.type !== "walking") return NOT_READ
+    const {sheet, refused} = answer
     if (!sheet) return refused
     this.own.set(name, sheet)
     this.texts[name] = text
@@ -231,7 +231,7 @@ export class Walks {
   async lead(texts, question) {
     await this.coming
     const others = [...texts].filter(([name]) => !(name in this.texts))
-    await others.reduce((before, [name, text]) => before.then(() => this.#takeAlong(name, text)), Promise.resolve())
+    await others.reduce((earlier, [name, text]) => earlier.then(() => this.#takeAlong(name, text)), Promise.resolve())
     if (this.walk || this.lecture.kept.step || !question?.step || !this.names.includes(question.walk)) return
     await this.#comeTo(question.walk, question.step)
   }

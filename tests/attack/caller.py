@@ -134,4 +134,4 @@ def event(name: str, **values: Any) -> dict[str, Any]:
 
 def said(data: Any, model: str = "p1") -> tuple[str, str, str]:
     """A message of the page's component."""
-    return patch(event("said", model={"id": model}, data=data))
+    return patch(event("from_browser", model={"id": model}, data=data))

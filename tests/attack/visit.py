@@ -20,7 +20,7 @@ PASSING = ("answer", "errors", "problems")
 
 
 STRANGE = ("is no curve of this scene.", "is not an axis of this picture.")
-"""Said of names that a state keeps all the same: messages put anything there."""
+"""BrowserMessage of names that a state keeps all the same: messages put anything there."""
 
 
 class Visit:

@@ -91,8 +91,12 @@ def values(name: str) -> dict[int, float]:
     for key, event in Hearing.EVENTS.items():
         told: dict[str, Any] = json.loads(event[event.index(b"{") :])
         if picture := told.get("picture"):
-            usual = USUAL[picture["sheet"]]
-            text = zlib.decompressobj(-15, usual).decompress(base64.b64decode(picture["data"])).partition(b"\n")[0]
+            preset_dictionary = USUAL[picture["sheet"]]
+            text = (
+                zlib.decompressobj(-15, preset_dictionary)
+                .decompress(base64.b64decode(picture["data"]))
+                .partition(b"\n")[0]
+            )
             found[key] = json.loads(text)["settings"][name]["value"]
     return found
 

@@ -17,7 +17,7 @@ from urllib.request import urlopen
 from tornado.httpclient import HTTPError, HTTPRequest
 from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
-from components.session.panel_bridge import TOLD
+from components.session.panel_bridge import FROM_SERVER
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
 
@@ -34,7 +34,7 @@ ABOUT = {
 
 
 USUAL: dict[str, bytes] = {}
-"""The usual text of each sheet, which visitors of one process fetch once."""
+"""The preset dictionary of each sheet, which visitors of one process fetch once."""
 
 
 @dataclass
@@ -90,7 +90,7 @@ class Visitor:
         self._number += 1
         answered = self._expect(f"answer {self._number}")
         data = _encoded({**message, "number": self._number})
-        await self._patch(_event("said", model={"id": self._view}, data=data))
+        await self._patch(_event("from_browser", model={"id": self._view}, data=data))
         told: dict[str, Any] = await asyncio.wait_for(answered, PATIENCE)
         return told
 
@@ -162,17 +162,17 @@ class Visitor:
         """The messages in a patch, without their columns."""
         told = []
         for event in content.get("events", []):
-            if event.get("msg_type") == TOLD:
+            if event.get("msg_type") == FROM_SERVER:
                 sheet, _, data = buffers.pop(0).partition(b"\n")
-                usual = await self._usual(sheet.decode())
-                text = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(data)
+                preset_dictionary = await self._dictionary(sheet.decode())
+                text = zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else [])).decompress(data)
                 told.append(json.loads(text.partition(b"\n")[0]))
         return told
 
-    async def _usual(self, sheet: str) -> bytes:
-        """The usual text of a scene, which messages about it refer to."""
+    async def _dictionary(self, sheet: str) -> bytes:
+        """The preset dictionary of a scene."""
         if sheet and sheet not in USUAL:
-            text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["usual"]
+            text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["preset_dictionary"]
             USUAL[sheet] = text.encode()
         return USUAL.get(sheet, b"")
 

@@ -17,7 +17,7 @@ from components.quantities.parameters import displacement, mass, stiffness
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.serving.assets import TYPES, static_files, written_files
-from tests.page.told import Page as Told
+from tests.page.told import Page as SessionPage
 
 HOME = "http://controls.test/"
 HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
@@ -62,7 +62,7 @@ class Panel:
     """The controls of one scene on a page of their own; `messages` are those that the page has sent."""
 
     def __init__(self, page: Page) -> None:
-        self.page, self.told = page, Told(Chain())
+        self.page, self.told = page, SessionPage(Chain())
         self.messages: list[dict[str, Any]] = []
         page.expose_function(
             "describe",

@@ -24,7 +24,7 @@ def by_another_window(lecture: Page) -> None:
     second.wait_for_function(f"{LED}?.news.question && oscillations.walks.walk.lesson")
     for page in (lecture, second):
         page.evaluate("oscillations.walks.walk.go(12)")
-        page.wait_for_function("oscillations.walks.walk.place === 12 && oscillations.classes.led.votes.waits")
+        page.wait_for_function("oscillations.walks.walk.place === 12 && oscillations.classes.led.votes.isUnopened")
     second.evaluate("oscillations.walks.walk.show(true)")
     lecture.wait_for_function("oscillations.walks.walk.lesson")
 
@@ -139,13 +139,13 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     own.wait_for_function(f"{CONNECTED} && !globalThis.sessionStorage['class-sought']")
     lecture.evaluate("oscillations.walks.walk.go(4)")
     own.goto(f"{own.url.partition('?')[0]}?walk=d34&step=d34-05")
-    own.wait_for_function(f"{CONNECTED} && oscillations.classes.put === 'd34/d34-05'")
+    own.wait_for_function(f"{CONNECTED} && oscillations.classes.askedStep === 'd34/d34-05'")
     own.locator(".answers button").first.click()
     own.get_by_role("button", name="Show the answer").click()
     expect(own.get_by_role("alert").filter(has_text="The lecture is at this step now.")).to_be_visible()
     clicked(lecture)
     clicked(lecture)
-    own.wait_for_function("oscillations.classes.put === ''")
+    own.wait_for_function("oscillations.classes.askedStep === ''")
     own.get_by_role("button", name="Show the answer").click()
     own.wait_for_function("Boolean(oscillations.walks.walk.lesson)")
 

@@ -60,10 +60,10 @@ def test_the_curves_from_before_a_drag_lie_under_the_live_ones_for_a_while(page:
     page.mouse.down()
     page.mouse.move(box["x"] + 0.6 * box["width"], y, steps=3)
     page.wait_for_function(f"({DRAWN})('x1').length === 3")
-    before = page.evaluate("oscillations.page.compare.before.settings.k2.value")
+    before = page.evaluate("oscillations.page.compare.beforeDrag.settings.k2.value")
     page.mouse.move(box["x"] + 0.8 * box["width"], y, steps=3)
     page.wait_for_function("oscillations.shown.settings.k2.value > 40")
-    assert page.evaluate("oscillations.page.compare.before.settings.k2.value") == before == 2
+    assert page.evaluate("oscillations.page.compare.beforeDrag.settings.k2.value") == before == 2
     page.mouse.up()
     page.wait_for_function(f"({DRAWN})('x1').length === 0")
     page.locator("input[name=k2-slider]").focus()

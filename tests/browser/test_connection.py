@@ -269,8 +269,9 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     opened(page, server)
     page.evaluate(
         """() => {
-          const {messages} = oscillations, {hear} = messages
-          messages.hear = (told, asked) => hear({...told, query: `${told.query}&hidden=${"x".repeat(8000)}`}, asked)
+          const {messages} = oscillations, {handle} = messages
+          const long = `&hidden=${"x".repeat(8000)}`
+          messages.handle = (message, asked) => handle({...message, query: message.query + long}, asked)
         }"""
     )
     page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")

@@ -118,7 +118,7 @@ def test_a_connection_that_died_while_the_page_was_hidden_is_replaced(engine: Wi
     engine.evaluate(KILL)
     engine.evaluate(HIDE, True)
     engine.evaluate(HIDE, False)
-    engine.wait_for_function(f"oscillations.messages.wires === 1 && {CONNECTED}")
+    engine.wait_for_function(f"oscillations.messages.lostConnections === 1 && {CONNECTED}")
 
 
 TOP = "document.querySelector('input[name=k2-slider]').getBoundingClientRect().top"

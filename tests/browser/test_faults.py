@@ -32,10 +32,10 @@ wire.send = message => { said.push(message.number); send(message) }
 messages.receive = () => { delete messages.receive }
 """
 HEAR_TWICE = """
-const {messages} = oscillations, {receive, hear} = messages
+const {messages} = oscillations, {receive, handle} = messages
 globalThis.heard = []
 messages.receive = function (message) { receive.call(this, message); receive.call(this, message) }
-messages.hear = (told, asked) => { heard.push(told.answer); hear(told, asked) }
+messages.handle = (message, asked) => { heard.push(message.answer); handle(message, asked) }
 """
 
 BREAKABLE = """() => {
@@ -112,7 +112,7 @@ def test_a_picture_that_fails_does_not_keep_the_next_from_being_shown(browser: B
     page.wait_for_function("!Object.hasOwn(oscillations.page, 'apply')")
     type_in(page, "k2", "8")
     page.wait_for_function("oscillations.shown.settings.k2.value === 8")
-    assert page.evaluate("oscillations.messages.wires") == 0
+    assert page.evaluate("oscillations.messages.lostConnections") == 0
     page.close()
 
 
@@ -135,7 +135,10 @@ def test_an_exception_in_one_part_stops_no_other_and_is_told_once(slug: str, bro
         counts = page.evaluate("counts")
         assert [other for other in names if other != name and not counts.get(other)] == [], name
         assert any(name in line for line in logged) and not any("not caught" in line for line in logged), name
-    assert page.evaluate("[oscillations.messages.wires, document.documentElement.dataset.connected]") == [0, "true"]
+    assert page.evaluate("[oscillations.messages.lostConnections, document.documentElement.dataset.connected]") == [
+        0,
+        "true",
+    ]
     assert page.evaluate("oscillations.shown.settings.k1.value") == pytest.approx(2 + (len(names) - 1) / 100)
     expect(page.locator(".remark")).to_have_count(1)
     expect(page.locator(".remark")).to_contain_text(names[0])

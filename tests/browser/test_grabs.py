@@ -327,7 +327,7 @@ def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
     assert page.evaluate("[scrollY, oscillations.clock.playing]") == [before, True]
 
 
-HELD = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.held,
+HELD = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.isPressed,
   clock.playing, messages.asked || messages.outbox.length > 0]"""
 
 

@@ -134,9 +134,9 @@ def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
 
 
 ANSWERS = """() => {
-  const {messages} = oscillations, {hear} = messages
+  const {messages} = oscillations, {handle} = messages
   globalThis.answers = []
-  messages.hear = (told, asked) => { answers.push(told.type); hear(told, asked) }
+  messages.handle = (message, asked) => { answers.push(message.type); handle(message, asked) }
 }"""
 
 
@@ -151,7 +151,7 @@ def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> 
         (1, lambda: page.locator("input[name=k-slider]").press("ArrowRight")),
         (2, lambda: (grip.press("ArrowUp"), grip.press("Enter"))),  # taken, then moved
     ):
-        page.wait_for_function(f"{QUIET} && !oscillations.page.compare.before")
+        page.wait_for_function(f"{QUIET} && !oscillations.page.compare.beforeDrag")
         page.evaluate("answers.length = 0")
         change()
         page.wait_for_function(f"answers.includes('kept') && {QUIET}")

@@ -161,7 +161,7 @@ RARE = """() => {
 def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) -> None:
     page = walk("d31-12")
     page.evaluate(RARE)
-    page.evaluate("oscillations.walks.walk.card.question.marker.put(24)")
+    page.evaluate("oscillations.walks.walk.card.question.marker.setTo(24)")
     show(page)
     expect(page.locator(".line-mark.true")).to_have_count(1)
     played(page, 3)

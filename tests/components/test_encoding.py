@@ -22,10 +22,11 @@ from tests.page.scripts import unpacked
 AXES = {"x": "x", "w": "x"}
 
 
-def read(picture: Picture, usual: bytes = b"") -> Any:
+def read(picture: Picture, preset_dictionary: bytes = b"") -> Any:
     """A picture as the page has it."""
     view, numbers = view_of(picture, {"time": AXES, "other": AXES})
-    return unpacked(packed({"view": view}, numbers, usual=usual), usual)["view"]  # type: ignore[arg-type]
+    packet = packed({"view": view}, numbers, preset_dictionary=preset_dictionary)  # type: ignore[arg-type]
+    return unpacked(packet, preset_dictionary)["view"]
 
 
 COLUMN = arrays.arrays(float, st.integers(0, 40), elements=st.floats(-3.9, 3.9))
@@ -65,7 +66,7 @@ def test_what_is_near_the_frame_is_within_half_a_step_and_the_rest_is_outside(
 def test_what_a_message_repeats_of_the_usual_text_costs_next_to_nothing() -> None:
     name = "".join(np.random.default_rng(1).choice(list("abcdefghijklmnopqrstuvwxyz"), 2000))
     file = File(name=name, kind="text/plain", content=b"")
-    alone, known = packed(file), packed(file, sheet="s", usual=name.encode())
+    alone, known = packed(file), packed(file, sheet="s", preset_dictionary=name.encode())
     assert len(known["data"]) < 0.1 * len(alone["data"])
     inflated = zlib.decompressobj(-15, name.encode()).decompress(known["data"])
     assert inflated == zlib.decompress(alone["data"], -15)

@@ -19,7 +19,7 @@ from components.state.wire import in_one
 from tests.page.told import Page
 
 LONG = "x" * 100_000
-MOST_AROUND = 185
+MOST_AROUND = 195
 """Bytes of a Bokeh message around one of ours: header 60, metadata 2, content 103, header of the buffer 15."""
 NESTED: list[Any] = []
 for _ in range(200):

@@ -21,7 +21,7 @@ function anew() {
     error => assert.fail(error),
   )
   messages.state = STATE
-  messages.before = () => [OWN]
+  messages.greeting = () => [OWN]
   messages.attach({send: message => sent.push(message)}, true)
   return {messages, sent}
 }

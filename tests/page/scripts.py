@@ -58,10 +58,10 @@ def played(picture: Picture, t: ArrayLike) -> dict[str, Floats]:
     return values_of(picture.signals, picture.scalars, t)
 
 
-def unpacked(packet: Packet, usual: bytes = b"") -> dict[str, Any]:
-    """A message as the browser has it, its columns as arrays; it is asked for over the `usual` text of its sheet."""
-    read = call("static/net/columns.unpacked", list(packet["data"]), usual.decode())
-    told = json.loads(text_of(packet, usual))
+def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
+    """A message as the browser has it, its columns as arrays; packed with the `preset_dictionary` of its sheet."""
+    read = call("static/net/columns.unpacked", list(packet["data"]), preset_dictionary.decode())
+    told = json.loads(text_of(packet, preset_dictionary))
     for name in ("view", "held"):
         if told.get(name):
             sources = read[name]["columns"].items()
@@ -74,7 +74,11 @@ def unpacked(packet: Packet, usual: bytes = b"") -> dict[str, Any]:
     return dict(told)
 
 
-def text_of(packet: Packet, usual: bytes = b"") -> bytes:
-    """The line of JSON in a message over the usual text of its sheet."""
-    text, _, _ = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(packet["data"]).partition(b"\n")
+def text_of(packet: Packet, preset_dictionary: bytes = b"") -> bytes:
+    """The line of JSON in a message packed with the preset dictionary of its sheet."""
+    text, _, _ = (
+        zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else []))
+        .decompress(packet["data"])
+        .partition(b"\n")
+    )
     return text

@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from components.language.messages import ToldAny
+from components.language.messages import AnyServerMessage
 from components.language.picture import PagePicture
 from components.layout.controls import panel
 from components.scene import Picture, Scene
@@ -16,7 +16,7 @@ from components.session.session import Session
 from components.state.commands import Command, Errors, RefusalError, asked_values, refusal
 from components.state.encoding import view_of
 from components.state.page_state import PageState, fitted
-from components.state.scene_sheet import column_axes, sheet_address, usual
+from components.state.scene_sheet import column_axes, preset_dictionary, sheet_address
 from components.state.wire import Packet, as_json, decoded, packed
 from tests.page import scripts
 
@@ -103,7 +103,7 @@ class Page:
 def unpacked(packet: Packet) -> dict[str, Any]:
     """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
     known = _usual(packet["sheet"])
-    msgspec.json.decode(scripts.text_of(packet, known), type=ToldAny)
+    msgspec.json.decode(scripts.text_of(packet, known), type=AnyServerMessage)
     return scripts.unpacked(packet, known)
 
 
@@ -111,7 +111,7 @@ def _usual(sheet: str) -> bytes:
     """The text in the sheet at an address, of whatever scenes there are."""
     kinds = (*SCENES.values(), *Scene.__subclasses__())
     named = [scene for scene in kinds if f"/{vars(scene).get('slug')}." in sheet]
-    return next((usual(scene) for scene in named if sheet_address(scene) == sheet), b"")
+    return next((preset_dictionary(scene) for scene in named if sheet_address(scene) == sheet), b"")
 
 
 def change(page: Page, **to: Any) -> dict[str, Any]:

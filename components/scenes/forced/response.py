@@ -51,7 +51,7 @@ REACH = 1.55
 TALL = 5.0
 """The frame is this many times as high as the swing under a steady force."""
 POLES = "nan: at a natural frequency there is no steady amplitude."
-"""Said of the table of amplitudes without dashpots."""
+"""Sentence about the table of amplitudes without dashpots."""
 
 RESPONSE = PlotFrame("response")
 scalar, column = Scalar[AnyCase], Column[AnyCase]

@@ -29,7 +29,7 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
     what is asked aloud, none is right."""
 
     takes = "option"
-    usual = 2.0
+    usual_minutes = 2.0
     options: Annotated[tuple[OptionEntry, ...], Meta(min_length=2, max_length=5)]
     fixed: bool = False
     poll: bool = False

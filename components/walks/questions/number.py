@@ -146,7 +146,7 @@ class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
     """A number to type."""
 
     takes = "text"
-    usual = 3.0
+    usual_minutes = 3.0
 
     def number(self, given: Given, subject: Subject) -> float:
         return typed_number(given.text, self.answer.unit)

@@ -26,7 +26,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
     """
 
     takes = "value"
-    usual = 2.0
+    usual_minutes = 2.0
     axis: Annotated[str, Meta(pattern=r"^\w+\.[xy]$")]
     sets: str = ""
 

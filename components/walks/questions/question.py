@@ -50,11 +50,11 @@ class Judged(Voted, frozen=True, kw_only=True):
 class Question(BaseStep, frozen=True, kw_only=True):
     """A step with one kind of question: its fields in a walk's file, and its behaviour.
 
-    `takes` is the field of an answer that it uses, `usual` the default number of minutes.
+    `takes` is the field of an answer that it uses, `usual_minutes` the default number of minutes.
     """
 
     takes: ClassVar[str]
-    usual: ClassVar[float]
+    usual_minutes: ClassVar[float]
 
     @property
     def kind(self) -> str:
@@ -68,7 +68,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
     @property
     def planned(self) -> float:
         """Minutes that it takes."""
-        return self.minutes or self.usual
+        return self.minutes or self.usual_minutes
 
     @property
     def unit(self) -> str:

@@ -38,7 +38,7 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
     """A curve to draw on the empty axes of a plot, then a `second` one if given."""
 
     takes = "curves"
-    usual = 4.0
+    usual_minutes = 4.0
     plot: str
     curve: str
     second: str = ""

@@ -22,7 +22,7 @@ class WordsStep(Question, frozen=True, kw_only=True, tag="words"):
     """A few words to type, 80 characters at most."""
 
     takes = "text"
-    usual = 3.0
+    usual_minutes = 3.0
 
     @property
     def judges(self) -> bool:
