@@ -57,7 +57,8 @@ class DampedFit:
     standard errors; C and S are those at the first row, `t_first`, in the units of the columns. `used` (n,) are the
     rows that were fitted, `residual` (c, n) has every row, NaN in a hole, and `scatter` (c,) its deviation,
     counted in sigma if sigma was given; then `chi_square` is expected to be `freedom` +- sqrt(2 freedom). `aliases`
-    are the frequencies that fit evenly spaced rows equally well.
+    are the frequencies that fit evenly spaced rows equally well. `covariance` is that of omega and decay of each mode,
+    followed by C and S of each mode, the offset and the drift, if there is one, of each column.
     """
 
     omega: Array
@@ -80,6 +81,7 @@ class DampedFit:
     chi_square: float
     freedom: int
     aliases: tuple[float, ...]
+    covariance: Array
     cautions: tuple[Caution, ...]
 
     @property
@@ -481,7 +483,8 @@ def _told(data: _Data, found: _Found, cautions: tuple[Caution, ...]) -> DampedFi
         drift=found.coefficients[:, few + 1] if data.powers > 1 else np.zeros(c), t_first=data.t_first,
         used=np.isin(np.arange(data.every.size), data.rows), residual=data.columns, scatter=np.zeros(c),
         chi_square=float(np.sum(found.residual**2)), freedom=found.freedom,
-        aliases=tuple((2 * math.pi / data.step - found.theta[::2]).tolist()) if data.step else (), cautions=cautions,
+        aliases=tuple((2 * math.pi / data.step - found.theta[::2]).tolist()) if data.step else (),
+        covariance=covariance, cautions=cautions,
     )  # fmt: skip
     residual = data.columns - fit.at(data.every)
     free, over = found.freedom / c, data.W if data.known else np.ones_like(data.W)

@@ -115,11 +115,12 @@ declare namespace page {
     type: "about"
   }
 
-  /** Sends a piece of a measured record: times in s that never decrease, and displacements in m, or their first or
-   * second derivative, as `derivative` says.
+  /** Sends a piece of a measured record: times in s that never decrease, and for each mass a column of displacements
+   * in m, or of their first or second derivative, as `derivative` says.
    *
-   * The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
-   * motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit. */
+   * The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a motion
+   * with as many frequencies as columns. Each row is the mean of `size` neighbouring rows of the file. A session keeps
+   * no rows after the fit. */
   interface SendRows extends FromBrowser {
     type: "rows"
     piece: number
@@ -127,7 +128,7 @@ declare namespace page {
     size?: number
     derivative?: number
     t: RowNumbers
-    x: RowNumbers
+    columns: RowNumbers[]
   }
 
   type BrowserMessage = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
@@ -224,27 +225,42 @@ declare namespace page {
     unit: string
   }
 
-  /** A fitted motion, in SI units: the displacement is e^(-decay t) (C cos omega t + S sin omega t), with t counted
-   * from the first row. The rows are its derivative plus offset + drift t; `scatter` is the standard deviation of their
-   * residuals. */
-  interface FittedMotion {
-    omega: number
-    decay: number
-    C: number
-    S: number
+  /** A fitted column, in SI units: the displacement is the sum over the frequencies of e^(-decay t) (C cos omega t +
+   * S sin omega t), with t counted from the first row. The rows are its derivative plus offset + drift t; `scatter` is
+   * the standard deviation of their residuals. */
+  interface FittedColumn {
+    C: number[]
+    S: number[]
     offset: number
     drift: number
     scatter: number
   }
 
+  /** A fitted motion: the frequencies in rad/s and decays in 1/s that its columns share. */
+  interface FittedMotion {
+    omega: number[]
+    decay: number[]
+    columns: FittedColumn[]
+  }
+
+  /** The parameters of a scene that follow from a fit: `values` as they are, and `per_mass` for each kg of the
+   * parameter `mass`, which the scene keeps. */
+  interface FittedParameters {
+    mass: string
+    values: Record<string, number | string>
+    per_mass: Record<string, number>
+  }
+
   /** The answer to `SendRows`.
    *
    * `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
-   * the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now. */
+   * the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now. `parameters` is
+   * None if the scene has no motion like the fitted one. */
   interface Fitted extends ServerMessage {
     type: "fitted"
     piece: number
     motion: FittedMotion | null
+    parameters: FittedParameters | null
     numbers: FittedNumber[]
     sentences: string[]
     refused: string
@@ -976,12 +992,14 @@ declare namespace page {
     sets: Record<string, string>
   }
 
-  /** A visitor's measured record next to the plot `plot` of a damped motion. `shows` is the part of it that is here:
-   * the file, the numbers of its fit, or the residuals. */
+  /** A part of a visitor's measured record: the file, the numbers of its fit, or the residuals of the column `column`
+   * below the plot `plot` with its points. `examples` maps the names of files that are ready to their addresses. */
   interface MeasuredBlock extends Part {
     kind: "measured"
-    plot: string
     shows: "file" | "fit" | "residuals"
+    plot: string
+    column: string
+    examples: Record<string, string>
   }
 
   /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.

@@ -98,11 +98,13 @@ class ModesBlock(Part, frozen=True, kw_only=True, tag="modes"):
 
 
 class MeasuredBlock(Part, frozen=True, kw_only=True, tag="measured"):
-    """A visitor's measured record next to the plot `plot` of a damped motion. `shows` is the part of it that is here:
-    the file, the numbers of its fit, or the residuals."""
+    """A part of a visitor's measured record: the file, the numbers of its fit, or the residuals of the column `column`
+    below the plot `plot` with its points. `examples` maps the names of files that are ready to their addresses."""
 
-    plot: str
     shows: Literal["file", "fit", "residuals"]
+    plot: str = ""
+    column: str = ""
+    examples: dict[str, str] = {}
 
 
 class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):

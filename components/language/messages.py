@@ -133,11 +133,12 @@ class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
 
 
 class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
-    """Sends a piece of a measured record: times in s that never decrease, and displacements in m, or their first or
-    second derivative, as `derivative` says.
+    """Sends a piece of a measured record: times in s that never decrease, and for each mass a column of displacements
+    in m, or of their first or second derivative, as `derivative` says.
 
-    The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a damped
-    motion. Each row is the mean of `size` neighbouring rows of the file. A session keeps no rows after the fit.
+    The pieces have the numbers 0 to `of` - 1 and arrive in this order; after the last one the server fits a motion
+    with as many frequencies as columns. Each row is the mean of `size` neighbouring rows of the file. A session keeps
+    no rows after the fit.
     """
 
     piece: Annotated[int, Meta(ge=0, le=15)]
@@ -145,7 +146,7 @@ class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
     size: Annotated[int, Meta(ge=1, le=10)] = 1
     derivative: Annotated[int, Meta(ge=0, le=2)] = 0
     t: RowNumbers
-    x: RowNumbers
+    columns: Annotated[list[RowNumbers], Meta(min_length=1, max_length=2)]
 
 
 BrowserMessage: TypeAlias = (
@@ -249,29 +250,46 @@ class FittedNumber(Struct, frozen=True, kw_only=True):
     unit: str
 
 
-class FittedMotion(Struct, frozen=True, kw_only=True):
-    """A fitted motion, in SI units: the displacement is e^(-decay t) (C cos omega t + S sin omega t), with t counted
-    from the first row. The rows are its derivative plus offset + drift t; `scatter` is the standard deviation of their
-    residuals."""
+class FittedColumn(Struct, frozen=True, kw_only=True):
+    """A fitted column, in SI units: the displacement is the sum over the frequencies of e^(-decay t) (C cos omega t +
+    S sin omega t), with t counted from the first row. The rows are its derivative plus offset + drift t; `scatter` is
+    the standard deviation of their residuals."""
 
-    omega: float
-    decay: float
-    C: float
-    S: float
+    C: tuple[float, ...]
+    S: tuple[float, ...]
     offset: float
     drift: float
     scatter: float
+
+
+class FittedMotion(Struct, frozen=True, kw_only=True):
+    """A fitted motion: the frequencies in rad/s and decays in 1/s that its columns share."""
+
+    omega: tuple[float, ...]
+    decay: tuple[float, ...]
+    columns: tuple[FittedColumn, ...]
+
+
+class FittedParameters(Struct, frozen=True, kw_only=True):
+    """The parameters of a scene that follow from a fit: `values` as they are, and `per_mass` for each kg of the
+    parameter `mass`, which the scene keeps."""
+
+    mass: str
+    values: dict[str, float | str]
+    per_mass: dict[str, float]
 
 
 class Fitted(ServerMessage, frozen=True, kw_only=True, tag="fitted"):
     """The answer to `SendRows`.
 
     `piece` is the number of the piece that the server needs next, 0 to begin again. The answer to the last piece has
-    the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now.
+    the fit, or in `refused` the reason why there is none; if `is_busy`, the server has no time now. `parameters` is
+    None if the scene has no motion like the fitted one.
     """
 
     piece: int = 0
     motion: FittedMotion | None = None
+    parameters: FittedParameters | None = None
     numbers: tuple[FittedNumber, ...] = ()
     sentences: tuple[str, ...] = ()
     refused: str = ""

@@ -131,13 +131,19 @@ def modes(parameter: str, label: str, of: str, chosen: str, sets: dict[str, str]
     return ModesBlock(part="modes", name=parameter, label=label, of=of, chosen=chosen, sets=sets, phone=phone)
 
 
-def measured(
-    plot: str, shows: Literal["file", "fit", "residuals"], grow: float = 0, phone: int = 50, height: int | None = None
-) -> Block:
-    """A part of the visitor's measured record: its file, the numbers of the fit, or the residuals below the plot."""
-    part = f"measured:{shows}"
-    style = "lane" if shows == "residuals" else ""
-    return MeasuredBlock(part=part, plot=plot, shows=shows, style=style, grow=grow, phone=phone, height=height)
+def measured(shows: Literal["file", "fit"], phone: int = 50, examples: Sequence[str] = ()) -> Block:
+    """A part of the visitor's measured record: its file, or the numbers of the fit. `examples` say what is simulated
+    in files of static/measured that are ready."""
+    files = {f"Simulated: {what}": f"simulated-{what.replace(' ', '-')}.csv" for what in examples}
+    return MeasuredBlock(part=f"measured:{shows}", shows=shows, phone=phone, examples=files)
+
+
+def residuals(plot: str, column: str, grow: float = 0, phone: int = 50, height: int | None = None) -> Block:
+    """The residuals of a column of the visitor's measured record, below the plot with its points."""
+    return MeasuredBlock(
+        part="measured:residuals", shows="residuals", plot=plot, column=column, style="lane", grow=grow, phone=phone,
+        height=height,
+    )  # fmt: skip
 
 
 def term(

@@ -8,7 +8,6 @@ import {drawnRows} from "./record.js"
 
 const APART = 2 // units between the drawn points along the axis
 const GAP = 4
-const HEAD = "Residuals: points minus curve"
 const LANE = {top: 6, bottom: 6}
 
 /**
@@ -69,12 +68,13 @@ export class Residuals {
   /** @type {Float64Array} */
   residuals = new Float64Array()
 
-  /** @param {HTMLElement} host @param {PlotHost} plot */
-  constructor(host, plot) {
+  /** @param {HTMLElement} host @param {PlotHost} plot @param {string} head */
+  constructor(host, plot, head) {
     this.host = host
     this.plot = plot
-    this.svg = svg("svg", {class: "measured-lane", role: "img", "aria-label": "Residuals against time"})
-    this.head = element("p", {class: "measured-head"}, HEAD)
+    this.words = head
+    this.svg = svg("svg", {class: "measured-lane", role: "img", "aria-label": `${head}, against time`})
+    this.head = element("p", {class: "measured-head"}, head)
     host.append(this.head, this.svg)
     this.observer = new ResizeObserver(() => this.place())
     this.observer.observe(host)
@@ -119,7 +119,7 @@ export class Residuals {
       ...ticks(lane, py, most, y.unit),
       svg("path", {class: "measured-points", d}),
     )
-    reword(this.head, sigma ? `${HEAD}; the band is ± 2σ` : HEAD)
+    reword(this.head, sigma ? `${this.words}; the band is ± 2σ` : this.words)
   }
 }
 
@@ -163,7 +163,7 @@ function ticks({left, width}, py, most, unit) {
  */
 export function residualsOf(plot, {t, x}) {
   const {signals, scalars} = plot.view
-  const signal = plot.block.curves.find(curve => curve.signal)?.signal ?? ""
+  const signal = plot.block.curves.find(curve => curve.width === "sum")?.signal ?? ""
   if (!signals[signal]) return t.map(() => NaN)
   const times = t.map(time => toPlace(plot.x, time))
   const curve = over(signals, scalars, times, new Set([signal]))[signal]

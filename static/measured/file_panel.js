@@ -3,17 +3,18 @@
 import {chip, element, marked, reword} from "../core/dom.js"
 import {VALUES, TIMES, unitIn} from "./record.js"
 
-const HINT =
-  "Or drop it here, or paste columns from a spreadsheet. A CSV file has a column of times and one of displacements, " +
-  "velocities or accelerations."
-const EXAMPLES = {"Simulated: dashpot": "simulated-dashpot", "Simulated: air drag": "simulated-air-drag"}
+const HINT = "Or drop it here, or paste columns from a spreadsheet. A CSV file has a column of times and "
+const KINDS = "of displacements, velocities or accelerations."
+
+/** @typedef {import("./record.js").Column} Column */
 
 export class FilePanel {
   /**
    * @param {HTMLElement} host of the file @param {HTMLElement} fitHost of the numbers
+   * @param {Record<string, string>} examples names of files by their labels
    * @param {import("./measured.js").MeasuredView} measured
    */
-  constructor(host, fitHost, measured) {
+  constructor(host, fitHost, examples, measured) {
     this.host = host
     this.measured = measured
     this.input = element("input", {type: "file", accept: ".csv,.tsv,.txt,text/csv,text/plain", hidden: ""})
@@ -23,18 +24,20 @@ export class FilePanel {
       this.input.value = ""
     })
     const choose = () => this.input.click()
-    const examples = Object.entries(EXAMPLES).map(([label, name]) => chip(label, () => this.#example(name)))
+    const ready = Object.entries(examples).map(([label, name]) => chip(label, () => this.#example(name)))
+    const columns = measured.labels.length > 1 ? "one for each mass," : "one"
     this.empty = element(
       "div",
       {class: "measured-empty"},
       chip("Choose a file", choose),
-      ...examples,
-      element("p", {class: "mute"}, HINT),
+      ...ready,
+      element("p", {class: "mute"}, `${HINT}${columns} ${KINDS}`),
     )
     this.name = element("p", {class: "measured-name"})
     this.columns = element("div", {class: "measured-columns"})
     this.numbers = element("table", {class: "facts-table"})
     this.sentence = element("p", {class: "measured-sentence"})
+    this.more = element("p", {class: "measured-more"})
     this.fit = chip("Fit to data", () => measured.take())
     this.csv = chip("Save residuals", () => measured.save())
     const buttons = element(
@@ -48,13 +51,13 @@ export class FilePanel {
     this.status = element("p", {class: "measured-status", role: "status"})
     this.heard = element("p", {class: "heard", role: "status"})
     host.append(this.input, this.empty, this.status, this.file, this.heard)
-    fitHost.append(this.sentence, this.numbers)
+    fitHost.append(this.sentence, this.more, this.numbers)
   }
 
   /** @param {string} name */
   async #example(name) {
-    const answer = await fetch(new URL(`./${name}.csv`, import.meta.url)).catch(() => null)
-    if (answer?.ok) this.measured.read(`${name}.csv`, await answer.text())
+    const answer = await fetch(new URL(name, import.meta.url)).catch(() => null)
+    if (answer?.ok) this.measured.read(name, await answer.text())
     else this.show("The example could not be loaded. Try again in a moment.")
   }
 
@@ -78,40 +81,46 @@ export class FilePanel {
     this.file.hidden = !opened
     this.#number(opened?.fit)
     if (!opened) return
-    const {name, table, choice, rows} = opened
+    const {name, choice, rows} = opened
     const count = rows
       ? `${rows.t.length} points${rows.left ? `, ${rows.left} rows without a number left out` : ""}`
       : ""
     this.name.replaceChildren(element("b", {}, name), count ? `: ${count}` : "")
+    const {time, motions} = choice
     this.columns.replaceChildren(
-      ...this.#choice("Time", table.names, choice.time, TIMES, choice.timeUnit, "time", "timeUnit"),
-      ...this.#choice("Motion", table.names, choice.value, VALUES, choice.valueUnit, "value", "valueUnit"),
+      ...this.#choice("Time", time, TIMES, column => ({time: column})),
+      ...this.measured.labels.flatMap((label, i) =>
+        this.#choice(label, motions[i], VALUES, column => ({motions: motions.with(i, column)})),
+      ),
     )
   }
 
   /** @param {page.Fitted | null} [fit] */
   #number(fit) {
-    this.fit.disabled = this.csv.disabled = !fit
+    this.csv.disabled = !fit
+    this.fit.disabled = !fit?.parameters
     const {numbers, sentences} = fit ?? {numbers: [], sentences: []}
     this.numbers.replaceChildren(...numbers.map(line))
-    reword(this.sentence, sentences.join(" "))
+    reword(this.sentence, sentences[0] ?? "")
+    reword(this.more, sentences.slice(1).join(" "))
     reword(this.heard, fit ? `Fitted: ${numbers.map(spoken).join(", ")}. ${sentences.join(" ")}` : "")
   }
 
   /**
    * A column and its unit.
-   * @param {string} label @param {string[]} names @param {number} chosen @param {Record<string, number>} units
-   * @param {string} unit @param {"time" | "value"} key @param {"timeUnit" | "valueUnit"} unitKey
+   * @param {string} label @param {Column} chosen @param {Record<string, number>} units that are possible
+   * @param {(column: Column) => Partial<import("./record.js").ColumnChoice>} to
    */
-  #choice(label, names, chosen, units, unit, key, unitKey) {
+  #choice(label, {place, unit}, units, to) {
+    const names = this.measured.opened?.table.names ?? []
     const column = select(
       `${label}: column`,
       names.map((name, i) => [String(i), name]),
-      String(chosen),
+      String(place),
     )
     column.addEventListener("change", () => {
-      const place = Number(column.value)
-      this.measured.choose({[key]: place, [unitKey]: unitIn(names[place], units) || unit})
+      const other = Number(column.value)
+      this.measured.choose(to({place: other, unit: unitIn(names[other], units) || unit}))
     })
     const asked = /** @type {[string, string][]} */ (unit ? [] : [["", "unit?"]])
     const size = select(
@@ -119,7 +128,7 @@ export class FilePanel {
       [...asked, ...Object.keys(units).map(one => /** @type {[string, string]} */ ([one, one]))],
       unit,
     )
-    size.addEventListener("change", () => this.measured.choose({[unitKey]: size.value}))
+    size.addEventListener("change", () => this.measured.choose(to({place, unit: size.value})))
     return [element("span", {}, label), column, size]
   }
 }

@@ -12,6 +12,7 @@ import {inWords} from "../core/notes.js"
 const AGAIN = 2000 // ms until a fit is requested again for which the server had no time
 const MOST_TRIES = 5
 const FITTING = "Computing the fit. It may have to wait for those of other visitors."
+const HEADS = ["point - offset [m]", "curve [m]", "residual [m]"]
 const BUSY = "The fit could not be computed now. Remove the file, and open it again in a moment."
 
 /**
@@ -23,27 +24,43 @@ const BUSY = "The fit could not be computed now. Remove the file, and open it ag
 /** @type {Opened | null} the file of this tab, which other scenes and connections keep */
 let opened = null
 
+/**
+ * A column of the record: its name, the plot with its points, and its residuals.
+ * @typedef {{label: string, plot: PlotHost, points: Points, lane: Residuals}} Track
+ */
+
 /** @implements {Part} */
 export class MeasuredView {
-  /** @type {import("./drawn.js").DrawnPoints | null} */
+  /** @type {import("./drawn.js").DrawnPoints[] | null} by column */
   shown = null
 
   /** @param {PartHost} page @param {Map<page.MeasuredBlock, HTMLElement>} hosts of the blocks by block */
   constructor(page, hosts) {
     this.page = page
-    const [[{plot: name}]] = hosts
-    this.plot = /** @type {PlotHost} */ (page.plots.find(({block}) => block.name === name))
-    this.points = new Points(this.plot)
-    const host = Object.fromEntries([...hosts].map(([{shows}, element]) => [shows, element]))
-    this.lane = new Residuals(host.residuals, this.plot)
-    this.panel = new FilePanel(host.file, host.fit, this)
+    const blocks = [...hosts]
+    const hostOf = (/** @type {string} */ shows) => blocks.find(([block]) => block.shows === shows) ?? blocks[0]
+    const lanes = blocks.filter(([{shows}]) => shows === "residuals")
+    /** @type {Track[]} */
+    this.tracks = lanes.map(([{plot: name, column: label}, host]) => {
+      const plot = /** @type {PlotHost} */ (page.plots.find(({block}) => block.name === name))
+      const head = `${lanes.length > 1 ? `${label}, residuals` : "Residuals"}: points minus curve`
+      return {label, plot, points: new Points(plot), lane: new Residuals(host, plot, head)}
+    })
+    const [{examples}, host] = hostOf("file")
+    this.panel = new FilePanel(host, hostOf("fit")[1], examples, this)
     this.#listen()
     this.update()
-    this.#tell("")
+    if (opened && opened.choice.motions.length !== this.tracks.length) this.#start(opened.name, opened.table)
+    else this.#tell("")
   }
 
   get opened() {
     return opened
+  }
+
+  /** The names of the columns. */
+  get labels() {
+    return this.tracks.map(({label}) => label)
   }
 
   /** True while the view is shown. */
@@ -70,7 +87,7 @@ export class MeasuredView {
 
   leave() {
     if (this.pasted) document.removeEventListener("paste", this.pasted)
-    this.lane.leave()
+    this.tracks.forEach(({lane}) => lane.leave())
   }
 
   /** @param {File} file */
@@ -85,12 +102,16 @@ export class MeasuredView {
   /** @param {string} name @param {string} text */
   async read(name, text) {
     try {
-      const table = tableOf(text, await parser())
-      opened = {name, table, choice: guessed(table), rows: null, fit: null}
-      this.choose({})
+      this.#start(name, tableOf(text, await parser()))
     } catch (reason) {
       this.#tell(`${name}: ${inWords(reason)}`)
     }
+  }
+
+  /** @param {string} name @param {import("./table.js").Table} table */
+  #start(name, table) {
+    opened = {name, table, choice: guessed(table, this.tracks.length), rows: null, fit: null}
+    this.choose({})
   }
 
   /** Chooses columns or units, and fits again. @param {Partial<import("./record.js").ColumnChoice>} change */
@@ -99,8 +120,9 @@ export class MeasuredView {
     /** @type {Opened} */
     const file = {...opened, choice: {...opened.choice, ...change}, rows: null, fit: null}
     opened = file
-    const {timeUnit, valueUnit} = file.choice
-    if (!timeUnit || !valueUnit) return this.#tell(`Choose the unit of the ${timeUnit ? "motion" : "time"}.`)
+    const {time, motions} = file.choice
+    const unknown = [time, ...motions].findIndex(({unit}) => !unit)
+    if (unknown >= 0) return this.#tell(`Choose the unit of “${["Time", ...this.labels][unknown]}”.`)
     try {
       file.rows = rowsOf(file.table, file.choice)
       this.#tell(FITTING)
@@ -136,12 +158,11 @@ export class MeasuredView {
   /** Sets the parameters of the scene to the fit. */
   take() {
     const {fit, rows} = opened ?? {}
-    if (!fit?.motion || !rows) return
-    const {omega, C, S, decay} = fit.motion
-    const a = Math.max(decay, 0) // a dashpot only takes energy
-    const m = Number(this.page.shown.settings.m.value)
-    const [k, c] = [m * (omega ** 2 + a ** 2), 2 * m * a]
-    this.page.host.take({k, c, keep: "c", x_0: C, v_0: omega * S - decay * C, window: rows.t[rows.t.length - 1]})
+    if (!fit?.parameters || !rows) return
+    const {mass, values, per_mass: perMass} = fit.parameters
+    const m = Number(this.page.shown.settings[mass].value)
+    const sized = Object.fromEntries(Object.entries(perMass).map(([name, value]) => [name, m * value]))
+    this.page.host.take({...values, ...sized, window: rows.t[rows.t.length - 1]})
   }
 
   remove() {
@@ -149,56 +170,73 @@ export class MeasuredView {
     this.#tell("")
   }
 
-  /** Saves the points with the curve and the residuals. */
+  /** Saves the points with the curves and the residuals. */
   save() {
     const {shown} = this
     if (!opened || !shown) return
-    const place = residualsOf(this.plot, shown)
-    const {exponent, factor} = this.plot.y
-    const lines = [...shown.t].map((t, i) => {
-      const residual = place[i] * 10 ** exponent * factor
-      const rest = Number.isNaN(residual) ? "," : `${(shown.x[i] - residual).toPrecision(9)},${residual.toPrecision(4)}`
-      return `${t},${shown.x[i].toPrecision(9)},${rest}`
-    })
-    const head = "t [s],point - offset [m],curve [m],residual [m]"
-    save("residuals.csv", `${[head, ...lines].join("\r\n")}\r\n`, "text/csv")
+    const isOne = shown.length === 1
+    const heads = this.labels.flatMap(label => HEADS.map(head => (isOne ? head : `${label}: ${head}`)))
+    const columns = this.tracks.map(({plot}, i) => savedColumn(plot, shown[i]))
+    const lines = [...shown[0].t].map((t, i) => [t, ...columns.map(cells => cells[i])].join(","))
+    save("residuals.csv", `${["t [s]", ...heads].join(",")}\r\n${lines.join("\r\n")}\r\n`, "text/csv")
   }
 
   /** Shows a sentence and updates everything else. @param {string} sentence */
   #tell(sentence) {
     this.panel.show(sentence)
     this.shown = shownOf(opened)
-    this.points.show(this.shown)
+    this.tracks.forEach(({points}, i) => points.show(this.shown?.[i] ?? null))
     this.#draw()
   }
 
   #draw() {
-    if (this.plot.absent) return
-    this.lane.show(this.shown, this.shown ? residualsOf(this.plot, this.shown) : new Float64Array())
+    this.tracks.forEach(({plot, lane}, i) => {
+      const shown = this.shown?.[i] ?? null
+      if (!plot.absent) lane.show(shown, shown ? residualsOf(plot, shown) : new Float64Array())
+    })
   }
 
   update() {
-    this.points.path.style.display = this.isSeen ? "" : "none"
+    for (const {points} of this.tracks) points.path.style.display = this.isSeen ? "" : "none"
     if (this.isSeen) this.#draw()
   }
 }
 
+/** The cells of each row of a column. @param {PlotHost} plot @param {import("./drawn.js").DrawnPoints} shown */
+function savedColumn(plot, shown) {
+  const place = residualsOf(plot, shown)
+  const {exponent, factor} = plot.y
+  return [...shown.x].map((x, i) => {
+    const residual = place[i] * 10 ** exponent * factor
+    const rest = Number.isNaN(residual) ? "," : `${(x - residual).toPrecision(9)},${residual.toPrecision(4)}`
+    return `${x.toPrecision(9)},${rest}`
+  })
+}
+
 /**
  * The points as they are drawn: displacements without the fitted offset and drift. A velocity or an acceleration is
- * drawn at the fitted displacement, with its residual over the same power of the natural frequency.
- * @param {Opened | null} file
+ * drawn at the fitted displacement, with its residual over the same power of the natural frequency, of two their mean.
+ * @param {Opened | null} file @returns {import("./drawn.js").DrawnPoints[] | null}
  */
 function shownOf(file) {
   if (!file?.rows || (file.rows.derivative && !file.fit)) return null
-  const {t, x, derivative} = file.rows
-  const {offset = 0, drift = 0, scatter = 0, omega = 1, decay = 0, C = 0, S = 0} = file.fit?.motion ?? {}
-  const scale = Math.hypot(omega, decay) ** derivative
-  const turn = derivative * Math.atan2(omega, -decay)
-  const [size, phase] = [Math.hypot(C, S), Math.atan2(-S, C)]
-  const points = x.map((one, i) => {
-    const motion = (/** @type {number} */ more) =>
-      size * Math.exp(-decay * t[i]) * Math.cos(omega * t[i] + phase + more)
-    return motion(0) + (one - offset - drift * t[i]) / scale - motion(turn)
+  const {t, columns, derivative} = file.rows
+  const motion = file.fit?.motion
+  const [omega, decay] = [motion?.omega ?? [], motion?.decay ?? []]
+  const sizes = omega.map((w, j) => Math.log(Math.hypot(w, decay[j])))
+  const scale = Math.exp((derivative * sizes.reduce((sum, one) => sum + one, 0)) / (sizes.length || 1))
+  return columns.map((x, i) => {
+    const {C = [], S = [], offset = 0, drift = 0, scatter = 0} = motion?.columns[i] ?? {}
+    const swing = (/** @type {number} */ time, /** @type {number} */ order) =>
+      omega.reduce((sum, w, j) => {
+        const size = Math.hypot(C[j], S[j]) * Math.hypot(w, decay[j]) ** order
+        const phase = Math.atan2(-S[j], C[j]) + order * Math.atan2(w, -decay[j])
+        return sum + size * Math.exp(-decay[j] * time) * Math.cos(w * time + phase)
+      }, 0)
+    const points = x.map((one, row) => {
+      const rest = one - offset - drift * t[row]
+      return derivative ? swing(t[row], 0) + (rest - swing(t[row], derivative)) / scale : rest
+    })
+    return {t, x: points, scatter: scatter / scale}
   })
-  return {t, x: points, scatter: scatter / scale}
 }

@@ -71,7 +71,8 @@ def _rows() -> SearchStrategy[Message]:
     sizes = st.sampled_from([0.0, -0.0, *EXTREMES, float("nan"), float("inf")]) | st.floats(-10, 10)
     columns = st.lists(sizes, max_size=40) | st.lists(st.floats(-1, 1), min_size=8, max_size=8).map(sorted)
     places = st.integers(0, 2) | st.integers(-5, 10**20)
-    parts = {"type": st.just("rows"), "piece": places, "of": places, "t": columns, "x": columns | st.text(max_size=3)}
+    several = st.lists(columns, max_size=3) | columns | st.text(max_size=3)
+    parts = {"type": st.just("rows"), "piece": places, "of": places, "t": columns, "columns": several}
     return st.fixed_dictionaries(parts, optional={"size": places})
 
 

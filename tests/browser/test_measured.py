@@ -83,14 +83,48 @@ def test_an_example_is_one_button_away_and_stays_in_another_view(measured: Page)
 
 def test_units_that_a_file_lacks_are_asked_for(measured: Page) -> None:
     measured.evaluate(PASTE, record(head=""))
-    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the time.")
+    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of “Time”.")
     measured.get_by_label("Time: unit").focus()
     measured.get_by_label("Time: unit").select_option("s")
-    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of the motion.")
+    expect(measured.locator(".measured-status")).to_have_text("Choose the unit of “Motion”.")
     expect(measured.get_by_label("Time: unit")).to_be_focused()
     measured.get_by_label("Motion: unit").select_option("cm")
     shows_fit(measured)
     expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
+
+
+def test_two_columns_are_fitted_next_to_two_masses(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled", view="measured")
+    page.get_by_role("button", name="Simulated: two carts").click()
+    shows_fit(page)
+    expect(page.locator(".measured-name")).to_have_text("simulated-two-carts.csv: 361 points")
+    expect(page.get_by_role("row", name="X2/X1, fast mode")).to_contain_text("−0.99")
+    expect(page.locator(".measured-more")).to_contain_text("“Fit to data” keeps the mass m₁")
+    drawn = page.locator(".plot-area path.measured-points")
+    expect(drawn).to_have_count(2)
+    page.get_by_role("button", name="Fit to data").click()
+    page.wait_for_function(f"{WINDOW} > 11.9 && {WINDOW} < 12.1")
+    k1, k2, m1, m2 = (page.evaluate(f"oscillations.shown.settings.{name}.value") for name in ("k1", "k2", "m1", "m2"))
+    assert (m1, k1 / m1, k2 / m1, m2 / m1) == pytest.approx((2, 20, 10, 0.5), rel=1e-2)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save residuals").click()
+    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    assert len(rows) == 362 and len(rows[0]) == len(rows[1]) == 7
+    assert abs(float(rows[1][3])) < 3e-3 and abs(float(rows[1][6])) < 3e-3
+    page.get_by_label("Mass 1: column").select_option("right (mm)")
+    expect(page.locator(".measured-status")).to_contain_text("One column is chosen twice")
+    page.get_by_label("Mass 2: column").select_option("left (mm)")
+    shows_fit(page)
+    expect(page.locator(".measured-more")).to_contain_text("check the order of the columns")
+    expect(page.get_by_role("button", name="Fit to data")).to_be_disabled()
+
+
+def test_a_file_goes_along_to_the_other_scene(measured: Page) -> None:
+    measured.get_by_role("button", name="Simulated: dashpot").click()
+    shows_fit(measured)
+    measured.evaluate("oscillations.open({scene: 'coupled', parameters: {view: 'measured'}})")
+    expect(measured.locator(".measured-status")).to_contain_text("One column is chosen twice")
+    expect(measured.locator(".measured-name")).to_have_text("simulated-dashpot.csv")
 
 
 def test_an_acceleration_is_drawn_as_the_displacement_of_the_fit(measured: Page) -> None:
@@ -116,7 +150,7 @@ def test_an_acceleration_is_drawn_as_the_displacement_of_the_fit(measured: Page)
         ("wide.csv", "x," * 1_000_000 + "\n1,2\n", "wide.csv: Line 1: it is too long"),
         ("line.csv", "t (s),x (m)\n1,2\n" + "9" * 5_000_000, "line.csv: Line 3: it is too long"),
         ("large.csv", "1,2\n" * 1_400_000, "large.csv has 5.3 MB: files of at most 5 MB are read."),
-        ("short.csv", "t (s),x (m)\n1,2\n2,3\n", "short.csv: 2 rows have both numbers: 8 or more"),
+        ("short.csv", "t (s),x (m)\n1,2\n2,3\n", "short.csv: 2 rows have a number in each column: 8 or more"),
     ],
 )
 def test_a_file_that_is_no_record_is_refused_in_a_sentence(
@@ -154,15 +188,15 @@ def test_nothing_of_it_is_fetched_before_its_view_is_shown(page: Page, open_scen
 
 
 @pytest.mark.parametrize("width", [390, 320])
+@pytest.mark.parametrize(("scene", "example"), [("damped", "dashpot"), ("coupled", "two carts")])
 def test_a_phone_has_the_file_over_the_plot_and_nothing_beside_the_screen(
-    width: int, new_page: Callable[..., Page], open_scene: Callable[..., Page]
+    scene: str, example: str, width: int, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
-    page = open_scene(new_page(width=width, height=844, color_scheme="dark"), scene="damped", view="measured")
-    page.get_by_role("button", name="Simulated: dashpot").click()
+    page = open_scene(new_page(width=width, height=844, color_scheme="dark"), scene=scene, view="measured")
+    page.get_by_role("button", name=f"Simulated: {example}").click()
     shows_fit(page)
-    places = [
-        page.locator(one).first.bounding_box() for one in (".measured-buttons", ".plot-area", ".lane", ".facts-table")
-    ]
+    parts = (".measured-buttons", ".plot-area", ".lane", ".facts-table")
+    places = [page.locator(f"{one}:visible").first.bounding_box() for one in parts]
     tops = [place["y"] for place in places if place]
     assert len(tops) == 4 and tops == sorted(tops)
     assert places[1] and places[1]["y"] + places[1]["height"] <= 844

@@ -12,9 +12,10 @@ runInThisContext(readFileSync(new URL("../../components/serving/vendor/papaparse
 const parser = globalThis.Papa
 
 const rows = (count, row) => Array.from({length: count}, (_, i) => row(i)).join("\n")
-const recordIn = text => {
+const recordIn = (text, count = 1) => {
   const table = tableOf(text, parser)
-  return rowsOf(table, guessed(table))
+  const {columns, ...rest} = rowsOf(table, guessed(table, count))
+  return {...rest, columns, x: columns[0]}
 }
 
 test("each kind of file gives the same record", () => {
@@ -40,7 +41,7 @@ test("without names the first column that only grows is the time, and units are 
     parser,
   )
   assert.deepEqual(table.names, ["Column 1", "Column 2"])
-  assert.deepEqual(guessed(table), {time: 1, value: 0, timeUnit: "", valueUnit: ""})
+  assert.deepEqual(guessed(table, 1), {time: {place: 1, unit: ""}, motions: [{place: 0, unit: ""}]})
 })
 
 test("the unit says whether a column is a displacement, a velocity or an acceleration", () => {
@@ -54,6 +55,18 @@ test("the unit says whether a column is a displacement, a velocity or an acceler
     assert.equal(record.derivative, derivative)
     assert.equal(record.x[3], 3 * size)
   }
+})
+
+test("two columns of one kind are read for two masses", () => {
+  const text = `n,t (s),left (mm),right (cm)\n${rows(10, i => `${7 - i},${i},${i * i},${i % 3}`)}`
+  const {columns, derivative} = recordIn(text, 2)
+  assert.deepEqual([columns.length, columns[0][3], columns[1][5], derivative], [2, 9 * 1e-3, 0.02, 0])
+  assert.throws(() => recordIn(`t (s),x (mm)\n${rows(10, i => `${i},${i * i}`)}`, 2), {
+    message: /^One column is chosen twice/,
+  })
+  assert.throws(() => recordIn(`t (s),x (mm),y (m/s)\n${rows(10, i => `${i},${i * i},${i}`)}`, 2), {
+    message: /^The units of the columns differ in kind/,
+  })
 })
 
 test("rows with holes are left out and counted", () => {
@@ -71,7 +84,7 @@ test("a file that is no record is refused with the line and the reason", () => {
     ["\nA letter.\nIt has words.\n", /^Line 2: “A letter\.” has no two numbers/],
     [`1,2\n${rows(9, () => "one,two")}`, /^Line 2: “one” is not a number/],
     [`t (s),x (m)\n${rows(10, i => `${i === 7 ? 2 : i},${i}`)}`, /^Line 9: the time goes back/],
-    ["t (s),x (m)\n1,2\n2,3\n", /^2 rows have both numbers: 8 or more are needed/],
+    ["t (s),x (m)\n1,2\n2,3\n", /^2 rows have a number in each column: 8 or more are needed/],
     [Array(1e6).fill("x").join(","), /^Line 1: it is too long. At most 2,000 characters/],
     [`t,x\n1,2\n${"9".repeat(5e6)}`, /^Line 3: it is too long/],
     [rows(9, () => "1,".repeat(60)), /^Line 1: it has 61 columns, and at most 50/],
@@ -83,11 +96,12 @@ test("a file that is no record is refused with the line and the reason", () => {
 test("a long record is sent as means, in pieces that fit into a message", () => {
   const count = 200_000
   const t = Float64Array.from({length: count}, (_, i) => i / 1000)
-  const pieces = piecesOf({t, x: t.map(time => Math.sin(6.3 * time) - 1e-7 / 3), derivative: 0, left: 0})
+  const x = t.map(time => 1e-7 * Math.sin(6.3 * time) - 1e-7 / 3)
+  const pieces = piecesOf({t, columns: [x, x], derivative: 0, left: 0})
   assert.equal(pieces.length, 16)
   for (const [i, {piece, of, size, t: times}] of pieces.entries()) {
     assert.deepEqual([piece, of, size, times.length], [i, 16, 10, 1250])
-    assert.ok(JSON.stringify(pieces[i]).length < 50_000)
+    assert.ok(JSON.stringify(pieces[i]).length < 60_000)
   }
   assert.equal(pieces[0].t[0], 0.0045)
 })

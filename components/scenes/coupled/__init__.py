@@ -117,6 +117,10 @@ class Coupled(CaseScene):
             "Formulas", "Change one value, and watch the numbers in each formula.",
             keys=(x1_0, x2_0), names=("stage", "plot:x1", "plot:x2"),
         ),
+        View(
+            "Measured", "Drop or choose a file with both of your motions: do they have two frequencies only?",
+            keys=(k1, k2), names=("plot:x1", "measured:file"),
+        ),
     )  # fmt: skip
     old_views = {"view": {"modes": "motion", "constants": "formulas"}}
     groups = (

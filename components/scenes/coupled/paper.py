@@ -17,7 +17,7 @@ from components.language.expressions import Number
 from components.language.plots import Room
 from components.language.shapes import Along, AnyShape, Begin, Grab, Label, Share, Swung
 from components.layout.grabs import begin
-from components.layout.sheet import choice, column, row, stage, table
+from components.layout.sheet import choice, column, measured, residuals, row, stage, table
 from components.layout.stage import AT_DESK, ON_NARROW, H, W, arrow, circle, line, text
 from components.layout.views import in_views
 from components.paper.deferred import Axes, computed, deferred, number, recorded
@@ -54,6 +54,8 @@ NAMED = 0.8
 """Position of the names in the plane, as a fraction of the distance to its edge."""
 ENERGY = one_of("parts", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of")
 
+MODEL = ("motion", "energy", "plane", "forces", "formulas")
+
 c = deferred(CoupledShown)
 GIVEN_BY_MODES = form_of(c.given_by == "modes")
 X = axis("m", lambda c: both_axis(c), "x")
@@ -82,16 +84,23 @@ def paper() -> Block:
         drift="No beat: the slow mode is a drift",
     )
     label = "Two masses and two springs in motion; below, its two modes"
+    top = row(
+        stage(*shapes(), label=label, height=192),
+        in_views(modes(), "motion", "energy", "plane"),
+        in_views(forces(), "forces"),
+        in_views(constants(), "formulas"),
+        grow=226, gap=18,
+    )  # fmt: skip
+    plots = column(
+        *(in_views(plot, "motion", "forces", "formulas", "measured") for plot in displacements()),
+        *(in_views(residuals(f"x{i}", f"Mass {i}", 0.6, 12 + i, 110), "measured") for i in chain.BOTH),
+        grow=450,
+    )
+    file = column(measured("file", 6, ["two carts"]), measured("fit", 15), grow=250)
     return column(
-        row(
-            stage(*shapes(), label=label, height=192),
-            in_views(modes(), "motion", "energy", "plane"),
-            in_views(forces(), "forces"),
-            in_views(constants(), "formulas"),
-            grow=226, gap=18,
-        ),
+        in_views(top, *MODEL),
         column(
-            *(in_views(plot, "motion", "forces", "formulas") for plot in displacements()),
+            row(plots, in_views(file, "measured"), gap=6, grow=1),
             in_views(when(c.energy == "parts", energies()), "energy"),
             in_views(when(c.energy == "modes", mode_energies()), "energy"),
             in_views(plane(), "plane"),

@@ -10,7 +10,7 @@ from components.language.blocks import Block
 from components.language.expressions import Number
 from components.language.plots import Room
 from components.layout.root_plane import root_plane
-from components.layout.sheet import column, desk, measured, row, stage
+from components.layout.sheet import column, desk, measured, residuals, row, stage
 from components.layout.stage import AT_DESK, ON_WIDE, H, Shape, T, W, arrow, circle, line, text, wide
 from components.layout.views import in_views
 from components.paper.deferred import deferred, number
@@ -37,6 +37,7 @@ from physics.free_decay import Moment
 
 c = deferred(DampedShown)
 MODEL = ("motion", "roots", "energy", "forces", "formulas")
+EXAMPLES = ("dashpot", "air drag")
 """The views that show the model alone."""
 SIDES = Room(56, 30)
 LEFT, RIGHT, UP = 1.55, 0.88, 1.28
@@ -71,7 +72,7 @@ def paper() -> Block:
         in_views(stage(*block(), label=label, grow=160, height=172), *MODEL),
         column(
             displacement(),
-            in_views(measured("x", "residuals", grow=110, phone=11, height=150), "measured"),
+            in_views(residuals("x", "Motion", grow=110, phone=11, height=150), "measured"),
             in_views(desk(power()), "energy"),
             in_views(energy(), "energy"),
             in_views(words(fate(), phone=15, name="fate"), *(view for view in MODEL if view != "energy")),
@@ -79,7 +80,7 @@ def paper() -> Block:
         ),
         in_views(column(plane(), grow=262), "roots"),
         in_views(column(facts(), grow=250), "formulas"),
-        in_views(column(measured("x", "file", phone=6), measured("x", "fit", phone=12), grow=250), "measured"),
+        in_views(column(measured("file", 6, EXAMPLES), measured("fit", 12), grow=250), "measured"),
         gap=6,
     )
 
