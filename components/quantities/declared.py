@@ -21,7 +21,7 @@ from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
 from components.quantities.formatting import three
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber, scene_number
 
 Case = TypeVar("Case")
 Value = TypeVar("Value")
@@ -144,6 +144,7 @@ class LiveNumber(Named, Generic[Case]):
 
     With a symbol it is compared with the number of another picture. `form` formats it, or the axis to which it belongs;
     `whole`: its text includes the unit. `angle`: compared modulo a turn. `also`: other names that show the same value.
+    With a `meaning` it is one of the numbers of the scene, in SI: `unit`.
     """
 
     value: Callable[[Case], float | Decimal | str | None]
@@ -155,12 +156,19 @@ class LiveNumber(Named, Generic[Case]):
     whole: bool = False
     angle: bool = False
     also: tuple[Named, ...] = ()
+    meaning: str = ""
 
     @classmethod
-    def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three, **rest: Any) -> list[Self]:
+    def both(
+        cls,
+        values: Callable[[Case], Any],
+        form: Callable[[Any], str] = three,
+        meanings: tuple[str, str] = ("", ""),
+        **rest: Any,
+    ) -> list[Self]:
         """Numbers of the slow and the fast mode, or of mass 1 and mass 2."""
-        first, second = (lambda case: values(case)[0]), (lambda case: values(case)[1])
-        return [cls(first, form=form, **rest), cls(second, form=form, **rest)]
+        each = (lambda case: values(case)[0]), (lambda case: values(case)[1])
+        return [cls(one, form=form, meaning=meaning, **rest) for one, meaning in zip(each, meanings, strict=True)]
 
     @property
     def aloud(self) -> str:
@@ -226,6 +234,13 @@ class Declared(Generic[Case]):
     @classmethod
     def readouts(cls, case: Case) -> tuple[Readout, ...]:
         return tuple(readout for one in cls._all(LiveNumber) for readout in one.readout(case))
+
+    @classmethod
+    def numbers(cls, case: Case) -> dict[str, SceneNumber]:
+        """Return the numbers of the scene, by name; numbers with no current value are missing."""
+        known = [one for one in cls._all(LiveNumber) if one.meaning]
+        found = {one.name: scene_number(one.value(case), one.unit, one.meaning) for one in known}
+        return {name: number for name, number in found.items() if number}
 
     @classmethod
     @cache

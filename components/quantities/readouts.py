@@ -15,6 +15,29 @@ PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
 
 
 @dataclass(frozen=True)
+class SceneNumber:
+    """A number of a scene.
+
+    `value`        a float in SI units; infinite only if the physics is infinite
+    `unit`         its unit, "" for a pure number
+    `description`  its meaning in words
+    """
+
+    value: float
+    unit: str
+    description: str
+
+
+def scene_number(value: object, unit: str, description: str) -> SceneNumber | None:
+    """Return a number of a scene; None for a text, for None, and for a decimal beyond the range of doubles."""
+    if isinstance(value, Decimal) and value.is_finite() and math.isinf(float(value)):
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float, Decimal)):
+        return None
+    return SceneNumber(float(value), unit, description)
+
+
+@dataclass(frozen=True)
 class Readout:
     """A number of a picture: `name` is the name of its live number, for the covers, and `also` has other names that
     show the same value. An angle is compared by difference."""

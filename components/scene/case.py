@@ -22,7 +22,7 @@ from components.layout.views import check_views
 from components.paper.deferred import attributes, book_of, fields, names
 from components.paper.plots import settled
 from components.quantities.parameters import Values
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber, scene_number
 from components.scene.about import About
 from components.scene.case_curves import BandColumns
 from components.scene.case_picture import CasePaper, CasePicture
@@ -119,15 +119,6 @@ class Case(ABC):
 
 
 @dataclass(frozen=True)
-class CaseNumber:
-    """A number of a scene in SI units, with its unit ("" for none) and its meaning in words."""
-
-    value: float
-    unit: str
-    description: str
-
-
-@dataclass(frozen=True)
 class Example:
     """A preset with its values and the sentence on what to watch."""
 
@@ -174,6 +165,10 @@ class CaseScene(Scene):
         super().__init_subclass__(**rest)
         if "case" in vars(cls):
             check_free(cls.case.__name__, names(cls.case))
+            if both := {one.name for one in attributes(cls.case)}.intersection(fields(cls.case)):
+                raise TypeError(
+                    f"{cls.case.__name__}: {', '.join(both)} is a parameter: give the attribute another name"
+                )
         cls.presets = {one.label: one.values for one in cls.examples}
         cls.watch = {one.label: one.watch for one in cls.examples}
 
@@ -198,15 +193,11 @@ class CaseScene(Scene):
         return CasePicture(self.written(), self.of(frame)).picture
 
     @property
-    def numbers(self) -> dict[str, CaseNumber]:
-        """The numbers that the scene shows in any of its views, by name; numbers with no current value are missing."""
+    def numbers(self) -> dict[str, SceneNumber]:
         case = self.of()
-        known = {one.called: one for one in attributes(self.case) if one.meaning}
-        found = {name: (one, one.of(case)) for name, one in known.items()}
-        return {
-            name: CaseNumber(float(number), one.unit, one.meaning)
-            for name, (one, number) in found.items() if isinstance(number, (int, float))
-        }  # fmt: skip
+        known = [one for one in attributes(self.case) if one.meaning]
+        found = {one.called: scene_number(one.of(case), one.unit, one.meaning) for one in known}
+        return {name: number for name, number in found.items() if number}
 
     def readouts(self) -> tuple[Readout, ...]:
         case = self.of()

@@ -14,7 +14,7 @@ from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.sheet import axes_of_columns
 from components.quantities.parameters import Quantity, Values, one_of
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.refusals import in_words
 from components.quantities.units import Unit
 from components.scene.about import About
@@ -107,6 +107,14 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     def is_checked(cls) -> bool:
         """Return True if `about` compares the drawn numbers with exact ones."""
         return cls.about is not Scene.about
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        """The numbers that the scene shows in any of its views, by name; numbers with no current value are missing.
+
+        Raises ValueError if the physics refuses the values of the parameters.
+        """
+        return {}
 
     def readouts(self) -> tuple[Readout, ...]:
         """Return the numbers that are listed in a comparison with another picture."""

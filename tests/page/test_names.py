@@ -102,7 +102,7 @@ def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
     told |= {handle.text for plot in plots(kind) for handle in plot.handles}
     for scene in every(slug):
         shown = scene.shown
-        parts = (shown.signals, shown.scalars, shown.forms, shown.values, *shown.sources.values())
+        parts = (shown.signals, shown.scalars, shown.forms, shown.values, scene.numbers, *shown.sources.values())
         given |= {name for part in parts for name in part}
         numbers |= shown.values.keys()
         told |= {name for one in scene.readouts() for name in (one.name, *one.also)}

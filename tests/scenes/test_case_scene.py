@@ -232,3 +232,15 @@ def test_a_number_may_not_have_the_name_of_one_of_the_page() -> None:
 
         class QuickScene(Friction):
             case = Quick
+
+
+def test_an_attribute_may_not_have_the_name_of_a_parameter() -> None:
+    """The field would hide it."""
+
+    class Shown(FrictionCase):
+        m = value(lambda c: 2.0, "kg", "twice the mass")
+
+    with pytest.raises(TypeError, match="Shown: m is a parameter: give the attribute another name"):
+
+        class Hidden(DashpotScene, CaseScene):
+            case = Shown

@@ -368,3 +368,9 @@ def test_log_axes_change_no_number_and_no_other_view() -> None:
     forces = DRIVEN(axes="log", view="forces").shown
     assert not forces.axes["M"].log and "natural" not in forces.scalars, "the arrows are on its scale"
     assert "omega_at" not in DRIVEN(axes="log", omega=0.0).shown.scalars, "0 is on no log axis"
+
+
+def test_the_width_of_the_response_is_not_that_of_the_pulses() -> None:
+    scene = SCENES["driven"](m=2.0, c=3.0, k=50.0, width=0.3)
+    assert scene.numbers["width"].value == pytest.approx(1.5)  # c/m in rad/s
+    assert scene.shown.values["width"] == "1.50"

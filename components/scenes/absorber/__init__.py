@@ -17,7 +17,7 @@ from components.quantities.axes import nice_axis
 from components.quantities.declared import Declared, Form, by_name
 from components.quantities.motion import pace
 from components.quantities.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.units import Unit
 from components.scene import Picture, Scene
 from components.scene.about import About
@@ -280,6 +280,10 @@ class Absorber(Scene):
             forms=Forms.forms(duty) | Panels.forms(self),
             spans=self._spans(duty),
         )
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        return N.numbers(self._shown_duty)
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._shown_duty)

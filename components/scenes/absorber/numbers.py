@@ -37,12 +37,16 @@ def part(duty: Duty, mode: int) -> float | None:
     return float(duty.driven.complementary_modes.amplitude[mode, 0]) if duty.solved and not duty.c else None
 
 
-def dies(duty: Duty) -> str | None:
-    """The time after which a hundredth of the complementary part is left at most."""
+def dies(duty: Duty) -> float | None:
+    """The time in s after which a hundredth of the complementary part is left at most; inf if a part of it stays."""
     if not (duty.c and duty.from_rest):
         return None
-    slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=0.0)
-    return f"{three(math.log(100) / slowest)} s" if slowest > 0 else "no time"
+    slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=math.inf)
+    return math.log(100) / slowest if slowest > 0 else math.inf
+
+
+def time_of(seconds: float) -> str:
+    return f"{three(seconds)} s" if 0 < seconds < math.inf else "no time"
 
 
 def over_height(duty: Duty) -> str:
@@ -61,26 +65,49 @@ class Numbers(Declared[Duty]):
     k1 = number(lambda d: d.k1 / 1e3)
     F_0 = number(lambda d: d.F_0)
     omega = number(lambda d: d.omega)
-    mu = number(lambda d: d.m2 / d.m1)
-    swing = number(lambda d: d.swings[0], "X_1", "m", "m1", axis=x_unit)
-    stroke = number(lambda d: d.swings[1], "X_2 − X_1", "m", "m2", axis=x_unit)
-    alone = number(lambda d: d.swings[2], axis=x_unit)
-    slow = number(lambda d: d.natural[0], "ω_{−}", "rad/s", "slow")
-    fast = number(lambda d: d.natural[1], "ω_{+}", "rad/s", "fast")
+    mu = number(lambda d: d.m2 / d.m1, meaning="mass ratio m2/m1")
+    swing = number(lambda d: d.swings[0], "X_1", "m", "m1", axis=x_unit, meaning="amplitude of the machine")
+    stroke = number(
+        lambda d: d.swings[1],
+        "X_2 − X_1",
+        "m",
+        "m2",
+        axis=x_unit,
+        meaning="amplitude of mass 2 relative to the machine",
+    )
+    alone = number(
+        lambda d: d.swings[2], unit="m", axis=x_unit, meaning="amplitude of the machine without the absorber"
+    )
+    slow = number(lambda d: d.natural[0], "ω_{−}", "rad/s", "slow", meaning="slow natural frequency")
+    fast = number(lambda d: d.natural[1], "ω_{+}", "rad/s", "fast", meaning="fast natural frequency")
     Xp1 = number(lambda d: float(d.X[0].real), axis=x_unit)
     Xp2 = number(lambda d: float(d.X[1].real), axis=x_unit)
     push = number(lambda d: d.F_0, axis=F_unit, whole=True)
-    pull = number(lambda d: d.pull if d.solved else None, axis=F_unit)
+    pull = number(
+        lambda d: d.pull if d.solved else None, unit="N", axis=F_unit,
+        meaning="amplitude of the force between mass 2 and the machine",
+    )  # fmt: skip
     link = number(lambda d: "pull" if d.c else "spring 2")
-    height = number(lambda d: den_hartog(d.m1, d.k1, d.m2).height * d.deflections(1.0), axis=x_unit)
+    height = number(
+        lambda d: den_hartog(d.m1, d.k1, d.m2).height * d.deflections(1.0), unit="m", axis=x_unit,
+        meaning="amplitude of the machine at both fixed points with Den Hartog's spring",
+    )  # fmt: skip
     over_height = number(lambda d: over_height(d) if d.c else None)
-    help_low = number(lambda d: d.band[0] if d.band else 0.0)
-    help_high = number(lambda d: d.band[1] if d.band else 0.0)
+    help_low = number(
+        lambda d: d.band[0] if d.band else None,
+        unit="rad/s",
+        meaning="lower end of the band in which the absorber helps",
+    )
+    help_high = number(
+        lambda d: d.band[1] if d.band else None,
+        unit="rad/s",
+        meaning="upper end of the band in which the absorber helps",
+    )
     part1 = number(lambda d: part(d, 0), axis=x_unit)
     part2 = number(lambda d: part(d, 1), axis=x_unit)
     rest1 = number(lambda d: bound(d, 0), axis=x_unit)
     rest_alone = number(lambda d: d.bound_alone if d.from_rest else None, axis=x_unit)
-    dies = number(dies)
+    dies = number(dies, unit="s", form=time_of, meaning="time until 1 % of the transient is left")
     judged = number(lambda d: "particular solution" if d.plays else d.whence)
     judged_alone = number(lambda d: "particular solution" if d.plays_alone else d.whence)
     tick, lightest = Text[Duty].some(2)

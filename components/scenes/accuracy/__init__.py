@@ -12,6 +12,7 @@ from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.views import View
 from components.quantities.parameters import angular_frequency, count, force, one_of, positive
+from components.quantities.readouts import SceneNumber
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED, framed
 from components.scenes.accuracy.axes import axes_of
@@ -23,9 +24,9 @@ from components.scenes.accuracy.plots import Places
 from components.scenes.accuracy.sheet import paper
 from components.scenes.accuracy.studies import Digits, studies
 from components.scenes.accuracy.watch import WATCH
+from components.scenes.accuracy.words import Facts, cell_texts
 from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
-from components.scenes.accuracy.words import cell_texts
 from physics.integrators.accuracy import SYSTEMS, System
 
 OWN = "own"
@@ -143,6 +144,10 @@ class Accuracy(Scene):
             values={**N.texts(case, axes), **cell_texts(case), **Digits.texts(case, axes)},
             forms=F.forms(case),
         )
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        return Facts.numbers(self._case())
 
     def _case(self) -> AccuracyCase:
         names = ("steps", "wanted", "limit", "cost", "equal", "clock", "unit", "view", "picked", "hidden")

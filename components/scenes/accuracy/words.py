@@ -8,7 +8,7 @@ from itertools import product
 
 from components.quantities.declared import Declared, Family, Form, LiveNumber, by_name
 from components.quantities.formatting import short, three
-from components.scenes.accuracy.case import AccuracyCase
+from components.scenes.accuracy.case import DRIFTING, AccuracyCase
 from components.scenes.accuracy.data import reached_text
 from components.scenes.accuracy.measurement import SCALE
 from components.scenes.accuracy.prices import power, time_text
@@ -112,6 +112,23 @@ class Numbers(Declared[AccuracyCase]):
     unreached = number(lambda c: c.unreached)
     picked = number(lambda c: reached_text(c.run) if c.run else "")
     picked_method = number(lambda c: METHODS[c.run.method].mark if c.run else "")
+
+
+class Facts(Declared[AccuracyCase]):
+    """The numbers of the scene; the page shows them in sentences and plots."""
+
+    slow = number(lambda c: c.system.rates[0], unit="1/s", meaning="slow natural frequency, or slow rate of decay")
+    fast = number(lambda c: c.system.rates[1], unit="1/s", meaning="fast natural frequency, or fast rate of decay")
+    drift = Family(
+        DRIFTING,
+        lambda method: number(
+            lambda c: c.drifts[method].error if method in c.drifts else None,
+            meaning=f"largest error of {METHODS[method].name} in four slow periods, over the largest displacement",
+        ),
+    )
+    picked_error = number(lambda c: c.run.error if c.run else None, meaning="error of the chosen run")
+    picked_time = number(lambda c: c.run.time if c.run else None, unit="s", meaning="run time of the chosen run")
+    picked_evaluations = number(lambda c: c.run.evaluations if c.run else None, meaning="evaluations of the chosen run")
 
 
 class Cells(Declared[AccuracyCase]):

@@ -10,7 +10,7 @@ from components.layout.controls import Group
 from components.layout.views import View
 from components.quantities.motion import pace
 from components.quantities.parameters import one_of
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
@@ -126,6 +126,15 @@ class Analogues(Scene):
         p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
         return AnalogueCase(system=system, p=p, q_0=start, window=self.window, standing=standing)
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        case = self._case()
+        return {
+            **N.numbers(case),
+            "inertia": SceneNumber(case.spring.m, case.system.inertia_unit, "inertia, the role of the mass"),
+            "stiffness": SceneNumber(case.spring.k, case.system.stiffness_unit, "stiffness, the role of the spring"),
+        }
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._case())

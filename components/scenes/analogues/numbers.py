@@ -30,11 +30,13 @@ number, form = LiveNumber[AnalogueCase], Form[AnalogueCase]
 
 
 class Numbers(Declared[AnalogueCase]):
-    omega = number(lambda c: c.omega, "ω_n", "rad/s")
-    period = number(lambda c: c.period, "τ", "s")
-    frequency = number(lambda c: 1 / c.period, unit="Hz")
-    small_period = number(lambda c: c.spring.period)
-    late = number(lambda c: 3 * (c.spring.period * c.excess))
+    omega = number(lambda c: c.omega, "ω_n", "rad/s", meaning="natural frequency of small swings")
+    period = number(lambda c: c.period, "τ", "s", meaning="period")
+    frequency = number(lambda c: 1 / c.period, unit="Hz", meaning="cycles per second")
+    small_period = number(lambda c: c.spring.period, unit="s", meaning="period of small swings")
+    late = number(
+        lambda c: 3 * (c.spring.period * c.excess), unit="s", meaning="time behind the spring after three small swings"
+    )
     late_percent = number(lambda c: 100 * c.excess)
     end_right = number(lambda c: abs(c.q_0), form=degrees)
     end_left = number(lambda c: -abs(c.q_0), form=degrees)

@@ -425,7 +425,9 @@ class DrivenShown(DrivenCase):
     phi = value.optional(lambda c: c.lag if c.is_driven and c.is_sine else None, "rad", "lag behind the drive")
     phi_minus = value(lambda c: -c.lag)
     Q = value(lambda c: 0.5 / c.zeta if c.zeta else math.inf, "", "quality factor")
-    width = value(lambda c: 2 * c.zeta * c.one.omega_n, "rad/s", "width of the response at half the power")
+    bandwidth = value(
+        lambda c: 2 * c.zeta * c.one.omega_n, "rad/s", "width of the response at half the power", called="width"
+    )
     lag_degrees = value.optional(lambda c: f"{math.degrees(c.lag):.0f}°" if c.has_dial else None)
     drive_name = value(lambda c: "push" if c.kind == "force" else c.kind)
     W = value.optional(lambda c: _work(c) if c.steady else None, "J", "work of the drive per period")

@@ -183,7 +183,7 @@ def facts() -> tuple[EitherText, ...]:
         either(c.steady, shown=rf"[m1|$X = {c.X}$ m, $\phi = {c.phi}$ rad]"),
         either(
             c.quality,
-            force=rf"$Q = 1 / (2 \zeta) = {c.Q},\ \Delta \omega = {c.width}$ rad/s",
+            force=rf"$Q = 1 / (2 \zeta) = {c.Q},\ \Delta \omega = {c.bandwidth}$ rad/s",
             unbalance=rf"$Q = 1 / (2 \zeta) = {c.Q}$",
         ),
     )
@@ -390,7 +390,7 @@ def half_width() -> list[Shape]:
         circle(high, y, 3.5, tint="T"),
         *shown_by(
             c.view != "forces",  # there the polygon needs the room
-            text(past + 10, y + 5, f"width Δ*ω* = {c.width} rad/s", "start", style="halo"),
+            text(past + 10, y + 5, f"width Δ*ω* = {c.bandwidth} rad/s", "start", style="halo"),
             text(past + 10, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
         ),
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),

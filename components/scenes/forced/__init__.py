@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from components.quantities.axes import Axis, nice_axis, time_axis, widest
 from components.quantities.declared import by_name
 from components.quantities.motion import pace, scaled
 from components.quantities.parameters import Values, angular_frequency, force
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
@@ -170,6 +171,10 @@ class Forced(Scene):
             to_scale=drawn.to_scale,
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        return N.numbers(replace(self._case(), view="nyquist"))  # the view with the work of a cycle
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._case())

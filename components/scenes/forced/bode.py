@@ -213,7 +213,7 @@ def plane_plot() -> Block:
     return plot(
         PLANE, x=Axes.re, y=Axes.im, x_column=Plane.re[1], curves=curves, shapes=tuple(shapes), square=True,
         title="Steady motion of each mass in the complex plane, for all drive frequencies",
-        says={**LAGS, "work of a cycle": f"{N.work.aloud} J"},
+        says={**LAGS, "work of a cycle": N.work.aloud},
         heading=(*named, phrase("", "none", "mute", formula="as arrows, for every *ω*")),
         room=Room(48, 14, top=6), phone=10, height=300,
     )  # fmt: skip

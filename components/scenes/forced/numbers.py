@@ -25,6 +25,11 @@ class Amplitude(LiveNumber[AnyCase]):
         return size if isinstance(case, Dying) or size.startswith(MINUS) else f"+{size}"
 
 
+SHOWN = {"still": "drive frequency at which mass 1 stands still"}
+"""The marks that are numbers of the scene; the natural frequencies have their own."""
+ALONG = "amplitude of mass {} in the particular solution, below 0 if it moves against the drive"
+
+
 def _way(case: AnyCase, i: int) -> str:
     if not case.swings[i]:
         return "at rest"
@@ -48,24 +53,49 @@ def _peaks(case: AnyCase, i: int) -> str:
 
 class Numbers(Declared[AnyCase]):
     F_unit = AxisUnit(Axes.F)
-    Xp = Family(BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1], f"X_{{p{i}}}", "m", f"m{i}"))
-    mark = Family(MARKS, lambda name: number(lambda c: c.marks.get(name)))
-    omega_minus = number(lambda c: c.natural[0], "ω_{−}", "rad/s", "slow", also=(mark["minus"],))
-    ratio_minus = number(lambda c: c.chain.modes().ratio[0], "X₂/X₁_{−}", tint="slow")
-    omega_plus = number(lambda c: c.natural[1], "ω_{+}", "rad/s", "fast", also=(mark["plus"],))
-    ratio_plus = number(lambda c: c.chain.modes().ratio[1], "X₂/X₁_{+}", tint="fast")
+    Xp = Family(
+        BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1], f"X_{{p{i}}}", "m", f"m{i}", meaning=ALONG.format(i))
+    )
+    mark = Family(MARKS, lambda name: number(lambda c: c.marks.get(name), unit="rad/s", meaning=SHOWN.get(name, "")))
+    omega_minus = number(
+        lambda c: c.natural[0], "ω_{−}", "rad/s", "slow", also=(mark["minus"],), meaning="slow natural frequency"
+    )
+    ratio_minus = number(lambda c: c.chain.modes().ratio[0], "X₂/X₁_{−}", tint="slow", meaning="X2/X1 of the slow mode")
+    omega_plus = number(
+        lambda c: c.natural[1], "ω_{+}", "rad/s", "fast", also=(mark["plus"],), meaning="fast natural frequency"
+    )
+    ratio_plus = number(lambda c: c.chain.modes().ratio[1], "X₂/X₁_{+}", tint="fast", meaning="X2/X1 of the fast mode")
     omega = number(lambda c: c.modes.omega)
     X = Family(BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1]))
-    D = number(lambda c: c.D if isinstance(c, Undamped) else None)
+    D = number(
+        lambda c: c.D if isinstance(c, Undamped) else None, unit="N²/m²",
+        meaning="determinant of the equations of motion at the drive frequency",
+    )  # fmt: skip
     way = Family(BOTH, lambda i: number(lambda c: _way(c, i - 1)))
-    growth = Family(BOTH, lambda i: number(lambda c: c.growth[i - 1] if isinstance(c, Undamped) and c.resonant else ""))
-    lag = Family(BOTH, lambda i: number(lambda c: plus(-c.lags[i - 1]) if isinstance(c, Dying) else ""))
+    growth = Family(
+        BOTH,
+        lambda i: number(
+            lambda c: c.growth[i - 1] if isinstance(c, Undamped) and c.resonant else None,
+            unit="m/s", meaning=f"growth of the amplitude of mass {i} per second, from rest",
+        ),
+    )  # fmt: skip
+    lag = Family(
+        BOTH,
+        lambda i: number(
+            lambda c: -c.lags[i - 1] if isinstance(c, Dying) else None,
+            form=plus, unit="rad", meaning=f"phase of mass {i} relative to the drive",
+        ),
+    )  # fmt: skip
     phase = Family(BOTH, lambda i: number(lambda c: _phase(c, i - 1)))
     peaks = Family(BOTH, lambda i: number(lambda c: _peaks(c, i - 1)))
-    works = Family(BOTH, lambda i: number(lambda c: c.works[i - 1]))
-    work = number(lambda c: sum(c.works))
+    works = Family(
+        BOTH,
+        lambda i: number(lambda c: c.works[i - 1], unit="J", meaning=f"heat of dashpot {i} per cycle of the drive"),
+    )
+    work = number(lambda c: sum(c.works), unit="J", meaning="work of the drive per cycle")
     dies = number(
         lambda c: math.log(100) / c.slowest if isinstance(c, Dying) and 0 < c.slowest < math.inf else None,
         unit="s",
         whole=True,
+        meaning="time until 1 % of the transient is left",
     )

@@ -12,16 +12,19 @@ from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.sheet import column, when
 from components.layout.views import View, in_views
+from components.quantities.axes import ONE
 from components.quantities.declared import Declared, Family, Form
 from components.quantities.parameters import Values, angular_frequency, finite, one_of
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
 from components.scenes.modes import guess, hunt, roots, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
-from components.scenes.modes.guess_case import said
-from components.scenes.modes.numbers import BrakedChain, ComparedNumbers, RootReadouts
+from components.scenes.modes.determinant import Determinant
+from components.scenes.modes.determinant import Numbers as DeterminantNumbers
+from components.scenes.modes.guess_case import Guess, said
+from components.scenes.modes.numbers import BrakedChain, BrakedNumbers, ComparedNumbers, RootReadouts, SolvedNumbers
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 
@@ -164,6 +167,17 @@ class ModesScene(Scene):
         if not wanted.is_finite():
             raise ValueError(f"equation {row} requires X₁ = 0 here: no ratio X₂/X₁ expresses that")
         return {"ratio": float(wanted)}
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        system = chain.of_scene(self)
+        return {
+            **ComparedNumbers.numbers(system.modes()),
+            **SolvedNumbers.numbers(system),
+            **guess.Numbers.numbers(Guess(system, self.omega, ONE, self.ratio, ONE)),
+            **DeterminantNumbers.numbers(Determinant(system, self.omega, ONE, ONE, 0)),
+            **BrakedNumbers.numbers(BrakedChain(system, chain.damping_of(self))),
+        }
 
     def readouts(self) -> tuple[Readout, ...]:
         if self._brakes and self.view == "roots":

@@ -94,7 +94,7 @@ class TriedPlaces(Declared[AtFrequency]):
 
 
 class Numbers(Declared[Determinant]):
-    D = number(lambda g: g.asked.determinant)
+    D = number(lambda g: g.asked.determinant, unit="N²/m²", meaning="determinant at the trial frequency")
     apart = number(lambda g: g.asked.apart)
     k1k2 = number(lambda g: g.at_rest)
     k2k2 = number(lambda g: g.held)

@@ -68,11 +68,15 @@ number, scalar, form = LiveNumber[Guess], Scalar[Guess], Form[Guess]
 METRES = Axis(-1.0, 1.0, "m")
 
 
+ROWS = "X2/X1 by equation 1 at the trial frequency", "X2/X1 by equation 2 at the trial frequency"
+HAND = "extra force on mass 1 at full swing", "extra force on mass 2 at full swing"
+
+
 class Numbers(Declared[Guess]):
     a11, a12 = number.both(lambda g: g.asked.matrix[0])
     a22 = number(lambda g: g.asked.matrix[1][1])
     distance = number(lambda g: None if g.asked.apart is None else abs(g.asked.apart))
-    row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
+    row = row1, row2 = number.both(lambda g: g.asked.rows, signed, ROWS)
     r = r_slow, r_fast = number.both(lambda g: g.system.modes().ratio, signed)
     slow_long, fast_long = number.both(
         lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.system.modes().omega]
@@ -80,7 +84,7 @@ class Numbers(Declared[Guess]):
     X = X1, X2 = number.both(lambda g: g.push.amplitude, signed)
     need = need1_N, need2_N = number.both(lambda g: g.push.needed, signed, unit="N", whole=True)
     give = give1_N, give2_N = number.both(lambda g: g.push.springs, signed, unit="N", whole=True)
-    add = add1_N, add2_N = number.both(lambda g: g.left, signed, unit="N", whole=True)
+    add = add1_N, add2_N = number.both(lambda g: g.left, signed, HAND, unit="N", whole=True)
     you_add = number(added)
 
 

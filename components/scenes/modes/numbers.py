@@ -166,8 +166,8 @@ class EquationNumbers(Declared[Quadratic]):
 
 
 class SolvedNumbers(Declared[TwoMassChain]):
-    gamma = solved(lambda c: c.modes().gamma)
-    delta = solved(lambda c: c.modes().delta)
+    gamma = solved(lambda c: c.modes().gamma, meaning="gamma of the lecture: X2/X1 is -gamma ± delta")
+    delta = solved(lambda c: c.modes().delta, meaning="delta of the lecture: X2/X1 is -gamma ± delta")
     product = solved(lambda c: -Decimal(c.m1) / Decimal(c.m2))
     omega = slow_omega, fast_omega = solved.both(lambda c: c.modes().omega)
     slow_square, fast_square = solved.both(lambda c: [mode.omega**2 for mode in c.exact_modes])
@@ -202,9 +202,18 @@ def exponents(one: ComplexMode) -> str:
     return three(first.real) if one.repeats > 1 else " and ".join(three(s.real) for s in one.exponents)
 
 
-def of_motion(place: str, value: Callable[[ComplexMode], Any], form: Callable[[Any], str] = three) -> LiveNumber[Any]:
-    """A number of the motion at a place, none where there is no such motion."""
-    return braked(lambda c: value(c.motions[place]) if place in c.motions else None, form=form)
+def of_motion(
+    place: str,
+    value: Callable[[ComplexMode], Any],
+    form: Callable[[Any], str] = three,
+    unit: str = "",
+    meaning: str = "",
+) -> LiveNumber[Any]:
+    """A number of the motion at a place, none where there is no such motion; `meaning` says which number of it."""
+    means = f"{meaning} of the {place} motion" if meaning else ""
+    return braked(
+        lambda c: value(c.motions[place]) if place in c.motions else None, form=form, unit=unit, meaning=means
+    )
 
 
 def _turn(one: ComplexMode) -> float | None:
@@ -217,7 +226,7 @@ def _rate(one: ComplexMode) -> float:
 
 
 def _zeta(one: ComplexMode) -> float | None:
-    return -_rate(one) / abs(one.exponents[0]) if one.swings else None
+    return abs(_rate(one)) / abs(one.exponents[0]) if one.swings else None
 
 
 def _fate(one: ComplexMode) -> str:
@@ -239,12 +248,14 @@ class BrakedNumbers(Declared[BrakedChain]):
 
     name = Family(MOTIONS, lambda place: braked(lambda c: c.name(place)), "{}_name")
     s = Family(MOTIONS, lambda place: of_motion(place, exponents), "{}_s")
-    rate = Family(MOTIONS, lambda place: of_motion(place, _rate), "{}_rate")
-    turn = Family(MODES, lambda place: of_motion(place, _turn), "{}_omega")
+    rate = Family(
+        MOTIONS, lambda place: of_motion(place, _rate, unit="1/s", meaning="real part of the root"), "{}_rate"
+    )
+    turn = Family(MODES, lambda place: of_motion(place, _turn, unit="rad/s", meaning="frequency"), "{}_omega")
     other = Family(MODES, lambda place: of_motion(place, lambda one: one.exponents[-1].real), "{}_other")
-    zeta = Family(MODES, lambda place: of_motion(place, _zeta), "{}_zeta")
-    Q = Family(MODES, lambda place: of_motion(place, _quality), "{}_Q")
-    decay = Family(MODES, lambda place: of_motion(place, _decay), "{}_decay")
+    zeta = Family(MODES, lambda place: of_motion(place, _zeta, meaning="damping ratio"), "{}_zeta")
+    Q = Family(MODES, lambda place: of_motion(place, _quality, meaning="quality factor"), "{}_Q")
+    decay = Family(MODES, lambda place: of_motion(place, _decay, unit="s", meaning="decay time"), "{}_decay")
     repeats = Family(MOTIONS, lambda place: of_motion(place, lambda one: OFTEN.get(one.repeats), str), "{}_repeats")
     ratio = Family(MOTIONS, lambda place: of_motion(place, shape), "{}_ratio")
     angle = Family(MODES, lambda place: of_motion(place, off_line), "{}_angle")
@@ -286,16 +297,20 @@ class ComparedNumbers(Declared[Modes]):
     omega_slow = number(
         lambda m: m.omega[0], "ω_{−}", "rad/s", "slow",
         also=(SolvedNumbers.slow_omega, GuessNumbers.slow_long, SweptNumbers.now_slow),
+        meaning="slow natural frequency",
     )  # fmt: skip
     ratio_slow = number(
         lambda m: m.ratio[0], "X₂/X₁_{−}", "", "slow",
         also=(SolvedNumbers.slow_ratio, GuessNumbers.r_slow, SweptNumbers.now_ratio_slow, AnswerNumbers.answer_slow),
+        meaning="X2/X1 of the slow mode",
     )  # fmt: skip
     omega_fast = number(
         lambda m: m.omega[1], "ω_{+}", "rad/s", "fast",
         also=(SolvedNumbers.fast_omega, GuessNumbers.fast_long, SweptNumbers.now_fast),
+        meaning="fast natural frequency",
     )  # fmt: skip
     ratio_fast = number(
         lambda m: m.ratio[1], "X₂/X₁_{+}", "", "fast",
         also=(SolvedNumbers.fast_ratio, GuessNumbers.r_fast, SweptNumbers.now_ratio_fast, AnswerNumbers.answer_fast),
+        meaning="X2/X1 of the fast mode",
     )  # fmt: skip

@@ -11,7 +11,7 @@ from components.layout.sheet import column, stage, words
 from components.layout.views import View, in_views
 from components.quantities.motion import pace
 from components.quantities.parameters import Quantity, Values, mass, one_of, positive
-from components.quantities.readouts import Readout
+from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.units import Unit
 from components.scene import Picture, Scene
 from components.scene.about import About
@@ -163,6 +163,10 @@ class Phugoid(Scene):
             values=N.texts(swing, axes),
             live=Signals.live(axes),
         )
+
+    @property
+    def numbers(self) -> dict[str, SceneNumber]:
+        return N.numbers(self._swing())
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._swing())

@@ -22,15 +22,29 @@ def example(name: str) -> LiveNumber[Swing]:
     return number(lambda s: linear_phugoid(AIRCRAFT[name][1], s.g).tau, unit="s", whole=True)
 
 
+def longer(share: float) -> str:
+    """A period that is longer by this share, in percent."""
+    return f"{three(100 * abs(share))} % {'longer' if share >= 0 else 'shorter'}"
+
+
+def constant(C: float) -> str:
+    return f"{C:.3f}".replace("-0.000", "0.000").replace("-", MINUS)
+
+
 class Numbers(Declared[Swing]):
     h_unit, v_unit = AxisUnit(Axes.h, write=size), AxisUnit(Axes.v, write=size)
     h_size = number(lambda s: -s.climb, axis=h_unit)
     v_size = number(lambda s: s.gain, axis=v_unit)
-    gain = number(lambda s: s.gain, axis=AxisUnit(Axes.v, write=lambda axis, gain: signed(axis.place(gain))))
-    omega = number(lambda s: s.linear.omega)
-    tau = number(lambda s: s.linear.tau, "τ", "s")
-    late = number(lambda s: f"{three(100 * abs(s.late))} % {'longer' if s.late >= 0 else 'shorter'}")
-    tau_exact = number(lambda s: s.period, "τ_{exact}", "s", also=(late,))
-    C = number(lambda s: f"{s.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS))
+    gain = number(
+        lambda s: s.gain, unit="m/s", axis=AxisUnit(Axes.v, write=lambda axis, gain: signed(axis.place(gain))),
+        meaning="extra speed at the start",
+    )  # fmt: skip
+    omega = number(lambda s: s.linear.omega, unit="rad/s", meaning="frequency by the linear theory")
+    tau = number(lambda s: s.linear.tau, "τ", "s", meaning="period by the linear theory")
+    late = number(
+        lambda s: s.late, form=longer, meaning="exact period minus the period by the linear theory, over the latter"
+    )
+    tau_exact = number(lambda s: s.period, "τ_{exact}", "s", also=(late,), meaning="exact period")
+    C = number(lambda s: s.lap.C, form=constant, meaning="Lanchester's constant of the flight")
     verdict = number(verdict)
     examples = tau_model, tau_glider, tau_light, tau_airliner = [example(name) for name in AIRCRAFT]
