@@ -33,14 +33,14 @@ USUAL = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.0, "c2": 0.0}
 
 
 class Seen(Declared[str]):
-    """Which view is shown: a picture has the parts of that one alone."""
+    """The view of the scene. A picture has only the parts of the visible view."""
 
     view = Family(VIEWS, lambda one: Form[str](lambda view: view == one), "seen_{}")
 
 
 LEFT_OUT = "Shown without the dashpots: they are in the view Roots."
 ROW_OF = {"row1": 1, "row2": 2}
-"""The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
+"""The equation, of mass 1 or of mass 2, from which the button computes the shape."""
 
 
 class ModesScene(Scene):

@@ -21,7 +21,7 @@ from physics.reference.driven_chain import Point, determinants, modes_of
 
 
 def guess_about(picture: Picture, chain: TwoMassChain) -> About:
-    """The crossings, and the curve of the determinant."""
+    """Errors of the crossings and of the curve of the determinant."""
     columns = picture.sources[C.D.source]
     exponent = determinant_curve(chain, columns["w"])[1]
     D = [value.scaleb(-exponent) for value in determinants(chain, few_of(columns["w"]))]
@@ -35,7 +35,7 @@ def solve_about(chain: TwoMassChain) -> About:
 
 
 def braked_about(chain: TwoMassChain, damping: Pair) -> About:
-    """The exponents of all motions, but those that are 0."""
+    """Errors of the exponents of all motions, without exponents that are 0."""
     true = braked_exponents(chain, *damping)
     found: list[CheckedPoint] = []
     for s in (s for one in DampedChain.of(chain, *damping).free_motions.modes for s in one.exponents if s):
@@ -46,7 +46,7 @@ def braked_about(chain: TwoMassChain, damping: Pair) -> About:
 
 
 def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
-    """The frequencies of three of the chains that are swept through."""
+    """Errors of the frequencies at three points of the sweep."""
     columns = picture.sources["omega_sweep"]
     chains = [replace(chain, **{swept: value}) for value in few_of(columns["p"])]
     pairs = zip(*([Point(omega, omega) for omega, _ in modes_of(each)] for each in chains), strict=True)
@@ -57,7 +57,7 @@ def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
 
 
 def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
-    """Points of the path; the modes only where the answer is shown."""
+    """Errors of points of the path, and of the modes if the answer is shown."""
     path, rest = picture.sources["path"], (0.0, 0.0)
     points = bounded("the path", 2, "its amplitudes", motion_rows(MASSES, path, chain, x_0, rest))
     tables = (points, modes_table(chain)) if "answer" in picture.sources else (points,)

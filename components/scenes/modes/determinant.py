@@ -1,5 +1,6 @@
-"""The determinant D of A against omega squared: its zeros are the modes; and what both views with a trial frequency
-show of it."""
+"""The determinant D of A against omega squared, whose zeros are the modes, and the parts that Guess and Determinant
+share.
+"""
 
 from __future__ import annotations
 
@@ -43,14 +44,15 @@ from physics.precision.exact import precise
 
 @dataclass(frozen=True, eq=False)
 class Determinant(AtFrequency):
-    """A trial frequency, and the axis of D, in units of 10**exponent: D leaves the range of doubles long before the
-    rest does."""
+    """A trial frequency, and the axis of D in units of 10**exponent, because D leaves the range of doubles long before
+    other values do.
+    """
 
     det: Axis
     exponent: int
 
     def place(self, value: Decimal) -> float:
-        """A value of D on its axis, cut far outside the frame."""
+        """A value of D on its axis, limited to slightly outside the frame."""
         scaled = float(value.scaleb(-self.exponent))
         return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
 
@@ -67,7 +69,7 @@ class Determinant(AtFrequency):
 
     @property
     def held(self) -> Decimal:
-        """D where mass 2 alone, mass 1 held, would swing."""
+        """D at the natural frequency of mass 2 while mass 1 is held fixed."""
         return -(Decimal(self.system.k2) ** 2)
 
 
@@ -85,7 +87,9 @@ class TriedNumbers(Declared[AtFrequency]):
 
 
 class TriedPlaces(Declared[AtFrequency]):
-    """The modes and the trial frequency, in the unit of the axis; `_in` tells what is inside the frame."""
+    """The modes and the trial frequency in the unit of the axis. Names that end with `_in` say whether a point is
+    inside the frame.
+    """
 
     w_of = Family(MODES, lambda mode: Scalar[AtFrequency](lambda g, a: g.frequency.place(g.modes[mode][0])), "w_{}")
     w_si = Family(MODES, lambda mode: Scalar[AtFrequency](lambda g, a: g.modes[mode][0]), "w_{}_si")
@@ -101,7 +105,7 @@ class Numbers(Declared[Determinant]):
 
 
 class Places(Declared[Determinant]):
-    """D at rest, where mass 2 would be held, and at the trial frequency."""
+    """D at omega = 0, where mass 2 is held fixed, and at the trial frequency."""
 
     D0 = scalar(lambda g, a: g.place(g.at_rest))
     D0_in = scalar(lambda g, a: g.system.k1 > 0 < g.system.k2)
@@ -127,7 +131,7 @@ DET = PlotFrame("det")
 
 
 def frequency_handle(**rest: Any) -> Handle:
-    """The pill of the trial frequency."""
+    """The handle of the trial frequency."""
     return Handle(
         parameter="omega", symbol="ω²", label="Trial frequency, squared", tint="F", axis="x",
         text=TriedNumbers.square.name, covering="(rad/s)²", **rest,
@@ -135,7 +139,7 @@ def frequency_handle(**rest: Any) -> Handle:
 
 
 def flags(lift: float) -> tuple[Mark, ...]:
-    """The natural frequencies; a press leads to one."""
+    """The natural frequencies; pressing one sets the trial frequency to it."""
     return tuple(
         mark(
             T.w_of[mode], tint=mode, set="omega", exactly=T.w_si[mode], lift=lift, label=f"Go to the {mode} mode",
@@ -173,7 +177,9 @@ def determinant_words() -> list[Paragraph]:
 
 
 def _shapes() -> tuple[Shape, ...]:
-    """Over D: its value at the trial frequency, its zeros, and the two values that alone prove them."""
+    """Shapes over D: its value at the trial frequency, its zeros, and the two values that prove that there are two
+    zeros.
+    """
     here, rest, held = (DET, var(T.w), var(P.D)), (DET, 0.0, var(P.D0)), (DET, var(P.w_held), var(P.D_held))
     w = DET.x(var(T.w))
     return (
@@ -202,7 +208,7 @@ def label(
 
 @dataclass(frozen=True, eq=False)
 class DeterminantPart:
-    """The part of a picture that shows D, for a trial frequency in a frame."""
+    """Return the part of a picture that shows D for a trial frequency in a frame."""
 
     axes: dict[str, Axis]
     columns: dict[str, Columns]
@@ -229,7 +235,7 @@ class DeterminantPart:
 
 
 def _frequencies(fast: float, omega: float) -> Axis:
-    """The axis holds both modes, and the trial frequency where it is not far beyond them."""
+    """Return a range that contains both modes, and the trial frequency unless it is far away."""
     both = math.sqrt(1.375) * fast
     end = (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
     return replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(fast, min(omega, end))))

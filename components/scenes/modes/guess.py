@@ -1,4 +1,6 @@
-"""The view Guess of the scene modes: a guess is a point that a hand takes, each equation a curve, a mode a crossing."""
+"""The view Guess of the scene modes: the guess is a point that you drag, each equation is a curve, a mode is a
+crossing.
+"""
 
 from __future__ import annotations
 
@@ -93,7 +95,7 @@ class Axes(Declared[Guess]):
 
 
 class Curves(Declared[Guess]):
-    """The shape that each equation fixes, the second one on both sides of its pole."""
+    """The shape that each equation requires; the second one on both sides of its pole."""
 
     w = Column[Guess]("")
     row1 = Column[Guess]("row1")
@@ -101,22 +103,23 @@ class Curves(Declared[Guess]):
 
 
 def _swung(guess: Guess, axes: AxesInForce, size: float) -> AnySignal:
-    """A motion of the guess, from full swing; at omega = 0 it stays there."""
+    """The motion of the guess, which starts at its largest displacement. At omega = 0 it stays there."""
     return sines(METRES, Axes.t(axes), (size, guess.omega, QUARTER))
 
 
 class Places(Declared[Guess]):
-    """Swings and forces, and over the plot the modes, the guess, and the readings of both equations, in the units of
-    the axes; `_in` tells which are inside the frame."""
+    """Motions and forces; over the plot, the modes, the guess, and the shapes that both equations require, in the units
+    of the axes. Names that end with `_in` say whether a point is inside the frame.
+    """
 
     swing = Signal[Guess](lambda g, a: _swung(g, a, 1.0))
     x = Family(BOTH, lambda i: Signal[Guess](lambda g, a: _swung(g, a, g.swings[i - 1])))
-    # At full swing: both amplitudes, which of them is not the larger one, and the lengths of the arrows.
+    # At the largest displacement: both amplitudes, which of them is smaller, and the lengths of the arrows.
     X = Family(BOTH, lambda i: scalar(lambda g, a: g.swings[i - 1]))
     less = Family(BOTH, lambda i: scalar(lambda g, a: abs(g.swings[i - 1]) <= abs(g.swings[2 - i])))
     need = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.needed[i - 1])), "need{}_N")
     give = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.springs[i - 1])), "give{}_N")
-    # The shapes of the modes, the guess, and what both equations ask for.
+    # The shapes of the modes and of the guess, and the shapes that both equations require.
     r_of = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode) and g.shape.place(g.modes[mode][1])), "r_{}")
     seen = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode)), "{}_in")
     r = scalar(lambda g, a: g.shape.place(max(min(g.ratio, 2 * g.shape.end), 2 * g.shape.start)))
@@ -139,9 +142,9 @@ SHAPE = PlotFrame("shape")
 UNIT = 0.112 * W
 """An amplitude of 1 m on the stage."""
 LEAST = 0.02
-"""m; as small as a hand makes an amplitude: the other one is 1 m."""
+"""The smallest amplitude in m that can be dragged; the other one is 1 m."""
 ARROWS = W - 0.36 * W * NARROW - 0.3 * W * HALL
-"""The length of which force arrows are a fraction: beside short ones there is room for numbers on a narrow stage."""
+"""The length of which force arrows are a fraction. On a narrow stage it leaves room for numbers."""
 SWING = ARROWS * var(P.swing)
 AT_FULL, SHORT = "Force needed at full swing: −*m* *ω*² *X*", "needed: −*m* *ω*² *X*"
 Lengths = Family[int, Scalar[Guess]]
@@ -150,7 +153,9 @@ FORCES: tuple[tuple[list[LiveNumber[Guess]], Lengths | None, str, dict[ShownBy, 
     (N.give, P.give, "k", {ON_WIDE: "= force of the springs"}, "springs"),
     (N.add, None, "F", {ON_WIDE: f"+ {N.you_add}"}, "missing"),
 )
-"""Each row of forces, the lengths of its arrows, its tint, and the words beside it, by the room that there is."""
+"""For each row of forces: the lengths of its arrows, its tint, and the words next to it, which depend on the available
+width.
+"""
 
 
 def sheet() -> Block:
@@ -181,7 +186,7 @@ def sheet() -> Block:
 
 
 def _matrix(*rows: tuple[object, object]) -> str:
-    """A matrix of which each row has the tint of its mass."""
+    """A matrix whose rows have the tints of their masses."""
     cells = (" & ".join(rf"{{\tint{{m{i}}}{{{cell}}}}}" for cell in row_) for i, row_ in enumerate(rows, start=1))
     return r"\begin{pmatrix} " + r" \\ ".join(cells) + r" \end{pmatrix}"
 
@@ -267,7 +272,9 @@ def _shapes() -> list[Shape]:
 
 
 def _full_swing(foot: Number) -> list[Shape]:
-    """Both masses where they turn, in outline: the one that swings less is taken in hand, the other keeps its 1 m."""
+    """Both masses at their largest displacement, in outline. The one with the smaller amplitude can be dragged; the
+    other one stays at 1 m.
+    """
     one, two = chain.rest(1), chain.rest(2)
     X1, X2 = P.X[1].name, P.X[2].name
     first = Quotient(parameter="ratio", moves=X1, across="x", zero=one, unit=UNIT, over=X2, least=LEAST, most=1.0)
@@ -282,11 +289,14 @@ def _full_swing(foot: Number) -> list[Shape]:
 
 
 def _force(i: int, number: LiveNumber[Guess], lengths: Lengths | None, tint: str, y: Number) -> list[Shape]:
-    """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number."""
+    """One force arrow with its number. It starts at equilibrium; the arrow of the missing force starts at the tip of
+    the springs' force.
+    """
     start, tip = (0, var(lengths[i])) if lengths else (var(P.give[i]), var(P.need[i]))
     tint = f"m{i}" if lengths is P.need else tint
     rest, said, look = chain.rest(i), str(number), {"tint": tint, "style": "t1 b halo"}
-    # Clear of the arrows, wherever they swing to; with a hall's type there is no room for a number between them.
+    # Labels stay clear of the arrows at every displacement. With the large type of a hall there is no room for a number
+    # between them.
     before, beyond = (
         text(rest + REACH * ARROWS * s + 8 * s, y + 5, said, anchor, show=show, **look)
         for s, anchor, show in ((-1, "end", ON_WIDE if i == 1 else AT_DESK), (1, "start", IN_HALL))
@@ -297,7 +307,9 @@ def _force(i: int, number: LiveNumber[Guess], lengths: Lengths | None, tint: str
 
 
 def _over_shapes() -> tuple[Shape, ...]:
-    """Over the plane of omega^2 and X2/X1: the trial frequency, both readings and their gap, the guess, the modes."""
+    """Shapes over the plane of omega^2 and X2/X1: the trial frequency, both required shapes and the gap between them,
+    the guess, the modes.
+    """
     w, r = SHAPE.x(var(T.w)), SHAPE.y(var(P.r))
     shapes = [
         line(w, SHAPE.top, w, SHAPE.bottom, tint="F", show=T.w_in),
@@ -322,7 +334,9 @@ def _guess_point(x: Number, y: Number) -> Shape:
 
 
 def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
+    """Return everything that the view shows for one chain and one guess. Raise ValueError if a curve leaves the range
+    of doubles.
+    """
     modes = system.modes()
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
         raise ValueError(f"a mode ratio X2/X1 leaves {DOUBLES}")
@@ -343,7 +357,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
 
 
 def _shape_axis(modes: Modes) -> tuple[float, Axis]:
-    """The reach of the curves of X2/X1, and their axis, which holds both modes."""
+    """Return the range of the curves of X2/X1, and an axis that contains both modes."""
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
     reach = 3 * half
     if math.isinf(reach):

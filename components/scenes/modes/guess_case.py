@@ -1,4 +1,6 @@
-"""A trial frequency, what both equations say there, and a guess: the forces that it needs, and where it is drawn."""
+"""A trial frequency and a guessed shape: what both equations require there, the missing forces, and where they are
+drawn.
+"""
 
 from __future__ import annotations
 
@@ -18,16 +20,18 @@ from physics.precision.exact import exact, precise, within_an_ulp
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""
 NEAR, ALIKE = 1e-3, Decimal("0.01")
-"""Limits: of a frequency near a natural one, and of the gap of rows, over the larger, that are nearly one equation."""
+"""Limits for a frequency near a natural one, and for the relative gap of two rows that are nearly one equation."""
 ROUNDING = Decimal("1e-12")
-"""A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
+"""A typed ratio is rounded, so at a mode a force of this relative size is left. It is shown as 0."""
 LITTLE = Decimal("0.005")
-"""The share of the other forces below which a hand's is little."""
+"""The share of the other forces below which the missing force counts as small."""
 
 
 @dataclass(frozen=True, eq=False)
 class AtFrequency(ABC):
-    """A chain, a trial frequency in rad/s, and the axis of the frequencies, with what the physics says of them."""
+    """A chain, a trial frequency in rad/s, and the axis of the frequencies, with the physical quantities at that
+    frequency.
+    """
 
     system: TwoMassChain
     omega: float
@@ -60,22 +64,22 @@ class Guess(AtFrequency):
         return trial_forces(self.system, self.omega, self.ratio)
 
     def seen(self, mode: str) -> bool:
-        """Whether the point of a mode is inside the frame."""
+        """Return True if the point of a mode is inside the frame."""
         return math.isfinite(self.modes[mode][1]) and inside(self.shape, self.modes[mode][1])
 
     @cached_property
     def swings(self) -> Pair:
-        """Both amplitudes."""
+        """Both amplitudes of the guess."""
         one, two = map(float, self.push.amplitude)
         return one, two
 
     def arrow(self, force: Decimal) -> float:
-        """The length of the arrow of a force at full swing, as a fraction of the stage's width."""
+        """The length of the arrow of a force at the largest displacement, as a fraction of the stage's width."""
         largest = max(abs(value) for pair in self.push[1:] for value in pair)
         return REACH * float(force / largest) if largest else 0.0
 
     def reading(self, row: int) -> float:
-        """The place of the shape that a row asks for."""
+        """The position of the shape that a row requires."""
         asked, shape = self.asked.rows[row - 1], self.shape
         return 0.0 if asked is None else shape.place(float(max(min(asked, Decimal(shape.end)), Decimal(shape.start))))
 
@@ -85,12 +89,12 @@ class Guess(AtFrequency):
 
     @property
     def sizes(self) -> list[Decimal]:
-        """The larger of the force that is needed and that of the springs, on each mass."""
+        """The larger of the needed force and the springs' force, on each mass."""
         return [max(abs(one), abs(two)) for one, two in zip(self.push.needed, self.push.springs, strict=True)]
 
     @cached_property
     def left(self) -> list[Decimal]:
-        """The force missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
+        """The missing force on each mass. It is 0 at a mode, whose frequency and shape are rarely exact doubles."""
         for mode in self.system.exact_modes:
             if not mode.shape[0]:
                 continue
@@ -104,7 +108,7 @@ class Guess(AtFrequency):
 
 
 def added(guess: Guess) -> str:
-    """The force of the hand, in words."""
+    """The missing force, in words."""
     if not any(guess.left):
         return "no extra force: a mode"
     little = all(abs(value) <= LITTLE * size for value, size in zip(guess.left, guess.sizes, strict=True))
@@ -112,13 +116,15 @@ def added(guess: Guess) -> str:
 
 
 def said(system: TwoMassChain, omega: float) -> Trial:
-    """The two equations at `omega`; next to a zero, where hardly a double is nearer, at the zero itself."""
+    """Return the two equations at `omega`. If `omega` is the double nearest to a zero, they are evaluated at the zero
+    itself.
+    """
     asked, none = trial(system, omega), Decimal(0)
     for mode in system.exact_modes:
         if not within_an_ulp(omega, mode.omega):
             continue
         if not system.k2:
-            if mode.shape[0]:  # mass 1 alone: row 1 is 0 = 0
+            if mode.shape[0]:  # Mass 1 alone: row 1 is 0 = 0.
                 asked = asked._replace(matrix=((none, none), asked.matrix[1]), rows=(None, asked.rows[1]))
             return asked._replace(determinant=none)
         with precise():
@@ -136,7 +142,9 @@ def said(system: TwoMassChain, omega: float) -> Trial:
 
 
 def agreement(guess: Guess) -> str:
-    """Which sentence on both rows holds: how far apart they are, that they are one equation, or what obeys both."""
+    """The form of the sentence about both rows: how far apart they are, that they are one equation, or which shapes
+    satisfy both.
+    """
     one, two = guess.asked.rows
     if not guess.system.k2:
         free = {(True, True): "every", (True, False): "alone_1", (False, True): "alone_2"}
@@ -153,10 +161,10 @@ def agreement(guess: Guess) -> str:
 
 
 def kind_of(asked: Decimal | None) -> str:
-    """The form of the sentence on the shape that an equation asks for."""
+    """The form of the sentence about the shape that one equation requires."""
     return "any" if asked is None else "number" if asked.is_finite() else "pole"
 
 
 def inside(axis: Axis, value: float | Decimal) -> bool:
-    """Whether a value is within the range of an axis."""
+    """Return True if a value is within the range of an axis."""
     return axis.start <= value <= axis.end

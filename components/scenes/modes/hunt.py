@@ -1,4 +1,4 @@
-"""The view Hunt of the scene modes: find the starts from which the motion is a straight line."""
+"""The view Hunt of the scene modes: find the initial displacements for which the path is a straight line."""
 
 from __future__ import annotations
 
@@ -37,16 +37,16 @@ from physics.sampling import time_window
 from physics.valid import DOUBLES
 
 FOUND = 0.03
-"""Where the lesser mode swings less than this share of the greater one the path is not seen to be wider than a line."""
+"""If the weaker mode has less than this share of the stronger mode's amplitude, the path looks like a line."""
 SWINGS, PER_SWING, MOST = 40, 96, 1281
-"""The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
+"""Limits of the path: cycles of the fast mode, points per cycle, and points in all."""
 
 ANSWER = one_of("hidden", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer")
 
 
 @dataclass(frozen=True, eq=False)
 class HuntCase:
-    """A chain that starts from rest, and whether the answer is shown."""
+    """A chain that starts from rest, and a flag for a visible answer."""
 
     system: TwoMassChain
     x_0: Pair
@@ -54,12 +54,14 @@ class HuntCase:
 
     @cached_property
     def shares(self) -> Mixture:
-        """The swing of each mode."""
+        """The amplitude of each mode."""
         return mixture(self.system, self.x_0)
 
 
 class Hunt(Declared[HuntCase]):
-    """The start in the plane, what each mode has of it, the verdict, and both directions where they are asked for."""
+    """The initial displacements in the plane, their parts in each mode, the verdict, and both directions if they are
+    shown.
+    """
 
     start = Family(chain.BOTH, lambda i: Scalar[HuntCase](lambda c, a: Axes.x(a).place(c.x_0[i - 1])))
     share_slow = Scalar[HuntCase](lambda c, a: c.shares[0])
@@ -153,7 +155,9 @@ def _shapes() -> list[Shape]:
 
 
 def picture(system: TwoMassChain, x_0: Pair, revealed: bool, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain and one start; the answer is in it only where it was asked for."""
+    """Return everything that the view shows for one chain and one start. It contains the answer only if the answer is
+    shown.
+    """
     case, free = HuntCase(system, x_0, revealed), free_modes(system, x_0, (0.0, 0.0))
     slow, fast = system.modes().omega.tolist()
     own_window = window or time_window(slow, fast)
@@ -196,7 +200,7 @@ def _bound(free: FreeModes) -> tuple[float, float, float]:
 
 
 def _size(bound: tuple[float, float, float]) -> Axis:
-    """A frame that does not follow every move of the start: it grows in steps of 1, 2, 5."""
+    """A frame that does not follow every move of the start. It grows in steps of 1, 2, 5."""
     reach = max(bound[:2])
     if not math.isfinite(reach):
         raise ValueError(f"the motion leaves {DOUBLES}")
@@ -205,13 +209,13 @@ def _size(bound: tuple[float, float, float]) -> Axis:
 
 
 def _round_up(value: float) -> float:
-    """The smallest of 1, 2, 4, 5 times a power of ten that is not below `value`."""
+    """Return the smallest of 1, 2, 4, 5 times a power of ten that is not below `value`."""
     below = round_down(value)
     return value if below == value else min(f * below for f in (2.0, 2.5) if f * below >= value * (1 - 1e-9))
 
 
 def found(system: TwoMassChain, parts: Mixture) -> str:
-    """Whether the path is a line, judged by how far each mode swings."""
+    """Return True if the path is a line, judged by the amplitudes of the modes."""
     slow, fast, width = parts
     if not (slow or fast):
         return "rest"

@@ -1,4 +1,4 @@
-"""Free motions of a chain with dashpots in words: their roots, shapes, and what they are."""
+"""Free motions of a chain with dashpots, in words: their roots and shapes, and whether they oscillate or decay."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ form = Form[BrakedChain]
 
 
 class Motions(Declared[BrakedChain]):
-    """Which of the words on the free motions are shown, and which motions are drawn."""
+    """Flags for the visible texts on the free motions, and for the motions that are drawn."""
 
     braked = form(lambda c: c.brakes)
     many = form(lambda c: len(c.motions) > len(chain.MODES))
@@ -26,7 +26,9 @@ class Motions(Declared[BrakedChain]):
 
 
 def _root(place: str) -> Paragraph:
-    """The line on the roots of a motion, by what they are. The first two motions may be modes, or swing."""
+    """The line on the roots of a motion, in one variant per kind of root. The first two motions may be modes, or may
+    oscillate.
+    """
     name, rate = f"{B.name[place]}: $X_2/X_1 = {B.ratio[place]}$,", f"$s = {B.rate[place]}$"
     lines = {
         "single": f"{name} {rate} 1/s. It does not swing.",
@@ -100,11 +102,11 @@ STATEMENTS: dict[str, str] = {
     Kind.FOUR_REAL: "**Nothing swings.** Four motions, each with its own shape.",
     f"{Kind.FOUR_REAL}_met": rf"**Nothing swings.** {MEET}: its motions are $e^{{s t}}$, $t\, e^{{s t}}$ and so on.",
 }
-"""The sentence on what the free motions with dashpots are."""
+"""The sentence on the kinds of the free motions with dashpots."""
 
 
 def motion_title(mode: str) -> list[Shape]:
-    """The title of a motion over its chain, with the shape under the arrows; its roots are in the words."""
+    """The title of a motion over its chain, with the shape under the arrows. Its roots are in the text."""
     look: Looks = {"tint": mode, "style": "t2 b"}
     lines = (f"{B.name[mode]}, {B.fate[mode]}", 0.03), (f"*X*_2/*X*_1 = {B.ratio[mode]}", 0.49)
     title = (text(chain.WALL * W, (TOPS[mode] + at) * H, f"{said}", "start", **look) for said, at in lines)

@@ -1,4 +1,4 @@
-"""The live numbers of the modes, by what they are numbers of; those of a guess stand with it."""
+"""The live numbers of the scene modes, grouped by their subject."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from physics.modes import Mixture, Quadratic
 from physics.precision.exact import precise
 
 MOTIONS = (*MODES, "third", "fourth")
-"""Places of the free motions of a chain with dashpots, the first two of which are drawn."""
+"""Indices of the free motions of a chain with dashpots. The first two are drawn."""
 NAMES = {
     Kind.UNDAMPED: ("slow mode", "fast mode"),
     Kind.DRIFT_BOTH: ("drift", "other motion"),
@@ -37,7 +37,7 @@ CROSSED = ("from the slow mode", "from the fast mode")
 NUMBERED = ("motion 1", "motion 2", "motion 3", "motion 4")
 OFTEN = {2: "twice", 3: "three times", 4: "four times"}
 CRITICAL = (Kind.PROPORTIONAL, Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
-"""Case in which a double root is a mode with critical damping."""
+"""The case in which a double root is a mode with critical damping."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class BrakedChain:
 
     @cached_property
     def motions(self) -> dict[str, ComplexMode]:
-        """The free motions with dashpots by their places."""
+        """The free motions with dashpots, by index."""
         return dict(zip(MOTIONS, self.found.modes, strict=False))
 
     @cached_property
@@ -66,7 +66,7 @@ class BrakedChain:
 
     @cached_property
     def amplitudes(self) -> dict[tuple[int, str], complex]:
-        """The complex amplitude of each mass in each drawn motion: the larger one has modulus 1."""
+        """The complex amplitude of each mass in each drawn motion, scaled so that the larger one has modulus 1."""
         if self.brakes:
             return {(i, place): one.shape[i - 1] for place, one in self._drawn for i in BOTH}
         shapes = directions(self.system)
@@ -74,7 +74,7 @@ class BrakedChain:
 
     @cached_property
     def exponents(self) -> dict[str, complex]:
-        """The exponent with which each drawn motion is played: its slowest that is not 0, if it has one."""
+        """The exponent with which each drawn motion is played: the slowest one that is not 0, if there is one."""
         if self.brakes:
             return {place: next(filter(None, one.exponents), 0j) for place, one in self._drawn}
         return {mode: omega * 1j for mode, omega in zip(MODES, self.system.modes().omega.tolist(), strict=True)}
@@ -85,11 +85,11 @@ class BrakedChain:
 
     @property
     def named(self) -> bool:
-        """Whether the first two motions are the slow and the fast mode, or come from these."""
+        """Return True if the first two motions are the slow and the fast mode, or have developed from them."""
         return self.found.kind in (Kind.PROPORTIONAL, Kind.TWO_PAIRS)
 
     def name(self, place: str) -> str:
-        """The name of a motion as its title and its root have it."""
+        """The name of a motion in its title and at its root."""
         names = CROSSED if self.found.crossed else NAMES.get(self.found.kind, NUMBERED)
         return dict(zip(MOTIONS, names, strict=False)).get(place, "")
 
@@ -108,7 +108,7 @@ class BrakedChain:
 
     @property
     def statement(self) -> str:
-        """The form of the sentence on what the free motions are."""
+        """The form of the sentence on the kinds of the free motions."""
         kind, shared = self.found.kind, any(one.repeats > 1 for one in self.motions.values())
         if kind is Kind.PROPORTIONAL:
             return f"{kind}_late" if not any(one.swings for one in self.motions.values()) else kind
@@ -118,19 +118,19 @@ class BrakedChain:
 
     @property
     def gap(self) -> Decimal:
-        """c1 k2 - c2 k1 of the numbers as written; below 0 if mass 2 lags behind mass 1 in what swings."""
+        """c1 k2 - c2 k1, from the numbers as written; negative if mass 2 lags behind mass 1 in an oscillation."""
         c1, c2, k1, k2 = (Decimal(repr(one)) for one in (*self.damping, self.system.k1, self.system.k2))
         with precise():
             return c1 * k2 - c2 * k1
 
     @property
     def met(self) -> Pair | tuple[None, None]:
-        """The dashpots at which both pairs met, where they have parted again."""
+        """The dashpots at which both pairs of roots met, if they have separated again."""
         return self.damped.meeting if self.found.kind is Kind.PARTED else (None, None)
 
     @cached_property
     def powers(self) -> list[float]:
-        """The coefficients of D in powers of s, the constant first."""
+        """The coefficients of D in powers of s, the constant one first."""
         c1, c2 = self.damping
         P = transform(Driven(self.system, c2, 0.0, 0.0, (1.0, 0.0), (0.0, 1.0), c1)).P
         return [0.0] * (5 - len(P)) + [float(a) for a in P]
@@ -152,7 +152,7 @@ class AnswerNumbers(Declared[Modes]):
 
 
 class EquationNumbers(Declared[Quadratic]):
-    """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
+    """The terms of the quadratic in omega^2, and of its discriminant as a sum of squares."""
 
     m1m2 = term(lambda q: q.leading)
     b = term(lambda q: q.b)
@@ -179,7 +179,7 @@ class ShareNumbers(Declared[Mixture]):
 
 
 def off_line(one: ComplexMode) -> float:
-    """The angle in degrees by which the arrows of a mode are out of line."""
+    """The angle in degrees between the arrows of a mode and a common line."""
     X1, X2 = one.shape
     if not X1 or not X2:
         return 0.0
@@ -188,14 +188,14 @@ def off_line(one: ComplexMode) -> float:
 
 
 def shape(one: ComplexMode) -> str:
-    """X2/X1 with its sign, or with its angle where the arrows are out of line."""
+    """X2/X1 with its sign, or with its angle if the arrows are not parallel."""
     X1, X2 = one.shape
     ratio = X2 / X1 if X1 else complex(math.inf)
     return f"{three(abs(ratio))} at {three(math.degrees(cmath.phase(ratio)))}°" if off_line(one) else signed(ratio.real)
 
 
 def exponents(one: ComplexMode) -> str:
-    """Its roots as a title has them."""
+    """The roots of a motion as they are written in its title."""
     first = one.exponents[0]
     if one.swings:
         return f"{three(first.real)} ± {three(first.imag)} i"
@@ -209,7 +209,7 @@ def of_motion(
     unit: str = "",
     meaning: str = "",
 ) -> LiveNumber[Any]:
-    """A number of the motion at a place, none where there is no such motion; `meaning` says which number of it."""
+    """A number of the motion at an index, described by `meaning`; None if there is no such motion."""
     means = f"{meaning} of the {place} motion" if meaning else ""
     return braked(
         lambda c: value(c.motions[place]) if place in c.motions else None, form=form, unit=unit, meaning=means
@@ -217,7 +217,7 @@ def of_motion(
 
 
 def _turn(one: ComplexMode) -> float | None:
-    """The angular frequency, none of a motion that does not swing."""
+    """The angular frequency; None for a motion that does not oscillate."""
     return one.exponents[0].imag if one.swings else None
 
 
@@ -239,12 +239,12 @@ def _quality(one: ComplexMode) -> float | None:
 
 
 def _decay(one: ComplexMode) -> float | None:
-    """The time in s until 1/e is left."""
+    """The time in s in which the motion decays to 1/e."""
     return -1 / _rate(one) if one.swings and _rate(one) else None
 
 
 class BrakedNumbers(Declared[BrakedChain]):
-    """The roots of the motions, their shapes, and what the sentence on them says."""
+    """The roots of the motions, their shapes, and the kinds of motion for the sentence on them."""
 
     name = Family(MOTIONS, lambda place: braked(lambda c: c.name(place)), "{}_name")
     s = Family(MOTIONS, lambda place: of_motion(place, exponents), "{}_s")
@@ -271,7 +271,7 @@ class BrakedNumbers(Declared[BrakedChain]):
 def _readout(
     shown: Family[str, LiveNumber[BrakedChain]], symbol: str, unit: str, signs: str, *, named: bool
 ) -> Family[str, LiveNumber[BrakedChain]]:
-    """Numbers of the motions as they are compared: of modes if `named`, else of motions that are no modes."""
+    """Numbers of the motions for the comparison: named as modes if `named`, otherwise as motions."""
 
     def one(place: str) -> LiveNumber[BrakedChain]:
         index = signs[MOTIONS.index(place)]
@@ -283,7 +283,7 @@ def _readout(
 
 
 class RootReadouts(Declared[BrakedChain]):
-    """The roots as they are compared with those of another picture."""
+    """The roots for the comparison with another picture."""
 
     mode_turn = _readout(BrakedNumbers.turn, "ω", "rad/s", "−+", named=True)
     mode_rate = _readout(BrakedNumbers.rate, "Re s", "1/s", "−+", named=True)
@@ -292,7 +292,7 @@ class RootReadouts(Declared[BrakedChain]):
 
 
 class ComparedNumbers(Declared[Modes]):
-    """The frequencies and the shapes, with all numbers by which a view tells them."""
+    """The frequencies and the shapes, with all numbers in which a view shows them."""
 
     omega_slow = number(
         lambda m: m.omega[0], "ω_{−}", "rad/s", "slow",

@@ -41,27 +41,27 @@ from physics.valid import DOUBLES
 GROWING = {"c1": "c₁", "c2": "c₂", "both": "Both in proportion"}
 GROWS = one_of("c1", GROWING, "Growing dashpot")
 LEFT, RIGHT, UP = 1.9, 0.55, 1.15
-"""The reach of the plane, in units of the higher natural frequency."""
+"""The half width of the plane, in units of the higher natural frequency."""
 FAR, LARGE = 3.0, 40.0
-"""Paths are cut, and circles left out, beyond so many times the higher natural frequency."""
+"""Paths are cut, and circles left out, beyond this multiple of the higher natural frequency."""
 ROOTS = range(4)
 LASTING, TURNS, POINTS = 4.0, 8.0, 321
-"""A motion is drawn in its plane for so many decay times, but no more turns."""
+"""A motion is drawn in its plane for at most this many decay times, and at most this many turns."""
 TERMS = [(power, part) for part in range(3) for power in range(5)]
-"""Each coefficient of P: the power of s, and that of the value on the path."""
+"""For each coefficient of P: its power of s, and the power of the path's parameter."""
 DIAMOND, SQUARE = "M0-17L17 0L0 17L-17 0Z", "M-4-4H4V4H-4Z"
 PLANE, SHAPES = PlotFrame("roots"), PlotFrame("shapes")
 
 
 @lru_cache(100)
 def known(path: RootPath) -> RootPath:
-    """Return an equal path, which may know where its roots meet: a hand on a dashpot stays on one path."""
+    """Return an equal path that may know where its roots meet. A drag of a dashpot stays on one path."""
     return path
 
 
 @dataclass(frozen=True, eq=False)
 class RootPlane:
-    """A chain with its dashpots, and the dashpot that grows along the paths."""
+    """A chain with its dashpots, and the dashpot that changes along the paths."""
 
     braked: BrakedChain
     grows: Varied
@@ -72,13 +72,13 @@ class RootPlane:
 
     @property
     def value(self) -> float:
-        """The place of the dashpots on the path."""
+        """The position of the current dashpots on the path."""
         one, two = self.braked.damping
         return float(self.braked.brakes) if self.grows == "both" else one if self.grows == "c1" else two
 
     @property
     def beta(self) -> str:
-        """The time c/k of the dashpots where it is one for both springs, else their proportion."""
+        """The time c/k of the dashpots if it is equal for both springs, otherwise their ratio."""
         (one, two), k1 = self.braked.damping, self.braked.system.k1
         return f"β = {three(one / k1)} s" if k1 and not self.braked.gap else f"c₁ : c₂ = {three(one)} : {three(two)}"
 
@@ -88,12 +88,12 @@ class RootPlane:
 
     @property
     def highest(self) -> float:
-        """The higher natural frequency in rad/s, or a unit in its place."""
+        """The higher natural frequency in rad/s, or another positive frequency if it is 0."""
         return self.omega["fast"] or max(map(abs, self.braked.damped.roots)) or 1.0
 
     @cached_property
     def branches(self) -> Complexes:
-        """The roots (n, 4) along the path, the last row with the dashpots as they are."""
+        """The roots (n, 4) along the path. The last row has the current dashpots."""
         return self.path.branches(self.value)
 
     @property
@@ -102,11 +102,13 @@ class RootPlane:
 
     @property
     def beyond(self) -> list[float]:
-        """The roots left of the plane, the nearest first."""
+        """The roots left of the plane, nearest first."""
         return sorted((float(s.real) for s in self.now if s.real < -LEFT * self.highest), reverse=True)
 
     def radius(self, i: int) -> float:
-        """The radius k/c of the circle of spring and dashpot i in 1/s; 0 if it is none, or too large to be drawn."""
+        """The radius k/c of the circle of spring and dashpot i in 1/s; 0 if there is none, or if it is too large to
+        draw.
+        """
         k, c = (self.braked.system.k1, self.braked.system.k2)[i - 1], self.braked.damping[i - 1]
         return k / c if c and k / c < LARGE * self.highest else 0.0
 
@@ -135,7 +137,9 @@ scalar = Scalar[RootPlane]
 
 
 class Places(Declared[RootPlane]):
-    """Places in the plane of the roots, in the units of its axes; a scalar that is 0 hides what it shows."""
+    """Positions in the plane of the roots, in the units of its axes. A scalar that is 0 hides the shapes that depend on
+    it.
+    """
 
     re = Family(ROOTS, lambda j: scalar(lambda c, a: Axes.re(a).place(float(c.now[j].real))), "root{}_re")
     im = Family(ROOTS, lambda j: scalar(lambda c, a: Axes.im(a).place(float(c.now[j].imag))), "root{}_im")
@@ -154,7 +158,8 @@ class Places(Declared[RootPlane]):
     met_im = Family(BOTH, lambda i: scalar(lambda c, a: _met(c, a, i).imag), "met{}_im")
     met = scalar(lambda c, a: bool(c.path.exceptional))
     out = scalar(lambda c, a: bool(c.beyond))
-    # What a hand makes dashpots of: the coefficients of P for roots in the unit of the path, and how they grow.
+    # From these numbers a drag computes dashpots: the coefficients of P for roots in the unit of the path, and their
+    # growth.
     unit = scalar(lambda c, a: Axes.re(a).place(c.path.unit))
     term = Family(TERMS, lambda one: scalar(lambda c, a: float(c.path.scaled[one])), "term{}_{}")
     value = scalar(lambda c, a: c.value)
@@ -162,7 +167,7 @@ class Places(Declared[RootPlane]):
 
 
 def _met(case: RootPlane, axes: AxesInForce, i: int) -> complex:
-    """The place of a double root."""
+    """The position of a double root."""
     s = case.path.exceptional[i - 1] if case.path.exceptional else 0j
     return complex(Axes.re(axes).place(s.real), Axes.im(axes).place(s.imag))
 
@@ -216,7 +221,9 @@ def _spirals() -> Block:
 
 
 def _shapes() -> list[Shape]:
-    """The roots, where they are at no and at endless damping, and between which circles those that swing lie."""
+    """The roots, their positions without and with infinitely strong dashpots, and the circles that bound the
+    oscillating ones.
+    """
     cut: Looks = {"inside": PLANE}
     found = root_plane((PLANE.left, PLANE.right, PLANE.top, PLANE.bottom), X0, Y0, "*c* < 0")
     for mode, sign in zip(MODES, "−+", strict=True):
@@ -250,7 +257,7 @@ def _shapes() -> list[Shape]:
 
 
 def _hold(j: int, grows: str) -> Grab:
-    """A hand on a root, which sets the dashpot that grows, or both."""
+    """Let the visitor drag a root, which sets the dashpot that changes, or both."""
     along = on_plot(PLANE, "x", "", P.re[j], Axes.re), on_plot(PLANE, "y", "", P.im[j], Axes.im)
     first, second, third = (tuple(as_expression(var(P.term[power, part])) for power in range(5)) for part in range(3))
     way = ChainRoot(
@@ -262,7 +269,9 @@ def _hold(j: int, grows: str) -> Grab:
 
 
 def picture(system: TwoMassChain, damping: Pair, grows: Varied, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain with its dashpots; ValueError where a path leaves the range of doubles."""
+    """Return everything that the view shows for one chain with its dashpots. Raise ValueError if a path leaves the
+    range of doubles.
+    """
     braked = BrakedChain(system, damping)
     case = RootPlane(braked, grows)
     try:
@@ -293,7 +302,9 @@ def picture(system: TwoMassChain, damping: Pair, grows: Varied, window: float | 
 
 
 def _lasting(braked: BrakedChain) -> float:
-    """The time in s after which the clock begins again: of the chain, or less if all drawn motions have died before."""
+    """The time in s after which the clock starts again: that of the chain, or less if all drawn motions have decayed
+    before.
+    """
     slow, fast = braked.system.modes().omega.tolist()
     decay = min((-s.real for s in braked.exponents.values()), default=0.0)
     window = time_window(slow, fast)
@@ -310,7 +321,7 @@ def _paths(case: RootPlane) -> dict[str, Columns]:
 
 
 def _spiral_columns(braked: BrakedChain) -> dict[str, Columns]:
-    """The path of both masses in each drawn motion, while it lasts."""
+    """The path of both masses in each drawn motion, until it has decayed."""
     found = {}
     for mode, s in braked.exponents.items():
         ends = [*([LASTING / -s.real] if s.real else []), *([TURNS * 2 * np.pi / s.imag] if s.imag else [])]

@@ -27,16 +27,16 @@ from physics.modes import quadratic
 from physics.sampling import time_window
 
 METRE = 0.105
-"""The share of the stage's width that an amplitude of 1 m takes."""
+"""The fraction of the stage's width that an amplitude of 1 m takes."""
 SIGNS, TOPS = "−+", {"slow": 0.0, "fast": 0.5}
-"""The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
+"""The sign of each mode, and the top of its part of the stage as a fraction of the height."""
 METRES = Axis(-1.0, 1.0, "m")
 
 signal, form = Signal[BrakedChain], Form[TwoMassChain]
 
 
 def _turned(case: BrakedChain, axes: AxesInForce, i: int, mode: str, ahead: float) -> AnySignal:
-    """A complex amplitude as it turns: its real part, or the imaginary one, a quarter turn behind."""
+    """A rotating complex amplitude: its real part, or its imaginary part, a quarter turn behind."""
     X, time = case.amplitudes.get((i, mode), 0j), Axes.t(axes)
     s = case.exponents.get(mode, 0j)
     if case.brakes:
@@ -45,7 +45,7 @@ def _turned(case: BrakedChain, axes: AxesInForce, i: int, mode: str, ahead: floa
 
 
 class Turning(Declared[BrakedChain]):
-    """Two motions: places and heights of the arrows' tips, full swings, circles."""
+    """Two motions: positions and heights of the arrows' tips, amplitudes, circles."""
 
     x = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, QUARTER)), "x{}_{}")
     y = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, 0.0)), "y{}_{}")
@@ -54,7 +54,7 @@ class Turning(Declared[BrakedChain]):
 
 
 class Solve(Declared[TwoMassChain]):
-    """Which of the words are shown, with spring 2 or without it."""
+    """Flags for the visible texts, with or without spring 2."""
 
     positive = form(lambda c: "sum" if c.k2 else "loose" if c.k1 else "free")
     below = form(lambda c: "wall" if c.k1 and c.k2 else "zero")
@@ -92,7 +92,7 @@ def turning_stage(name: str, what: str, title: Callable[[str], list[Shape]], *, 
 
 
 def _always(text_: str) -> Paragraph:
-    """A text with both variants of the shapes: a cover of these hides it too."""
+    """A text with both variants of the shapes, so that hiding it hides both."""
     return either(Solve.ratios, both=text_, loose=text_)
 
 
@@ -160,7 +160,7 @@ def _modes() -> list[Paragraph]:
 
 
 def _moving(mode: str) -> list[Shape]:
-    """A motion as a chain with its full swing as a ghost, and a rotating arrow under each mass."""
+    """A motion as a chain with its largest displacement in outline, and a rotating arrow under each mass."""
     top = TOPS[mode]
     foot, axle = (top + 0.225) * H, (top + 0.345) * H
     places = [chain.rest(i) + METRE * W * var(Turning.x[i, mode]) for i in chain.BOTH]
@@ -183,7 +183,7 @@ def _moving(mode: str) -> list[Shape]:
 
 
 def _mode_title(mode: str) -> list[Shape]:
-    """The title of a mode over its chain, with its shape; on a phone that is under the arrows."""
+    """The title of a mode over its chain, with its shape. On a phone the shape is under the arrows."""
     j = chain.MODES.index(mode)
     title, shape = f"{mode} mode, *ω*_{{{SIGNS[j]}}} = {N.omega[j]} rad/s", f"*X*_2/*X*_1 = {N.ratio[j]}"
     lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.49, ON_NARROW)
@@ -194,7 +194,7 @@ def _mode_title(mode: str) -> list[Shape]:
 
 
 def picture(system: TwoMassChain, omega: float, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain and a trial frequency."""
+    """Return everything that the view shows for one chain and one trial frequency."""
     case, det = BrakedChain(system, (0.0, 0.0)), DeterminantPart.of(system, omega, frame)
     slow, fast = system.modes().omega.tolist()
     axes = det.axes | framed(frame, by_name({Axes.t: time_axis(window or time_window(slow, fast))}))

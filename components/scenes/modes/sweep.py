@@ -1,4 +1,4 @@
-"""The view Sweep of the scene modes: frequencies and shapes while one parameter runs over six decades."""
+"""The view Sweep of the scene modes: frequencies and shapes while one parameter varies over six decades."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ UNITS = {"m": "kg", "k": "N/m"}
 SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
 SWEPT = one_of("k2", SYMBOLS, "Swept parameter")
 PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
-"""The parameter of the same kind: a sweep is centred where both are alike."""
+"""The other parameter of the same kind. A sweep is centred where both are equal."""
 
 LIMITS = {
     "free": (
@@ -75,12 +75,12 @@ LIMITS = {
         "-m_1/m_2",
     ),
 }
-"""Each kind of limit in words, then what omega_- tends to and its X2/X1, then omega_+ and its X2/X1."""
+"""For each kind of limit: its words, the limits of omega_- and its X2/X1, then those of omega_+ and its X2/X1."""
 
 
 @dataclass(frozen=True, eq=False)
 class SweepCase:
-    """A chain, the parameter that is swept, and the limits at both ends."""
+    """A chain, the parameter that varies, and the limits at both ends."""
 
     system: TwoMassChain
     swept: str
@@ -88,17 +88,19 @@ class SweepCase:
 
     @property
     def tied(self) -> bool:
-        """Whether spring 2 ties the masses somewhere in the sweep."""
+        """Return True if spring 2 couples the masses somewhere in the sweep."""
         return bool(self.system.k2 or self.swept == "k2")
 
 
 ENDS = {"low": "0", "high": "∞"}
-"""Both ends of the sweep, and what the parameter tends to there."""
+"""Both ends of the sweep, and the limits of the parameter there."""
 BothModes = Family[str, Column[Any]]
 
 
 class Sweep(Declared[SweepCase]):
-    """Frequencies and ratios over the parameter, those of one mass with the other one held, and the limits' words."""
+    """Frequencies and ratios against the parameter, the frequency of each mass while the other one is fixed, and the
+    words of the limits.
+    """
 
     p, f, q = DrawnAxis.some(3)
     held = Column[Any].each(BOTH, source="omega_sweep")
@@ -143,7 +145,7 @@ def sheet() -> Block:
 
 
 def _limits(end: str) -> list[Paragraph]:
-    """The limit at one end, in words and formulas, by its kind."""
+    """Describe the limit at one end in words and formulas."""
 
     def told(before: str, place: int, after: str) -> Paragraph:
         return either(Sweep.limit[end], **{kind: f"{before}{texts[place]}{after}" for kind, texts in LIMITS.items()})
@@ -158,7 +160,7 @@ def _limits(end: str) -> list[Paragraph]:
 
 
 def _curves(kind: str, of: BothModes, labels: tuple[str, str]) -> tuple[Curve, ...]:
-    """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
+    """Both modes, with dotted asymptotes at both ends; `kind` is omega or ratio."""
     pair = [(of[mode], mode) for mode in MODES]
     limits = [
         curve(one, source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
@@ -213,7 +215,7 @@ def _handles(bare: bool = False) -> tuple[Handle, ...]:
 
 
 def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain; ValueError where a frequency leaves the range of doubles."""
+    """Return all that the view shows for one chain. Raise ValueError if a frequency leaves the range of doubles."""
     values = np.geomspace(*_range(system, swept), 241)
     run = sweep(system, swept, values)
     if not np.all(np.isfinite(run.omega)):
@@ -241,14 +243,16 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
 
 
 def _kind(system: TwoMassChain, swept: str, kind: str) -> str:
-    """The words of a limit: a spring that is missing all along has its own."""
+    """The words of a limit. A spring that is missing in the whole sweep has its own words."""
     if swept != "k2" and not system.k2:
         return "loose"
     return "free" if swept != "k1" and not system.k1 else kind
 
 
 def _range(system: TwoMassChain, swept: str) -> tuple[float, float]:
-    """Six decades about the parameter of the same kind, or about the value itself, or about 1."""
+    """The range of the sweep: six decades around the other parameter of the same kind, or around the value itself, or
+    around 1.
+    """
     about = getattr(system, PARTNER[swept]) or getattr(system, swept) or 1.0
     middle = min(max(math.floor(math.log10(about)), -304), 304)
     return float(f"1e{middle - DECADES // 2}"), float(f"1e{middle + DECADES // 2}")
@@ -263,7 +267,9 @@ def _columns(run: Run) -> dict[str, Columns]:
 def _pair(
     name: str, values: NDArray[np.float64], omega: NDArray[np.float64], ratio: NDArray[np.float64]
 ) -> dict[str, Columns]:
-    """Columns of both frequencies, and of both ratios without sign; none where one is infinite: nothing is coupled."""
+    """Columns of both frequencies, and of the moduli of both ratios. There are none where a ratio is infinite, because
+    nothing is coupled.
+    """
 
     def over(one: BothModes, rows: NDArray[np.float64]) -> Columns:
         return by_name({Sweep.p: values, one["slow"]: rows[0], one["fast"]: rows[1]})
@@ -273,7 +279,7 @@ def _pair(
 
 
 def _log_range(rows: NDArray[np.float64], unit: str) -> Axis:
-    """A logarithmic axis that shows all positive numbers of the rows, up to twelve decades."""
+    """A logarithmic axis that contains all positive numbers of the rows, at most twelve decades."""
     seen = rows[(rows > 0) & np.isfinite(rows)]
     if not len(seen):
         return log_axis(0.1, 10.0, unit)
@@ -284,7 +290,7 @@ def _log_range(rows: NDArray[np.float64], unit: str) -> Axis:
 
 
 def _crossing(run: Run, axis: Axis) -> dict[str, float]:
-    """Where both masses alone, the other held, have one frequency."""
+    """Return the parameter values at which both masses have the same frequency while the other one is fixed."""
     gap = np.log(run.held[0]) - np.log(run.held[1]) if np.all(run.held > 0) else np.ones(2)
     change = np.flatnonzero(np.sign(gap[:-1]) != np.sign(gap[1:]))
     if not len(change):

@@ -1,4 +1,4 @@
-"""A sentence for each preset on what to watch."""
+"""For each preset, a sentence that says what to watch."""
 
 WATCH = {
     "Unequal masses": "Watch for the shapes on which both masses agree: there are just two.",
