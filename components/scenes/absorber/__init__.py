@@ -1,5 +1,6 @@
-"""Absorber: the scene in which a tuned second mass holds a machine still, at a price: two resonances. It is what the
-notes of D34 call simple vibration damping."""
+"""Absorber: the scene in which a tuned second mass keeps a machine still, at the cost of two resonances (D34, "simple
+vibration damping").
+"""
 
 from __future__ import annotations
 
@@ -51,12 +52,12 @@ TURNS = 8
 """Periods of the drive that the clock plays."""
 RECORD: dict[str, Any] = {"allow_None": True, "says": "is of the lightest absorber that has met all goals."}
 MOST_START = 20.0
-"""The reach of the sliders of the start, over the static deflection."""
+"""The ends of the sliders of the start, in static deflections."""
 
 
 @lru_cache(maxsize=1)
 def _asked_again(duty: Duty) -> Duty:
-    """A duty as it was first made, with all that has been worked out of it: one change asks for it several times."""
+    """Return the duty with these values. It is cached, because one change needs it several times."""
     return duty
 
 
@@ -64,7 +65,7 @@ BELOW = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "own": False, "t
 
 
 class Panels(Declared[Any]):
-    """The groups of controls that stand."""
+    """The visible groups of controls."""
 
     own = Form[Any](lambda scene: scene.own)
     fixed = Form[Any](lambda scene: not scene.own)
@@ -185,7 +186,9 @@ class Absorber(Scene):
         return {"k2": k2, "c": c, "tuning": "free"}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """A tuned spring follows mass and speed, the knob sets the spring, the score is of this machine."""
+        """Compute the values that depend on others: a tuned spring follows mass and speed, the knob sets the spring,
+        the score belongs to this machine.
+        """
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
             k2, tuning = tuned_stiffness(self.m2, self._valley), "free"
@@ -210,7 +213,7 @@ class Absorber(Scene):
         return frozenset({"k2"} if self.tuning == "tuned" else ())
 
     def _record(self, *, is_told: bool, is_other: bool) -> tuple[float | None, float | None]:
-        """The lightest solution so far, with its spring: of this machine, and seen to be one where a link tells it."""
+        """The lightest solution so far, with its spring. It must belong to this machine; one from a link is checked."""
         best, spring = self.lightest, self.lightest_k2
         if is_told and best and spring is not None:
             machine = {name: getattr(self, name) for name in MACHINE}
@@ -218,7 +221,7 @@ class Absorber(Scene):
         return (None, None) if is_told or is_other else (best, spring)
 
     def _started(self, changed: frozenset[str]) -> Values:
-        """A start opens the view of the motion from it; the particular solution has none."""
+        """A start opens the view of the motion from it. The particular solution has no start."""
         if self.view == "rest" or not changed & {VIEW, *chain.START}:
             return {}
         return dict.fromkeys(chain.START, 0.0) if VIEW in changed else {VIEW: "rest"}
@@ -228,7 +231,7 @@ class Absorber(Scene):
         return self.c if self.damping == "added" else 0.0
 
     def _spans(self, duty: Duty) -> dict[str, tuple[float, float]]:
-        """Sliders span what is of interest on a machine of this size."""
+        """Sliders cover the useful range for a machine of this size."""
         own, reach = duty.own, min(duty.deflections(MOST_START), 1e308)
         speed = min(own * reach, 1e308)
         return {
@@ -256,7 +259,7 @@ class Absorber(Scene):
         except (ValueError, ArithmeticError):
             if not duty.plays:
                 raise
-            return self._drawn(duty, frame, window, None)  # its view alone is refused
+            return self._drawn(duty, frame, window, None)  # only its view is refused
 
     def _drawn(self, duty: Duty, frame: Frame, window: float, motion: FromStart | None) -> Picture:
         end = frame.window or window

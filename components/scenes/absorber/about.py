@@ -16,7 +16,7 @@ from physics.reference.single import steady_points, stroke_points
 
 
 def absorber_about(picture: Picture, duty: Duty) -> About:
-    """Swing and stroke, with and without the absorber."""
+    """Errors of swing and stroke, with and without the absorber."""
     columns, swings, strokes = picture.sources[S.w.source], Axes.X1(picture.axes).end, Axes.X2(picture.axes).end
     caps = by_name({S.swing: swings, S.stroke: strokes, S.alone: swings})
     inside = np.flatnonzero(np.all([columns[name] < cap for name, cap in caps.items()], axis=0))

@@ -1,4 +1,4 @@
-"""The curves of the machine and its absorber: over drive frequency, and over time as the clock plays them."""
+"""The curves of the machine and its absorber: against drive frequency, and against time as the clock plays them."""
 
 from __future__ import annotations
 
@@ -22,30 +22,30 @@ from physics.forced import DrivenModes
 from physics.precision.exact import exact, precise, rounded
 
 TOP = (15.0, 20.0)
-"""The reach of the axes of swing and stroke, over the static deflection."""
+"""The upper ends of the axes of swing and stroke, in static deflections."""
 NODES = 401
 """Points of a window that the browser joins by Hermite pieces."""
 DRAWN = 1e-11
-"""The share of a motion that no drawing shows, nor a table that is taken away."""
+"""The share of a motion that is too small to be drawn; a table with less is removed."""
 TALLEST = 1e30
-"""The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
+"""The largest motion that is drawn, in static deflections: a number in its unit is a float32."""
 ALONE, STARTED = "_alone", "1_rest"
-"""Keys of the machine without its absorber, and of the machine from its start, also where that is not played."""
+"""Keys of the machine without its absorber, and of the machine's motion from its start, also if that is not played."""
 WHO: tuple[int | str, ...] = (ALONE, 1, 2)
-"""The moving bodies by key, as they are played: also mass 1 (the machine) and mass 2 (the absorber)."""
+"""The keys of the moving bodies as they are played; they include mass 1 (the machine) and mass 2 (the absorber)."""
 
 signal, column = Signal[Duty], Column[Duty]
 SignalsFound = dict[Signal[Duty], AnySignal]
 
 
 class Axes(Declared[Duty]):
-    """Of time, drive frequency, swing, stroke and the motion from its start; F counts forces and is not drawn."""
+    """Axes of time, drive frequency, swing, stroke and the motion from its start. F scales forces and is not drawn."""
 
     t, w, X1, X2, rest, F = DrawnAxis.some(6)
 
 
 def axes_of(duty: Duty, window: float) -> dict[str, Axis]:
-    """All but the axis of the motion from its start."""
+    """All axes without that of the motion from its start."""
     own, omega = duty.own, duty.omega
     low, high = min(0.4 * own, 0.7 * omega), max(1.6 * own, 1.3 * omega)
     frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=(min(own, omega), max(own, omega)))
@@ -54,7 +54,9 @@ def axes_of(duty: Duty, window: float) -> dict[str, Axis]:
 
 
 def _size_axes(swing: float, stroke: float) -> tuple[Axis, Axis]:
-    """Axes of amplitudes from 0 to so many metres, both in one unit: millimetres where that is what people say."""
+    """Return axes of amplitudes from 0 to the given values in m, both in the same unit, millimetres where that is
+    usual.
+    """
     if 1e-4 <= swing < 1:
         one = Axis(0.0, swing, "mm", -3, ticks=nice_ticks(0.0, 1e3 * swing, 2))
     else:
@@ -64,7 +66,9 @@ def _size_axes(swing: float, stroke: float) -> tuple[Axis, Axis]:
 
 
 class Sweep(Declared[Duty]):
-    """Over the drive frequency w: swing, stroke, swing alone; the former without damping; the swing that is saved."""
+    """Curves against the drive frequency w: swing, stroke, swing without the absorber; the first two also without
+    damping; the reduction of the swing.
+    """
 
     w, swing, stroke, alone = column.some(4, "sweep")
     free, free2 = column.some(2, "compare")
@@ -72,7 +76,7 @@ class Sweep(Declared[Duty]):
 
 
 def columns_of(duty: Duty, axes: AxesInForce) -> dict[str, Columns]:
-    """The curves at all frequencies that have an amplitude."""
+    """The curves, without frequencies at which the amplitude is infinite."""
     w = duty.frequencies(Axes.w(axes).start, Axes.w(axes).end)
     curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
     known = np.isfinite(curves).all(axis=0)
@@ -88,8 +92,9 @@ def columns_of(duty: Duty, axes: AxesInForce) -> dict[str, Columns]:
 
 
 class FromStart(NamedTuple):
-    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and of both parts; `in_doubles` where the terms of x1,
-    summed in doubles, are right to all digits that are drawn."""
+    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and both parts. `in_doubles`: the terms of x1, summed
+    in doubles, are right to all digits that are drawn.
+    """
 
     t: Floats
     x: Floats
@@ -99,7 +104,7 @@ class FromStart(NamedTuple):
 
 
 def moved(duty: Duty, t: Floats) -> FromStart:
-    """The motion at times t; its parts too where they are drawn. ValueError as Duty.from_rest_at."""
+    """Return the motion at times t, and its parts if they are drawn. Raise ValueError as Duty.from_rest_at does."""
     if not duty.solved:
         return FromStart(t, _displacements(duty.from_rest_at(t)))
     if duty.c:
@@ -117,19 +122,19 @@ def moved(duty: Duty, t: Floats) -> FromStart:
 
 
 def reach_alone(duty: Duty, end: float) -> float:
-    """The largest displacement of the machine alone over [0, end], from the same start."""
+    """The largest displacement of the machine without the absorber over [0, end], from the same start."""
     t, bare = times(duty, end), duty.bare
     x = np.add(*_parts(bare, t))[0] if bare.split_is_meaningful else bare.motion(t).x[0]
     return float(np.abs(x).max())
 
 
 def times(duty: Duty, end: float) -> Floats:
-    """So many times as the fastest motion needs to be drawn."""
+    """Return as many times as the fastest motion needs to be drawn."""
     return np.linspace(0.0, end, samples(end, duty.fastest))
 
 
 def _parts(driven: DrivenModes, t: Floats) -> tuple[Floats, Floats]:
-    """x_p and x_c, (3, n) each, from amplitudes and phases."""
+    """Return x_p and x_c, (3, n) each, from amplitudes and phases."""
     free = driven.complementary_modes
     X, a, b = (_rows(masses) for masses in (driven.particular, free.drift_a, free.drift_b))
     modes = zip(free.amplitude, free.omega.tolist(), free.phase.tolist(), strict=True)
@@ -138,7 +143,7 @@ def _parts(driven: DrivenModes, t: Floats) -> tuple[Floats, Floats]:
 
 
 def _rows(masses: Floats) -> Floats:
-    """Of x1 and x2 (2,) those and x2 - x1, as a column (3, 1)."""
+    """Return x1, x2 and x2 - x1 as a column (3, 1), from x1 and x2 (2,)."""
     one, two = masses.tolist()
     return np.array([[one], [two], [two - one]])
 
@@ -148,8 +153,9 @@ def _displacements(motion: Motion) -> Floats:
 
 
 class Signals(Declared[Duty]):
-    """The drive; the displacements, with the response to the drive and the free motion of which they are made, and the
-    parts of x1; the pull of spring and damper, which is drawn over the drive."""
+    """The drive; the displacements, with their response to the drive and their free motion, and the parts of x1; the
+    force of spring and damper, which is drawn over the drive.
+    """
 
     drive = signal()
     drive_now = signal(on=Axes.F, signed=True)
@@ -166,8 +172,9 @@ S = Signals
 def rest_of(
     duty: Duty, motion: FromStart | None, end: float, unit: Axis
 ) -> tuple[Axis, dict[str, Columns], dict[str, Traces]]:
-    """x1 from its start and its parts, on an axis in the unit of `unit`: columns, or traces of signals. Next to a
-    natural frequency, where the parts are huge and opposite, x1 alone."""
+    """x1 from its start and its parts, on an axis in the unit of `unit`, as columns or as traces of signals. Near a
+    natural frequency, where the parts are huge and opposite, only x1.
+    """
     if motion is None:
         return replace(unit, start=-unit.end), {"rest": {}}, {}
     columns = _exact(motion)
@@ -194,14 +201,14 @@ def rest_of(
 
 
 def _exact(motion: FromStart) -> Columns:
-    """x1, and its parts where they are drawn."""
+    """x1, and its parts if they are drawn."""
     if motion.particular is None or motion.complementary is None:
         return by_name({S.x[1]: motion.x[0]})
     return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
 
 
 def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
-    """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
+    """The machine with and without absorber: the particular solution, or the motion from its start and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
     found: SignalsFound = {
         S.drive: sines(Axis(0.0, 1.0), time, (1.0, duty.omega, 0.0)),
@@ -233,7 +240,7 @@ def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInFor
 
 
 def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: Axis) -> SignalsFound:
-    """The motion of mass i (0, 1): the response to the drive, and the free motion of a start."""
+    """The motion of mass i (0, 1): the response to the drive, plus the free motion of a start."""
     terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
     response = responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
     if not any((*driven.x_0, *driven.v_0)):
@@ -245,12 +252,14 @@ def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: A
 
 
 def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
-    """x1, x2 and the pull of spring and damper from rest, as decaying sines; where two decay alike, from a table."""
+    """x1, x2 and the force of spring and damper from rest, as decaying sines; if two exponents are almost equal, from a
+    table.
+    """
     if duty.alike:
         return _tables(duty, end, size, time, push)
     transient = duty.damped.transient
     found = _decaying(duty, 0, 1, size, time) | _decaying(duty, 1, 2, size, time)
-    # m2 x2'' is what spring and damper pull at mass 2 with; at mass 1 they pull the other way.
+    # m2 x2'' is the force of spring and damper on mass 2; the force on mass 1 is opposite.
     X2 = duty.m2 * duty.omega**2 * complex(duty.damped.particular[1])
     pulls = [_wave(-duty.m2 * exponent**2 * amplitudes[0, 1], exponent) for exponent, amplitudes in transient]
     return found | {S.pull_now: sines(push, time, (abs(X2), duty.omega, cmath.phase(X2)), *pulls)}
@@ -264,17 +273,17 @@ def _decaying(duty: Duty, i: int, who: int | str, size: Axis, time: Axis) -> Sig
 
 
 def _machine_from_start(duty: Duty, size: Axis, time: Axis) -> SignalsFound:
-    """The motion of the machine from its start, next to what is played."""
+    """The motion of the machine from its start, drawn next to the motion that is played."""
     return _decaying(duty, 0, STARTED, size, time) if duty.c else _from_start(duty.driven, 0, STARTED, size, time)
 
 
 def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, float]:
-    """Re(A exp(s t)) as a decaying sine."""
+    """Return Re(A exp(s t)) as a decaying sine."""
     return abs(amplitude), exponent.imag, cmath.phase(amplitude) + math.pi / 2, -exponent.real
 
 
 def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
-    last = 1.02 * end  # a table is periodic: it must not begin anew within the window
+    last = 1.02 * end  # a table is periodic: it must not repeat within the window
     t = np.linspace(0.0, last, NODES)
     motion = duty.from_rest_at(t)
     link = push.places(duty.k2 * motion.e[1] + duty.c * (motion.v[1] - motion.v[0]))

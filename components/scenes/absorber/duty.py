@@ -1,4 +1,4 @@
-"""The duty of a machine on a mounting: its motion under a drive with an absorber on it, and the goals set for it."""
+"""The duty of a machine on a mounting: its driven motion with an absorber, and the goals for it."""
 
 from __future__ import annotations
 
@@ -31,20 +31,26 @@ from physics.precision.exact import exact, precise, rounded
 from physics.transient import DRAWING, DampedModes
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
-"""The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
+"""The goals: swing and stroke in static deflections F_0/k1, and the share of the speed that must be free of resonances.
+"""
 EXACT, SAME = 4e-16, 5e-4
-"""Distances of the absorber's own frequency from the speed: tuned but for rounding, and almost, to three digits."""
+"""Relative distances of the absorber's own frequency from the speed: tuned up to rounding, and almost tuned, to three
+digits.
+"""
 LEFT = 0.01
-"""The share of the machine's swing alone that may be left where the absorber is almost tuned."""
+"""The share of the machine's swing without absorber that may be left if the absorber is almost tuned."""
 SMALL = 10.0
-"""Static deflections, or times what the machine swings of the other mode: if it swings no more of a mode at which the
-drive is, it has a small part in it."""
+"""Static deflections, or multiples of the machine's swing in the other mode. If the machine swings no more than this in
+the mode that the drive excites, its part in it is small.
+"""
 FAR = 100.0
-"""So many times as far off, the other mode does not grow beside it."""
+"""The other mode must be this many times farther away, so that it does not grow too."""
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
-"""Shares of a way, dense next to both of its ends."""
+"""Shares of a distance, dense near both of its ends."""
 TOLD = 1e-15
-"""Of a frequency: so near to a resonance a drive is not told from it within the times whose phases a double tells."""
+"""Relative to a frequency: a drive this close to a resonance cannot be distinguished from it, within the times whose
+phases a double resolves.
+"""
 LARGEST, SMALLEST = 1e200, 1e-300
 
 
@@ -68,7 +74,7 @@ class Duty:
 
     @property
     def whence(self) -> str:
-        """Where the motion that is no particular solution begins."""
+        """Initial displacements and velocities of the motion from a start."""
         return "from its start" if any((*self.x_0, *self.v_0)) else "from rest"
 
     @cached_property
@@ -81,12 +87,12 @@ class Duty:
 
     @cached_property
     def bare(self) -> DrivenModes:
-        """The machine alone, from the same start."""
+        """The machine without the absorber, from the same start."""
         return driven_modes(alone(self.chain), self.F_0, self.omega, (self.x_0[0], 0.0), (self.v_0[0], 0.0))
 
     @cached_property
     def own(self) -> float:
-        """The natural frequency of the machine alone."""
+        """The natural frequency of the machine without the absorber."""
         return Oscillator(m=self.m1, k=self.k1).omega_n
 
     @cached_property
@@ -96,7 +102,7 @@ class Duty:
         return slow, fast
 
     def deflections(self, count: float) -> float:
-        """A multiple of the static deflection F_0/k1, in m."""
+        """Return a multiple of the static deflection F_0/k1, in m."""
         with precise():
             deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
         if deflection < SMALLEST:
@@ -106,7 +112,7 @@ class Duty:
         return deflection
 
     def over_deflection(self, way: float) -> float:
-        """A displacement over the static deflection."""
+        """Return a displacement in static deflections."""
         with precise():
             ratio = exact(way) * exact(self.k1) / exact(self.F_0)
         if ratio > LARGEST:
@@ -124,14 +130,16 @@ class Duty:
 
     @cached_property
     def pull(self) -> float:
-        """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
+        """The amplitude of the force of spring and damper, which accelerates mass 2: m2 omega^2 |X2|."""
         X2 = exact(abs(complex(self.X[1])))
         with precise():
             return rounded("the pull of spring 2", exact(self.m2) * exact(self.omega) ** 2 * X2)
 
     @cached_property
     def swings(self) -> tuple[float, float, float]:
-        """The machine's swing, the absorber's stroke, the machine's swing alone, in x_p, in m; inf at a resonance."""
+        """The machine's swing, the absorber's stroke, and the machine's swing without the absorber, in x_p, in m; inf
+        at a resonance.
+        """
         grows = self.resonates and not self.c
         with_it = (math.inf,) * 2 if grows else swing_and_stroke(self.chain, self.c, self.F_0, self.omega)
         by_itself = math.inf if self.bare.at_resonance else abs(float(self.bare.particular[0]))
@@ -139,7 +147,7 @@ class Duty:
 
     @property
     def loose(self) -> bool:
-        """Whether nothing ties the absorber to the machine: there is no stroke then."""
+        """True if nothing connects the absorber to the machine. Then there is no stroke."""
         return not self.k2 and not self.c
 
     @cached_property
@@ -148,24 +156,24 @@ class Duty:
 
     @property
     def alike(self) -> bool:
-        """Whether two exponents of the damped motion are taken as equal, which is right for what it comes to only."""
+        """True if two exponents of the damped motion are treated as equal. Then only their sum is accurate."""
         return self.c > 0 and any(len(amplitudes) > 1 for _, amplitudes in self.damped.transient)
 
     @property
     def fastest(self) -> float:
-        """The largest angular frequency of what moves."""
+        """The largest angular frequency of the motions."""
         return max(self.omega, self.natural[1])
 
     def from_rest_at(self, t: Floats) -> Motion:
-        """The motion from its start; ValueError where it takes more time than a picture has."""
-        if self.alike:  # their parts, told apart, are huge and opposite
+        """Return the motion from its start. Raise ValueError if it takes longer than a picture may."""
+        if self.alike:  # taken separately, their parts are huge and opposite
             x, v = self.damped.drawn(t)
             return Motion(t, x[:2], v[:2], x[::2])
         return self.damped.motion(t, DRAWING) if self.c else self.driven.motion(t)
 
     @cached_property
     def bounds(self) -> tuple[float, float]:
-        """The bounds that swing and stroke keep from the start, in m; inf where they grow."""
+        """The bounds of swing and stroke from the start, in m; inf if they grow."""
         if self.c:
             with_it = _damped_bounds(self.damped)
         else:
@@ -174,27 +182,27 @@ class Duty:
 
     @cached_property
     def bound_alone(self) -> float:
-        """The bound that the swing of the machine alone keeps from the start, in m; inf where it grows."""
+        """The bound of the machine's swing without the absorber from the start, in m; inf if it grows."""
         return math.inf if self.bare.at_resonance else _bounds(self.bare)[0]
 
     @cached_property
     def solved(self) -> bool:
-        """Whether a particular solution exists and is worth drawing."""
+        """True if a particular solution exists and is worth drawing."""
         return self.c > 0 or self.driven.split_is_meaningful
 
     @property
     def plays(self) -> bool:
-        """Whether the particular solution is what is played with the absorber."""
+        """True if the clock plays the particular solution with the absorber."""
         return self.solved and not self.from_rest
 
     @property
     def plays_alone(self) -> bool:
-        """Whether the particular solution is what is played of the machine alone."""
+        """True if the clock plays the particular solution of the machine without the absorber."""
         return self.bare.split_is_meaningful and not self.from_rest
 
     @cached_property
     def nearest(self) -> tuple[int, float]:
-        """Which resonance is the nearest (0 slow, 1 fast), and how far away it is over the speed."""
+        """Return the nearest resonance (0 slow, 1 fast), and its relative distance from the speed."""
         with precise():
             shares = [abs(exact(d)) / exact(self.omega) for d in self.driven.detuning.tolist()]
         j = int(shares[1] < shares[0])
@@ -202,7 +210,7 @@ class Duty:
 
     @cached_property
     def fixed(self) -> dict[str, Pair]:
-        """Frequency and swing of the points P and Q, which damping leaves where they are, while there is any."""
+        """Frequency and swing of the points P and Q, which do not depend on damping, if they exist."""
         if not self.c:
             return {}
         points = fixed_points(self.chain)
@@ -215,13 +223,13 @@ class Duty:
 
     @cached_property
     def met(self) -> tuple[bool, bool, bool]:
-        """No resonance near, the machine quiet, the absorber's stroke short."""
+        """The three goals: no resonance near, a quiet machine, a short stroke of the absorber."""
         swing, stroke, _ = self.swings
         return self.nearest[1] >= AWAY, swing <= self.limits[0], stroke <= self.limits[1]
 
     @cached_property
     def aside(self) -> bool:
-        """Whether of the resonance that the drive is next to the machine has a small part: then mass 2 grows alone."""
+        """True if the machine has only a small part in the resonance near the drive. Then only mass 2 grows."""
         j = self.nearest[0]
         with precise():
             omega = exact(self.omega)
@@ -235,12 +243,12 @@ class Duty:
 
     @property
     def resonates(self) -> bool:
-        """Whether the machine's swing grows without limit, as far as doubles tell."""
+        """True if the machine's swing grows without limit, as far as doubles resolve that."""
         return self.driven.at_resonance and not self.aside
 
     @property
     def unsolved(self) -> str:
-        """The course of the swing from rest at a resonance, or hardly beside it, by the name of its sentence."""
+        """The name of the sentence on the swing from rest at a resonance or very close to it."""
         return "aside" if self.aside else "grow" if self.resonates else "beat"
 
     @cached_property
@@ -261,7 +269,9 @@ class Duty:
 
     @property
     def _harm(self) -> str:
-        """Why the machine swings more: a resonance is near, spring 2 pulls with the drive, or too hard against it."""
+        """The reason for a larger swing of the machine: a resonance is near, or spring 2 pulls with the drive, or too
+        strongly against it.
+        """
         if self.nearest[1] < AWAY:
             return "more"
         slow, fast = self.driven.detuning.tolist()
@@ -272,7 +282,7 @@ class Duty:
         return helped_band(self.chain, self.c)
 
     def frequencies(self, low: float, high: float) -> Floats:
-        """Drive frequencies for curves over [low, high], dense next to the poles, with all that is marked."""
+        """Drive frequencies for curves over [low, high], dense near the poles, including all marked frequencies."""
         poles = {self.own, *self.chain.modes().omega.tolist()}
         if self.c:
             poles.add(Oscillator(m=self.m1 + self.m2, k=self.k1).omega_n)
@@ -282,20 +292,20 @@ class Duty:
         return np.unique(np.concatenate([*pieces, marked]))
 
     def curves(self, w: Floats) -> tuple[Floats, Floats, Floats]:
-        """Swing, stroke and swing alone at drive frequencies w."""
+        """Swing, stroke and swing without the absorber at drive frequencies w."""
         swing, stroke, by_itself = machine_curves(self.chain, self.c, self.F_0, w)
         return (by_itself, np.zeros_like(w), by_itself) if self.loose else (swing, stroke, by_itself)
 
 
 def _bounds(driven: DrivenModes) -> tuple[float, float]:
-    """The bounds of |x1| and |x2 - x1| from rest: the particular amplitude and those of both modes together."""
+    """The bounds of |x1| and |x2 - x1| from rest: the particular amplitude plus those of both modes."""
     one, two = driven.particular.tolist()
     modes = driven.complementary_modes.amplitude
     return abs(one) + float(np.abs(modes[:, 0]).sum()), abs(two - one) + float(np.abs(modes[:, 1] - modes[:, 0]).sum())
 
 
 def _damped_bounds(damped: DampedModes) -> tuple[float, float]:
-    """The bounds of |x1| and |x2 - x1| with damping: each term t^j exp(-decay t) of the transient at its largest."""
+    """The bounds of |x1| and |x2 - x1| with damping: each term t^j exp(-decay t) of the transient at its maximum."""
     reach = np.abs(damped.particular)[[0, 2]]
     for exponent, amplitudes in damped.transient:
         for j, row in enumerate(np.abs(amplitudes)):

@@ -18,7 +18,7 @@ number = LiveNumber[Duty]
 
 
 def length(axis: Axis, value: float) -> str:
-    """Three digits; what is below 5 µm, or is what rounding leaves of nothing, is zero."""
+    """Format three digits. Values below 5 µm, or as small as a rounding error, are written as zero."""
     if not np.isfinite(value):
         return three(value)
     least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
@@ -28,17 +28,17 @@ def length(axis: Axis, value: float) -> str:
 
 
 def bound(duty: Duty, i: int) -> float | None:
-    """The bound that swing (0) or stroke (1) keeps from the start, where it is told."""
+    """The bound of swing (0) or stroke (1) from the start, if it is shown."""
     return duty.bounds[i] if duty.from_rest or not duty.c else None
 
 
 def part(duty: Duty, mode: int) -> float | None:
-    """The amplitude of the complementary part at the machine, where nothing damps it."""
+    """The amplitude of the complementary part at the machine, if nothing damps it."""
     return float(duty.driven.complementary_modes.amplitude[mode, 0]) if duty.solved and not duty.c else None
 
 
 def dies(duty: Duty) -> float | None:
-    """The time in s after which a hundredth of the complementary part is left at most; inf if a part of it stays."""
+    """The time after which at most a hundredth of the complementary part is left."""
     if not (duty.c and duty.from_rest):
         return None
     slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=math.inf)
@@ -115,7 +115,7 @@ class Numbers(Declared[Duty]):
 
 
 def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[str, str]:
-    """Goals, what is found in the particular solution, by which they are judged, and from the start; the score."""
+    """Goals, the values by which they are judged in the particular solution and from the start, and the score."""
     j, share = duty.nearest
     near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(duty, axes)} rad/s"
     texts = {
@@ -133,12 +133,12 @@ def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[st
 
 
 def _score(mass: float) -> str:
-    """A digit more than is usual, for those who go for the last one."""
+    """One digit more than usual, because the score is a competition."""
     return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
 
 
 def _percent(share: float) -> str:
-    """A share in percent, never rounded up to the limit where it does not reach it."""
+    """A share in percent. It is never rounded up to a limit that it does not reach."""
     if share >= 10:
         return short(100 * share)
     short_of_it = share < AWAY <= round(share, 3)

@@ -1,4 +1,4 @@
-"""The places of the absorber's scene: sizes on its stage, places in its plots, and what of them is drawn."""
+"""Sizes and positions in the absorber's scene: on its stage and in its plots."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from components.scenes.absorber.words import VERDICTS
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
 """Sides of the masses, and the height of the springs, as fractions of the stage's height."""
 DEFLECTION = 0.00767
-"""The width that the static deflection takes where all fits."""
+"""The width of the static deflection, if everything fits."""
 TINY, LEAD = 1e-200, 0.145
 PUSH = 0.1125
-"""The width that the largest drive takes where the pull of spring 2 is not more than twice as large."""
+"""The width of the largest drive, if the force of spring 2 is at most twice as large."""
 ROOM = (0.22, 0.2, 0.28)
-"""Free ways as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
+"""Free distances as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right edge."""
 
 scalar = Scalar[Duty]
 ScalarPair = tuple[Scalar[Duty], Scalar[Duty]]
@@ -38,38 +38,40 @@ def _sides(duty: Duty) -> list[float]:
 
 
 def _across(axes: AxesInForce, w: float) -> float:
-    """The place of a drive frequency."""
+    """The position of a drive frequency."""
     return A.w(axes).place(min(w, 4 * A.w(axes).end))
 
 
 def _up(axis: Axis, size: float) -> float:
-    """The place of a swing or stroke, in the frame."""
+    """The position of a swing or stroke, limited to the frame."""
     return axis.place(min(size, axis.end))
 
 
 def _frequency(of: Callable[[Duty], float]) -> ScalarPair:
-    """The place of a drive frequency, and whether it is in the frame."""
+    """The position of a drive frequency, and a flag: it is inside the frame."""
     seen = scalar(lambda d, a: A.w(a).start <= of(d) <= A.w(a).end)
     return scalar(lambda d, a: _across(a, of(d))), seen
 
 
 def _reading(on: DrawnAxis, i: int, unless: str = "") -> ScalarPair:
-    """The place of a reading at the running speed, and whether it is in the frame, with another verdict."""
+    """The position of a reading at the running speed, and a flag: it is inside the frame and the other verdict is not
+    shown.
+    """
     seen = scalar(lambda d, a: d.swings[i] <= on(a).end and d.verdict != unless)
     return scalar(lambda d, a: _up(on(a), d.swings[i])), seen
 
 
 class Places(Declared[Duty]):
-    # On the stage, as `drawn` gives them: the names of x1 stand beside the tips of the arrows.
+    # On the stage, with the scale of `drawn`: the names of x1 are next to the tips of the arrows.
     metre, tick, push, tag_left, tag_right = scalar.some(5)
     lead = scalar.each((ALONE, 1), "lead_x{}")
     side = Family((1, 2), lambda i: scalar(lambda d, a: _sides(d)[i - 1]))
     hook = scalar(lambda d, a: min(HOOK, min(_sides(d)) / 2))
     wire1 = scalar(lambda d, a: wire(d.k1 / 1e4))
     wire2 = scalar(lambda d, a: wire(d.k2 / 1e4))
-    # The view in which a hand can take the masses.
+    # The view in which the masses can be dragged.
     from_rest = scalar(lambda d, a: d.from_rest)
-    # The motion of the machine alone, the verdict with the absorber, the limits that are met.
+    # The motion without the absorber, the verdict with it, and the goals that are met.
     differ = scalar(lambda d, a: d.plays != d.plays_alone)
     alone_shakes = scalar(lambda d, a: d.plays_alone)
     alone_grows = scalar(lambda d, a: d.bare.at_resonance)
@@ -91,7 +93,7 @@ class Places(Declared[Duty]):
     swing, swing_seen = _reading(A.X1, 0)
     stroke, stroke_seen = _reading(A.X2, 1)
     alone, alone_seen = _reading(A.X1, 2, unless="detached")
-    # Under its dot it makes room for the names of the fixed points, unless the knob is there.
+    # The label is under its dot, clear of the names of the fixed points, except while the knob is there.
     swing_aside = scalar(lambda d, a: 20.0 if d.c and d.swings[0] > 0.3 * A.X1(a).end else -9.0)
     fixed_seen = scalar(lambda d, a: d.c > 0)
     fixed_x = Family("PQ", lambda name: scalar(lambda d, a: _across(a, d.fixed[name][0]) if d.c else None), "{}_x")
@@ -99,7 +101,9 @@ class Places(Declared[Duty]):
 
 
 def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, float, float]:
-    """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
+    """The largest displacements of mass 1 (also without the absorber), of mass 2 relative to it, and of mass 2, in
+    static deflections.
+    """
     swing, stroke, alone = duty.swings
     if not duty.plays_alone:
         alone = reach_alone(duty, end)
@@ -113,7 +117,7 @@ def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, floa
 
 @dataclass(frozen=True)
 class Drawing:
-    """Sizes on the stage, what the ruler's tick stands for, the scale that it is drawn to and the one that fits."""
+    """Sizes on the stage, the value of the ruler's tick, the current scale, and the scale that fits."""
 
     scalars: dict[str, float]
     tick: str
@@ -122,9 +126,10 @@ class Drawing:
 
 
 def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
-    """Displacements are drawn at the scale `wanted`, in static deflections a metre, as long as they fit; the ruler
-    tells which. It is chosen by the static deflection, and then stands: twice the force is seen as twice the swing.
-    What is played has `moved`, or is the particular solution."""
+    """Choose the scale of displacements: `wanted`, in static deflections per metre, as long as everything fits. The
+    scale depends on the static deflection and then stays, so that twice the force gives twice the swing. `moved` is the
+    motion that is played if it is not the particular solution.
+    """
     reach = _reach(duty, moved, end)
     fits, stands = _scales(duty, reach, wanted)
     scale = DEFLECTION * (duty.deflections(wanted) if wanted else stands)
@@ -145,7 +150,7 @@ def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: f
 
 
 def _scales(duty: Duty, reach: tuple[float, float, float], wanted: float | None) -> tuple[float, float]:
-    """The scale that fits, a wanted one where that does, and the one that would be chosen, over the deflection."""
+    """The scale that fits, the wanted one if it fits, and the one that would be chosen, in static deflections."""
     most = min(room / (DEFLECTION * way) if way > TINY else math.inf for room, way in zip(ROOM, reach, strict=True))
     chosen = 1.0 if most >= 1 else round_down(most)
     fits = chosen * duty.over_deflection(1.0)

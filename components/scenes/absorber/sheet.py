@@ -43,7 +43,7 @@ def absorber_sheet() -> Block:
 
 
 def _rest_plot() -> Block:
-    """x1 from its start and its two parts, on the clock that moves the stage."""
+    """The plot of x1 from its start and its two parts, with the same clock as the stage."""
     return plot(
         PlotFrame("rest"),
         x=Axes.t,
@@ -76,7 +76,7 @@ KNOB = Handle(
 
 
 def _swing_plot() -> Block:
-    """The machine's swing with the absorber and alone; grey is the swing saved where it helps."""
+    """The plot of the machine's swing with and without the absorber. Grey is the reduction of the swing."""
     return plot(
         SWING,
         x=Axes.w,
@@ -105,7 +105,7 @@ def _swing_plot() -> Block:
 
 
 def _stroke_plot() -> Block:
-    """The absorber's stroke |X2 - X1|, and the knob that drags the valley under the machine's speed."""
+    """The plot of the absorber's stroke |X2 - X1|, and the knob that drags the minimum to the machine's speed."""
     return plot(
         STROKE,
         x=Axes.w,

@@ -1,4 +1,6 @@
-"""The absorber's stage, one instant drawn twice; the readings and limits over its plots; the goals with their marks."""
+"""The absorber's stage, which draws one instant twice; the readings and limits over its plots; the goals with their
+marks.
+"""
 
 from __future__ import annotations
 
@@ -39,17 +41,17 @@ from components.scenes.absorber.words import VERDICTS
 
 SWING, STROKE = PlotFrame("swing"), PlotFrame("stroke")
 WALL, REST = 0.024, (0.36, 0.687)
-"""Where the wall and the masses at rest stand, as fractions of the stage's width."""
+"""Positions of the wall and the masses at rest, as fractions of the stage's width."""
 FLOORS = (0.39 * H, 0.86 * H)
 TEETH = 0.8 * H * var(P.hook)
-"""The height of a spring's teeth: they stay above the floor."""
+"""The height of a spring's teeth, small enough to stay above the floor."""
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 FREQUENCIES = (
     (P.slow, P.slow_seen, "slow", f"slow {N.slow}"),
     (P.omega, P.omega_seen, "F", f"drive {N.omega}"),
     (P.fast, P.fast_seen, "fast", f"fast {N.fast}"),
 )
-"""The lines that cross both plots: their places, whether they are seen, colours, flags."""
+"""The lines that cross both plots: their positions, visibility, colours, flags."""
 
 
 def side(mass: int) -> Number:
@@ -57,14 +59,14 @@ def side(mass: int) -> Number:
 
 
 def picture() -> Block:
-    """The stage, one instant drawn twice: above, as an outline, the machine alone; below, with the absorber."""
+    """The stage, which draws one instant twice: above, in outline, the machine without the absorber; below, with it."""
     ground = wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1)
     label = "The machine alone and with the absorber at the same instant, with the forces on it"
     return stage(ground, *_rests(), *_alone(), *_both(), *_forces(), *_verdicts(), label=label, grow=200, height=168)
 
 
 def _rests() -> list[Shape]:
-    """Floors, equilibrium lines and a ruler from each mass's own zero."""
+    """Floors, equilibrium lines, and a ruler from each mass's own zero."""
     foot = FLOORS[1]
     shapes = [
         line(WALL * W, FLOORS[0], 0.56 * W, FLOORS[0], tint="rule", style="hair"),
@@ -73,7 +75,7 @@ def _rests() -> list[Shape]:
     for i, top in ((1, FLOORS[0] - side(1) - 20), (2, foot - side(1) - 20)):
         zero, tint = REST[i - 1] * W, f"m{i}"
         shapes.append(line(zero, top, zero, foot, tint="mute", style="eq"))
-        # The number of a tick close to 0 is long: its first digit stands under the tick.
+        # The number of a tick close to 0 is long, so its first digit is under the tick.
         tick = zero + var(P.tick) * W
         shapes += [line(x, foot, x, foot + 5, style="floor") for x in (zero, tick)]
         shapes += [
@@ -88,7 +90,7 @@ def _place(i: int, x: Number) -> Number:
 
 
 def _hook(floor: Number) -> Number:
-    """The height at which the springs are fastened: half the smaller mass at most."""
+    """The height at which the springs are attached: at most half the smaller mass."""
     return floor - var(P.hook) * H
 
 
@@ -105,13 +107,13 @@ def _alone() -> list[Shape]:
 
 
 def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Shape]:
-    """The arrow from equilibrium to the mass; its number stands where nothing moves."""
+    """The arrow from equilibrium to the mass; its number is where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, var(S.x[who])), f"m{i}"
     alone = "alone: " if who == ALONE else ""
     look = {"words": f"{alone}*x*_{i} = {S.x[who]} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
     if i == 1:
         names = [text(zero - WIDE * var(P.lead[who]) * W - 8, lift + 5, anchor="end", **look)]
-    else:  # the verdict stands on its right where there is room for it
+    else:  # the verdict is on its right where there is room
         names = [
             text(zero - 8, lift - 10, anchor="end", show=ON_WIDE, **look),
             text(W, lift - 10, anchor="end", show=ON_NARROW, **look),
@@ -135,7 +137,7 @@ def _both() -> list[Shape]:
 
 
 def _held(i: int, name: str) -> Grab:
-    """A mass in the hand: from there the motion starts, with its complementary part."""
+    """A mass that can be dragged. The motion starts from where it is let go, with its complementary part."""
     return begin(
         f"{name}, start",
         linear(lambda x: _place(i, x), "x", f"x{i}_0", S.x[i], Axes.X1, rate=f"v{i}_0"),
@@ -144,7 +146,7 @@ def _held(i: int, name: str) -> Grab:
 
 
 def _forces() -> list[Shape]:
-    """The drive and the pull of spring 2 start at one point: equally long, they are the explanation."""
+    """The drive and the force of spring 2. They start at one point and explain the rest when they are equally long."""
     x, y = _place(1, var(S.x[1])), FLOORS[1] - 0.5 * side(1) - 4
     pulls, look = f"{N.link}: {S.pull_now} {N.F_unit}", "t1 b halo"
     drives = f"push *F* = {S.drive_now} {N.F_unit}"
@@ -158,7 +160,7 @@ def _forces() -> list[Shape]:
 
 
 def _verdicts() -> list[Shape]:
-    # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and beside its floor.
+    # Above everything that mass 2 does. On a phone there is no room: over the upper machine, next to its floor.
     above = FLOORS[0] - 0.5 * side(1) + 6 - NARROW * (0.5 * side(1) + 13) - HALL * 12
     below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 3)
     told = "verdict b halo told"
@@ -174,7 +176,7 @@ def _verdicts() -> list[Shape]:
 
 
 def swing_shapes() -> tuple[Shape, ...]:
-    """The shapes over the plot of the swing: its limit, the range without resonances, readings and fixed points."""
+    """The shapes over the plot of the swing: its goal, the range without resonances, readings and fixed points."""
     over = 11, var(P.swing_aside)
     return (
         *_limit(SWING, P.limit1),
@@ -186,7 +188,7 @@ def swing_shapes() -> tuple[Shape, ...]:
 
 
 def stroke_shapes() -> tuple[Shape, ...]:
-    """The shapes over the plot of the stroke: its limit and its reading."""
+    """The shapes over the plot of the stroke: its goal and its reading."""
     return (
         *_limit(STROKE, P.limit2),
         *_reading(STROKE, P.stroke, P.stroke_seen, f"{N.stroke}", "by the stroke", (11, -8), tint="m2"),
@@ -200,7 +202,7 @@ def _limit(plot: PlotFrame, at: Scalar[Duty]) -> list[Shape]:
 
 
 def _bracket() -> list[Shape]:
-    """Where no resonance should be: around the machine's speed."""
+    """The range around the machine's speed in which no resonance should be."""
     y, low, high = SWING.top - 6, SWING.x(var(P.away_low)), SWING.x(var(P.away_high))
     return [line(low, y, high, y), *(line(x, y - 5, x, y + 5) for x in (low, high))]
 
@@ -214,7 +216,9 @@ def _reading(
     aside: tuple[Number, Number],
     **look: str,
 ) -> list[Shape]:
-    """The dot of a curve at the machine's speed, hollow alone, with its number; by it the speed is taken."""
+    """The dot of a curve at the machine's speed (hollow without the absorber), with its number. Dragging it sets the
+    speed.
+    """
     x, y = plot.x(var(P.omega)), plot.y(var(at))
     held = grab(f"Running speed, {of}", on_plot(plot, "x", "omega", P.omega, Axes.w), inside=plot)
     anchor = "end" if "hollow" in look.get("style", "") else "start"
@@ -226,7 +230,7 @@ def _reading(
 
 
 def _fixed() -> list[Shape]:
-    """The fixed points, by their names."""
+    """The fixed points and their names."""
     shapes = []
     for name in "PQ":
         x, y = SWING.x(var(P.fixed_x[name])), SWING.y(var(P.fixed_y[name]))

@@ -1,4 +1,4 @@
-"""The words of the absorber's scene: formulas, explanations, verdicts, and which of them stand."""
+"""The texts of the absorber's scene: formulas, explanations, verdicts, and their conditions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WATCH = {
     "Above": "Above the machine's own frequency: watch between which resonances its speed lies.",
     "Own": "Your own machine: set it first, then its absorber.",
 }
-"""A sentence for each preset on what to watch."""
+"""For each preset, a sentence that says what to watch."""
 
 HELPED = {
     "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
@@ -40,18 +40,18 @@ VERDICTS = {
 }
 
 NEAR_OWN = 0.005
-"""Relative distance of the drive from the machine's own frequency within which the machine needs hardly any force."""
+"""Relative distance from the machine's own frequency within which the machine needs almost no force."""
 
 form = Form[Duty]
 
 
 def _kind(duty: Duty) -> str:
-    """The form of the amplitudes: of a particular solution where there is one."""
+    """The form of the amplitudes; it depends on the existence of a particular solution."""
     return "damped" if duty.c else "undamped" if np.all(np.isfinite(duty.X)) else "none"
 
 
 def _why(duty: Duty) -> str:
-    """The form of the reason for the verdict. Two forces that agree in three digits leave nothing to explain it by."""
+    """The form of the reason for the verdict. If two forces agree in three digits, there is no reason to give."""
     if duty.c:
         return "damped"
     if duty.verdict != "less" or three(duty.pull) != three(duty.F_0):
@@ -143,7 +143,7 @@ _OPTIMUM = either(
 )
 
 FORMULAS = (_FIRST, _SECOND, _WHY, _OPTIMUM)
-"""Both amplitudes and why they are what they are; beyond the lecture, the best damping."""
+"""Both amplitudes and their explanation; beyond the lecture, the best damping."""
 
 _NEVER = "does not die out: nothing damps it."
 FROM_REST = either(

@@ -34,9 +34,9 @@ from components.scenes.analogues.watch import WATCH
 from physics.analogues import ANALOGUES
 
 QUANTITIES = quantities()
-"""The other parameters: those of the nine systems, as the table of physics.analogues has them."""
+"""The other parameters: those of the nine systems, from the table of physics.analogues."""
 UNHURRIED = (0.5, 10.0)
-"""s; periods that are easy to watch as they are."""
+"""Periods in s that are easy to watch in real time."""
 
 USUAL = {
     "system": "pendulum",
@@ -148,7 +148,7 @@ for _name, _quantity in QUANTITIES.items():
 
 
 def _pace(case: AnalogueCase) -> Pace:
-    """A swing of a few seconds is played in real time, also where the small one would not be."""
+    """Play a period of a few seconds in real time, even if small amplitudes would be played differently."""
     own = pace(2 * math.pi / case.period, case.omega)
     return Pace(1.0, own.limit) if UNHURRIED[0] <= case.period <= UNHURRIED[1] else own
 

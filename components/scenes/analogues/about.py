@@ -13,7 +13,7 @@ from physics.reference.single import oscillator_points, pendulum_points
 
 
 def analogue_about(picture: Picture, case: AnalogueCase) -> About:
-    """The coordinate, and that of the spring of equal numbers."""
+    """Errors of the coordinate, and of the displacement of the equivalent spring."""
     columns = picture.sources["time"]
     t = few_of(columns["t"])
     spring = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
@@ -29,7 +29,7 @@ def analogue_about(picture: Picture, case: AnalogueCase) -> About:
 
 
 def _analogue_drift(case: AnalogueCase, t: np.ndarray) -> str:
-    """T + V over what it is at the start, so that no energy leaves the range of doubles."""
+    """T + V relative to its initial value, so that no energy leaves the range of doubles."""
     if not case.q_0:
         return drift(np.zeros_like(t), 0.0)
     if case.pendulum:

@@ -1,4 +1,4 @@
-"""One system as the scene of the analogues shows it: released at rest, beside the spring of equal numbers."""
+"""One system of the scene analogues, released at rest, next to the spring with the same frequency."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from physics.valid import DOUBLES
 
 DEGREE = math.pi / 180
 MOST_HALF_WAVES = 12
-"""More would not be seen in a picture."""
+"""More would not be visible in a picture."""
 SWINGS = 3.5
 NODES, MOST_NODES = 96, 512
-"""Points of a small swing that the browser joins, and of the largest."""
+"""Points per small oscillation that the browser joins, and per oscillation of the largest amplitude."""
 TINY = 1e-9
-"""rad; smaller swings have this one's shape to the last digit."""
+"""In rad; smaller oscillations have the shape of this one to the last digit."""
 
 
 class Swings(NamedTuple):
-    """A pendulum's angle and rate over one period, and the size of its swing."""
+    """A pendulum's angle and rate over one period, and its amplitude."""
 
     theta: Floats
     theta_dot: Floats
@@ -36,19 +36,19 @@ class Swings(NamedTuple):
 
     @property
     def share(self) -> tuple[Floats, Floats]:
-        """The angle over its size, and its rate."""
+        """The angle relative to its amplitude, and its rate."""
         return self.theta / self.size, self.theta_dot / self.size
 
     @property
     def root(self) -> tuple[Floats, Floats]:
-        """The square root of V over its largest, and its rate."""
+        """The square root of V relative to its maximum, and its rate."""
         half = math.sin(self.size / 2)
         return np.sin(self.theta / 2) / half, np.cos(self.theta / 2) * self.theta_dot / (2 * half)
 
 
 @dataclass(frozen=True, kw_only=True)
 class AnalogueCase(Windowed):
-    """The chosen system, released at rest from q_0 (SI, rad), and the spring and mass of equal numbers."""
+    """The chosen system, released at rest from q_0 (SI, rad), and the equivalent spring and mass."""
 
     system: Analogue
     p: dict[str, float]
@@ -72,12 +72,12 @@ class AnalogueCase(Windowed):
 
     @cached_property
     def excess(self) -> float:
-        """T/T_0 - 1; 0 for what is linear."""
+        """T/T_0 - 1; 0 for a linear system."""
         return excess(self.q_0) if self.pendulum else 0.0
 
     @cached_property
     def period(self) -> float:
-        """ValueError where it leaves the range of doubles."""
+        """The energy. Raise ValueError if it leaves the range of doubles."""
         period = self.pendulum.period(self.q_0) if self.pendulum else self.spring.period
         if math.isinf(period):
             raise ValueError(f"the period leaves {DOUBLES}")
@@ -89,12 +89,12 @@ class AnalogueCase(Windowed):
 
     @property
     def half_waves(self) -> float:
-        """The half waves of a picture."""
+        """The number of half waves in a picture."""
         return min(self.p.get("n", 1.0), MOST_HALF_WAVES)
 
     @property
     def drawable(self) -> bool:
-        """Whether both are slow enough for lines."""
+        """True if both motions are slow enough to be drawn as lines."""
         return resolved(self.end, self.omega)
 
     @cached_property
@@ -104,18 +104,18 @@ class AnalogueCase(Windowed):
 
     @property
     def exact_energy(self) -> float:
-        """T + V in J at any angle."""
+        """T + V in J at any amplitude."""
         return self.tuned.exact_energy(self.q_0)
 
     @cached_property
     def swings(self) -> Swings:
-        """One swing of a pendulum, which the clock repeats."""
+        """One cycle of a pendulum, which the clock repeats."""
         count = min(math.ceil(NODES * (1 + self.excess)), MOST_NODES)
         motion, size = self.swing(np.linspace(0.0, self.period, count + 1))
         return Swings(motion.theta, motion.theta_dot, size)
 
     def swing(self, t: Floats) -> tuple[PendulumMotion, float]:
-        """The exact motion, and its size: that of q_0, or a small one of the same shape."""
+        """The exact motion and its amplitude: q_0, or a small amplitude for which the shape is the same."""
         size = math.copysign(max(abs(self.q_0), TINY), self.q_0)
         if self.pendulum is None:
             raise TypeError(f"{self.system.name} is linear: its motion is that of the spring")

@@ -12,7 +12,7 @@ from physics.analogue import Analogue, Parameter
 from physics.analogues import ANALOGUES
 
 SWINGING = tuple(slug for slug, system in ANALOGUES.items() if system.length_of)
-"""The systems that are linear for small swings only; they share the start theta_0."""
+"""The systems that are linear only for small oscillations. They share the start theta_0."""
 
 LINEAR = tuple(slug for slug in ANALOGUES if slug not in SWINGING)
 
@@ -108,7 +108,7 @@ _LETTERS = {r"\rho": "ρ", r"\lambda": "λ"}
 
 
 def quantities() -> dict[str, Quantity]:
-    """The parameters of all systems by name; the start of the pendulums is not among them."""
+    """The parameters of all systems by name, without the start of the pendulums."""
     found: dict[str, Quantity] = {}
     for system in ANALOGUES.values():
         found |= {f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters}
@@ -118,7 +118,7 @@ def quantities() -> dict[str, Quantity]:
 
 
 def groups(every: Mapping[str, Quantity], theta_0: Quantity) -> Iterator[Group]:
-    """The group of each system, shown while it is chosen."""
+    """The group of each system, visible while it is chosen."""
     for slug, system in ANALOGUES.items():
         own = tuple(every[f"{slug}_{parameter.name}"] for parameter in system.parameters)
         yield Group("", own, system.name, folded=True, form=Forms.of[slug], apart=True)

@@ -1,4 +1,4 @@
-"""The curves of the analogues, their axes and the columns of the lateness, and the places on their stage."""
+"""The curves of the analogues, their axes, the columns of the delay, and the positions on their stage."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ from physics.pendulum import amplitude_at_excess, excess
 LIMITS = {"01": 0.001, "1": 0.01, "5": 0.05}
 """Excesses T/T_0 - 1 that have a flag."""
 ANGLES = {key: math.degrees(amplitude_at_excess(value)) for key, value in LIMITS.items()}
-"""Starts in degrees whose swings are late by these."""
+"""Initial angles in degrees at which the relative delay has these values."""
 
 signal, scalar, of_late = Signal[AnalogueCase], Scalar[AnalogueCase], Column[AnalogueCase]
 
 
 class Axes(Declared[AnalogueCase]):
-    """Axes of the plots, and axes on which the table counts x and q, and energies."""
+    """Axes of the plots, and axes for x, q and energies in the table."""
 
     t, q, angle, late, table, energy = DrawnAxis.some(6)
 
 
 def axes_of(case: AnalogueCase) -> dict[str, Axis]:
-    """The axes of the plots; angle and lateness reach to 90 degrees and 19 %, or as far as the start is beyond."""
+    """The axes of the plots. Angle and delay reach 90 degrees and 19 %, or farther if the start is beyond."""
     wide = case.pendulum is not None and abs(case.q_0) > 88 * DEGREE
     end, step = (180, 60) if wide else (90, 30)
     ticks, here = tuple(float(tick) for tick in range(0, end + 1, step)), math.degrees(abs(case.q_0))
@@ -65,7 +65,7 @@ def table_axes(case: AnalogueCase) -> dict[str, Axis]:
 
 
 class Places(Declared[AnalogueCase]):
-    """The chosen system, its sizes on the stage, and the half waves of what vibrates."""
+    """The chosen system, its sizes on the stage, and its number of half waves if it vibrates."""
 
     of = Family(ANALOGUES, lambda slug: scalar(), "{}")
     amplitude = scalar(lambda c, a: Axes.q(a).place(abs(c.q_0)))
@@ -77,7 +77,7 @@ class Places(Declared[AnalogueCase]):
 
 
 class Signals(Declared[AnalogueCase]):
-    """cos and sin of omega t; the share of the amplitude at which q stands; numbers from these."""
+    """cos and sin of omega t; q as a share of the amplitude; numbers computed from these."""
 
     cosine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, QUARTER)))
     sine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, 0.0)))
@@ -95,7 +95,7 @@ class Signals(Declared[AnalogueCase]):
 
 
 class Swinging(Signals):
-    """The signals of what swings, with its angle and that of the small-angle rule."""
+    """The signals of the moving part, with its angle and that of the small-angle approximation."""
 
     angle = signal(lambda c, a: derived(c.q_0 * SHARE))
     rule_angle = signal(lambda c, a: derived(c.q_0 * COSINE))
@@ -114,7 +114,7 @@ REST: Expression = 1 - ROOT_SQUARED
 
 
 def exact(case: AnalogueCase, t: Floats) -> Columns:
-    """The coordinate q, and that of the spring, x."""
+    """The coordinate q, and the displacement x of the spring."""
     q = x = case.spring.motion(case.q_0, 0.0, t).x
     if case.pendulum:
         motion, size = case.swing(t)
@@ -123,7 +123,7 @@ def exact(case: AnalogueCase, t: Floats) -> Columns:
 
 
 def traces_of(case: AnalogueCase) -> Traces:
-    """Curves of x and q, drawn of signals on the axis of q; none where they are too fast to draw."""
+    """Curves of x and q from signals, on the axis of q; none if they are too fast to draw."""
     of = {Signals.x.name: Signals.rule.name, Signals.q.name: Signals.level.name}
     names = tuple(of) if case.drawable else ()
     count = samples(case.end, case.omega)
@@ -131,7 +131,7 @@ def traces_of(case: AnalogueCase) -> Traces:
 
 
 class Lateness(Declared[AnalogueCase]):
-    """T/T_0 - 1 against the angle in degrees: as a curve, where there is a flag, and here."""
+    """T/T_0 - 1 against the angle in degrees: as a curve, at the flags, and at the current start."""
 
     angle, excess = of_late.some(2, "late")
     limit_angle = of_late("limits", lambda c: np.array(list(ANGLES.values())), "angle")
@@ -142,13 +142,13 @@ class Lateness(Declared[AnalogueCase]):
 
 @cache
 def _lateness(end: float) -> Columns:
-    """The curve of the lateness up to `end` degrees."""
+    """The curve of the delay up to `end` degrees."""
     angles = np.linspace(0.0, min(end, 179.9), 121)
     return by_name({Lateness.angle: angles, Lateness.excess: np.array([excess(math.radians(a)) for a in angles])})
 
 
 def columns_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, Columns]:
-    """A pendulum's lateness, and the bands that q and x fill where they are too fast to draw."""
+    """A pendulum's delay, and the bands of q and x if they are too fast to draw."""
     late = {"late": _lateness(Axes.angle(axes).end), **Lateness.columns(case)} if case.pendulum else {}
     columns: dict[str, Columns] = {"late": {}, "limits": {}, "here": {}, **late, BAND: {}}
     if not case.drawable:
@@ -158,7 +158,7 @@ def columns_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, Columns]:
 
 
 class Hung(Declared[AnalogueCase]):
-    """The places of what swings, lower and shorter where it is over its pivot, of its ends, and of its lateness."""
+    """The positions of the moving part (lower and shorter above its pivot), of its ends, and of its delay."""
 
     pivot = scalar(lambda c, a: 0.2 if abs(c.q_0) <= 91 * DEGREE else 0.48)
     rod = scalar(lambda c, a: 0.45 if abs(c.q_0) <= 91 * DEGREE else 0.24)
@@ -175,7 +175,7 @@ class Hung(Declared[AnalogueCase]):
 
 
 class Ends(Declared[AnalogueCase]):
-    """The ends of three swings of the rule and of what swings; of what is linear, the first peaks after the start."""
+    """The ends of three cycles of the approximation and of the exact motion; for a linear system, its first peaks."""
 
     late_seen = scalar(lambda c, a: c.pendulum is not None)
     period_seen = scalar(lambda c, a: c.pendulum is None)
@@ -184,7 +184,7 @@ class Ends(Declared[AnalogueCase]):
 
 
 def scalars_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, float]:
-    """The places of the chosen system; no peak is marked that is not drawn or has left its frame."""
+    """The positions of the chosen system. Peaks that are not drawn or outside the frame have no mark."""
     found = Places.scalars(case, axes) | by_name({Places.of[case.system.slug]: 1.0})
     if case.pendulum:
         found |= Hung.scalars(case, axes)

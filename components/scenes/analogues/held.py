@@ -1,4 +1,4 @@
-"""Grabs of the nine systems and of the spring beside them: they are let go at rest from where they are held."""
+"""Grabs of the nine systems and of the equivalent spring: the motion starts at rest where they are let go."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from components.scenes.analogues.reach import LARGEST
 from physics.analogues import ANALOGUES
 
 ANGLE = (begins("theta_0", S.angle, size=DEGREE),)
-"""Where what swings is held is the start."""
+"""The position to which a system is dragged is its start."""
 
 HELD: dict[str, tuple[str, Number, Number, Number, Number]] = {
     "spring": ("Mass", 46, 31.5, 11, 0),
@@ -30,12 +30,11 @@ HELD: dict[str, tuple[str, Number, Number, Number, Number]] = {
     "wave": ("Water", 42, 17, 0, -8),
     "pipe": ("Air", 10 + 64 * var(P.belly), 47, var(P.along), 0),
 }
-"""Where a hand holds each system: its name, its place at rest, and its distance from there at the largest
-displacement."""
+"""The grab of each system: its name, its position at rest, and its distance from there at the largest displacement."""
 
 
 def held(slug: str, c: Canvas) -> Shape:
-    """Unseen, over what moves: where it is held is where the system is let go from rest."""
+    """An invisible shape over the moving part, which can be dragged."""
     name, x, y, dx, dy = HELD[slug]
     across: Literal["x", "y"] = "y" if dy else "x"
     place = (lambda pose: c.y(y + dy * pose)) if dy else (lambda pose: c.x(x + dx * pose))
@@ -46,13 +45,15 @@ def held(slug: str, c: Canvas) -> Shape:
 
 
 def _posed(slug: str) -> tuple[str, float, tuple[Begin, ...]]:
-    """The start of a system: its parameter, the share of the largest drawn that one of it is, what is seen as it."""
+    """The start of a system: its parameter, the drawn displacement per unit of it, and its visible coordinate."""
     name = f"{slug}_start"
     return name, 1 / (LARGEST * ANALOGUES[slug].swing), (begins(name, S.level, Axes.q),)
 
 
 def turned(c: Canvas) -> Shape:
-    """Unseen, over the rotor: it is taken by the end of its mark, which runs on a circle seen from the side."""
+    """An invisible shape over the rotor. It is dragged by the end of its mark, which moves on a circle seen from the
+    side.
+    """
     parameter, size, start = _posed("shaft")
     centre, (ahead, up) = (c.x(42), c.y(38)), rotor_mark(var(S.pose))
     turn = Turn(
@@ -63,7 +64,7 @@ def turned(c: Canvas) -> Shape:
 
 
 def rocked(c: Canvas) -> Shape:
-    """Unseen, over the rocking body: it is taken by its foot."""
+    """An invisible shape over the rocking body, which is dragged by its foot."""
     x, y = c.x(42), c.y(ROCKS_ABOUT)
     turn = Turn(parameter="theta_0", moves=S.angle.name, size=DEGREE, x=x, y=y)
     foot = 20 * c.unit
@@ -72,7 +73,7 @@ def rocked(c: Canvas) -> Shape:
 
 
 def held_spring(slug: str, x: Number, height: Callable[[Number], Expression]) -> Shape:
-    """Unseen, over the mass: it is let go from where it is held, and the chosen system with it."""
+    """An invisible shape over the mass. Dragging it also sets the start of the chosen system."""
     name, size = ("theta_0", DEGREE) if slug in SWINGING else (f"{slug}_start", 1.0)
     way = linear(height, "y", name, S.rule, Axes.q, size=size)
     held = begin("Spring's mass, start", way, start=(begins(name, S.rule, Axes.q, size=size),))

@@ -1,4 +1,4 @@
-"""The live numbers of the analogues, and which sentences and formulas stand."""
+"""The live numbers of the analogues, and the conditions of sentences and formulas."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GAP = "\N{NO-BREAK SPACE}"
 
 
 def following(axis: Axis) -> str:
-    """The unit as it follows a number: ·10⁻⁶ m, or a space and m."""
+    """Return the unit as it follows a number: ·10⁻⁶ m, or a space and m."""
     return (axis.suffix or axis.gap).replace(" ", GAP) + axis.unit
 
 

@@ -35,14 +35,14 @@ from components.scenes.analogues.curves import Swinging as S
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9
-"""The twist of the rotor as drawn, in rad: its share of the largest is true, its size is not."""
+"""The twist of the rotor as drawn, in rad. Its share of the largest twist is true, its size is not."""
 MARK, MARKED = (25, 7.7), 0.5
-"""The mark on the rotor: half of its width and height, and where it rests, in rad from the right."""
+"""The mark on the rotor: half of its width and height, and its rest position in rad from the right."""
 
 
 @dataclass(frozen=True)
 class Canvas:
-    """The area in which a picture stands, from its upper left corner; `large` pictures carry names."""
+    """The area of a picture, from its upper left corner; `large` pictures have names."""
 
     left: Number
     top: Number
@@ -82,7 +82,7 @@ class Canvas:
 
 
 def kept(shape: Shape) -> Shape:
-    """Drawn also of a picture that is held."""
+    """Draw the shape also for the compared picture."""
     return replace(shape, held=True)
 
 
@@ -108,7 +108,7 @@ class Pose:
 
 
 def small_angle(angle: Expression) -> tuple[Expression, Expression]:
-    """Sine and cosine as polynomials, within 0.001 up to 0.9 rad."""
+    """Approximate sine and cosine by polynomials, within 0.001 up to 0.9 rad."""
     square = angle * angle
     return angle - angle * square / 6 + angle * square * square / 120, 1 - square / 2 + square * square / 24
 
@@ -160,7 +160,7 @@ def _pendulum(c: Canvas, s: Pose) -> list[Shape]:
 
 
 ROCKS_ABOUT = 19
-"""Where the rocking body hangs, large, down the area."""
+"""The point where the rocking body hangs in the large picture, down the area."""
 
 
 def _rocking(c: Canvas, s: Pose) -> list[Shape]:
@@ -238,7 +238,7 @@ def _wave(c: Canvas, s: Pose) -> list[Shape]:
 
 
 def _under(c: Canvas, s: Pose, x: float) -> list[Shape]:
-    """The water below x: it moves to and fro on a line that shrinks as exp(-kappa depth)."""
+    """The water below x. It moves to and fro on a line that shrinks as exp(-kappa depth)."""
     ahead, shapes = 2 * math.pi * (x - 42) / 76, []
     for y in (27, 36, 45):
         reach = 8 * math.exp(-2 * math.pi * (y - 17) / 76)
@@ -285,7 +285,7 @@ PICTURES: dict[str, Callable[[Canvas, Pose], list[Shape]]] = {
 
 
 def tiles() -> dict[str, list[Shape]]:
-    """The pictures of the picker, by system: all at the same moment of their swing."""
+    """The pictures of the picker by system, all at the same phase."""
     unit = H / HEIGHT
     canvas = Canvas(W / 2 - unit * (WIDTH / 2), 0, unit)
     angle = 0.5 * COSINE
@@ -294,7 +294,7 @@ def tiles() -> dict[str, list[Shape]]:
 
 
 def large(slug: str, canvas: Canvas) -> list[Shape]:
-    """One picture on the stage, shown while its system is chosen."""
+    """One picture on the stage, visible while its system is chosen."""
     size, angle = var(P.size), (var(one) for one in (S.angle, S.angle_sine, S.angle_cosine))
     waves = (var(one) for one in (P.half_waves, P.belly, P.along))
     swing = Pose(size, var(S.pose), size * var(S.sine), *angle, *waves)

@@ -3,7 +3,7 @@
 from typing import Literal, NamedTuple
 
 LARGEST = 1.5
-"""The largest start on the sliders, as a multiple of a system's own."""
+"""The upper end of the sliders of the start, as a multiple of the system's default."""
 
 
 class Reach(NamedTuple):
@@ -50,7 +50,7 @@ REMARKS = {
     "κ = 2π/λ, the water deeper than half a wavelength.",
     "pipe": "Closed at both ends; q is the displacement of the air where it is largest.",
 }
-"""Of some systems."""
+"""Sentences about some systems."""
 
 IN_TRUTH = {
     "spring": "while the force of the spring is −k x.",
@@ -61,4 +61,4 @@ IN_TRUTH = {
     "wave": "while its height from trough to crest, 2η, is far below λ/7.",
     "pipe": "while q is far below L/n.",
 }
-"""As long as what the model of a linear system holds."""
+"""The range in which the model of a linear system is valid."""

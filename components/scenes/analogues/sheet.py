@@ -1,4 +1,4 @@
-"""The sheet of the analogues: the stage, and next to it the roles, the motion, the lateness or the formula."""
+"""The sheet of the analogues: the stage, and next to it the roles, the motion, the delay or the formula."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ AIRCRAFT: list[Paragraph] = [
     r"$\omega_n = \sqrt{2} \, g / v_0$ of",
     "[scene:phugoid|an aircraft]",
 ]
-"""The lecture's tenth system: it has a scene of its own."""
+"""The lecture's tenth system, which has its own scene."""
 EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
 EQUATIONS = {
     "pendulum": r"m l^2 \ddot{\theta} + m g l \sin \theta = 0",
@@ -37,7 +37,7 @@ EQUATIONS = {
     "circuit": r"L \ddot{q} + q / C = 0",
     "pipe": r"\tfrac{1}{2} \rho A L \, \ddot{q}_n + \rho c^2 A \tfrac{n^2 \pi^2}{2 L} q_n = 0",
 }
-"""Equations of motion where they are not the formulas of the table put together."""
+"""Equations of motion that do not follow from the formulas of the table."""
 
 
 _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in ANALOGUES.items()}
@@ -91,7 +91,7 @@ def _motion() -> Block:
 
 
 def _roles() -> Block:
-    """The roles x, m, k, T, V and omega_n in both systems, in formulas and numbers that agree or part."""
+    """The roles x, m, k, T, V and omega_n in both systems, with formulas and numbers."""
     systems = ANALOGUES.items()
     T, V = ({slug: s.T_formula for slug, s in systems}, {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems})
     rows = [
@@ -129,7 +129,7 @@ def _roles() -> Block:
 
 
 def _role(tint: str, name: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
-    """A row: its name, the spring's side, the chosen system's side; the values end their formulas."""
+    """A row: its name, the column of the spring, the column of the chosen system. The values end their formulas."""
     ours = {slug: f"[{tint}|${text} = {own}]" for slug, text in formulas.items()}
     return [name, f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
 
@@ -144,7 +144,7 @@ def _motions() -> dict[str, str]:
 
 
 def _equations() -> dict[str, str]:
-    """The equation of motion of each system, in its own names."""
+    """The equation of motion of each system, in its own symbols."""
     equations = {
         slug: EQUATIONS.get(
             slug,
@@ -161,7 +161,7 @@ def _equations() -> dict[str, str]:
 
 
 def _lateness() -> Block:
-    """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
+    """The plot of T/T_0 - 1 against the amplitude, which is a handle. Flags mark 0.1, 1 and 5 percent."""
     late = (
         r"\text{Longer by } \tau / \tau_0 - 1,",
         rf"\tau = {N.period} \text{{ s}},",
@@ -191,7 +191,7 @@ def _lateness() -> Block:
 
 
 def _flag(key: str) -> Mark:
-    """The button that starts the pendulum where its swing is late by as much."""
+    """The button that starts the pendulum with this relative delay."""
     start, excess = f"{three(ANGLES[key])}°", LIMITS[key]
     return mark(
         Hung.late[key],
@@ -204,7 +204,7 @@ def _flag(key: str) -> Mark:
 
 
 def _linear() -> Block:
-    """The sentence on large swings of a linear system, in place of the plot."""
+    """The sentence on large amplitudes of a linear system, which has no plot."""
     block = words(
         either(
             F.reach,
@@ -225,7 +225,7 @@ def _linear() -> Block:
 
 
 def _formula() -> Block:
-    """The frequency as a formula, large, the equation of motion, and what there is to say of a system."""
+    """The formula of the frequency, large, the equation of motion, and notes on a system."""
     return words(
         either(F.system, **{slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items()}),
         f"$= {N.omega}$ rad/s",

@@ -1,4 +1,4 @@
-"""The stage of the analogues: the chosen system, the spring of equal omega, and their ties to the plot."""
+"""The stage of the analogues: the chosen system, the equivalent spring, and the lines between them and the plot."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ from physics.analogues import ANALOGUES
 
 MOTION, LATE = PlotFrame("motion"), PlotFrame("late")
 TWIN = W - 46
-"""Where the spring and mass stands."""
+"""The position of the spring and mass."""
 WIDEST = 1.75
-"""The largest ratio of its width to its height."""
+"""The largest ratio of width to height."""
 HIGH = W / WIDEST
-"""The height of what is drawn, in the middle of a stage that is higher."""
+"""The height of the drawing, which is in the middle of a higher stage."""
 TOP = 0.5 * (H - HIGH)
 SIDE = 0.16 * HIGH
 UNIT = W / 112
 CENTRE = 0.5 * (W - 92)
-"""The middle of what is left to the chosen system."""
+"""The middle of the area of the chosen system."""
 
 COORDINATES = {
     "spring": "*x*",
@@ -60,7 +60,7 @@ COORDINATES = {
 
 
 def shapes() -> list[Shape]:
-    """All of the stage: the nine systems, of which one is shown, and the spring."""
+    """The shapes of the stage: the nine systems, of which one is visible, and the spring."""
     canvas = Canvas(CENTRE - UNIT * (WIDTH / 2), 0.55 * H - UNIT * (HEIGHT / 2), UNIT, large=True)
     found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
     found += [held(slug, canvas) for slug in HELD]
@@ -68,7 +68,7 @@ def shapes() -> list[Shape]:
 
 
 def coordinates() -> list[Shape]:
-    """The coordinate as a number, where nothing moves."""
+    """The coordinate as a number, placed where nothing moves."""
     look = {"tint": "m1", "style": "t2 b halo"}
     over = {"pendulum": TOP + 14, "rocking": TOP + 14}
     return [
@@ -84,7 +84,7 @@ def coordinates() -> list[Shape]:
 
 
 def pendulum() -> list[Shape]:
-    """Pivot, arc of travel, the bob, and in outline, a ring around it, where the small-angle rule would have it."""
+    """Pivot, arc, bob, and a ring at the bob's position in the small-angle approximation."""
     x, y, rod, radius = CENTRE, TOP + var(Hung.pivot) * HIGH, var(Hung.rod) * HIGH, 0.066 * HIGH
     bob = (x + rod * var(S.angle_sine), y + rod * var(S.angle_cosine))
     rule = (x + rod * var(S.rule_sine), y + rod * var(S.rule_cosine))
@@ -117,12 +117,12 @@ def pendulum() -> list[Shape]:
 
 
 def height(q: Number) -> Expression:
-    """The height of a coordinate: on the axis of the plot beside it; on a phone, on one like it."""
+    """The height of a coordinate: on the axis of the plot next to it; on a phone, on a similar one."""
     return WIDE * MOTION.y(q) + NARROW * (TOP + 0.45 * HIGH - 0.24 * HIGH * var(P.per_q) * q)
 
 
 def twin() -> list[Shape]:
-    """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
+    """The equivalent spring and mass, which moves along the plot's axis."""
     level = height(0)
     foot = WIDE * (MOTION.bottom + 16) + NARROW * (TOP + HIGH - 10)
     y = height(var(S.rule))
@@ -137,7 +137,7 @@ def twin() -> list[Shape]:
 
 
 def over_motion() -> tuple[Shape, ...]:
-    """The spring's place on its curve; how late the third swing is, or how long one that is linear takes."""
+    """The spring's dot on its curve; the delay of the third cycle, or the length of a cycle of a linear system."""
     y = MOTION.y(var(P.amplitude)) - 9
     found = [circle(MOTION.x(T), MOTION.y(var(S.rule)), 5, style="ghost", tint="m1", show=Hung.rule_seen)]
     a, b = MOTION.x(var(Ends.first)), MOTION.x(var(Ends.second))

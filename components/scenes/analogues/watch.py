@@ -1,4 +1,4 @@
-"""A sentence for each preset on what to watch."""
+"""For each preset, a sentence that says what to watch."""
 
 WATCH = {
     "10°": "From 10° the pendulum keeps step with the spring: each of its swings takes 0.2 % longer.",
