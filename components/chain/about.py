@@ -32,13 +32,13 @@ def motion_rows(
     F_0: float = 0.0,
     omega: float = 0.0,
 ) -> list[CheckedPoint]:
-    """x1 and x2 and their parts by mode, as far as they are drawn."""
+    """Errors of x1 and x2 and of their parts by mode, if these are drawn."""
     t = np.array(few_of(columns["t"]))
     return modal_rows(names, columns, modal_points(Problem(chain=chain, x_0=x_0, v_0=v_0, t=t, F_0=F_0, omega=omega)))
 
 
 def modal_rows(names: Mapping[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
-    """The checked points of a motion that is given by its modes at a few times."""
+    """The checked points of a motion that is given by its modes, at a few times."""
     true: dict[str, Sequence[Point]] = {}
     for i, both in zip(BOTH, zip(*modal, strict=True), strict=True):
         true[f"x{i}"] = [_sum(parts) for parts in zip(*both, strict=True)]
@@ -53,7 +53,7 @@ def _sum(parts: Iterable[Point]) -> Point:
 
 
 def modes_table(chain: TwoMassChain) -> Table:
-    """Both frequencies and both shapes, as far as they are numbers."""
+    """Errors of both frequencies and both shapes, if they are numbers."""
     modes, found = chain.modes(), []
     for j, ((omega, ratio), sign) in enumerate(zip(modes_of(chain), "-+", strict=True)):
         place = f"The {MODES[j]} mode"

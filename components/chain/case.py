@@ -32,7 +32,7 @@ class ChainCase(Case):
     @property
     @abstractmethod
     def extremes(self) -> Extremes:
-        """The least and the largest x1, x2 and elongation of spring 2, e2, of what is drawn, in m."""
+        """The smallest and the largest x1, x2 and elongation of spring 2, e2, in m, within the drawing."""
 
     @cached_property
     def fits(self) -> float:
@@ -56,7 +56,7 @@ class ChainCase(Case):
 
     @property
     def hook(self) -> float:
-        """The height of the springs, half the smaller block at most."""
+        """The height of the springs: at most half the smaller block."""
         return min(LONGEST_HOOK, self.side1 / 2, self.side2 / 2)
 
     @property

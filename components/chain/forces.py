@@ -31,7 +31,7 @@ LENGTH = 0.13
 
 
 class Arrows(Declared[Axis]):
-    """Lengths of a newton and of the drive on the stage, and the unit of the axis that forces are counted on."""
+    """The length of a newton and of the drive on the stage, and the unit of the axis of forces."""
 
     forces, newton, push = Scalar[Axis].some(3)
     force_unit = Text[Axis](lambda axis, a: axis.full_unit)
@@ -50,7 +50,9 @@ class Forces:
 def on_masses(
     system: TwoMassChain, motion: Motion, F_0: float = 0.0, omega: float = 0.0, c: Pair = (0.0, 0.0)
 ) -> Floats:
-    """F_1, F_2 (2, n) in N from springs, dashpots c1, c2 and the drive; ValueError if one leaves the doubles."""
+    """F_1, F_2 (2, n) in N from springs, dashpots c1, c2 and the drive. Raise ValueError if one leaves the range of
+    doubles.
+    """
     with np.errstate(over="ignore", invalid="ignore"):
         one, two = (k * e for k, e in zip((system.k1, system.k2), motion.e, strict=True))
         if any(c):
@@ -70,8 +72,9 @@ def forces(
     c: Pair = (0.0, 0.0),
     speed: Axis | None = None,
 ) -> Forces:
-    """The forces while displacements (of the axis `size`) and the drive move; with dashpots c1, c2 the velocities, of
-    the axis `speed`, too."""
+    """The forces from the signals of displacements (of the axis `size`) and the drive; with dashpots c1, c2 also from
+    the velocities, of the axis `speed`.
+    """
     largest = max(float(np.abs(on_masses(system, motion, F_0, omega, c)).max()), F_0)
     axis = nice_axis(0.0, largest or 1.0, "N", exact=True)
     k1, k2 = (scaled(axis.exponent - size.exponent, k) for k in (system.k1, system.k2))
@@ -90,7 +93,7 @@ def forces(
 
 
 def arrows(foot: Number) -> list[Shape]:
-    """F_1 and F_2 in ink, from the upper part of each mass."""
+    """The arrows of F_1 and F_2, from the upper part of each mass."""
     shapes = []
     for i in BOTH:
         x, y = place(i), foot - 0.78 * side(i)

@@ -1,4 +1,4 @@
-"""The two modes of the two-mass chain by name, its masses, and how they move in each mode."""
+"""The two modes of the two-mass chain by name, its masses, and their displacements in each mode."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def lines_of(source: str) -> Lines:
 
 
 def direction_lines(lines: Lines, system: TwoMassChain, far: float) -> Columns:
-    """Both directions out to `far` both ways."""
+    """Both directions, up to `far` on both sides."""
     ends = far * np.array([-1.0, 1.0])
     pairs = zip(MODES, directions(system), strict=True)
     return by_name({lines[mode, i]: part * ends for mode, parts in pairs for i, part in zip(BOTH, parts, strict=True)})

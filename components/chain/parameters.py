@@ -11,10 +11,10 @@ from physics.coupled import TwoMassChain
 Pair = tuple[float, float]
 CHAIN = ("m1", "m2", "k1", "k2")
 SHARES = {f"{name} of the chain": name for name in CHAIN}
-"""The parameters of the chain, by the meaning that all scenes of the same chain give them."""
+"""The parameters of the chain, by the meaning that they share in all scenes of the same chain."""
 DASHPOTS = ("c1", "c2")
 BRAKED = SHARES | {f"{name} of the chain": name for name in DASHPOTS}
-"""The parameters of the chain and its dashpots, likewise."""
+"""The parameters of the chain and its dashpots, by meaning."""
 START = ("x1_0", "x2_0", "v1_0", "v2_0")
 
 
@@ -52,7 +52,7 @@ def dashpots() -> tuple[Quantity, Quantity]:
 
 
 def start_positions(x1_0: float = 0.0, x2_0: float = 0.0, *, how: str = "") -> tuple[Quantity, Quantity]:
-    """x1_0 and x2_0; `how` says what else the start is."""
+    """x1_0 and x2_0; `how` describes the rest of the start."""
     one, two = (
         displacement(
             x,
@@ -87,7 +87,7 @@ def damping_of(scene: object) -> Pair:
 
 
 def start_of(scene: object) -> tuple[Pair, Pair]:
-    """Its displacements and velocities at the start."""
+    """Return the displacements and velocities of a scene at the start."""
     x1, x2, v1, v2 = _values(scene, START).values()
     return (x1, x2), (v1, v2)
 
@@ -97,7 +97,7 @@ def _values(scene: object, names: tuple[str, ...]) -> dict[str, float]:
 
 
 def measured_by(*drive: str) -> Onward:
-    """The link that hands a motion, with its drive if it has one, to the scene that measures how it is solved."""
+    """The link that opens a motion, with its drive if it has one, in the scene accuracy."""
     names = (*CHAIN, *START, *drive)
     return Onward(
         label="Error and time", scene="accuracy", given={"system": "own"}, taken=dict(zip(names, names, strict=True))

@@ -1,4 +1,4 @@
-"""The motion of the two-mass chain as the clock plays it and as curves are made of it: of a free one, mode by mode."""
+"""Signals of the two-mass chain's motion for the clock and for curves; those of a free motion mode by mode."""
 
 from __future__ import annotations
 
@@ -25,8 +25,9 @@ class Axes(Declared[Any]):
 
 
 class Signals(Declared[Any]):
-    """The displacements and velocities of the masses, what each mode has of the former; the forces on the masses, and
-    the drive as a sine of size 1."""
+    """The displacements and velocities of the masses, and the part of each mode in the displacements; the forces on the
+    masses, and the drive as a sine of size 1.
+    """
 
     x = signal.each(BOTH, on=Axes.x, signed=True)
     v, F = signal.each(BOTH), signal.each(BOTH)
@@ -35,13 +36,13 @@ class Signals(Declared[Any]):
 
 
 class FreeSignals(Signals):
-    """The displacements of a free motion, sums of what the modes have of them."""
+    """The displacements of a free motion, as sums of their parts in the modes."""
 
     x = Family(BOTH, lambda i: signal(lambda c, a: both(Signals.x_part, i), Axes.x, signed=True))
 
 
 def both(parts: Family[tuple[int, str], Signal[Any]], i: int) -> AnySignal:
-    """The sum of what the modes have of mass i."""
+    """The sum of the parts of mass i in both modes."""
     return total(*(parts[i, mode] for mode in MODES))
 
 
@@ -62,7 +63,7 @@ def _parts(free: FreeModes) -> Iterator[tuple[tuple[int, str], tuple[float, floa
 
 
 def positions(free: FreeModes, t: Floats) -> Columns:
-    """x1 and x2 in doubles, at times t (n,) that resolve both modes: what a frame is fitted to."""
+    """x1 and x2 in doubles at times t (n,) that resolve both modes, for fitting a frame."""
     phases = np.outer(free.omega, t) + free.phase[:, None]
     x = free.amplitude.T @ np.sin(phases) + free.drift_a[:, None] + np.outer(free.drift_b, t)
     return by_name({Signals.x[1]: x[0], Signals.x[2]: x[1]})

@@ -1,4 +1,4 @@
-"""The two-mass chain on the stage: how it is drawn, and to which scale."""
+"""The two-mass chain on the stage: its drawing and its scale."""
 
 from __future__ import annotations
 
@@ -29,19 +29,20 @@ WALL = 0.02
 UNIT = 0.185
 """The width that one metre takes at scale 1."""
 MAGNIFIED = 1e308
-"""The largest drawing scale, a double still; the last few subnormal displacements stay invisible."""
+"""The largest drawing scale, still a double. Only the smallest subnormal displacements stay invisible."""
 STEPS = (1, 2, 3, 5)
-"""The digits of drawing scales: a step is seldom more than half as much again."""
+"""The first digits of drawing scales. Most steps are at most a factor of 1.5."""
 CUP, CUP_AT = 4, 0.27
 """Half the width of a dashpot in pixels, and its height above the floor, relative to the springs' height."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
-"""The width that the sides of blocks are fractions of; smaller on a low stage, whose arrows are close above the
-blocks."""
+"""The width of which the sides of blocks are fractions; smaller on a low stage, whose arrows are close above the
+blocks.
+"""
 
 
 class Places(Declared[float]):
-    """The sizes of the chain, the length of a metre, and the place and the text of the floor's tick, so many metres."""
+    """The sizes of the chain, the length of a metre, and the position and text of the floor's tick."""
 
     side, wire = Scalar[Any].each(BOTH), Scalar[Any].each(BOTH)
     hook, metre, tick_at = Scalar[Any].some(3)
@@ -53,13 +54,15 @@ P = Places
 
 
 class Has(Declared[Pair]):
-    """The scalars of the dashpots, which may be missing."""
+    """The scalars of the dashpots, which may be absent."""
 
     dashpot = Family(BOTH, lambda i: Scalar[Pair](lambda c, a: c[i - 1] > 0))
 
 
 def sides(m1: float, m2: float) -> tuple[float, float]:
-    """Sides of the blocks as fractions of the width: area goes with mass, unless one would be too small to see."""
+    """Sides of the blocks as fractions of the width: the area is proportional to the mass, unless one would be too
+    small to see.
+    """
     largest = max(m1, m2)
     whole = min(0.08 * largest**0.5, LARGEST)
     one, two = (max(whole * (m / largest) ** 0.5, SMALLEST) for m in (m1, m2))
@@ -67,14 +70,16 @@ def sides(m1: float, m2: float) -> tuple[float, float]:
 
 
 def sizes(system: TwoMassChain, factor: float = 1.0) -> dict[str, float]:
-    """Sides of the blocks on the stage, the height of the springs, half the smaller block at most, and their wires."""
+    """Sides of the blocks on the stage, the height of the springs (at most half the smaller block), and the widths of
+    their wires.
+    """
     side1, side2 = (factor * side for side in sides(system.m1, system.m2))
     found = {P.side[1]: side1, P.side[2]: side2, P.hook: min(HOOK, side1 / 2, side2 / 2)}
     return by_name(found | {P.wire[1]: wire(system.k1), P.wire[2]: wire(system.k2)})
 
 
 def extremes(curves: Columns, bands: Columns) -> Extremes:
-    """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (for a band: bounds)."""
+    """The smallest and largest x1, x2 and elongation of spring 2 within the drawing (for a band: bounds)."""
 
     x1, x2 = (S.x[i].name for i in BOTH)
 
@@ -90,7 +95,7 @@ def extremes(curves: Columns, bands: Columns) -> Extremes:
 
 
 def without_roundings(value: float) -> float:
-    """Twelve digits: a motion that starts at 1 mm reaches no less."""
+    """Round to twelve digits: a motion that starts at 1 mm must not reach less."""
     return float(f"{value:.12g}")
 
 
@@ -133,8 +138,9 @@ class DrawnChain:
 
 
 def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float | None = None) -> DrawnChain:
-    """Sizes on the stage, drawn to the scale `wanted` or the largest that fits; displacements come in the unit of the
-    axis `size`."""
+    """Sizes on the stage at the scale `wanted`, or the largest that fits; displacements have the unit of the axis
+    `size`.
+    """
     fits = scale(extremes, sides(system.m1, system.m2))
     factor = wanted or fits
     tick = round_down(min(1 / factor, MAGNIFIED))
@@ -164,7 +170,7 @@ class ChainDrawing:
         return self.sides[mass - 1]
 
     def place(self, mass: int, displacement: Number) -> Number:
-        """The place of a displaced mass in pixels."""
+        """The position of a displaced mass in pixels."""
         return rest(mass) + self.metre * displacement
 
     def masses(
@@ -200,7 +206,7 @@ class ChainDrawing:
         return [*shown_by(Has.dashpot[1], *one), *shown_by(Has.dashpot[2], *two)]
 
     def ground(self, foot: Number) -> list[Shape]:
-        """Floor, a tick at each mass's own zero, and the scale from the first."""
+        """Floor, a tick at each mass's own zero, and the text of the scale at the first one."""
         shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
         for mass in BOTH:
             tint = f"m{mass}"
@@ -214,7 +220,9 @@ class ChainDrawing:
         ]
 
     def displacement_arrow(self, mass: int, foot: Number, x: Number, words: str, top: int = 27) -> list[Shape]:
-        """The arrow from equilibrium to the mass at x (pixels), and words over the equilibrium line, which stays."""
+        """The arrow from equilibrium to the mass at x (pixels), and a text over the equilibrium line, which does not
+        move.
+        """
         tint = f"m{mass}"
         return [
             line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
@@ -225,7 +233,7 @@ class ChainDrawing:
 
 
 def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
-    """The parts of a dashpot between two places, with the length `long` at rest."""
+    """The parts of a dashpot between two positions, with the length `long` at rest."""
     near, far, middle = left + 0.14 * long, left + 0.86 * long, left + 0.5 * long + 0.34 * (right - left - long)
     look: Looks = {"tint": "T"}
     return [
@@ -239,7 +247,7 @@ def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
 
 
 def rest(mass: int) -> Number:
-    """The place of mass 1 or 2 at rest, in pixels."""
+    """The position of mass 1 or 2 at rest, in pixels."""
     return EQUILIBRIUM[mass - 1] * W
 
 
@@ -260,7 +268,7 @@ side, masses, cups, ground = DECLARED.side, DECLARED.masses, DECLARED.cups, DECL
 
 
 def place(mass: int, signal: Name | None = None) -> Number:
-    """The place of a mass, or of one that is displaced by `signal`, in pixels."""
+    """The position of a mass, or of one that is displaced by `signal`, in pixels."""
     return DECLARED.place(mass, var(signal or S.x[mass]))
 
 

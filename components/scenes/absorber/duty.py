@@ -58,7 +58,7 @@ LARGEST, SMALLEST = 1e200, 1e-300
 class Duty:
     """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI.
 
-    What is played is the particular solution, or with `from_rest` the motion from its start: at rest, or x_0 and v_0.
+    The clock plays the particular solution, or with `from_rest` the motion from a start: at rest, or with x_0 and v_0.
     """
 
     m1: float

@@ -1,7 +1,7 @@
-"""The nine systems as pictures, each drawn once: small in the picker, large on the stage.
+"""The nine systems as pictures, each written once: small in the picker, large on the stage.
 
-Blue is what has inertia, grey is what pulls back; wires, rods and walls are ink. Coordinates are those of an
-area of 84 by 54 units.
+Blue parts have inertia, grey parts pull back; wires, rods and walls have the colour of text. Coordinates are in units
+of an area of 84 by 54.
 """
 
 from __future__ import annotations
@@ -88,12 +88,12 @@ def kept(shape: Shape) -> Shape:
 
 @dataclass(frozen=True)
 class Pose:
-    """The pose of a system's picture: the expressions that move its parts.
+    """Pose of a system's picture: the expressions that move its parts.
 
-    `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a
-    quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those
-    of what vibrates, `belly` is where the first is widest, as a share of the length, and `along` how far air
-    moves.
+    `size` is the amplitude as a share of the largest one that is drawn, `q` the displacement in the same unit, and
+    `behind` the displacement a quarter period later. `angle` is the angle of a rocking body, with its sine and cosine.
+    `half_waves` is the number of half waves, `belly` the position of the first antinode as a share of the length, and
+    `along` the displacement of air.
     """
 
     size: Number

@@ -1,4 +1,4 @@
-"""Forced: the scene of two masses, one of which is pushed at a frequency of choice (D34, points 6 to 8)."""
+"""Forced: the scene of two masses, one of which is driven at a frequency that you choose (D34, points 6 to 8)."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ SLOW, FAST = (5**0.5 - 1) / 2, (5**0.5 + 1) / 2
 """The natural frequencies of the lecture's chain of equal masses and springs, in units of sqrt(k/m)."""
 
 PARTS = 4.0
-"""The parts are drawn whole while they are less than this many times as large as their sum."""
+"""The parts of a displacement are drawn completely if they are less than this many times as large as their sum."""
 
 STARTS = ("rest", "From rest"), ("steady", "On the particular solution")
 
@@ -199,7 +199,7 @@ def _traces(case: AnyCase, count: int, drawn: tuple[str, ...]) -> Traces:
 
 
 def _span(extremes: chain.Extremes, curves: Columns) -> tuple[float, float]:
-    """The range of x(t): the motion, and its parts as long as it does not vanish beside them."""
+    """The range of x(t): the motion, and its parts unless the motion vanishes next to them."""
     motion = widest(extremes["x1"], extremes["x2"])
     parts = [(float(c.min()), float(c.max())) for name, c in curves.items() if name not in extremes]
     whole = widest(motion, *parts)

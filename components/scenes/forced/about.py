@@ -31,7 +31,7 @@ LAGS = {f"phi{i}": rf"$\psi_{i}$" for i in BOTH}
 
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
-    """Displacements, and both amplitudes of the particular solution."""
+    """Errors of the displacements, and of both amplitudes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
     steady = steady_points(driven.chain, 0.0, driven.F_0, few_of(sweep["omega"]))
@@ -45,7 +45,7 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
 
 
 def dying_about(picture: Picture, modes: DampedModes) -> About:
-    """Displacements with dashpots, and both sizes of the particular solution."""
+    """Errors of the displacements with dashpots, and of both amplitudes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     true = braked_points(modes, few_of(columns["t"]))
     swings = {Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH}

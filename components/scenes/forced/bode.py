@@ -1,4 +1,4 @@
-"""Bode and Nyquist of the driven chain: the lags of both masses, and the steady motion in the complex plane."""
+"""Bode and Nyquist plots of the driven chain: the lags of both masses, and the steady motion in the complex plane."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Plane(Declared[AnyCase]):
 
 
 class BodePlaces(Declared[AnyCase]):
-    """Where the drive is on the lags and in the plane, the natural frequencies in both, and the peaks and dips."""
+    """Positions of the drive on the lags and in the plane, of the natural frequencies, and of the peaks and dips."""
 
     now, turns, unit, turn = scalar.some(4)
     phi, re, im = (scalar.each(BOTH, f"{name}{{}}_at") for name in ("phi", "re", "im"))
@@ -85,7 +85,7 @@ class DrawnResponse:
 
 
 def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnResponse:
-    """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is a swing in m."""
+    """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is an amplitude in m."""
     roots = [one for one, _ in case.modes.transient] if isinstance(case, Dying) else []
     far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
     X = bode_curves(case.damped, far, case.modes.F_0).X
@@ -109,7 +109,7 @@ def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: F
 
 
 def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCase], float]:
-    """Where the drive and the natural frequencies are."""
+    """Positions of the drive and of the natural frequencies."""
     found, omega, F_0 = dict[Scalar[AnyCase], float](), case.modes.omega, case.modes.F_0
     lag, re, im = Axes.lag(axes), Axes.re(axes), Axes.im(axes)
     for name, w in case.marked.items():
@@ -180,7 +180,7 @@ def lag_plot() -> Block:
 
 
 def _hold(i: int) -> Grab:
-    """A hand on the curve of a mass, which sets the drive frequency."""
+    """A shape on the curve of a mass. Dragging it sets the drive frequency."""
     way = Locus(
         parameter="omega", moves=B.turn.name, unit=var(B.unit), now=var(B.turn),
         above=tuple(var(B.above[i, n]) for n in range(3)),

@@ -1,4 +1,4 @@
-"""Two masses, the first of which is driven: what a motion with dashpots and one without have alike."""
+"""Two masses, the first of which is driven: the base class of the motions with and without dashpots."""
 
 from __future__ import annotations
 
@@ -27,14 +27,15 @@ signal = Signal[Any]
 
 
 class Axes(chain.Axes):
-    """Of energies, of the response, of lags and of the complex plane; F counts the drive and is not drawn."""
+    """Axes of energies, of the response, of lags and of the complex plane. F scales the drive and is not drawn."""
 
     E, omega, X, F, lag, re, im = DrawnAxis.some(7)
 
 
 class Signals(chain.Signals):
-    """Besides: the parts of the displacements, or what both modes answer to the drive; what their swings grow by near
-    resonance, up and down, and the straight line; and the drive."""
+    """Further axes: the parts of the displacements, or the responses of both modes to the drive; near resonance, the
+    growth of the amplitudes, up and down, and the straight line; the drive.
+    """
 
     x_p, x_c = signal.each(BOTH, "x{}_p"), signal.each(BOTH, "x{}_c")
     x_driven = signal.each(BOTH, "x{}_driven")
@@ -44,25 +45,25 @@ class Signals(chain.Signals):
 
 
 class Work(Declared[Any]):
-    """The gain of T + V since the start, the work of the drive, and the floor under both."""
+    """The change of T + V since the start, the work of the drive, and the lower limit of both."""
 
     gain, work, zero = Column[Any].some(3, "energy")
 
 
 S = Signals
 MARKS = ("minus", "still", "plus")
-"""The natural frequencies, between them the one at which mass 1 stands still."""
+"""The natural frequencies, and between them the frequency at which mass 1 does not move."""
 Both = Family[int, Signal[Any]]
 Found = dict[Signal[Any], AnySignal]
 
 
 def of_both(*parts: tuple[Both, Floats]) -> Columns:
-    """Columns by name, of one row for each mass."""
+    """Columns by name, from one row for each mass."""
     return by_name({of[i]: rows[i - 1] for i in BOTH for of, rows in parts})
 
 
 class Growth(NamedTuple):
-    """size sin(rate t)/rate in m, at rate 0 size t: what a response next to resonance grows by."""
+    """Return size sin(rate t)/rate in m, and size t at rate 0: the factor by which a response near resonance grows."""
 
     size: float
     rate: float
@@ -95,7 +96,7 @@ class ForcedCase:
 
     @property
     def comparable(self) -> bool:
-        """Whether the lecture's units are there, sqrt(k1/m1) and F0/k1."""
+        """True if the lecture's units sqrt(k1/m1) and F0/k1 exist."""
         return self.chain.k1 > 0 and self.modes.F_0 > 0
 
     @cached_property
@@ -106,17 +107,17 @@ class ForcedCase:
 
     @cached_property
     def fastest(self) -> float:
-        """The largest angular frequency of what moves."""
+        """The largest angular frequency of the motions."""
         return max(self.modes.omega, self.natural[1])
 
     @property
     def stills(self) -> bool:
-        """Whether mass 1 stands still at some drive frequency."""
+        """True if mass 1 does not move at some drive frequency."""
         return bool(self.chain.k2)
 
     @cached_property
     def marks(self) -> dict[str, float]:
-        """The natural frequencies at which mass 1 moves, and the one at which it stands still."""
+        """The natural frequencies at which mass 1 moves, and the frequency at which it does not."""
         slow, fast = self.natural
         if not self.chain.k2:
             return {"plus": fast}
@@ -124,13 +125,13 @@ class ForcedCase:
 
     @cached_property
     def marked(self) -> dict[str, float]:
-        """The natural frequencies above 0, and sqrt(k2/m2), also where mass 1 moves there."""
+        """The natural frequencies above 0, and sqrt(k2/m2), even if mass 1 moves there."""
         every = self.marks | ({"still": antiresonance(self.chain)} if self.chain.k2 else {})
         return {name: w for name, w in every.items() if w > 0}
 
     @property
     def damping(self) -> Pair:
-        """c1 and c2."""
+        """The damping constants c1 and c2."""
         return 0.0, 0.0
 
     @cached_property
@@ -150,28 +151,28 @@ class ForcedCase:
 
     @property
     def split(self) -> bool:
-        """Whether the parts are worth drawing."""
+        """True if the parts are worth drawing."""
         raise NotImplementedError
 
     @property
     def moving(self) -> tuple[str, ...]:
-        """The displacements, with their parts where these are worth drawing."""
+        """The displacements, with their parts if these are worth drawing."""
         return tuple(of[i].name for i in BOTH for of in ((S.x, S.x_p, S.x_c) if self.split else (S.x,)))
 
     @property
     def in_doubles(self) -> bool:
-        """Whether the motion, computed in doubles, is right to all that is drawn."""
+        """True if the motion, computed in doubles, is right to all digits that are drawn."""
         return True
 
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:
-        """The gain of T + V since the start and the work of the drive."""
+        """The change of T + V since the start and the work of the drive."""
         raise NotImplementedError
 
     def energies(self, t: Floats) -> dict[Column[Any], Floats]:
-        """The energies, none where they are too fast to be drawn.
+        """The energies; none if they are too fast to be drawn.
 
-        In another view than Work there are none either where they would cost much or leave the doubles: the ValueError
-        is that of Work alone.
+        Outside the view Work there are none either if they would cost much or leave the range of doubles. Only Work
+        raises ValueError for that.
         """
         if not drawable(2 * self.fastest, t) or not (self.in_doubles or self.view == "work"):
             return {}
@@ -184,7 +185,7 @@ class ForcedCase:
 
     @property
     def limits(self) -> dict[Signal[Any], Growth]:
-        """The growth of the swings, up and down, where they grow."""
+        """The growth of the amplitudes, up and down, if they grow."""
         return {}
 
     def limiting(self, t: Floats) -> Columns:

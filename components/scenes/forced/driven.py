@@ -1,4 +1,4 @@
-"""The driven motion as it is drawn: its parts, its energies, and near resonance the envelope of the growing beat."""
+"""The driven motion without dashpots: its parts, its energies, and near resonance the envelope of the growing beat."""
 
 from __future__ import annotations
 
@@ -25,42 +25,42 @@ from physics.forced import DrivenModes, determinant
 from physics.sampling import Sinusoid, drawable
 
 APART = 0.98
-"""An envelope that falls below this share of the straight line is seen beside it."""
+"""If the envelope falls below this share of the straight line, both are drawn."""
 STRAIGHT = 1e-8
-"""rad; an envelope that turns no further in its window is the line to the last digit."""
+"""In rad; if the phase of an envelope changes less in its window, it equals the straight line to the last digit."""
 
 
 @dataclass(frozen=True, eq=False)
 class Undamped(ForcedCase):
-    """A driven motion that nothing damps."""
+    """A driven motion without damping."""
 
     modes: DrivenModes
 
     @property
     def split(self) -> bool:
-        """Whether the parts are worth drawing."""
+        """True if the parts are worth drawing."""
         return self.modes.split_is_meaningful
 
     @property
     def resonant(self) -> bool:
-        """Whether the drive is so close to a natural frequency that the motion is not shown as two parts."""
+        """True if the drive is so close to a natural frequency that the motion is not shown as two parts."""
         return self.modes.omega > 0 and not self.split
 
     @property
     def kind(self) -> str:
-        """Which form the particular solution has."""
+        """The form of the particular solution."""
         if self.modes.at_resonance:
             return "resonance"
         return "near" if self.resonant else "finite" if self.chain.k2 else "loose"
 
     @property
     def moves(self) -> bool:
-        """Whether the start alone brings a motion."""
+        """True if the initial conditions alone cause a motion."""
         return bool(np.any(self.modes.free.amplitude) or np.any(self.modes.free.drift_b))
 
     @cached_property
     def swings(self) -> Pair:
-        """Xp1 and Xp2; at resonance infinite, but for a mass 2 that no spring ties."""
+        """Xp1 and Xp2; infinite at resonance, except for a mass 2 without a spring."""
         if self.modes.at_resonance:
             return math.inf, math.inf if self.chain.k2 else 0.0
         one, two = self.modes.particular.tolist()
@@ -72,7 +72,7 @@ class Undamped(ForcedCase):
 
     @cached_property
     def growth(self) -> Pair:
-        """The growth of both swings in a second at the nearest natural frequency, from rest, in m/s."""
+        """The growth of both amplitudes per second at the nearest natural frequency, from rest, in m/s."""
         one, two = self.modes.F_0 * abs(self.modes.coupling[self._nearest]) / (2 * self.natural[self._nearest])
         return float(one), float(two)
 
@@ -87,10 +87,10 @@ class Undamped(ForcedCase):
 
     @cached_property
     def limits(self) -> dict[Signal[Any], Growth]:
-        """Near resonance the envelope of the growing part, up and down; empty elsewhere.
+        """The envelope of the growing part near resonance, up and down; otherwise empty.
 
-        With 2 d the detuning from the nearest mode it is growth |sin(d t)/d|, at d = 0 growth t; where the window is
-        long enough to tell them apart, the straight line is there too.
+        With a detuning of 2 d from the nearest mode it is growth |sin(d t)/d|, at d = 0 growth t. If the window is long
+        enough for a visible difference, the straight line is included.
         """
         found = dict[Signal[Any], Growth]()
         if self.resonant:
@@ -105,15 +105,15 @@ class Undamped(ForcedCase):
         return found
 
     def columns(self, t: Floats) -> tuple[Columns, Columns]:
-        """The motion and its parts in doubles, as a frame is fitted to, or bands where they are too fast to draw."""
+        """The motion and its parts in doubles, for fitting a frame, or bands if they are too fast to draw."""
         return (self._in_doubles(t), {}) if drawable(self.fastest, t) else self._traced(t)
 
     def exact(self, t: Floats) -> Columns:
-        """The curves to the last digits."""
+        """The curves to the last digit."""
         return of_both(*self._parts(t))
 
     def _in_doubles(self, t: Floats) -> Columns:
-        """At times that resolve it. Parts that are huge and opposite are left out: see `limits`."""
+        """The motion at times that resolve it. Parts that are huge and opposite are omitted: see `limits`."""
         if not self.split:
             return of_both((S.x, self.modes.motion(t).x))
         particular = np.outer(self.modes.particular, np.sin(self.modes.omega * t))
@@ -121,7 +121,7 @@ class Undamped(ForcedCase):
         return of_both((S.x, particular + complementary), (S.x_p, particular), (S.x_c, complementary))
 
     def _traced(self, t: Floats) -> tuple[Columns, Columns]:
-        """The motion and its parts where they are too fast to draw: as curves or as bands."""
+        """The motion and its parts if they are too fast to draw, as curves or as bands."""
         drawn, curves, bands = self._parts(t), Columns(), Columns()
         for i in BOTH:
             for part, x in drawn:
@@ -130,12 +130,12 @@ class Undamped(ForcedCase):
         return curves, bands
 
     def _parts(self, t: Floats) -> list[tuple[Both, Floats]]:
-        """The displacements and their parts to the last digits."""
+        """The displacements and their parts to the last digit."""
         motion, *parts = self.modes.apart(t) if self.split else (self.modes.motion(t),)
         return list(zip((S.x, S.x_p, S.x_c), (motion.x, *parts), strict=False))
 
     def _trace(self, part: Both, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
-        """Of the displacement of mass i (1, 2) or one of its parts."""
+        """The terms of the displacement of mass i (1, 2), or of one of its parts."""
         rest, at = self.modes.complementary_modes, i - 1
         particular = [Sinusoid(self.modes.particular[at], self.modes.omega, 0.0)] if part is not S.x_c else []
         complementary = components(rest, at) if part is not S.x_p else []
@@ -143,14 +143,16 @@ class Undamped(ForcedCase):
         return trace(part[i], [*particular, *complementary], t, drift, x)
 
     def _band(self, i: int, t: Floats) -> Columns:
-        """The band that the displacement of mass i (1, 2) fills next to resonance."""
+        """The band that the displacement of mass i (1, 2) fills near resonance."""
         beat = np.abs(Growth(self.growth[i - 1], self._halfway).at(t)) if self.resonant else 0.0
         size = beat + self._others(i - 1)
         drift = self.modes.free.drift_a[i - 1] + self.modes.free.drift_b[i - 1] * t
         return dict(zip(band_columns(S.x[i].name), (drift - size, drift + size), strict=True))
 
     def _others(self, i: int) -> float:
-        """The reach of all but the resonant response: the free motion of the start and the other mode's response."""
+        """The bound of everything except the resonant response: the free motion of the start and the response of the
+        other mode.
+        """
         modes, other = self.modes, 1 - self._nearest
         reach = float(np.abs(modes.free.amplitude[:, i]).sum())
         if self.natural[other] > 0 and modes.coupling[other, i]:
@@ -158,12 +160,12 @@ class Undamped(ForcedCase):
         return reach
 
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:
-        """The gain of T + V since the start and the work of the drive."""
+        """The change of T + V since the start and the work of the drive."""
         energy = chain_energy(self.chain, self.modes.motion(t)).total
         return {Work.gain: energy - energy[0], Work.work: self.modes.work(t), Work.zero: np.zeros_like(t)}
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
-        """The clock's: the free motion of the start plus each mode's response, regular at resonance."""
+        """Signals for the clock: the free motion of the start plus the response of each mode, regular at resonance."""
         found = Found()
         F_0, omega, coupling = self.modes.F_0, self.modes.omega, self.modes.coupling.T.tolist()
         for i, shares, swing in zip(BOTH, coupling, self.swings, strict=True):

@@ -1,4 +1,4 @@
-"""The driven motion with dashpots as it is drawn: a steady part, which remains, and one that dies."""
+"""The driven motion with dashpots: the steady state and the transient."""
 
 from __future__ import annotations
 
@@ -30,15 +30,16 @@ from physics.transient import DRAWING, FILE, DampedModes, Decaying
 from physics.valid import in_range
 
 HUGE = 1e3
-"""Parts so many times as large as their sum are not drawn apart."""
+"""Parts this many times as large as their sum are not drawn separately."""
 SURE = 1e-9
-"""The share of a motion that no drawing shows."""
+"""The share of a motion that is too small to be drawn."""
 NODES = 801
-"""Points of a window that the browser joins by Hermite pieces, where the parts cancel too far for doubles."""
+"""Points of a window that the browser joins by Hermite pieces, if doubles lose too many digits in the sum of the parts.
+"""
 TERMS = 2
-"""Terms of a part that dies, 1 and t, that a signal has."""
+"""A transient in a signal has at most the terms 1 and t."""
 AT_FIRST = np.geomspace(1e-16, 0.8, 60)
-"""Shares of the first step, in which what dies at any rate is seen to die."""
+"""Shares of the first step, which show a decay at any rate."""
 Terms = tuple[Decaying, ...]
 _GAUSS = np.polynomial.legendre.leggauss(5)
 
@@ -56,13 +57,13 @@ class Dying(ForcedCase):
 
     @cached_property
     def X(self) -> tuple[complex, complex]:
-        """The steady swings: x_p = Im(X exp(i omega t))."""
+        """The steady amplitudes: x_p = Im(X exp(i omega t))."""
         one, two, _ = self.modes.particular.tolist()
         return one, two
 
     @cached_property
     def swings(self) -> Pair:
-        """The sizes of the steady swings; at omega = 0 their limit, infinite where nothing holds the masses."""
+        """The sizes of the steady amplitudes; at omega = 0 their limit, infinite if nothing holds the masses."""
         modes = self.modes
         one, two = np.abs(damped_solution(self.chain, modes.c, modes.F_0, modes.omega, modes.c1)).tolist()
         return one, two
@@ -73,7 +74,7 @@ class Dying(ForcedCase):
 
     @property
     def lags(self) -> Pair:
-        """The phases by which they lag the drive, in rad."""
+        """The phases in rad by which they lag the drive."""
         one, two = (-cmath.phase(X) % (2 * math.pi) for X in self.X)
         return one, two
 
@@ -88,12 +89,12 @@ class Dying(ForcedCase):
 
     @cached_property
     def split(self) -> bool:
-        """Whether the parts are worth drawing."""
+        """True if the parts are worth drawing."""
         return float(np.abs(self.modes.particular[:2]).max()) <= HUGE * self._reach
 
     @cached_property
     def in_doubles(self) -> bool:
-        """Whether the parts, summed in doubles, are right to all that is drawn."""
+        """True if the parts, summed in doubles, are right to all digits that are drawn."""
         if any(len(one.amplitudes) > TERMS for one in self.modes.transient):
             return False
         sizes = float(np.abs(self.modes.particular).max())
@@ -102,7 +103,7 @@ class Dying(ForcedCase):
         return 2.0**-52 * (1 + self.fastest * self.end) * sizes <= SURE * self._reach
 
     def motion(self, t: Floats) -> Motion:
-        """The motion as far as a drawing shows it; ValueError where that takes more time than a picture has."""
+        """Return the motion to the precision of a drawing. Raise ValueError if that takes longer than a picture may."""
         if not self.in_doubles:
             return self.modes.motion(t, DRAWING)
         x, v = self.modes.drawn(t)
@@ -110,13 +111,13 @@ class Dying(ForcedCase):
         return Motion(t, x[:2], in_range("the velocities", v[:2]), x[::2])
 
     def columns(self, t: Floats) -> tuple[Columns, Columns]:
-        """x1, x2 and their parts where they are drawn; or the bands that they fill, where they are too fast."""
+        """x1, x2 and their parts if they are drawn; or the bands that they fill if they are too fast."""
         if not drawable(self.fastest, t):
             return {}, self._bands(t)
         return self._curves(t, self.motion(t).x), {}
 
     def exact(self, t: Floats) -> Columns:
-        """The curves to the last digits; ValueError where that takes more work than a file has."""
+        """The curves to the last digit. Raise ValueError if that takes more work than a file may."""
         return self._curves(t, self.modes.motion(t, FILE).x)
 
     def _curves(self, t: Floats, x: Floats) -> Columns:
@@ -125,7 +126,7 @@ class Dying(ForcedCase):
         return of_both((S.x, x), (S.x_p, self.modes.particular_motion(t)), (S.x_c, self.modes.complementary(t)))
 
     def _bands(self, t: Floats) -> Columns:
-        """Not further than all parts together go."""
+        """A bound: the sum of all parts."""
         found: Columns = {}
         for i, X in zip(BOTH, self.X, strict=True):
             size = np.full_like(t, abs(X))
@@ -136,7 +137,7 @@ class Dying(ForcedCase):
         return found
 
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:
-        """The gain of T + V since the start, and the work of the drive: what is between them is heat."""
+        """The change of T + V since the start, and the work of the drive. Their difference is heat."""
         energy = chain_energy(self.chain, self.motion(t)).total
         work = self._integrated(t, lambda s: self.modes.F_0 * np.sin(self.modes.omega * s) * self._v(s)[0])
         return {Work.gain: energy - energy[0], Work.zero: np.zeros_like(t), Work.work: work}
@@ -159,7 +160,7 @@ class Dying(ForcedCase):
         return in_range("the energies", done)
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
-        """The clock's: x1, x2, their parts, the drive."""
+        """Signals for the clock: x1, x2, their parts, the drive."""
         found, omega, terms = self.drive(time, force), self.modes.omega, self.modes.transient
         for i, X in zip(BOTH, self.X, strict=True):
             x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
@@ -176,11 +177,11 @@ class Dying(ForcedCase):
 
     @cached_property
     def _tabled(self) -> tuple[Motion, float]:
-        last = 1.02 * self.end  # a table is periodic: it must not begin anew within the window
+        last = 1.02 * self.end  # a table is periodic: it must not repeat within the window
         return self.motion(np.linspace(0.0, last, NODES)), last
 
     def forces(self, t: Floats, size: Axis, time: Axis) -> Forces:
-        """The forces on the masses, with the signals of both velocities that the dashpots answer to."""
+        """The forces on the masses, with the signals of both velocities for the dashpots."""
         motion = self.motion(t)
         speed = nice_axis(0.0, float(np.abs(motion.v).max()) or 1.0, "m/s", exact=True)
         found = forces(self.chain, motion, size, self.modes.F_0, self.modes.omega, self.damping, speed)
@@ -202,13 +203,13 @@ class Dying(ForcedCase):
 
     @cached_property
     def slowest(self) -> float:
-        """The rate at which the part dies that lasts longest, in 1/s; 0 where something stays."""
+        """The decay rate of the slowest transient in 1/s; 0 if something does not decay."""
         left = [-one.exponent.real for one in self.modes.transient]
         return min(left, default=math.inf)
 
 
 def _waves(terms: Terms, i: int) -> Iterator[tuple[float, float, float, float, float]]:
-    """Each Re(A exp(s t)) and Re(B t exp(s t)) of mass i (1, 2) as a decaying sine."""
+    """Return each Re(A exp(s t)) and Re(B t exp(s t)) of mass i (1, 2) as a decaying sine."""
     for exponent, rows in terms:
         for j, A in enumerate(rows[:, i - 1] if exponent else ()):
             if A:
@@ -217,7 +218,7 @@ def _waves(terms: Terms, i: int) -> Iterator[tuple[float, float, float, float, f
 
 
 def _line(terms: Terms, i: int) -> Pair:
-    """A constant and a drift of mass i (1, 2), of what nothing ties to its place."""
+    """The constant and the drift of mass i (1, 2), if nothing holds it in place."""
     for exponent, rows in terms:
         if not exponent:
             return float(rows[0, i - 1].real), float(rows[1, i - 1].real) if len(rows) > 1 else 0.0

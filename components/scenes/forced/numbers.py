@@ -18,7 +18,7 @@ number = LiveNumber[AnyCase]
 
 
 class Amplitude(LiveNumber[AnyCase]):
-    """An amplitude with its sign, or a size where dashpots leave none."""
+    """An amplitude with its sign; with dashpots only its size."""
 
     def text(self, case: AnyCase, axes: Mapping[str, Axis]) -> str:
         size = super().text(case, axes)

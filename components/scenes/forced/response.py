@@ -1,4 +1,4 @@
-"""The response curve: how far each mass swings at each drive frequency (D34, points 7 and 8)."""
+"""The response curve: the amplitude of each mass at each drive frequency (D34, points 7 and 8)."""
 
 from __future__ import annotations
 
@@ -35,21 +35,23 @@ from physics.absorber import damped_amplitude, damped_solution
 from physics.forced import particular_solution
 
 BRANCHES = ("", "12", "2", "1")
-"""The masses that swing against the push: below both poles, up to where mass 1 stands still, up to the upper pole, and
-above. Each branch is a line of its own, none runs across a pole, and what is against the push is dashed."""
+"""Branches of the curve, by the masses that move against the drive: below both poles, up to the frequency at which mass
+1 does not move, up to the upper pole, and above. Each branch has its own line, so none crosses a pole. A mass that
+moves against the drive is dashed.
+"""
 POINTS = 70
 CLOSEST = 1e-5
-"""The first point of a branch stands this far from its pole, as a fraction of the branch."""
+"""The first point of a branch has this distance from its pole, as a fraction of the branch."""
 NEAR, EVEN = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
-"""Half a branch, as fractions of it: closer and closer together towards a pole, or equally far apart."""
+"""Points of half a branch, as fractions of it: increasingly dense towards a pole, or equally spaced."""
 WIDTHS = np.array([0.0, *np.geomspace(0.05, 40.0, 20)])
-"""The distances from a peak at which its curve is drawn, in widths of the peak."""
+"""The distances from a peak at which its curve has points, in widths of the peak."""
 BESIDE = 1e-6
-"""The relative distance that a log axis keeps from the frequency at which mass 1 stands still."""
+"""The relative distance on a log axis from the frequency at which mass 1 does not move."""
 REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
 TALL = 5.0
-"""The frame is this many times as high as the swing under a steady force."""
+"""The frame is this many times as high as the amplitude under a steady force."""
 POLES = "nan: at a natural frequency there is no steady amplitude."
 """Sentence about the table of amplitudes without dashpots."""
 
@@ -58,15 +60,16 @@ scalar, column = Scalar[AnyCase], Column[AnyCase]
 
 
 class Swings(Declared[AnyCase]):
-    """The amplitudes at drive frequencies; each branch has a source of its own."""
+    """The amplitudes at drive frequencies. Each branch has its own source."""
 
     omega = column("response")
     Xp = column.each(BOTH, source="response")
 
 
 class Places(Declared[AnyCase]):
-    """Places of flags and the frequencies they set; where the drive is, the dots: how high, whether they have left the
-    frame, at the top or at the bottom, and where they are held."""
+    """Positions of flags and the frequencies that they set; at the drive frequency, the dots: their heights, whether
+    they are above or below the frame, and where they can be dragged.
+    """
 
     mark, exactly = scalar.each(MARKS, "mark_{}"), scalar.each(MARKS, "mark_{}_si")
     drive_at, driven = scalar.some(2)
@@ -77,9 +80,9 @@ P = Places
 
 
 def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
-    """The curves `size`, `signed` or `log`, with the drive marked; in the lecture's units where asked for.
+    """The curves `size`, `signed` or `log`, with the drive marked, in the lecture's units if asked for.
 
-    With dashpots a swing is neither with nor against the push: its size is drawn.
+    With dashpots a motion is neither with nor against the drive, so its size is drawn.
     """
     log, omega, fast = shown == "log", case.modes.omega, case.natural[1]
     signed = shown == "signed" and isinstance(case, Undamped)
@@ -104,14 +107,14 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
 
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
-    """Frequencies, the amplitudes there, and which of them each branch has."""
-    # Down to 0; on a log axis far below the frame, where a number is left to draw.
+    """Frequencies, the amplitudes there, and the slice of each branch."""
+    # Down to 0; on a log axis far below the frame, where the logarithm exists.
     w, branches = _branches(_cuts(case), BESIDE if log else 0.0, *sorted((across.start, across.end)))
     return w, particular_solution(case.chain, case.modes.F_0, w), branches
 
 
 def _curve(case: Dying, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
-    """As above, of one branch, finite everywhere: over the axis, and more about each peak, as it is wide."""
+    """Columns of one branch with finite amplitudes: points over the axis, and more near each peak."""
     low, high = sorted((across.start, across.end))
     grid = np.geomspace(low, high, 4 * POINTS) if log else np.linspace(low, high, 4 * POINTS)
     peaks = [
@@ -128,7 +131,7 @@ def _curve(case: Dying, across: Axis, log: bool) -> tuple[Floats, Floats, dict[i
 
 
 def _units(case: AnyCase) -> tuple[float, float]:
-    """sqrt(k1/m1) and F0/k1; without a spring to the wall, what stands in their place for the size of the frame."""
+    """sqrt(k1/m1) and F0/k1; without a spring to the wall, replacements that set the size of the frame."""
     system, F_0 = case.chain, case.modes.F_0
     if system.k1:
         return math.sqrt(system.k1) / math.sqrt(system.m1), F_0 / system.k1
@@ -137,7 +140,7 @@ def _units(case: AnyCase) -> tuple[float, float]:
 
 
 def _cuts(case: Undamped) -> list[tuple[float, int, bool]]:
-    """Where a branch begins: the frequency, which branch, and whether it is a pole; a free mass 2 has no part in it."""
+    """Where a branch begins: the frequency, the branch, and whether it is a pole. A free mass 2 does not count."""
     branches = {"minus": 1, "still": 2, "plus": 3}
     return [(case.marks[name], i, name != "still") for name, i in branches.items() if name in case.marks]
 
@@ -145,9 +148,9 @@ def _cuts(case: Undamped) -> list[tuple[float, int, bool]]:
 def _branches(
     cuts: list[tuple[float, int, bool]], beside: float, start: float, end: float
 ) -> tuple[Floats, dict[int, slice]]:
-    """Frequencies, closer and closer together towards a pole, and which of them each branch has.
+    """Frequencies, increasingly dense towards a pole, and the slice of each branch.
 
-    Branches meet where mass 1 stands still; on a log axis that is left out by the share `beside` on both sides.
+    Branches meet where mass 1 does not move. On a log axis they end at a relative distance `beside` from there.
     """
     poles = [w for w, _, pole in cuts if pole]
     before = [i for w, i, _ in cuts if w <= start]
@@ -171,7 +174,7 @@ def _branches(
 
 
 def _table(case: AnyCase, w: Floats, swings: Floats) -> FileTable:
-    """The amplitudes for a file, a row for each frequency: signed, or with dashpots their sizes and the lags."""
+    """The amplitudes for a file, one row per frequency: with signs, or with dashpots their sizes and the lags."""
     w, first = np.unique(w, return_index=True)
     sources = *(f"branch{i}" for i in range(len(BRANCHES))), "lag"
     units = {"omega": "rad/s", "Xp1": "m", "Xp2": "m"}
@@ -238,7 +241,7 @@ FLAGS = (
 
 
 def response_plot() -> PlotBlock:
-    """The plot, its flags 'go there', and the pill that sets the drive frequency."""
+    """The plot, its buttons at the flags, and the handle that sets the drive frequency."""
     marks = tuple(
         mark(
             P.mark[name], tint=tint, html=f"{rich(symbol)}<br>{rich(str(N.mark[name]))}", label=label, style=style,
@@ -268,7 +271,7 @@ def response_plot() -> PlotBlock:
 
 
 def _branch(i: int, b: int) -> Curve:
-    """One branch of the curve of mass i; the first of them carries the dot at the drive frequency."""
+    """One branch of the curve of mass i. The first branch carries the dot at the drive frequency."""
     dot: dict[str, Any] = {"signal": P.at[i], "signal_x": P.drive_at} if b == 0 else {}
     width = "dash" if str(i) in BRANCHES[b] else "sum"
     read = f"*X*_{{p{i}}}"
@@ -276,7 +279,7 @@ def _branch(i: int, b: int) -> Curve:
 
 
 def _gone() -> list[Shape]:
-    """Arrows at the edge of the frame where a dot has left it."""
+    """Arrows at the edge of the frame where a dot is outside."""
     shapes = []
     for i, aside in zip(BOTH, (-5, 5), strict=True):
         x, look = RESPONSE.x(var(P.drive_at)) + aside, {"tint": f"m{i}", "head": 12}
@@ -287,7 +290,7 @@ def _gone() -> list[Shape]:
 
 
 def _drive() -> list[Shape]:
-    """Where the drive stands on each curve: unseen, over the dots; it is taken along the axis, past a pole too."""
+    """Invisible shapes over the dots. They are dragged along the axis, also past a pole."""
     x, way = RESPONSE.x(var(P.drive_at)), on_plot(RESPONSE, "x", "omega", P.drive_at, Axes.omega, least=0.0)
     held = {i: grab(f"Drive frequency, on the curve of mass {i}", way, inside=RESPONSE) for i in BOTH}
     return [circle(x, RESPONSE.y(var(P.held[i])), 0, show=P.driven, grab=held[i]) for i in BOTH]

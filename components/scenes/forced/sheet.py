@@ -86,7 +86,9 @@ def _shapes() -> list[Shape]:
 
 
 def _motion(i: int) -> Block:
-    """x_i(t) with its particular and complementary parts; near resonance the swing of the resonant part instead."""
+    """The plot of x_i(t) with its particular and complementary parts; near resonance with the growth of the resonant
+    part instead.
+    """
     x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
     traces = (
         traced(x_c, tint="xc", width="dash", read="complementary", signal=x_c),
@@ -116,7 +118,7 @@ def _motion(i: int) -> Block:
 
 
 def _heading(i: int) -> tuple[Term, ...]:
-    """x_i as the sum of its parts; near resonance what its swing does."""
+    """x_i as the sum of its parts; near resonance the growth of its amplitude."""
     particular = rf"{N.X[i]}\,\sin({N.omega}\,t"
     rest = r"+\; \text{complementary}"
     wave = {"words": r"\text{particular}", "formula": f"{particular})", "dies": rf"{particular}\,{N.lag[i]})"}

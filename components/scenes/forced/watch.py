@@ -1,4 +1,4 @@
-"""A sentence for each preset on what to watch."""
+"""For each preset, a sentence that says what to watch."""
 
 WATCH = {
     "All equal": "In xₚ mass 1 swings against the push from ω₋ to 1 rad/s, with it up to ω₊, then against it.",

@@ -1,4 +1,4 @@
-"""The words of the forced masses: formulas, and which sentence stands."""
+"""The texts of the forced masses: formulas, and the conditions of sentences."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ form = Form[AnyCase]
 
 
 def _steady(case: AnyCase) -> str:
-    """The form of the particular solution: its formulas, or why they do not stand."""
+    """The form of the particular solution: its formulas, or the reason why there are none."""
     return case.kind if case.driven else "rest" if not case.moves else "none" if case.modes.F_0 else "idle"
 
 
 def _part(case: AnyCase) -> str:
-    """The form of the parts of a displacement; where they are huge and opposite the envelope stands in their place."""
+    """The form of the parts of a displacement. If they are huge and opposite, the envelope is shown instead."""
     if not case.split or (isinstance(case, Dying) and not case.driven):
         return ""
     return "words" if case.view != "formulas" else "formula" if isinstance(case, Undamped) else "dies"
 
 
 def _dying(case: AnyCase) -> str:
-    """The fate of the complementary part, or of the motion where nothing is driven."""
+    """The form of the sentence on the decay of the complementary part, or of the motion if nothing is driven."""
     if isinstance(case, Undamped) or case.slowest == math.inf or _steady(case) == "rest":
         return ""
     if not case.slowest:
@@ -53,7 +53,7 @@ class Forms(Declared[AnyCase]):
 
 
 def _rows(one: str, two: str) -> str:
-    """Both equations in matrix form, of springs alone or of springs and dashpots."""
+    """Both equations in matrix form, with springs alone or with springs and dashpots."""
     return (
         rf"[small|$\begin{{pmatrix}} m_1 \omega^2 - {one} - {two} & {two} \\ {two} & m_2 \omega^2 - {two}"
         r" \end{pmatrix} \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
@@ -63,7 +63,7 @@ def _rows(one: str, two: str) -> str:
 
 _GROWS = f"from rest the swing of $x_1$ grows by {N.growth[1]} m a second, that of $x_2$ by {N.growth[2]} m."
 UNDRIVEN = ("none", "idle", "rest")
-"""Where nothing is driven, in the words of the particular solution."""
+"""The text in place of the particular solution if nothing is driven."""
 
 FATE = either(
     Forms.dying,
@@ -74,7 +74,7 @@ FATE = either(
     alike_free="The motion dies.",
     stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
 )
-"""What becomes of the complementary part with dashpots."""
+"""The decay of the complementary part with dashpots."""
 
 SOLUTION: list[Paragraph] = [
     either(Forms.rows, sign=_rows("k_1", "k_2"), braked=_rows(r"\kappa_1", r"\kappa_2")),
@@ -114,7 +114,7 @@ SOLUTION: list[Paragraph] = [
         **dict.fromkeys((*UNDRIVEN, "loose", "resonance", "near", "braked"), ""),
     ),
 ]
-"""The particular solution: both rows, both amplitudes, or why there are none."""
+"""The particular solution: both rows, both amplitudes, or the reason why there are none."""
 
 LAGS: list[Paragraph] = [
     f"[m1|Mass 1 {N.phase[1]}], [m2|mass 2 {N.phase[2]}].",
@@ -126,7 +126,7 @@ LAGS: list[Paragraph] = [
     "Lag 1 stays between 0 and 180°: a push can only feed the mass that it acts on. So with little damping lag 1 falls "
     "back between the resonances. Spring 2 is between the push and mass 2: lag 2 goes on.",
 ]
-"""The lags, the peaks, and why only the lag of mass 1 falls back."""
+"""The lags, the peaks, and the reason why only the lag of mass 1 decreases again."""
 
 WORK: list[Paragraph] = [
     either(
@@ -137,7 +137,7 @@ WORK: list[Paragraph] = [
     ),
     "*X*_1 is never above the axis: a push can only feed the mass that it acts on. *X*_2 can be.",
 ]
-"""The work of a cycle, as the depth of the curve of mass 1."""
+"""The work in a cycle, as the depth of the curve of mass 1."""
 
 MOTION: list[Paragraph] = [
     either(
@@ -156,7 +156,7 @@ MOTION: list[Paragraph] = [
     rf"$F_2 =$ {S.F[2]} {Arrows.force_unit}",
     rf"$\tint{{F}}{{F = F_0 \sin \omega t =}}$ [F|{S.force_now} {N.F_unit}]",
 ]
-"""Newton's law for each mass, the force on it now, and the drive."""
+"""Newton's law for each mass, the current force on it, and the drive."""
 
 
 def notes(case: AnyCase, units: str, shown: str, too_fast: bool) -> list[str]:

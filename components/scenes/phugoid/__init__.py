@@ -1,4 +1,4 @@
-"""Phugoid: the scene of an aircraft left alone, which trades height for speed (D31, points 8 to 10)."""
+"""Phugoid: the scene of an aircraft without control, which exchanges height and speed (D31, points 8 to 10)."""
 
 from __future__ import annotations
 

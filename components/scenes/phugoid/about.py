@@ -13,7 +13,7 @@ from physics.phugoid import flight, invariant
 from physics.reference.single import flight_points
 
 FLIGHT, EACH_SWING = 32, 32
-"""ulp: of the first swing of a flight, and by how much its phase adds to that in each later one."""
+"""In ulp: the error of the first period of a flight, and the phase error that each later one adds."""
 
 
 def flight_about(picture: Picture, swing: Swing) -> About:

@@ -1,4 +1,4 @@
-"""The axes of a flight, in the unit that is chosen."""
+"""The axes of a flight, in the chosen unit."""
 
 from __future__ import annotations
 
@@ -47,8 +47,9 @@ def axes_of(swing: Swing) -> dict[str, Axis]:
 
 
 def _ground(swing: Swing, unit: str, factor: float) -> tuple[Axis, Axis]:
-    """Axes along and up, of one scale, labelled in `unit`, which is `factor` metres: as far as the flight comes in the
-    window, or as wide as the swing asks for."""
+    """Axes along and up with the same scale, labelled in `unit`, which is `factor` metres. They contain the flight
+    within the window, or are as wide as the oscillation requires.
+    """
     length, size = swing.length, abs(swing.excess)
     low, high = min(float(swing.lap.h.min()), -size), max(float(swing.lap.h.max()), size)
     room = 0.16 * (high - low)
@@ -61,7 +62,7 @@ def _ground(swing: Swing, unit: str, factor: float) -> tuple[Axis, Axis]:
 
 
 def _along(low: float, high: float, unit: str, factor: float) -> Axis:
-    """The horizontal axis; distances of five digits do without a power of ten."""
+    """The horizontal axis. Distances of five digits have no power of ten."""
     axis = nice_axis(low, high, unit, 3, exact=True, factor=factor)
     if not 1e4 <= high / factor < 1e5:
         return axis
@@ -69,13 +70,15 @@ def _along(low: float, high: float, unit: str, factor: float) -> Axis:
 
 
 def _up(along: Axis, low: float, high: float) -> Axis:
-    """The vertical axis in the unit of the horizontal one; its zero is named by the stage."""
+    """The vertical axis in the unit of the horizontal one. The stage labels its zero."""
     axis = replace(along, start=low, end=high, zero=False)
     return replace(axis, ticks=round_ticks(replace(axis, start=0.9 * low, end=0.9 * high)))
 
 
 def _velocity(swing: Swing) -> tuple[Axis, Axis]:
-    """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0; one frame for all but wide loops."""
+    """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0, with one frame for all flights except wide
+    loops.
+    """
     far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
     low = min(-0.85, 1.15 * float(swing.lap.u.min()))
     ticks = tuple(float(i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1, math.ceil(far / 1.5)))

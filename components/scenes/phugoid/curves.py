@@ -1,4 +1,4 @@
-"""The curves of a flight: its signals, its path, its velocities, and bands where a swing is too fast for a line."""
+"""The curves of a flight: its signals, its path, its velocities, and bands if it is too fast for a line."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from physics.phugoid import CUSP_EXCESS, flight, lanchester, linear_flight, line
 from physics.sampling import Sinusoid, drawable
 
 SWINGS = 28
-"""As many swings of a path can be told apart."""
+"""At most this many periods of a path are distinguishable."""
 FAMILY = {
     name: lanchester(excess, 121) for name, excess in (("a", 0.2), ("b", 0.4), ("cusp", CUSP_EXCESS), ("loop", 1.0))
 }
@@ -40,14 +40,14 @@ signal = Signal[Swing]
 
 
 def _told(swing: Swing, axes: AxesInForce, on: Axis, values: Floats, rates: Floats, gain: float = 0.0) -> AnySignal:
-    """A number of the exact flight, from a period of it and what it gains in that."""
+    """A signal of the exact flight, from one period and the gain per period."""
     return sampled(Axes.t(axes), swing.period, on.places(values), on.places(rates), on.place(gain))
 
 
 def _sine(
     swing: Swing, axes: AxesInForce, on: Axis, size: float, phase: float, line: tuple[float, float] = (0, 0)
 ) -> AnySignal:
-    """A number of the linear theory."""
+    """A signal of the linear theory."""
     return sines(on, Axes.t(axes), (size, swing.linear.omega, phase), line=line)
 
 
@@ -72,11 +72,11 @@ def _twin(swing: Swing, axes: AxesInForce) -> AnySignal:
 
 
 class Signals(Declared[Swing]):
-    """Places on the path, h' and v', and the velocity in v_0: exact, and by the linear theory (_lin).
+    """Signals of the path, h' and v', and the velocity in v_0: exact, and in the linear theory (_lin).
 
-    Lift over weight from the speed V, to first order, and as a vector: upright to the velocity, |L| = V^2. Kinetic
-    shares of the energies, their means if the window does not resolve them: of the aircraft's, counted from its lowest
-    point, and of the spring's; the floor and the ceiling.
+    Lift over weight from the speed V, to first order, and as a vector perpendicular to the velocity, |L| = V^2. Kinetic
+    shares of the energies, or their means if the window does not resolve them: of the aircraft (from its lowest point)
+    and of the spring; their lower and upper ends.
     """
 
     x = signal(lambda s, a: _told(s, a, Axes.along(a), s.told.x, s.told.u, s.length * s.lap.advance))
@@ -110,7 +110,7 @@ def instants(swing: Swing) -> Floats:
 
 
 def exact(swing: Swing, t: Floats) -> dict[Signal[Swing], Floats]:
-    """The numbers of all that is drawn over time, and of the path, in SI units."""
+    """The numbers of everything that is drawn over time, and of the path, in SI units."""
     flown, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
     V, nothing, S = flown.V / swing.v_0, np.zeros_like(t), Signals
     share, twin = (flown.V / (swing.lap.u[0] * swing.v_0)) ** 2, np.sin(swing.linear.omega * t) ** 2
@@ -123,8 +123,9 @@ def exact(swing: Swing, t: Floats) -> dict[Signal[Swing], Floats]:
 
 
 def curves(swing: Swing, end: float) -> tuple[dict[str, Traces], dict[str, Columns]]:
-    """The motion over time and the path to the `end` of its frame (in m): as curves of signals, and as columns where
-    they are too fast for a line, or have a corner."""
+    """The motion over time, and the path to the `end` of its frame (in m): as curves from signals, or as columns if
+    they are too fast for a line or have a corner.
+    """
     t = instants(swing)
     drawn, bands = _over_time(swing, t)
     means = [Signals.zero, Signals.share, Signals.all, Signals.twin]
@@ -176,7 +177,7 @@ def _moving(swing: Swing) -> list[Signal[Swing]]:
 
 
 def _mean_shares(swing: Swing) -> Columns:
-    """The edges of the stacks of shares as means over the window, where this does not resolve them."""
+    """The edges of the stacks of shares, as means over the window if the window does not resolve them."""
     t = instants(swing)
     if drawable(2 * swing.fastest, t):
         return {}
@@ -190,7 +191,7 @@ def _band(one: Signal[Swing], t: Floats, *levels: float) -> Columns:
 
 
 class Limits(Declared[Swing]):
-    """The tip of the velocity (u - v_0 forward, w up, in v_0), exact and linear, and those of FAMILY."""
+    """The tip of the velocity (u - v_0 forward, w up, in v_0), exact and linear, and the tips for FAMILY."""
 
     u = Column[Swing]("velocity", lambda s: s.lap.u - 1)
     w = Column[Swing]("velocity", lambda s: s.lap.w)

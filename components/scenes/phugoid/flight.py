@@ -1,5 +1,6 @@
-"""The picture of a flight: its path with the aircraft on it, beside the spring it mimics, and what is drawn over the
-plots of periods and of velocities."""
+"""The picture of a flight: its path with the aircraft, the equivalent spring, and the shapes over the plots of periods
+and of velocities.
+"""
 
 from __future__ import annotations
 
@@ -46,11 +47,11 @@ WING = "M11 1.6C7-.6-5-.4-10 1.9C-5 3.6 7 3.6 11 1.6Z"
 PROPELLER = "M28-9V9"
 
 SIZE = 0.45 + W * 0.0006
-"""The size of the aircraft beside that of its drawing."""
+"""The size of the aircraft relative to its drawing."""
 SIDE, APART = 32, 104
-"""The mass of the spring, and how far the spring stands before the frame, in pixels."""
+"""The mass of the spring, and the distance of the spring from the frame in pixels."""
 BESIDE = WIDE * 225 + NARROW * 165
-"""Where v' stands: beside h', with room for the one that is held."""
+"""The position of v', next to h', with room for its value in the compared picture."""
 X, Y = PATH.x(var(S.x)), PATH.y(var(S.y))
 """The aircraft of the exact flight."""
 FLOWN: Looks = {"inside": PATH}
@@ -62,13 +63,13 @@ class Places(Declared[Swing]):
     is_lift = scalar(lambda s, a: s.view == "lift")
     excess = scalar(lambda s, a: s.excess)
     head = scalar(lambda s, a: A.up(a).place(s.length))
-    # The first tops of both paths. Where many swings share the frame their names have no room.
+    # The first maxima of both paths. If many periods share the frame, there is no room for their names.
     top_x = scalar(lambda s, a: A.along(a).place(s.top[0]))
     top_y = scalar(lambda s, a: A.up(a).place(s.top[1]))
     top_lin_x = scalar(lambda s, a: A.along(a).place(s.top_linear[0]))
     top_lin_y = scalar(lambda s, a: A.up(a).place(s.top_linear[1]))
     named = scalar(lambda s, a: s.top[0] > 0.07 * A.along(a).end)
-    # Beside a wide loop the others are too small to be named.
+    # Next to a wide loop the others are too small for names.
     family_named = scalar(lambda s, a: A.upward(a).end < 2)
     # The speed and the period of this aircraft, and of the examples.
     v_here = scalar(lambda s, a: A.v_0(a).place(s.v_0))
@@ -109,16 +110,16 @@ HELD = begin(
     ),
     on_plot(PATH, "x", "", S.x, A.along),
 )  # fmt: skip
-"""The aircraft in the hand: its height sets the excess of speed, as far as the energy allows."""
+"""The aircraft can be dragged: its height sets the extra speed, as far as the energy allows."""
 
 
 def _aircraft(part: str, style: str, x: Number, y: Number, u: Number, w: Number, size: Number, **look: bool) -> Shape:
-    """A part of an aircraft, turned the way it flies."""
+    """A part of an aircraft, turned in the direction of flight."""
     return path(part, x, y, dx=u, dy=-w, sx=size, sy=size, tint="m1", style=style, inside=PATH, **look)
 
 
 def lift_shapes() -> list[Shape]:
-    """Lift, upright to the velocity, and weight, which is as long as the velocity of level flight."""
+    """Lift, perpendicular to the velocity, and weight, which is as long as the velocity of level flight."""
     unit: Number = 50 * SIZE
     tip = X + unit * var(S.lift_forward), Y - unit * var(S.lift_up)
     aside = NARROW * 18 - WIDE * 8  # on a phone it starts at the left edge
@@ -133,7 +134,7 @@ def lift_shapes() -> list[Shape]:
 
 
 def _labels(left: Number, level: Number) -> list[Shape]:
-    above = 6 + 15 * SIZE  # the aircraft comes by under them
+    above = 6 + 15 * SIZE  # the aircraft passes below them
     top, top_lin = (
         (PATH.x(var(x)), PATH.y(var(y)) - above)
         for x, y in ((Places.top_x, Places.top_y), (Places.top_lin_x, Places.top_lin_y))
@@ -162,7 +163,7 @@ def _spring(x: Number, y: Number, level: Number, foot: Number) -> list[Shape]:
 
 
 def period_shapes() -> list[Shape]:
-    """Poles of the examples, and the lines from the point of this aircraft to both axes."""
+    """Positions of the examples, and the lines from the point of this aircraft to both axes."""
     x, y = PERIOD.x(var(Places.v_here)), PERIOD.y(var(Places.tau_here))
     shapes = [
         line(PERIOD.left, y, x, y, tint="mute", style="eq"),
@@ -214,7 +215,7 @@ def velocity_shapes() -> list[Shape]:
 
 @cache
 def outline(excess: float) -> str:
-    """The path of a little more than two swings, as SVG path data in a box of 128 by 46."""
+    """The path of slightly more than two periods, as SVG path data in a box of 128 by 46."""
     motion = flight(1.0, 1.0, excess, np.linspace(0.0, 9.6, 120))
     width, height = float(np.ptp(motion.x)), float(np.ptp(motion.h))
     scale = min(120 / width, 36 / max(height, 0.2))

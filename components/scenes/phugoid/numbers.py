@@ -13,7 +13,7 @@ number = LiveNumber[Swing]
 
 
 def size(axis: Axis, value: float) -> str:
-    """A number in the unit of an axis, without its power of ten."""
+    """Format a number in the unit of an axis, without its power of ten."""
     return three(value / axis.factor)
 
 

@@ -1,4 +1,4 @@
-"""The plots of the phugoid: its path, its swing over time, its period, its energies and its velocities."""
+"""The plots of the phugoid: its path, its motion over time, its period, its energies and its velocities."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from components.scenes.phugoid.swing import AIRCRAFT, Swing
 
 
 def path_plot() -> Block:
-    """Height over distance, at one scale; the stage draws the rest over it."""
+    """The plot of height against distance with one scale. The stage draws the rest over it."""
     return plot(
         PATH,
         x=Axes.along,
@@ -65,7 +65,7 @@ def swing_plot(*, low: bool) -> Block:
 
 
 def period_plot() -> Block:
-    """Period against speed: one straight line for every aircraft; examples are buttons."""
+    """The plot of period against speed: one straight line for every aircraft. Examples are buttons."""
     return plot(
         PERIOD,
         x=Axes.v_0,
@@ -101,7 +101,7 @@ def _example(name: str, tau: LiveNumber[Swing], row: int) -> Mark:
 
 
 def lift_plot() -> tuple[Block, ...]:
-    """Lift over weight, exact and to first order, and what follows from it."""
+    """Lift over weight, exact and to first order, and the consequence."""
     linear, linear_band = traced(S.lift_linear, tint="F", width="dash", read="linear", signal=S.lift_linear)
     exact, exact_band = traced(S.lift, tint="F", width="sum", read="exact", signal=S.lift, group="lift_exact")
     return (
@@ -132,7 +132,7 @@ def lift_plot() -> tuple[Block, ...]:
 
 
 def exchange_plots() -> tuple[Block, ...]:
-    """Height against speed beside stretch against motion, as shares of their sum, and why they differ."""
+    """Height and speed compared with stretch and motion, as shares of their sum, and the reason for the difference."""
     return (
         words("**Aircraft:** height and speed exchange energy once a period (first order)", phone=10),
         _shares("flight_energy", S.share, "*m g h*", "½ *m v*²", "Energy of the aircraft: height and speed", low=False),
@@ -173,7 +173,9 @@ def _shares(name: str, edge: Signal[Swing], upper: str, lower: str, title: str, 
 
 
 def velocity_plot() -> Block:
-    """The tip of every flight's velocity runs on a line of constant C; the arrow points as the aircraft does."""
+    """The plot of velocities. The tip of every flight's velocity moves on a line of constant C; the arrow points in the
+    direction of flight.
+    """
     family = (
         curve(
             Limits.upward[name],

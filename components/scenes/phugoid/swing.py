@@ -1,4 +1,4 @@
-"""One flight as the scene sees it, exact and linear, with the unit and the view in which it is shown."""
+"""One flight in the scene, exact and linear, with the unit and the view in which it is shown."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from physics.phugoid import (
 FOOT, KNOT = 0.3048, 1852 / 3600
 SPEEDS = {"ft/s": FOOT, "m/s": 1.0, "knots": KNOT, "km/h": 1 / 3.6}
 LENGTHS = {"ft/s": ("ft", FOOT), "knots": ("ft", FOOT), "m/s": ("m", 1.0), "km/h": ("m", 1.0)}
-"""The unit of length that goes with one of speed, and its size in m."""
+"""The unit of length that belongs to a unit of speed, and its size in m."""
 AIRCRAFT = {
     "model": ("Model", 35 * FOOT, 2.0),
     "glider": ("Glider", 90 * FOOT, 450.0),
@@ -34,9 +34,11 @@ AIRCRAFT = {
     "airliner": ("Airliner", 250.0, 70000.0),
 }
 NODES = 64
-"""Points of a period that the browser joins by Hermite pieces, over sqrt(|C|): it is then within 1e-6 of the frame."""
+"""Points per period, over sqrt(|C|), that the browser joins by Hermite pieces; the error is then below 1e-6 of the
+frame.
+"""
 CORNER = 1 / 64
-"""Where |C| is less the path has a corner, or nearly: its curves are sent as they are."""
+"""If |C| is smaller, the path has a corner or nearly one, and its curves are sent as columns."""
 POINTS = 161
 """Points of a period that is drawn in the plane of the velocities."""
 SMALLEST, GREATEST = 1e-290, 1e290
@@ -44,7 +46,9 @@ SMALLEST, GREATEST = 1e-290, 1e290
 
 @dataclass(frozen=True, kw_only=True)
 class Swing(Windowed):
-    """A flight that is level at t = 0 with the speed v_0 (1 + excess); ValueError beyond the doubles."""
+    """A flight that is level at t = 0 with the speed v_0 (1 + excess). Raise ValueError if it leaves the range of
+    doubles.
+    """
 
     v_0: float
     g: float
@@ -59,7 +63,7 @@ class Swing(Windowed):
                 f"a swing at v_0 = {short(self.v_0)} m/s and g = {short(self.g)} m/s² has a size v_0²/g "
                 "or a period beyond what numbers can hold."
             )
-        # A window and a swing must be counted in one unit of time.
+        # A window and a period must be counted in one unit of time.
         if not 1e-100 < self.end / self.period < 1e100:
             raise ValueError(
                 f"a window of {short(self.end)} s and a swing of {short(self.period)} s are too far apart "
@@ -81,7 +85,7 @@ class Swing(Windowed):
 
     @cached_property
     def lap(self) -> LanchesterPeriod:
-        """One period of the exact flight, without its units, from its lowest point."""
+        """One period of the exact flight, dimensionless, from its lowest point."""
         return lanchester(self.excess, POINTS)
 
     @cached_property
@@ -91,17 +95,17 @@ class Swing(Windowed):
 
     @property
     def nodes(self) -> int:
-        """Points of a period that the browser is told: one is at its middle, where the corner is."""
+        """Points of a period that are sent to the browser. One is in the middle, at the corner."""
         return 2 * math.ceil(NODES / 2 / math.sqrt(min(max(abs(self.lap.C), CORNER), 1.0))) + 1
 
     @cached_property
     def told(self) -> Flight:
-        """One period of the exact flight from its start, as the browser is told it."""
+        """One period of the exact flight from its start, as it is sent to the browser."""
         return flight(self.v_0, self.g, self.excess, np.linspace(0.0, self.period, self.nodes))
 
     @cached_property
     def rates(self) -> tuple[Floats, ...]:
-        """du/dt, dw/dt and dV/dt of it."""
+        """du/dt, dw/dt and dV/dt of this period."""
         return self.told.rates(self.v_0, self.g)
 
     @property
@@ -119,23 +123,24 @@ class Swing(Windowed):
 
     @property
     def gain(self) -> float:
-        """The excess of speed at the start, in m/s."""
+        """The extra speed at the start, in m/s."""
         return self.excess * self.v_0
 
     @property
     def heights_off(self) -> float:
-        """By how much the heights of both theories differ in the first period at most, over the amplitude: within 1 %
-        of excess/2 while the period is right to 0.1 %."""
+        """The largest difference between the heights of both theories in the first period, relative to the amplitude:
+        within 1 % of excess/2 while the period is right to 0.1 %.
+        """
         return abs(self.excess) / 2
 
     @property
     def late(self) -> float:
-        """T/T_0 - 1: by how much the exact swing takes longer than the linear one."""
+        """T/T_0 - 1: the relative difference between the exact period and the linear one."""
         return period_excess(self.excess)
 
     @cached_property
     def top(self) -> tuple[float, float]:
-        """Distance and height of the first top of the exact path after the start, in m."""
+        """Distance and height of the first maximum of the exact path after the start, in m."""
         laps = 0.5 if self.excess >= 0 else 1.0
         return self.length * self.lap.advance * laps, self.length * float(self.lap.h.max())
 
@@ -150,7 +155,7 @@ class Swing(Windowed):
 
 
 def verdict(swing: Swing) -> str:
-    """Where the linear theory stands with a swing of this size."""
+    """The validity of the linear theory at this amplitude."""
     bottom, late = swing.lap.u[0] - 1, three(100 * abs(swing.late))
     right, near = sorted(EXCESS_AT_LATENESS.values())
     if not swing.excess:

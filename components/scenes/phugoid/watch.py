@@ -1,4 +1,4 @@
-"""A sentence for each preset on what to watch."""
+"""For each preset, a sentence that says what to watch."""
 
 WATCH = {
     "Ripple, 0.1": "A small swing: in its first period the heights of both theories differ by about 5 % of it.",
