@@ -28,7 +28,7 @@ from components.quantities.axes import TIME_AXIS
 from components.quantities.parameters import AnyParameter, Quantity
 from components.scene import Scene
 from components.scenes import SCENES
-from components.session.links import standing_of
+from components.session.links import page_state_of
 from components.state.compared import HIDDEN, WINDOW, holdable
 from components.state.covers import NEXT, coverable
 from components.state.link import Link
@@ -59,7 +59,7 @@ def links(scene: type[Scene] | None = None, decades: float = DECADES) -> SearchS
 
 def standing(link: Link) -> PageState:
     """The page state of a link. Skips the example if the scene refuses any part of the link."""
-    now, refused = standing_of(SCENES[link.slug], link)
+    now, refused = page_state_of(SCENES[link.slug], link)
     assume(not refused)
     return now
 

@@ -1,1 +1,1 @@
-"""The live class: rooms that an instructor opens and a class follows, in memory or in a store that is shared."""
+"""The live class: rooms that an instructor opens and phones follow, in memory or in a shared store."""

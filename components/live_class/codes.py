@@ -9,13 +9,13 @@ from secrets import choice, token_urlsafe
 from time import time
 
 SIGNS = "23456789ABCDEFGHJKMNPRSTUVWXYZ"
-"""Letters and digits of which none is taken for another: no 0 O Q, no 1 I L."""
+"""Letters and digits that cannot be confused: no 0 O Q, no 1 I L."""
 LENGTH = 4
 DEAR = {"n": 2**13, "r": 8, "p": 1}
-"""The price of a code: some 20 ms, so that all 30^4 take hours."""
+"""Work for one code: about 20 ms, so trying all 30^4 codes takes hours."""
 
 MARK = 5
-"""Characters of the mark in a name: to find one takes a day of restored answers."""
+"""Characters of the mark in a name. Guessing one takes a day of requests to restore answers."""
 
 
 def code_of(key: str, secret: str = "") -> str:
@@ -26,7 +26,7 @@ def code_of(key: str, secret: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """The code that somebody has typed; "" for what can be none."""
+    """Return the code that was typed, or "" if it cannot be a code."""
     code = "".join(text.upper().split()).replace("-", "")
     return code if len(code) == LENGTH and set(code) <= set(SIGNS) else ""
 
@@ -69,17 +69,17 @@ class Keys:
 
 
 def new_word() -> str:
-    """A word to be read from one screen and typed at another, good once and for a moment."""
+    """Return a word that is read from one screen and typed on another. It is valid once, for a short time."""
     return "".join(choice(SIGNS) for _ in range(2 * LENGTH))
 
 
 def join_key(key: str) -> str:
-    """Return the secret in a room's QR code. It follows from the room's key and cannot be guessed."""
+    """Return the secret in a room's QR code. It is derived from the room's key and cannot be guessed."""
     return sha256(f"join {key}".encode()).hexdigest()[:12]
 
 
 def digest(key: str) -> bytes:
-    """The hash by which a key is kept."""
+    """Return the stored hash of a key."""
     return sha256(key.encode()).hexdigest().encode()
 
 
@@ -98,7 +98,7 @@ def new_token(room: bytes, secret: str = "") -> str:
 
 
 def is_given(name: str, room: bytes, secret: str) -> bool:
-    """Return True if a server with this secret gave a room's token its name; without a secret always True."""
+    """Return True if a server with this secret gave the name in a room's token; without a secret always True."""
     return not secret or hmac.compare_digest(name[-MARK:].encode(), _mark(name[:-MARK], room, secret).encode())
 
 
@@ -108,7 +108,7 @@ def _mark(name: str, room: bytes, secret: str) -> str:
 
 
 def voter_of(token: str, room: bytes) -> str:
-    """The name under which an answer of theirs is kept; "" for a token that is not of this room."""
+    """Return the name under which a follower's answer is stored, or "" for a token of another room."""
     name, _, _ = token.partition(".")
     return name if name and room and hmac.compare_digest(token.encode(), _signed(room, name).encode()) else ""
 

@@ -20,24 +20,27 @@ from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.visitors import network_of
 
 MOST_FOLLOWERS = 5000
-"""Of one room, on one replica."""
+"""Limit for one room, on one replica."""
 ALL_FOLLOWERS = 20_000
 """Limit for all rooms together, on one replica."""
 MISSES = 300
-"""Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
-all that may be guessed in 4 hours, while a class that mistypes comes in."""
+"""Wrong codes of one network in a minute. With 10 rooms among 30^4 codes, an attacker expects 0.9 hits in 4 hours, and
+a class that mistypes still gets in.
+"""
 ALL_MISSES = 3000
-"""Wrong codes from all networks: who has many of them finds a class in half an hour at best, and may only follow it."""
+"""Wrong codes from all networks. An attacker with many networks finds a class in half an hour at best, and may only
+follow it.
+"""
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 NO_CODE = "This is no code of a class. A code has four letters and digits, none of them 0, 1, I, L, O or Q."
 AWAY = "The class cannot be reached at the moment. If it continues, this phone reconnects by itself."
 MINUTE = 60.0
 BUFFER = 2**14
-"""Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
+"""Bytes that the system may buffer for a slow reader (some systems double it): a few updates."""
 GIVEN_UP = 60.0
 """Seconds for which a follower may read nothing."""
 MOST_STREAMS = 8
-"""Streams of one follower: a page has one, and one that slept leaves another. The oldest of more is ended."""
+"""Streams of one follower. A page has one, and leaves another when it sleeps. If there are more, the oldest ends."""
 
 
 class Follower(ClassHandler):
@@ -46,7 +49,7 @@ class Follower(ClassHandler):
     leads = False
 
     async def entered(self, code: str) -> ClassRoom:
-        self.leads = "." not in self.word  # which only tokens have
+        self.leads = "." not in self.word  # only tokens have a name
         if self.leads:
             return await self.led(code)
         room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
@@ -55,7 +58,7 @@ class Follower(ClassHandler):
         return room
 
     def take_place(self, room: ClassRoom) -> None:
-        """Refuse a phone that is new where all places are taken; the instructor needs none."""
+        """Refuse a new phone if all places are taken. The instructor needs no place."""
         if self.leads or room.follows(self.name):
             return
         if room.places >= MOST_FOLLOWERS:
@@ -74,14 +77,16 @@ class Follower(ClassHandler):
 
 
 class MovedByCode(LectureHandler):
-    """The handler of the address that takes a code, as lecture.example/EUW5: on to the page of the class."""
+    """The handler of an address with a code, such as lecture.example/EUW5; redirects to the page of the class."""
 
     def get(self, typed: str, slash: str) -> None:
         code = as_code(typed)
         if not code:
             raise RefusedError(404, NO_CODE)
         query = f"&{self.request.query}" if self.request.query else ""
-        self.redirect(f"{'../' if slash else './'}?class={code}{query}")  # relative: a proxy may serve it under a path
+        self.redirect(
+            f"{'../' if slash else './'}?class={code}{query}"
+        )  # relative, because a proxy may serve the lecture under a path
 
     head = get
 
@@ -94,7 +99,7 @@ class Enter(ClassHandler):
         self.reply(Entered(code=room.code, token=self.classes.registry.token(room)))
 
     async def _shown(self, code: str) -> ClassRoom | None:
-        """Return the room of a QR code, which the network's count of wrong codes does not limit."""
+        """Return the room of a QR code, which is not limited by the network's count of wrong codes."""
         try:
             room = await self.outcome(self.classes.registry.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
@@ -137,11 +142,11 @@ class Events(Follower):
         self.set_header("Cache-Control", "no-store, no-transform")
         self._room, self._known = room, self.after
         self._pipe = self.request.connection.stream  # type: ignore[union-attr]  # it is one of HTTP/1
-        if self._pipe.closed():  # by a phone that has tried once more meanwhile
+        if self._pipe.closed():  # because a phone has tried once more meanwhile
             return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
-        room.polls.pop(self.name, None)  # it is counted once
+        room.polls.pop(self.name, None)  # it is counted only once
         room.seen[self.name] = monotonic()
         room.listeners.add(self)  # before the first await, so that no update is missed
         try:
@@ -168,13 +173,13 @@ class Events(Follower):
             self._room.seen[self.name] = monotonic()
 
     def _all(self) -> bytes:
-        """Send the current room, and to an instructor's page also the news that it has missed."""
+        """Send the current state of the room, and to an instructor's page also the news that it has missed."""
         missed = self._room.untold(self._known) if self.leads else []
         self._known = self._room.number
         return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
 
     def hear(self, event: bytes) -> bool:
-        """Straight to the connection, as a chunk that is made once for all of them."""
+        """Send a chunk, encoded once for all followers, straight to the connection."""
         if self._behind:
             if monotonic() - self._behind > GIVEN_UP:
                 self._pipe.close()
@@ -214,12 +219,12 @@ class Events(Follower):
 
 @lru_cache(maxsize=64)
 def chunk(event: bytes) -> bytes:
-    """A chunk of an answer whose length is not known, as HTTP/1.1 has it."""
+    """Return a chunk in the encoding of HTTP/1.1 for responses of unknown length."""
     return b"%x\r\n%s\r\n" % (len(event), event)
 
 
 class Now(Follower):
-    """The handler of questions for what is new, from a page that gets nothing through a stream."""
+    """The handler of polling requests, for a page whose stream does not get through."""
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
@@ -227,7 +232,7 @@ class Now(Follower):
         self.limit(f"poll {self.word}")
         room.polled(self.word, self.leads)
         missed = room.untold(self.after) if self.leads else []
-        if missed:  # one at a time: the next question asks for what came after it
+        if missed:  # one at a time: the next request asks for later changes
             own = {name: getattr(missed[0], name) for name in ("number", *LEADERS)}
             self.reply(replace(room.whole(leads=True), **own))
         elif self.after == room.number:
@@ -255,7 +260,7 @@ class Answers(Follower):
         self.limit(f"vote {self.word}")
         put = room.question
         if (put.walk, put.step) != (vote.walk, vote.step):
-            self.set_status(204)  # the lecture has gone on: nothing more is said of it
+            self.set_status(204)  # the lecture has gone on, so there is no lesson
             return
         if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown yet.")

@@ -1,4 +1,4 @@
-"""The handler that all of the live class come from: who asks, what is refused, and how it is said."""
+"""The base handler of the live class: permissions, limits, and refusals in a sentence."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from components.serving.shell import version
 from components.serving.visitors import network_of
 
 LONGEST = 8000
-"""Bytes of a message to a room: two sketches are a quarter of it."""
+"""Bytes of a message to a room; two sketches take a quarter of it."""
 AWAY = "The server cannot reach the data of the class now. Try again in a moment."
 
 Body = TypeVar("Body")
@@ -30,7 +30,7 @@ Answered = TypeVar("Answered")
 
 
 class ClassHandler(VisitorHandler):
-    """Answers what is said to a room; refusals are sentences, as JSON."""
+    """Base handler of messages to a room; refusals are sentences, as JSON."""
 
     def initialize(self, classes: ClassContext) -> None:
         self.classes = classes
@@ -46,7 +46,7 @@ class ClassHandler(VisitorHandler):
 
     @property
     def word(self) -> str:
-        """The key or token that is shown."""
+        """The key or token in the request."""
         return self.request.headers.get("Authorization", "").removeprefix("Bearer ")
 
     def body(self, kind: type[Body], longest: int = LONGEST) -> Body:
@@ -62,7 +62,7 @@ class ClassHandler(VisitorHandler):
         self.write(msgspec.json.encode(value))
 
     async def outcome(self, asked: Awaitable[Answered]) -> Answered:
-        """The value that the registry gives, or a refusal in a sentence."""
+        """Return the result of the registry, or refuse with its sentence."""
         try:
             return await asked
         except ClosedError as reason:
@@ -75,23 +75,25 @@ class ClassHandler(VisitorHandler):
             raise RefusedError(409, str(reason)) from reason
 
     async def in_turn(self, asked: Awaitable[Answered]) -> Answered:
-        """The outcome of what reads or writes many answers, when nothing else of the kind is done for this network."""
+        """Return the result of work on many answers, once no other such work is running for this network."""
         async with self.classes.turns.of(str(network_of(self.visitor))):
             return await self.outcome(asked)
 
     def limit(self, name: str) -> None:
-        """Count a message of somebody, and refuse it where there were too many."""
+        """Count a message of a sender, and refuse it if there were too many."""
         if seconds := self.classes.rate.admit(name):
             raise RefusedError(429, "Too many messages at once. Try again in a moment.", seconds)
 
     async def led(self, code: str) -> ClassRoom:
-        """The room, for its instructor alone; what others ask does not count, or they could silence an instructor."""
+        """Return the room, only for its instructor. Requests of others do not count, or they could silence an
+        instructor.
+        """
         room = await self.outcome(self.classes.registry.led(as_code(code), self.word))
         self.limit(f"lead {room.code}")
         return room
 
     def address(self, path: str) -> str:
-        """The address where the class, or a remote control, comes in, by its path below the lecture's own."""
+        """Return the address of the class or of a remote control, from its path below the lecture's own."""
         settings = self.context.settings
         host = self.request.host
         if settings.everywhere and self.request.host_name in ("localhost", "127.0.0.1") and (own := own_address()):
@@ -100,12 +102,12 @@ class ClassHandler(VisitorHandler):
         return f"{base.rstrip('/')}/{path}"
 
     def _scheme(self) -> str:
-        """The scheme as the visitor's browser has it, by the word of a proxy that is trusted."""
+        """Return the scheme that the visitor's browser uses, as a trusted proxy reports it."""
         told = self.request.headers.get("X-Forwarded-Proto", "")
         return told if self.context.trusted and told in ("http", "https") else self.request.protocol
 
     def _folder(self) -> str:
-        """The path that a proxy serves the lecture under, by the word of the page itself."""
+        """Return the path under which a proxy serves the lecture, as the page itself reports it."""
         path = self.request.headers.get("X-Page-Path", "/")
         return path.rstrip("/") if path.startswith("/") and path.isascii() and len(path) < 200 else ""
 

@@ -1,4 +1,4 @@
-"""The live class over HTTP, as its instructor's page uses it: a room is opened, led, counted, and ended."""
+"""The live class over HTTP for its instructor's page: opens a room, leads it, counts answers, ends it."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
 
 LONGEST_ORDER = 64_000
-"""Bytes of a message from the instructor's page, which may hand over a walk's file."""
+"""Bytes of a message from the instructor's page, which may contain a walk's file."""
 MOST_OPENED = 100
-"""Rooms that one network may open in the time for which one lives alone."""
+"""Rooms that one network may open in the time after which an unused room ends."""
 ROWS = 100
-"""Rows of a table that are sent at once."""
+"""Rows of a table that are sent together."""
 
 ASKED = "Opening a class here needs the instructors' passphrase."
 WRONG = "This is not the instructors' passphrase. Ask the operator of this server for it."
 
 
 class Opener(ClassHandler):
-    """A handler that opens rooms, so many for one network."""
+    """Base handler of handlers that open rooms; limits their number for each network."""
 
     async def admit(self) -> str:
-        """Count a room for the visitor's network, which is returned: it owns the room."""
+        """Count a room for the visitor's network. Return the network, which owns the room."""
         network = str(network_of(self.visitor))
         if seconds := self.classes.openings.admit(self.visitor):
             raise RefusedError(
@@ -48,7 +48,9 @@ class OpenClass(Opener):
 
     async def post(self) -> None:
         phrase, owner = self.context.settings.class_passphrase, ""
-        if not phrase or not is_key(unquote(self.word), digest(phrase)):  # who knows it waits for nobody who does not
+        if not phrase or not is_key(
+            unquote(self.word), digest(phrase)
+        ):  # visitors who know the passphrase do not wait for those who do not
             owner = await self.admit()
             if phrase:
                 raise RefusedError(401, WRONG if self.word else ASKED)
@@ -56,8 +58,9 @@ class OpenClass(Opener):
 
 
 class LeadClass(Opener):
-    """The handler of an instructor's page: executes its orders, and gives a returning page its room, which it opens
-    again if the server has lost it."""
+    """The handler of an instructor's page. It executes orders, and gives a returning page its room, which it opens
+    again if the server has lost it.
+    """
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
@@ -88,7 +91,9 @@ class CountAnswers(ClassHandler):
 
 
 class CopyAnswers(ClassHandler):
-    """The handler of the answers to one vote as an instructor's page keeps them, for a server that loses them."""
+    """The handler of the answers to one vote, for the copies that the instructor's page keeps in case a server loses
+    them.
+    """
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
@@ -96,7 +101,7 @@ class CopyAnswers(ClassHandler):
 
 
 class SumUp(ClassHandler):
-    """The handler of the summary of a class: each question that was answered, and how many were right."""
+    """The handler of the summary of a class: each question with the number of answers and of right answers."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)

@@ -1,4 +1,4 @@
-"""The live class over HTTP, where its lead goes from one computer to another, by a word read from the first."""
+"""The live class over HTTP: moves the lead from one computer to another, by a word that is read from the first."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.visitors import network_of
 
 MOMENT = 120.0
-"""Seconds for which a word is good."""
+"""Seconds for which a word is valid."""
 NO_WORD = (
     "This key has been used, is older than two minutes, or was replaced by a newer one. "
     "The computer that leads the class shows a new one."
@@ -22,7 +22,7 @@ NO_WORD = (
 
 
 class Lent(msgspec.Struct, frozen=True):
-    """The lead, as it waits for who has the word."""
+    """The lead of a class while it waits for the computer with the word."""
 
     key: str
     query: str
@@ -30,7 +30,9 @@ class Lent(msgspec.Struct, frozen=True):
 
 
 class PassLead(ClassHandler):
-    """The handler of the word that another computer leads a class with: given to who leads it, taken once."""
+    """The handler of the word with which another computer takes the lead. It is given to the leading page and can be
+    used once.
+    """
 
     async def post(self, code: str) -> None:
         room, asked = await self.led(code), self.body(HandOver, LONGEST_ORDER)
@@ -55,14 +57,16 @@ class PassLead(ClassHandler):
 
 
 class MovedByWord(LectureHandler):
-    """The handler of the address that takes code and word, as lecture.example/EUW5-7K2M9XQP."""
+    """The handler of an address with code and word, such as lecture.example/EUW5-7K2M9XQP."""
 
     def get(self, code: str, word: str) -> None:
-        self.redirect(f"./?class={code.upper()}&lead={word.upper()}")  # relative: a proxy may serve it under a path
+        self.redirect(
+            f"./?class={code.upper()}&lead={word.upper()}"
+        )  # relative, because a proxy may serve the lecture under a path
 
     head = get
 
 
 def _name(code: str) -> str:
-    """The name under which a room's lead is lent: a new word takes the place of the last."""
+    """Return the name under which a room's lead is stored. A new word replaces the last one."""
     return f"lead {code}"

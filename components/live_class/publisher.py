@@ -1,4 +1,6 @@
-"""The publisher: sends pictures of an instructor's session to the class, encoded once for all, at a limited rate."""
+"""The publisher: sends pictures of an instructor's session to the class, encoded once for all followers, at a limited
+rate.
+"""
 
 from __future__ import annotations
 
@@ -14,9 +16,9 @@ from components.state.wire import Packet
 log = logging.getLogger(__name__)
 
 SPAN = 0.2
-"""Seconds between pictures, of which the newest counts."""
+"""Seconds between pictures; in between only the newest is kept."""
 AGAIN = 1.0
-"""Seconds until one is tried again."""
+"""Seconds until a picture is tried again."""
 
 
 class Publisher:
@@ -35,7 +37,7 @@ class Publisher:
             self._task = asyncio.create_task(self._run())
 
     def end(self) -> None:
-        """End the publishing; a picture that waits for the store is dropped."""
+        """Stop publishing; a picture that waits for the store is dropped."""
         self._make = None
         if self._task:
             self._task.cancel()
@@ -52,14 +54,14 @@ class Publisher:
             self._task = None
 
     async def _show(self, make: Callable[[], Packet]) -> bool:
-        """False where the room is not known here, and the store away: it is to be tried again."""
+        """Publish a picture. Return False if the room is unknown here and the store unavailable; try again then."""
         try:
             room = await self._registry.led(self._code, self._key)
             await self._registry.show(room, SentPicture(**make()))
         except AwayError:
             return False
         except (ClosedError, FullError):
-            pass  # the room's own news inform the instructor's page; the upkeep handles a full store
+            pass  # the room's own news informs the instructor's page; the upkeep handles a full store
         except Exception:
             log.exception("A picture could not be made ready for a class")
         return True

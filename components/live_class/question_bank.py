@@ -26,17 +26,17 @@ from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
 SURE = {1: "guessed", 2: "fairly sure", 3: "certain"}
-"""How sure a student is of an answer, by level."""
+"""The levels of a student's certainty."""
 ReadWalks = Mapping[tuple[str, str], Walk]
 """Walks from files, by name and text."""
 
 
 class BusyError(ValueError):
-    """A refusal for a moment: another file is read first."""
+    """A refusal for a moment, because another file is read first."""
 
 
 class QuestionBank:
-    """The questions of walks, with everything that a room needs of them."""
+    """The questions of walks, with all data that a room needs."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks = walks
@@ -108,7 +108,7 @@ class QuestionBank:
         return self.step(walk, step).judges
 
     def asked(self, walk: str, step: str) -> str:
-        """The question of a step without marks."""
+        """Return the question of a step without its marks."""
         _, question = parted(asked(self.step(walk, step), self._subject(walk, step)))
         return plain(question)
 

@@ -43,28 +43,28 @@ from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, Full
 from components.walks.questions.question import Judged
 
 LONGEST_COUNT = 600_000.0
-"""Longest countdown of a vote, in milliseconds."""
+"""The longest countdown of a vote, in milliseconds."""
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
-"""Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
+"""Milliseconds by which an instructor's clock may differ from the arrival of its message, ahead or behind."""
 FIRST, LAST = 1, 9
-"""Votes on one question."""
+"""The maximum number of votes on one question."""
 SPARE = 50
-"""Answers to a vote beyond two for each phone that has been here: some students change phones."""
+"""Answers to a vote beyond two for each phone that has been in the class; some students change phones."""
 MOST_OWN = 5
-"""Walks from files that a room keeps."""
+"""The maximum number of walks from files in a room."""
 TRIES = 3
-"""Codes that are tried for a new room: of 500 rooms one in 1600 has the code of another."""
+"""Attempts to find a code for a new room. With 500 rooms, one code in 1600 is taken."""
 NOT_OF_IT = "This is not the key of a class with this code."
 OVER = "The class is over."
 NO_PLACE = "This server has no room for another class now. Try again later."
 
 
 class ClosedError(ValueError):
-    """A refusal: there is no such room, or not for who asks; the sentence says so."""
+    """A refusal: there is no such room, or no permission. The sentence says which."""
 
 
 class Registry:
-    """The rooms that somebody of this replica is in."""
+    """The rooms with at least one member at this replica."""
 
     def __init__(self, store: Store, bank: QuestionBank, keys: Keys | None = None) -> None:
         self.store = store
@@ -85,8 +85,9 @@ class Registry:
         return sum(room.places for room in self.rooms.values())
 
     async def open(self, owner: str = "") -> tuple[str, str]:
-        """Open a room and return its code and its key. `owner` is the network that opens it, "" for who knows the
-        passphrase. ClosedError where there is no place for one."""
+        """Open a room and return its code and its key. `owner` is the network that opens it, or "" for somebody who
+        knows the passphrase. Raises ClosedError if there is no place for a room.
+        """
         for _ in range(TRIES):
             key = self._keys.new()
             code = await asyncio.to_thread(self._keys.code_of, key)
@@ -121,7 +122,7 @@ class Registry:
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
-        with suppress(AwayError):  # it may be over, which is not known now
+        with suppress(AwayError):  # it may be over, which is unknown at this moment
             if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
                 raise ClosedError(OVER)
         return None

@@ -1,4 +1,4 @@
-"""The live class over HTTP, as a phone in the instructor's hand uses it, and the first screen that lets it in."""
+"""The live class over HTTP for a phone as the instructor's remote control, and for the screen that accepts it."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from components.live_class.room import ClassRoom
 from components.serving.handlers import RefusedError
 
 TICKET = 60.0
-"""Seconds for which a code lets a phone in."""
+"""Seconds for which a code accepts a phone."""
 NOT_IN = "The lecturer's screen has not confirmed this phone. Press Remote control there for a new code."
 
 
 class LetIn(ClassHandler):
-    """The handler of a ticket, good once, for a minute: the phone that took it is let in, or not, by its two digits."""
+    """The handler of a ticket, valid once, for a minute. The instructor accepts or rejects the phone, by two digits."""
 
     async def post(self, code: str) -> None:
         room, ticket = await self.led(code), new_key()
@@ -60,7 +60,7 @@ class RemoteHandler(ClassHandler):
 
 
 class RemoteControl(RemoteHandler):
-    """The handler of the remote control itself: it shows its ticket, waits to be let in, then gives orders."""
+    """The handler of the remote control itself: it shows its ticket, waits to be accepted, then sends orders."""
 
     async def put(self, code: str) -> None:
         registry, ticket = self.classes.registry, self.body(Ticket)
@@ -80,7 +80,7 @@ class RemoteControl(RemoteHandler):
         self.reply(paired)
 
     async def get(self, code: str) -> None:
-        """Reply with the contents if they differ from the shown state, or with null before the phone is let in."""
+        """Reply with the contents if they differ from the shown state, or with null until the phone is accepted."""
         room = await self._there(code)
         if is_in(room.parts, self.word):
             if self.get_query_argument("after", "") == room.number:
@@ -106,7 +106,7 @@ class RemoteControl(RemoteHandler):
 
 
 class Listing(RemoteHandler):
-    """The handler of the contents on a remote control: the steps of the walk whose question is put."""
+    """The handler of the contents on a remote control: the steps of the walk with the current question."""
 
     async def get(self, code: str) -> None:
         room = await self._let_in(code)
@@ -114,5 +114,5 @@ class Listing(RemoteHandler):
 
 
 def _name(code: str) -> str:
-    """The name under which a room's ticket is lent: a new one takes the place of the last."""
+    """Return the name under which a room's ticket is stored. A new one replaces the last one."""
     return f"ticket {code}"

@@ -1,4 +1,4 @@
-"""The contents of a remote control: the question, its answers so far, and what the instructor's screen does next."""
+"""The contents of a remote control: the question, its answers so far, and the next action of the first screen."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from components.live_class.room import ClassRoom
 
 
 async def remote_view(registry: Registry, room: ClassRoom) -> RemoteView:
-    """Return what a remote control shows of a room. Single numbers and sketches are left out: there are thousands."""
+    """Return the contents of a remote control. Single numbers and sketches are left out: there are thousands."""
     put, screen = room.question, room.part("screen", DescribeScreen)
     view = RemoteView(number=room.number, question=put, here=room.here, screen=screen)
     tally = await registry.tally(room)

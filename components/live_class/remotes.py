@@ -15,23 +15,23 @@ from components.live_class.codes import digest, is_key
 from components.live_class.store import Parts
 
 WAITS = "waits "
-"""The beginning of the part of a phone that waits; its digits follow."""
+"""The prefix of the part of a waiting phone; its digits follow."""
 CONTROL = "control"
-"""The part of the phone that is let in: what is kept of its key."""
+"""The name of the part of the accepted phone: the digest of its key."""
 PATIENCE = 60.0
-"""Seconds for which a phone waits."""
+"""Seconds for which a phone may wait."""
 DIGITS = range(10, 100)
 
 
 class Waiting(msgspec.Struct, frozen=True):
-    """A phone that waits: the digest of its key, and until when, in seconds since 1970."""
+    """A waiting phone: the digest of its key, and the end of its wait in seconds since 1970."""
 
     key: str
     until: float
 
 
 def waiting(parts: Parts) -> dict[str, Waiting]:
-    """Phones that wait now, by their digits."""
+    """Return the phones that wait now, by their digits."""
     told = {name.removeprefix(WAITS): part for name, part in parts.items() if name.startswith(WAITS) and part}
     read = {digits: msgspec.json.decode(part, type=Waiting) for digits, part in told.items()}
     return {digits: one for digits, one in sorted(read.items()) if one.until > time()}
@@ -46,7 +46,7 @@ def new_digits(taken: Container[str]) -> str:
 
 
 def begun(digits: str, key: str) -> Parts:
-    """The parts of a room that store a waiting phone."""
+    """Return the parts of a room that store a waiting phone."""
     one = Waiting(digest(key).decode(), time() + PATIENCE)
     return {WAITS + digits: msgspec.json.encode(one)}
 

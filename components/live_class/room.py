@@ -196,7 +196,7 @@ class ClassRoom:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
-            if "answers" in own:  # they are counted again, so the last one is enough, and removes no order
+            if "answers" in own:  # they are counted again, so the last one is enough, and no order is lost
                 self._own = deque((one for one in self._own if not one[1].answers), KEPT)
             news = msgspec.convert({"number": self.number, **told}, News)
             self._own.append((monotonic(), news))
@@ -205,7 +205,7 @@ class ClassRoom:
             self._say_waiting()
 
     def look(self) -> None:
-        """Send changes that come with time: a phone has stopped waiting."""
+        """Send changes that are caused by time: a phone has stopped waiting."""
         if self.waiting != self._waiting:
             self._count += 1
             self._say_waiting()

@@ -1,4 +1,4 @@
-"""The live class as a server has it: its addresses, its figures, and the upkeep of its rooms."""
+"""The live class as an extension of the server: its routes, its metrics, and the upkeep of its rooms."""
 
 from __future__ import annotations
 
@@ -30,8 +30,9 @@ CODE = r"([0-9A-Za-z]{4})"
 
 
 class LiveClass:
-    """The live classes of one server, opened by who knows its passphrase, if it has one. `secret` is the one of the
-    settings, "" where none is set."""
+    """The live classes of one server. If the server has a passphrase, only visitors who know it can open one. `secret`
+    is the one of the settings, "" if none is set.
+    """
 
     def __init__(self, store: Store, bank: QuestionBank, passphrase: str = "", secret: str = "") -> None:
         registry = Registry(store, bank, Keys(passphrase, secret))

@@ -43,14 +43,14 @@ from components.live_class.store import (
 )  # fmt: skip
 
 CHANNEL = "class"
-"""On which all that is new of all rooms is published."""
+"""The channel on which all changes of all rooms are published."""
 PATIENCE = 2.0
-"""Seconds for an answer."""
+"""Seconds to wait for an answer of the store."""
 PULSE = 5.0
-"""Seconds of silence after which a connection that only listens is asked whether it is there, and for its answer."""
+"""Seconds of silence after which a listening connection is tested, and seconds for its answer."""
 
 SLICE = 500
-"""Answers that are read at once."""
+"""Answers that are read together."""
 
 OF_A_ROOM_KEYS = """
 local function keys_of(code)
@@ -97,8 +97,9 @@ local function exceeds_share(code, more, limit, now)
   return own + more > limit - all
 end
 """
-"""The beginning of the scripts below: all that there is of a room ends at the same time; and how many bytes it takes,
-`class:taken`, beside whose share of them that is."""
+"""The common beginning of the scripts below: everything about a room expires at the same time; `class:taken` has the
+bytes that it takes, and their owner.
+"""
 OPEN = """
 local code, now, most, life, alone, quiet, size = unpack(ARGV, 1, 7)
 redis.call('setrange', 'class:room:', 0, '') -- writes nothing, and is refused by a store that is full
@@ -212,8 +213,8 @@ class SharedStore(Store):
         self._life, self._alone = int(1000 * life), int(1000 * min(alone, life))
         self._most, self._size, self._most_counts = rooms, size, counts
         self._clock = clock
-        self._redis = _client(url, retries=1)  # on a new connection, where the store has come back
-        # What was published while this one was lost has to be looked up: so that is an error at once.
+        self._redis = _client(url, retries=1)  # on a new connection, after the store has come back
+        # Changes published while the connection was lost must be looked up, so this is an error at once.
         self._listener = _client(url, retries=0)
         self._open, self._keep, self._present, self._end, self._vote, self._unvote = (
             self._redis.register_script(OF_A_ROOM_KEYS + script) for script in (OPEN, KEEP, PRESENT, END, VOTE, UNVOTE)
@@ -356,12 +357,12 @@ async def _asked() -> AsyncIterator[None]:
         raise AwayError("The store that replicas share does not answer.") from error
     except OutOfMemoryError as error:
         raise FullError(OF_THE_STORE) from error
-    except RedisError as error:  # while it starts: it may answer later
+    except RedisError as error:  # while it starts; it may answer later
         raise AwayError(f"The store that replicas share refuses: {error}.") from error
 
 
 def _key(*names: str) -> str:
-    """The name of a value in the store: class:room:CODE."""
+    """Return the name of a value in the store: class:room:CODE."""
     return ":".join(("class", *names))
 
 
@@ -374,12 +375,12 @@ def _named(fields: Any) -> dict[str, bytes]:
 
 
 def _named_now(names: Collection[str]) -> bytes:
-    """Names that a replica tells, and until when that holds."""
+    """The names at one replica, and the time until which they are valid."""
     return msgspec.msgpack.encode((time() + SEEN, list(names)))
 
 
 def _still_named(told: Any) -> set[str]:
-    """All names that any replica has told of late."""
+    """Return all names that any replica has reported recently."""
     known = [msgspec.msgpack.decode(each, type=tuple[float, list[str]]) for each in told]
     return {name for until, names in known if until > time() for name in names}
 

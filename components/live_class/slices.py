@@ -1,4 +1,4 @@
-"""Long work in slices, between which the event loop turns for everybody else."""
+"""Long work in slices. Between two slices the event loop serves other visitors."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from typing import TypeVar
 from weakref import WeakValueDictionary
 
 SLICE = 0.01
-"""Seconds of work at a time."""
+"""Seconds of work in one slice."""
 MOST = 200
-"""Items of a slice."""
+"""Items between two looks at the time."""
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 
 class Slices:
-    """Long work of all classes, of which each turn of the event loop does one slice."""
+    """Long work of all classes. Each turn of the event loop does one slice of it."""
 
     def __init__(self) -> None:
         self._turn = asyncio.Lock()
@@ -39,7 +39,7 @@ class Slices:
 
 
 class Turns:
-    """Requests that cost much: one at a time of each network, so that none has more slices than another."""
+    """Expensive requests: one at a time for each network, so that no network has more slices than another."""
 
     def __init__(self) -> None:
         self._locks: WeakValueDictionary[str, asyncio.Lock] = WeakValueDictionary()

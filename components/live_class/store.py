@@ -12,22 +12,22 @@ from typing import NamedTuple
 LIFE = 4 * 3600.0
 """Seconds from the last sign of its instructor to the end of a room, even if phones still follow."""
 ALONE = 20 * 60.0
-"""Seconds after which a room without instructor and followers ends; a break is shorter."""
+"""Seconds after which a room without instructor and followers ends; a break in a lecture is shorter."""
 QUIET = 60.0
-"""Seconds of it after which the room makes way for another where all are taken."""
+"""Seconds without a sign after which a room may be replaced by another, if all places are taken."""
 MOST_ROOMS = 500
 MOST_VOTES = 5000
-"""Answers to one vote."""
+"""Maximum number of answers to one vote."""
 MOST_BYTES = 8 * 2**20
-"""Bytes of one room: thousands of sketches."""
+"""Maximum number of bytes of one room: thousands of sketches."""
 ALL_BYTES = 44 * 2**20
-"""Bytes of all rooms. The store of compose.yaml has 64 MB, and needs the rest for other data."""
+"""Maximum number of bytes of all rooms. The store of compose.yaml has 64 MB, and needs the rest for other data."""
 RESERVE = 12 * 2**20
 """Bytes of `ALL_BYTES` that answers cannot use, because pictures and questions need them."""
 OF_AN_ANSWER = 160
 """Overhead of an answer in a store, in bytes; measured: 80 in Valkey, 122 in memory."""
 OF_A_VOTE = 400
-"""Bytes that a store needs for the first answer to a vote; measured: 390 in Valkey."""
+"""Bytes that a store needs for the first answer to a vote; 390 were measured in Valkey."""
 OWNER = "owner"
 """The part of a room with its owner, in whose share its bytes count: the network that opened the room."""
 MOST_COUNTS = 20_000
@@ -38,13 +38,13 @@ SEEN = 30.0
 """Seconds for which a replica's count of its followers is valid."""
 
 Parts = Mapping[str, bytes]
-"""A room by the names of its parts."""
+"""A room: its parts by name."""
 Hear = Callable[[str, Parts], None]
 """Called with the code of a room and its new parts, or with no parts if the room has ended."""
 
 
 class AwayError(Exception):
-    """A refusal: the store does not answer."""
+    """A refusal because the store does not answer."""
 
 
 class FullError(ValueError):
@@ -57,7 +57,7 @@ OF_COUNTS = "Too many networks are counted."
 
 
 def size_of(parts: Parts) -> int:
-    """Bytes that parts of a room take."""
+    """Return the number of bytes that parts of a room take."""
     return sum(len(name) + len(part) for name, part in parts.items())
 
 
@@ -109,15 +109,15 @@ class Store(ABC):
 
     @abstractmethod
     async def unvote(self, code: str, question: str, voter: str) -> None:
-        """Forget an answer."""
+        """Delete an answer."""
 
     @abstractmethod
     async def votes(self, code: str, question: str) -> Parts:
-        """The answers by their voters."""
+        """Return the answers by their voters."""
 
     @abstractmethod
     async def questions(self, code: str) -> list[str]:
-        """The questions that have been answered, in the order of their first answers."""
+        """Return the questions that have been answered, in the order of their first answers."""
 
     @abstractmethod
     async def present(self, code: str, replica: str, names: Collection[str]) -> int:
@@ -150,7 +150,7 @@ class Store(ABC):
 
     @abstractmethod
     async def time(self) -> float:
-        """The clock that replicas can compare theirs with: seconds since 1970."""
+        """Return the clock that replicas compare theirs with, in seconds since 1970."""
 
     @abstractmethod
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
@@ -188,7 +188,7 @@ class _Room:
 
 
 class MemoryStore(Store):
-    """A store for one process, with nothing installed."""
+    """A store in the memory of one process."""
 
     def __init__(
         self,
@@ -354,10 +354,10 @@ class MemoryStore(Store):
             self._listeners.remove(hear)
 
     async def close(self) -> None:
-        """There are none."""
+        """Raise no error: there are no connections."""
 
     def _forget(self) -> None:
-        """Rooms that nobody has given a sign of for so long."""
+        """Return the rooms without a sign for this long."""
         now = self._clock()
         for code in [code for code, room in self._rooms.items() if min(room.ends, room.led) <= now]:
             del self._rooms[code]

@@ -1,4 +1,4 @@
-"""The summary of a class: each question that it answered, and how many were right."""
+"""The summary of a class: each question with the number of right answers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 
 LONGEST = 200
-"""Characters of an answer that can be said."""
+"""Maximum length of an answer in the summary."""
 ToldAnswer: TypeAlias = tuple[bool, str]
 
 
@@ -30,7 +30,7 @@ async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
 
 
 async def stored(registry: Registry, room: ClassRoom) -> Stored:
-    """Count what is deleted when the class ends; votes on questions asked aloud count too."""
+    """Count the data that will be deleted when the class ends, including votes on questions asked aloud."""
     names = await registry.store.questions(room.code)
     counts = {name: len(await registry.store.votes(room.code, name)) for name in names}
     questions = {name.rpartition("/")[0] for name, count in counts.items() if count}
@@ -40,7 +40,7 @@ async def stored(registry: Registry, room: ClassRoom) -> Stored:
 async def _summary(
     registry: Registry, room: ClassRoom, walk: str, step: str, numbers: Sequence[int]
 ) -> StepSummary | None:
-    """The summary of a question; None where no answer to it is left."""
+    """Return the summary of a question, or None if it has no answers left."""
     bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[ToldAnswer]()
     for number in numbers:
         kept = await registry.votes(room, f"{walk}/{step}/{number}")
@@ -62,7 +62,9 @@ async def _summary(
 
 
 def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
-    """Return if an answer is right, and a wrong one in words. Sketches have no words: writing them takes long."""
+    """Return whether an answer is right, and the words of a wrong one. Sketches have no words, because writing them
+    takes long.
+    """
     one = bank.read(kept)
     if one is None:
         return None
@@ -70,7 +72,7 @@ def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
 
 
 def _mistake(told: Sequence[ToldAnswer]) -> tuple[str, int]:
-    """The wrong answer that was given most often, and by how many."""
+    """Return the most frequent wrong answer, and its count."""
     for text, count in Counter(text for _, text in told if text).most_common(1):
         if len(text) <= LONGEST:
             return text, count

@@ -19,21 +19,23 @@ log = logging.getLogger(__name__)
 AGAIN = 0.5
 """Seconds until an unavailable store is tried again."""
 PATIENCE = 3
-"""Looks at a store in which a room is not found until it has ended: its instructor's replica may write it back."""
+"""Attempts to find a room in the store before it counts as ended; the instructor's replica may write it back."""
 TRIES = 5
-"""Looks at a room in the store while others change it."""
+"""Attempts to read a room from the store while others change it."""
 FAREWELL = 1.0
-"""Seconds that the end of a replica waits until the store knows that nobody follows there any more."""
+"""Seconds that a replica that shuts down waits until the store knows that nobody follows there."""
 COUNTING = 1.0
 """Seconds between counts of the followers."""
 CROWD = 500
-"""Followers for each further second between counts of the answers; with fewer, there is a count every second."""
+"""Followers for each further second between counts of the answers. With fewer there is a count every second."""
 SKEW = 0.2
-"""Seconds by which the clocks of replicas may differ: followers of another one see the instructor's so much off."""
+"""Seconds by which the clocks of replicas may differ. Followers at another replica see the instructor's clock off by as
+much.
+"""
 
 
 class Upkeep:
-    """The upkeep of the rooms of one registry; to be started in a running event loop."""
+    """The upkeep of the rooms of one registry. Start it in a running event loop."""
 
     def __init__(self, registry: Registry) -> None:
         self.registry = registry
@@ -88,7 +90,7 @@ class Upkeep:
             await asyncio.sleep(AGAIN)
 
     def _hear(self, code: str, parts: Parts) -> None:
-        """Pass news on. News that cannot be read, of another version for instance, do not end the listening."""
+        """Pass news on. Unreadable news, for example of another version, does not end the listening."""
         try:
             self.registry.hear(code, parts)
         except Exception:
@@ -150,7 +152,7 @@ class Upkeep:
                 await self._safely(self._look_at(room))
 
     async def _safely(self, act: Awaitable[None]) -> None:
-        """Look after one room. A fault there is logged and does not affect the others."""
+        """Check one room. An error there is logged and does not affect the others."""
         try:
             await act
         except (AwayError, ClosedError):

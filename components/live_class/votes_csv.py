@@ -1,4 +1,4 @@
-"""The answers of a lecture as a table, without a word of who gave them."""
+"""The answers of a lecture as a table that does not identify anybody."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 
 FORMULAS = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
-"""Beginnings of a cell that a spreadsheet works out, or does in some language or when the file is saved again."""
+"""First characters of a cell that a spreadsheet may evaluate, in any language, now or after the file is saved again."""
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 HEAD = ("phone", "time", "here", "walk", "step", "vote", "question", "answer", "unit", "right", "sure")
 
@@ -33,7 +33,7 @@ async def votes_csv(registry: Registry, room: ClassRoom) -> list[str]:
 
 
 class VoteRows:
-    """The rows of the answers to one vote."""
+    """Return the rows of the answers to one vote."""
 
     def __init__(self, bank: QuestionBank, question: str, phones: Mapping[str, int]) -> None:
         self._bank, self._phones = bank, phones
@@ -41,7 +41,7 @@ class VoteRows:
         self._asked: tuple[str, tuple[str, str]] | None = None
 
     def row(self, answer: tuple[str, bytes]) -> str:
-        """Return the row of an answer and its name; "" for one whose question is another by now."""
+        """Return the row of an answer and its name, or "" if its question has changed since."""
         name, kept = answer
         one = self._bank.read(kept)
         if one is None:
@@ -53,7 +53,7 @@ class VoteRows:
         return line((self._phones[name], *map(cell, told)))
 
     def _of(self, walk: str, step: str) -> tuple[str, tuple[str, str]]:
-        """The question in words, and the words for a wrong answer and a right one."""
+        """Return the question in words, and the words for a wrong answer and a right one."""
         return self._bank.asked(walk, step), ("no", "yes") if self._bank.judges(walk, step) else ("", "")
 
 
@@ -74,5 +74,5 @@ def time_of(at: float) -> str:
 
 
 def cell(text: str) -> str:
-    """A text that no spreadsheet takes for a formula; a negative number is a number."""
+    """Return a text that no spreadsheet takes for a formula; a negative number is a number."""
     return f"'{text}" if text.startswith(FORMULAS) and not NUMBER.fullmatch(text) else text

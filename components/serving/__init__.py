@@ -1,1 +1,1 @@
-"""The server between the network and the page: start, settings, routes, sockets, files, the shell around a scene."""
+"""The server: start, settings, routes, sockets, files, and the page around a scene."""

@@ -31,7 +31,7 @@ WARM_UP = 20.0
 
 
 def store_at(url: str) -> Store:
-    """The store of live classes at an address. The client of a shared one is read only where there is one."""
+    """Return the store of live classes at an address. The client of a shared store is imported only if one is used."""
     if not url:
         return MemoryStore()
     from components.live_class.shared_store import SharedStore
@@ -40,7 +40,7 @@ def store_at(url: str) -> Store:
 
 
 def tell(settings: Settings, port: int) -> str:
-    """Say where the lecture is, to phones too, in a terminal with a QR code; returns its address on this machine."""
+    """Print the address of the lecture in a terminal, with a QR code for phones. Return its address on this machine."""
     address = f"http://{'localhost' if settings.everywhere else settings.address}:{port}/"
     log.info("The lecture is at %s", address)
     if known := settings.known_at(port):
@@ -54,7 +54,11 @@ def tell(settings: Settings, port: int) -> str:
 
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
-    from app import FIGURES, SHEETS, walked  # reading all scenes takes seconds: the log has its first line by now
+    from app import (
+        FIGURES,
+        SHEETS,
+        walked,
+    )  # importing all scenes takes seconds; the first line of the log must not wait for that
 
     folders = [settings.walks] if settings.walks else []
     lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
@@ -69,10 +73,10 @@ async def serve(settings: Settings) -> None:
     asyncio.get_running_loop().call_later(WARM_UP, apart.warm)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
-        with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception
+        with suppress(NotImplementedError):  # on Windows Ctrl+C arrives as an exception
             asyncio.get_running_loop().add_signal_handler(name, asked.put_nowait, notice)
     gc.collect()
-    gc.freeze()  # what is here now stays: to look through it again took 0.1 s of the event loop each time
+    gc.freeze()  # objects that exist now stay: a collection of them took 0.1 s of the event loop each time
     address = tell(settings, server.port)
     if settings.show:
         webbrowser.open(address)

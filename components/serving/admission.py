@@ -1,4 +1,4 @@
-"""Admission: the number of visitors with a session, the line of the others, and who is dropped for them."""
+"""Admission: the number of visitors with a session, the waiting line, and who is dropped for it."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from components.serving.visitors import Arrivals, Rate
 Key = TypeVar("Key", bound=Hashable)
 
 ASK_AGAIN = 20
-"""Seconds, after which a waiting page asks again."""
+"""Seconds until a waiting page asks again."""
 FORGOTTEN = 2.5 * ASK_AGAIN
-"""Seconds without a question, after which a place in the line is given up."""
+"""Seconds without a request after which a place in the line is lost."""
 LONGEST = 2000
-"""Length of the line; later visitors get no place in it and may try again."""
+"""Length of the line. Later visitors get no place in it and may try again."""
 OF_A_NETWORK = LONGEST // 4
-"""Tickets that one network may have of it."""
+"""Maximum number of tickets of one network."""
 IDLE = 600.0
 """Seconds of idleness after which a visitor may be dropped when the server is full."""
 SHARE = 0.75
-"""Share of the places that a network keeps when others wait; beyond it, its quietest visitor is dropped."""
+"""The share of the places that a network keeps while others wait. Beyond it, its quietest visitor is dropped."""
 RETURNS = 10
-"""Times that one page may come back in a minute, not counted among strangers; of a network so many for each arrival."""
+"""Reconnections of one page per minute that do not count as arrivals; for a network, this many per arrival."""
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -44,14 +44,14 @@ class Guest(NamedTuple):
 
 
 class InLine(NamedTuple):
-    """A ticket: where it was given to, and when it was last seen."""
+    """A ticket: the network that got it, and the time of its last use."""
 
     network: str
     seen: float
 
 
 class Queue:
-    """Admits visitors while there are places; the others get tickets, and networks take turns."""
+    """Admit visitors while there are places. The others get tickets, and networks take turns."""
 
     def __init__(
         self,
@@ -76,7 +76,9 @@ class Queue:
         return len(self._line)
 
     def knock(self, ticket: str, network: str = "") -> tuple[int, str]:
-        """The place in the line of who shows a ticket, or none, and the ticket for next time; 0 is to come in."""
+        """Return the place in the line for a ticket, or for a new visitor, and the ticket for next time. Place 0 is
+        admitted.
+        """
         now = self._clock()
         self._line = {other: one for other, one in self._line.items() if now - one.seen < FORGOTTEN}
         if ticket not in self._line:
@@ -105,7 +107,7 @@ class Queue:
 
 
 class OpenSocket(Protocol):
-    """The socket of a visitor who is in."""
+    """The socket of an admitted visitor."""
 
     connection: Any
     gone: asyncio.Event
@@ -116,10 +118,12 @@ class OpenSocket(Protocol):
 
 
 class Admission:
-    """The visitors with a session, by their sessions and sockets, and the line of waiting ones."""
+    """The visitors with a session, by their sessions and sockets, and the waiting line."""
 
     def __init__(self, places: int, arrivals: int, sessions: Callable[[], Collection[ServerSession]]) -> None:
-        """`arrivals` are pages that one network may open in a minute; `sessions` says which there are."""
+        """`arrivals` is the number of pages that one network may open in a minute; `sessions` returns the existing
+        sessions.
+        """
         self.sockets: set[OpenSocket] = set()
         self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
         self.queue = Queue(places, taken=self.taken, make_way=self._make_way, held=self._held)
@@ -169,8 +173,9 @@ class Admission:
 
 
 def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
-    """Return the visitor to drop for one of a network when the server is full: one who has been idle for long; else the
-    quietest of another network that has more than its share."""
+    """Return the visitor to drop for one of a network when the server is full: one who has been idle for long;
+    otherwise the quietest of another network that has more than its share.
+    """
     quietest = sorted(guests, key=lambda key: guests[key].heard)
     if quietest and now - guests[quietest[0]].heard >= IDLE:
         return quietest[0]
@@ -180,7 +185,7 @@ def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float
 
 
 def ordinal(number: int) -> str:
-    """first, ..., tenth, 11th, ... 21st."""
+    """Return an ordinal: first, ..., tenth, 11th, ... 21st."""
     if number <= len(ORDINALS):
         return ORDINALS[number - 1]
     ending = "th" if number % 100 in (11, 12, 13) else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")

@@ -20,13 +20,13 @@ from components.session.measured import Fitting
 from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching, receive, send
 
 WAITING, OF_A_NETWORK = 64, 16
-"""Jobs that may wait for their turn: of all networks, and of one."""
+"""Maximum number of waiting jobs: of all networks, and of one."""
 ALLOWANCE = 20
 """CPU seconds that one network may use in a minute, also all at once."""
 PATIENCE, STARTING = 20.0, 120.0
-"""Seconds until a process is given up that keeps to no budget, or that is not ready."""
+"""Seconds until a process is ended that exceeds its budget, or that is not ready."""
 OVER_BUDGET = -getattr(signal, "SIGPROF", 0)
-"""The code of a process that the system has ended for that."""
+"""The exit code of a process that the system has ended for exceeding its limits."""
 SHARED = "Too many requests from your network are waiting. Try again in a few seconds."
 BUSY = "Too many requests are waiting. Try again in a few seconds."
 USED_UP = "Your network has used its computing time on this server. Try again in a few seconds."
@@ -38,12 +38,12 @@ FILE_TOO_LONG = (
 )
 FIT_TOO_LONG = f"This fit takes more than {BUDGET:g} s here: choose a file with fewer rows."
 SOON = 2.0
-"""Seconds after which a refused request may come again."""
+"""Seconds after which a refused request may be repeated."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Waiting:
-    """A job that waits for its turn."""
+    """A waiting job."""
 
     job: Errand
     network: str
@@ -51,7 +51,7 @@ class _Waiting:
 
 
 class ReadingProcess:
-    """The worker process, started for the first job and again when it has ended."""
+    """The worker process. It starts with the first job, and again if it has ended."""
 
     def __init__(self, module: str, *arguments: str) -> None:
         self._command = (module, *arguments)
@@ -62,7 +62,7 @@ class ReadingProcess:
         self._running: _Waiting | None = None
         self._used = Rate(ALLOWANCE)
         self._served: list[str] = []
-        """The networks that wait and have had a turn, the latest last."""
+        """The waiting networks that have had a turn, the latest last."""
 
     @property
     def pending(self) -> int:
@@ -83,7 +83,7 @@ class ReadingProcess:
         return waiting.reply
 
     def warm(self) -> None:
-        """Start the process before anybody waits for it."""
+        """Start the process before the first job."""
         self._turn.submit(self._ready)
 
     def close(self) -> None:
@@ -108,7 +108,7 @@ class ReadingProcess:
         return None
 
     def _work(self) -> None:
-        """Do one of the jobs that wait, in the one thread."""
+        """Do one of the waiting jobs, in the only thread."""
         with self._lock:
             self._line = [one for one in self._line if not one.reply.cancelled()]
             if not self._line:
@@ -154,7 +154,7 @@ class ReadingProcess:
 
 
 def _over(job: Errand) -> str:
-    """The sentence for a job that took more than its budget."""
+    """Return the sentence for a job that exceeded its budget."""
     if isinstance(job, Fitting):
         return FIT_TOO_LONG
     return WALK_TOO_LONG if isinstance(job, Reading | Teaching) else FILE_TOO_LONG

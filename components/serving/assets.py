@@ -35,41 +35,41 @@ TYPES = {
     ".woff": "font/woff",
     ".woff2": "font/woff2",
 }
-"""Media types by suffix; the machine's own table may differ."""
+"""Media types by suffix, because the machine's own table may differ."""
 VENDOR = Path(__file__).parent / "vendor"
 YEAR = 365 * 86400
 UNIT = re.compile(r"(?<![\w-])(?:stroke[\w-]*|--u|--least): [^;]*;|(?<![\w#.])(?<!\w-)(?P<px>\d*\.?\d+)px\b")
 
 
 class Asset(NamedTuple):
-    """A file ready to send."""
+    """A file with its headers and encodings."""
 
     type: str
     plain: bytes
     packed: dict[str, bytes]
-    """Contents by the name of the coding, the best first."""
+    """Contents by the name of the encoding, the best first."""
 
 
 def folder_of(files: Mapping[str, bytes]) -> str:
-    """A short hash of files, as the name of the folder they are served from."""
+    """Return a short hash of files, which names the folder that they are served from."""
     return sha256(b"".join(name.encode() + b"\0" + content for name, content in sorted(files.items()))).hexdigest()[:12]
 
 
 @cache
 def written_files() -> dict[str, bytes]:
-    """Our own files by their path, as they were written, but for the style sheet."""
+    """Return our own files by their path, unchanged except for the style sheet."""
     paths = sorted(path for path in STATIC.rglob("*") if path.is_file() and path.parent != STYLES)
     return {path.relative_to(STATIC).as_posix(): path.read_bytes() for path in paths}
 
 
 def written_scripts() -> dict[str, str]:
-    """Our own scripts as they were written."""
+    """Return our own scripts, unchanged."""
     return {name: content.decode() for name, content in written_files().items() if name.endswith(".js")}
 
 
 @cache
 def static_files() -> dict[str, bytes]:
-    """Our own files as they are sent: the style sheet in one, and the scripts that every page needs."""
+    """Return our own files as they are sent: one style sheet, and the scripts that every page needs in one file."""
     scripts = written_scripts()
     others = {name: content for name, content in written_files().items() if name not in scripts}
     linked = {name: text.encode() for name, text in sent(scripts).items()}
@@ -77,7 +77,7 @@ def static_files() -> dict[str, bytes]:
 
 
 def style_sheet() -> bytes:
-    """The style sheet with its parts in the places of their imports, and what single scenes add to it."""
+    """Return the style sheet with its parts in place of their imports, and the additions of single scenes."""
     order = (STYLES / "style.css").read_text("utf-8")
     ours = PART.sub(lambda found: _layer(found[2], STYLES / found[1]), order)
     scenes = (_layer("scenes", path) for path in sorted(SCENES.glob("*/*.css")))
@@ -89,20 +89,21 @@ def _layer(name: str, path: Path) -> str:
 
 
 def in_text_sizes(sheet: str) -> str:
-    """A px of the sheets is a sixteenth of the size of text, so that all grows with it; lines are drawn in the units of
-    their SVG."""
+    """Return the sheet with each px replaced by 1/16 of the text size, so that everything grows with the text. Lines
+    use the units of their SVG.
+    """
     return UNIT.sub(lambda found: f"{float(found['px']) / 16:.6g}rem" if found["px"] else found[0], sheet)
 
 
 @cache
 def library_files() -> dict[str, bytes]:
-    """The scripts of others."""
+    """Return the scripts of libraries."""
     return {path.name: path.read_bytes() for path in (BOKEH, *sorted(VENDOR.iterdir()))}
 
 
 @cache
 def assets() -> dict[str, Asset]:
-    """Every file that is served, by its address below assets/."""
+    """Return every file that is served, by its address below assets/."""
     kept = {
         f"{folder_of(files)}/{name}": content
         for files in (static_files(), library_files())
@@ -112,12 +113,12 @@ def assets() -> dict[str, Asset]:
 
 
 def packed_files(files: Mapping[str, bytes]) -> dict[str, Asset]:
-    """Files as they are sent, by the same addresses."""
+    """Return files as they are sent, by the same addresses."""
     return {name: Asset(TYPES[Path(name).suffix], content, _packed(content)) for name, content in files.items()}
 
 
 class AssetFiles(LectureHandler):
-    """The handler of the static files, and of `more` that the page brings along."""
+    """The handler of the static files, and of the extra files `more`."""
 
     def initialize(self, more: Mapping[str, Asset]) -> None:
         self._more = more
@@ -140,7 +141,7 @@ class AssetFiles(LectureHandler):
     head = get
 
     def compute_etag(self) -> None:
-        """Disable Tornado's ETag: the address has the hash of the content already."""
+        """Disable Tornado's ETag, because the address already contains a hash of the content."""
 
 
 def takes(accepted: str, coding: str) -> bool:
@@ -153,5 +154,5 @@ def takes(accepted: str, coding: str) -> bool:
 
 
 def _packed(content: bytes) -> dict[str, bytes]:
-    # Brotli's 11 would save 8 % more and take 8 s at each start.
+    # Level 11 of Brotli would save 8 % more and take 8 s at each start.
     return {"br": brotli.compress(content, quality=9), "gzip": gzip.compress(content, 6, mtime=0)}

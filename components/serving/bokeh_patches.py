@@ -16,7 +16,7 @@ from bokeh.document import Document
 
 @contextmanager
 def patch_curdoc(document: Document) -> Iterator[None]:
-    """Bokeh's, which also takes its document back after a failure."""
+    """Run Bokeh's function, and take its document back after a failure too."""
     bokeh.io.doc._PATCHED_CURDOCS.append(weakref.ref(document))
     try:
         yield
@@ -25,5 +25,5 @@ def patch_curdoc(document: Document) -> Iterator[None]:
 
 
 def mend() -> None:
-    """In place of Bokeh's, which is looked up at each use."""
+    """Replace Bokeh's function, which is looked up at each use."""
     bokeh.io.doc.patch_curdoc = patch_curdoc

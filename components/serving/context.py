@@ -1,4 +1,4 @@
-"""The context of a server's handlers: all that they may know of it."""
+"""The context of a server's handlers."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ class Context:
     admission: Admission
     metrics: Metrics
     secret: bytes
-    """The key that tokens are signed with."""
+    """The key that signs tokens."""
     ending: asyncio.Event = field(default_factory=asyncio.Event)
-    """Set as soon as no new visitors are to be sent here."""
+    """Set as soon as the server should get no new visitors."""
 
     def goes_by(self, origin: str) -> bool:
         """Return True if an origin belongs to this server."""

@@ -1,4 +1,4 @@
-"""Numbers by address: `/data.csv?scene=coupled&k2=3` is the file that a page of that link saves, for programs."""
+"""CSV files by address: `/data.csv?scene=coupled&k2=3` is the file that a page with this link saves."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from components.session.worker import Apart, Replied
 
 
 class NumbersHandler(VisitorHandler):
-    """The table of a link as a file, made by the worker; a link that is not possible is refused in a sentence."""
+    """The handler of the table of a link. The worker makes it; an impossible link is refused in a sentence."""
 
     asked: Future[Replied] | None = None
 
@@ -41,7 +41,7 @@ class NumbersHandler(VisitorHandler):
     head = get
 
     def on_connection_close(self) -> None:
-        """Take the job out of the line: nobody waits for its result."""
+        """Remove the job from the line, because the client has left."""
         if self.asked:
             self.asked.cancel()
 
@@ -51,7 +51,7 @@ class NumbersHandler(VisitorHandler):
 
 
 class NumbersRoute:
-    """The server's extension for this address; one network may ask for as many tables a minute as it may open pages."""
+    """The extension for this address. One network may request as many tables per minute as it may open pages."""
 
     def __init__(self, worker: Apart, arrivals: int) -> None:
         self._given: dict[str, Any] = {"worker": worker, "arrivals": Arrivals(arrivals)}

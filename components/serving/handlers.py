@@ -1,4 +1,4 @@
-"""Base classes of all handlers: a refusal or an error becomes a page with one sentence."""
+"""Base classes of all handlers. A refusal or an error becomes a page with one sentence."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SENTENCES = {
 
 
 class RefusedError(HTTPError):
-    """A request that is refused; the sentence says why, and what can be done, `after` in how many seconds."""
+    """A refused request. The sentence says why, and what you can do; `after` is the number of seconds to wait."""
 
     def __init__(self, status: int, sentence: str, after: float = 0.0) -> None:
         super().__init__(status)
@@ -47,7 +47,7 @@ def notice() -> Template:
 
 
 class LectureHandler(RequestHandler):
-    """A handler whose failures are said in a sentence."""
+    """A handler that reports failures in a sentence."""
 
     log_level = logging.INFO
     """Level of the log line of a successful request."""
@@ -58,14 +58,14 @@ class LectureHandler(RequestHandler):
         return context
 
     def set_default_headers(self) -> None:
-        self.clear_header("Server")  # its version is nobody's business
+        self.clear_header("Server")  # the version of the server is not public
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors))
         for name, value in SAFE.items():
             self.set_header(name, value)
 
     @property
     def visitor(self) -> str:
-        """The address that the request comes from."""
+        """Return the address that the request comes from."""
         return address_of(self.request, self.context.trusted)
 
     def log_exception(self, kind: Any, error: Any, trace: Any) -> None:
@@ -88,7 +88,7 @@ class LectureHandler(RequestHandler):
 
 
 class VisitorHandler(LectureHandler):
-    """A handler that answers only to the names that the server goes by."""
+    """A handler that answers only under the server's own host names."""
 
     async def prepare(self) -> None:
         host = self.request.headers.get("Host", "")
@@ -101,14 +101,16 @@ class VisitorHandler(LectureHandler):
 
 
 class Missing(LectureHandler):
-    """The handler of addresses that lead nowhere."""
+    """The handler of unknown addresses."""
 
     async def prepare(self) -> None:
         raise HTTPError(404)
 
 
 class Moved(LectureHandler):
-    """A redirect from where the page was once, with the query. Relative, since a proxy may serve it under a path."""
+    """A redirect from a former address of the page, with the query. It is relative, because a proxy may serve the
+    lecture under a path.
+    """
 
     def initialize(self, to: str) -> None:
         self.to = to

@@ -13,7 +13,7 @@ from jinja2 import Template
 SAFE = {
     "Permissions-Policy": "camera=(), geolocation=(), microphone=(), payment=(), usb=()",
     "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",  # a link carries what its visitor set
+    "Referrer-Policy": "no-referrer",  # a link contains the values of its visitor
 }
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.S)
 

@@ -1,4 +1,4 @@
-"""The addresses that a proxy, a container engine and Prometheus ask, by any name of this machine."""
+"""The addresses for a proxy, a container engine and Prometheus, under any name of this machine."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from components.serving.visitors import Network
 
 
 class Health(LectureHandler):
-    """A handler that is asked every few seconds: not worth a line in the log."""
+    """A handler that is requested every few seconds and therefore not logged."""
 
     log_level = logging.DEBUG
 
@@ -23,7 +23,7 @@ class Health(LectureHandler):
 
 
 class Liveness(Health):
-    """The handler that answers while the event loop turns."""
+    """The handler that answers as long as the event loop runs."""
 
     def get(self) -> None:
         self.write({self.request.path: True})
@@ -32,7 +32,7 @@ class Liveness(Health):
 
 
 class Readiness(Health):
-    """The handler of readiness: 200 if new visitors may come, 503 when the server is about to end."""
+    """The handler of readiness: 200 if the server takes new visitors, 503 when it is about to end."""
 
     def get(self) -> None:
         ready = not self.context.ending.is_set()

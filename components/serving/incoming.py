@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 class ViolationError(Exception):
-    """A message that no page of ours sends; the socket is closed with the code and the reason."""
+    """An error for a message that our page never sends. The socket is closed with the code and the reason."""
 
     def __init__(self, reason: str, code: int = 1008) -> None:
         super().__init__(reason)
@@ -41,7 +41,7 @@ class Nothing(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class NonFinite(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="number"):
-    """A number that JSON has no word for."""
+    """A number that JSON cannot express."""
 
     value: Literal["nan", "+inf", "-inf"]
 
@@ -92,7 +92,7 @@ class Patch(Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def model(self) -> str | None:
-        """The id of the model that is spoken to."""
+        """The id of the model that the message is for."""
         said = self.events[0].msg_data
         return said.values.entries[0][1].id if isinstance(said, DataEvent) else None
 
@@ -118,7 +118,9 @@ class Incoming:
 
 
 def read(header_json: str, metadata_json: str, content_json: str) -> Message[Any]:
-    """A message of our page. Bokeh gets the object decoded here, not the text, which it might parse differently."""
+    """Return a message of our page. Bokeh gets the object decoded here instead of the text, which it might parse
+    differently.
+    """
     try:
         header = msgspec.json.decode(header_json, type=Header)
         msgspec.json.decode(metadata_json, type=Nothing)

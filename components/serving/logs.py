@@ -16,7 +16,7 @@ log = logging.getLogger(__name__)
 
 
 class JsonLines(logging.Formatter):
-    """A format of the log: a record as an object in one line."""
+    """A log format: each record as a JSON object in one line."""
 
     def format(self, record: logging.LogRecord) -> str:
         facts: dict[str, object] = {
@@ -32,7 +32,7 @@ class JsonLines(logging.Formatter):
 
 
 def log_request(handler: LectureHandler) -> None:
-    """In place of Tornado's line, which names address and query."""
+    """Replace Tornado's log line, which contains address and query."""
     status, request, visitors = handler.get_status(), handler.request, handler.context.settings.log_visitors
     level = logging.WARNING if status >= 400 else handler.log_level
     facts = {"status": status, "method": request.method, "path": request.uri if visitors else request.path}
@@ -46,7 +46,7 @@ def set_up(form: str, visitors: bool) -> None:
     handler = logging.StreamHandler()
     handler.setFormatter(line)
     logging.basicConfig(level=logging.INFO, handlers=[handler])
-    # A warning of NumPy's would otherwise go to stderr, and again after every change of the filters.
+    # Otherwise a warning of NumPy would go to stderr, and again after every change of the filters.
     logging.captureWarnings(True)
     logging.getLogger("py.warnings").addFilter(Once())
     # These libraries log every session and socket, and Tornado's warnings contain addresses.

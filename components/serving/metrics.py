@@ -1,4 +1,4 @@
-"""Figures of one process, for Prometheus."""
+"""Metrics of one process, for Prometheus."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, Info
 BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.5, 1.0, 2.0, 5.0)
 
 BETWEEN = 0.1
-"""Seconds between looks at how late the event loop is."""
+"""Seconds between measurements of the event loop's delay."""
 
 Looked = Mapping[str, tuple[str, Callable[[], float]]]
-"""Functions that look figures up on request, by name, with descriptions."""
+"""Functions that compute metrics on request, by name, with descriptions."""
 
 
 class Metrics:
-    """The metrics of one server: each has its own, so that two in one process do not mix."""
+    """The metrics of one server. Each server has its own, so that two in one process do not mix."""
 
     def __init__(self, version: str, **now: tuple[str, Callable[[], float]]) -> None:
-        """Counters of what happens; `now` are figures that are looked up when they are asked for."""
+        """Counters of events; `now` are values that are computed on request."""
         self._registry = CollectorRegistry()
         ProcessCollector(registry=self._registry)
         for name, (about, value) in now.items():
@@ -51,7 +51,7 @@ class Metrics:
         Info("oscillations_build", "What is served", registry=self._registry).info({"version": version})
 
     async def watch(self) -> None:
-        """Measure, until it is cancelled, how long the event loop is held."""
+        """Measure the delay of the event loop until cancelled."""
         while True:
             due = monotonic() + BETWEEN
             await asyncio.sleep(BETWEEN)

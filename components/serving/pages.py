@@ -1,4 +1,4 @@
-"""The page itself: a new session for each visit, in the shell, with the token that opens it."""
+"""The page itself: a new session for each visit, the HTML around it, and the token that opens the session."""
 
 from __future__ import annotations
 
@@ -32,19 +32,20 @@ from components.serving.visitors import address_of, network_of
 log = logging.getLogger(__name__)
 
 LONGEST_LINK = 8000
-"""Characters: the query is in the token, and the token in a header of the WebSocket, with room for the others."""
+"""Maximum length of the query in characters: the token contains it, and a header of the WebSocket contains the token.
+"""
 
 TOO_LONG = f"This link is too long: at most {LONGEST_LINK} characters are allowed after the question mark."
 TOO_MANY = "Too many pages were opened from this network within a minute. Try again in a moment."
 
 OWN_TOKEN, TICKET = "Page-Token", "Page-Ticket"
-"""Headers of a page that fetches itself again: its old token, and its place in the line."""
+"""Headers of a page that requests itself again: its old token, and its place in the line."""
 
 OpenPage = Callable[[Document], None]
 
 
 class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
-    """Fills the document of a new session. One that fails is left empty: what went wrong is for the log alone."""
+    """Fill the document of a new session. If that fails, the document stays empty and the error is logged."""
 
     def __init__(self, open_page: OpenPage, context: Context) -> None:
         super().__init__()
@@ -58,7 +59,7 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
         return {"network": str(network_of(address_of(request, self._context.trusted))), "page": page}
 
     def modify_document(self, doc: Document) -> None:
-        # Reconnecting and telling of it are the page's own business.
+        # The page itself reconnects and reports it.
         doc.config.update(reconnect_session=False, notifications=None, notify_connection_status=False)
         try:
             with patch_curdoc(doc), set_curdoc(doc):
@@ -70,7 +71,7 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
 
 @lru_cache(maxsize=4)
 def zipped(page: str) -> bytes:
-    """A page, compressed by gzip: 55 kB take 3 ms."""
+    """Return a page compressed by gzip; 55 kB take 3 ms."""
     return gzip.compress(page.encode(), 6, mtime=0)
 
 
@@ -97,7 +98,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         if page := self._begin():
             self._write_plain(page, start_template())
             return
-        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, no part of the link
+        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, not part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
         place, ticket = self.context.admission.queue.knock(shown, str(network_of(self.visitor)))
         if place:
@@ -111,14 +112,14 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         if not session.document.roots:
             raise HTTPError(500)
         self.context.metrics.arrivals.inc()
-        # The token is good for this visit only; a kept page could not connect.
+        # The token is valid for this visit only, so a cached page could not connect.
         scripts = scripts_of(session.document.template)
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts))
         self.write(page_of(session))
 
     def _write_plain(self, page: str, template: Template) -> None:
-        """A page that has no session: the page of a phone in a class, or the start page."""
+        """A page without a session: the page of a phone in a class, or the start page."""
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(template)))
         self.set_header("Vary", "Accept-Encoding")
@@ -129,13 +130,13 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
             self.write(page)
 
     def _begin(self) -> str | None:
-        """The start page, where the link opens no scene; a frame of another page shows a scene at once."""
+        """The start page, unless the link opens a scene. In a frame of another page, a scene opens at once."""
         if not self._start or self.request.headers.get("Sec-Fetch-Dest") == "iframe":
             return None
         return self._start.asked(self.request.arguments)
 
     def _wait(self, place: int, ticket: str) -> None:
-        """A page that needs no session, and polls again."""
+        """A page that needs no session, and polls."""
         parts = [part for part in self.request.query.split("&") if part and not part.startswith("ticket=")]
         page = templates().get_template("waiting.html", globals={"seconds": ASK_AGAIN})
         self.context.metrics.refused.labels("full").inc()
@@ -149,11 +150,11 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         self.write(page.render(places=places, place=ordinal(place), address=address))
 
     def head(self) -> None:
-        """A page is there: seeing that needs no session."""
+        """Report that a page exists, without a session."""
 
 
 def page_of(session: ServerSession) -> str:
-    """The page's HTML, with the first picture and the token that opens the session in it."""
+    """Return the page's HTML, with the first picture and the token that opens the session."""
     variables = session.document.template_variables
     html: str = session.document.template.render(token=session.token, data=variables.pop("opening"), **variables)
     return html

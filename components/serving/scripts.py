@@ -21,16 +21,17 @@ from itertools import chain
 from posixpath import dirname, join, normpath, relpath
 
 FIRST = "start.js"
-"""The module that needs all others of a scene's first page, and the name of the file."""
+"""The module that imports all others of a scene's first page, and the name of the joined file."""
 ENTRIES = (FIRST, "home.js")
-"""The modules that pages begin with."""
+"""The modules that pages start with."""
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "(\.[^"]*)"$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
 
 
 def sent(modules: Mapping[str, str]) -> dict[str, str]:
-    """The scripts by path, of modules by path: with each that a page begins with all that it needs, as one file, and
-    each of the others."""
+    """Return the scripts by path: for each module that a page starts with, one file with everything it imports, and
+    each of the other modules.
+    """
     needed = {entry: _in_order(entry, modules, ()) for entry in ENTRIES if entry in modules}
     first = needed[FIRST]
     return {path: _linked(path, module, first) for path, module in modules.items() if path not in first} | {
@@ -45,7 +46,7 @@ def needed_later(path: str, modules: Mapping[str, str]) -> list[str]:
 
 
 def joined(modules: Mapping[str, str], paths: Sequence[str]) -> str:
-    """One module of several, in this order."""
+    """Return one module as a function, after those that it imports."""
     parts = (_enclosed(path, modules[path]) for path in paths)
     exported = {path: EXPORT.findall(modules[path]) for path in paths}
     if twice := [name for name, count in Counter(chain(*exported.values())).items() if count > 1]:
@@ -65,17 +66,17 @@ def _linked(path: str, module: str, first: Sequence[str]) -> str:
 
 
 def _found(path: str, imported: str) -> str:
-    """The path of what a module imports."""
+    """Return the path of the script that a module imports."""
     return normpath(join(dirname(path), imported))
 
 
 def _name(path: str) -> str:
-    """The name of a module within the joined file."""
+    """Return the name of a module within the joined file."""
     return "$" + path.removesuffix(".js").replace("/", "_")
 
 
 def _in_order(path: str, modules: Mapping[str, str], asking: tuple[str, ...]) -> list[str]:
-    """The modules that one needs, then itself; each once."""
+    """Return the modules that one imports, then the module itself; each once."""
     if path in asking:
         raise ValueError(f"The scripts import each other in a circle: {', '.join([*asking, path])}.")
     needed: dict[str, None] = {}

@@ -1,4 +1,4 @@
-"""The server of one process: Bokeh's application with a list of routes of our own, and its life from start to end."""
+"""The server of one process: Bokeh's application with our own list of routes, from start to end."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from components.serving.visitors import networks
 PULSE = 15.0
 """Seconds between pings: proxies drop a socket after a minute of silence."""
 PATIENCE = 10.0
-"""Seconds for the whole of a request, and for the next one on the same connection."""
+"""Seconds for a whole request, and until the next one on the same connection."""
 ENDING = 9.0
 """Seconds for the end of a server; container engines allow ten."""
 
@@ -93,7 +93,7 @@ class Server:
             max_buffer_size=16 * MOST_BYTES,
         )
         self._http.add_sockets(listening)
-        assets()  # read and compressed before anybody asks
+        assets()  # read and compressed before the first request
         self._start()
 
     def _routes(self, start: StartPage | None, sheets: Mapping[str, bytes]) -> list[Route]:
@@ -148,7 +148,7 @@ class Server:
 
 
 def _application(open_page: OpenPage, context: Context) -> BokehTornado:
-    """Bokeh's application, which has the sessions; its own routes are not reached."""
+    """Bokeh's application, which has the sessions. Its own routes are not reached."""
     mend()
     settings, secret = context.settings, context.secret
     return BokehTornado(

@@ -26,7 +26,7 @@ SECRETS = (SECRET, "redis_password", "class_passphrase")
 from a file: the variable of the same name with _FILE at the end has its path."""
 LISTS = ("allowed_origin", "trusted_proxies", "metrics_for")
 LONGEST = 8192
-"""Characters of one value."""
+"""Maximum number of characters of a value."""
 ALIKE = 0.85
 """Similarity (difflib's ratio) from which an unknown name counts as a misspelt setting. SESIONS and SESSIONS have 0.93,
 PORT and REPORT 0.8."""
@@ -134,7 +134,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
     show: Annotated[bool, Meta(description="true opens the page in a browser, false does not")] = False
 
     def hosts(self, port: int) -> list[str]:
-        """The names that pages may come from, as host:port; by default this machine's own."""
+        """The host names that pages may come from, as host:port; by default this machine's own."""
         own = ("localhost", "127.0.0.1", *([here] if self.everywhere and (here := own_address()) else []))
         known: list[str] = create_hosts_allowlist(self.allowed_origin or [f"{name}:{port}" for name in own], port)
         return known
@@ -148,7 +148,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
         return f"{kind}://:{quote(self.redis_password, safe='')}@{place}"
 
     def known_at(self, port: int) -> str:
-        """The address that phones type; "" where none reaches this machine."""
+        """The address that phones type, or "" if none reaches this machine."""
         here = own_address() if self.everywhere else ""
         return self.public_url or (f"http://{here}:{port}/" if here else "")
 
@@ -228,7 +228,9 @@ def _in_environment(environment: Mapping[str, str]) -> dict[str, str]:
 def _secret_in(variable: str, path: str) -> str:
     """Return the secret in a file, which is how container engines pass one."""
     try:
-        secret = Path(path).read_text(encoding="utf-8-sig").strip()  # some editors begin a file with a mark
+        secret = (
+            Path(path).read_text(encoding="utf-8-sig").strip()
+        )  # some editors write a byte order mark at the beginning of a file
     except (OSError, ValueError) as error:
         raise ValueError(f"{variable} names “{excerpt(path)}”, which cannot be read.") from error
     if not secret:
@@ -237,7 +239,7 @@ def _secret_in(variable: str, path: str) -> str:
 
 
 def _check_text(name: str, text: str) -> None:
-    """Refuse what no setting can be. A key of random bytes may contain any character."""
+    """Raise ValueError for text that cannot be a setting. A key of random bytes may contain any character."""
     if len(text) > LONGEST:
         raise ValueError(f"{name.upper()} has {len(text)} characters. Allowed: at most {LONGEST}.")
     if name != SECRET and not text.isprintable():
@@ -275,7 +277,7 @@ def _check_store(url: str) -> None:
 
 def _check_secret(secret: str) -> None:
     """Raise ValueError for a secret that is easy to guess: common words, few or consecutive characters."""
-    if not secret:  # one is made at the start
+    if not secret:  # the server makes one at its start
         return
     rest = GUESSED.sub("", secret.lower())
     steps = {ord(after) - ord(before) for before, after in pairwise(secret)}

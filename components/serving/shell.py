@@ -1,4 +1,4 @@
-"""The page around a scene: its HTML template and the names of the static files, once a process."""
+"""The page around a scene: its HTML template and the names of the static files, read once per process."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from components.state.scene_sheet import sheet_address
 
 @cache
 def version() -> str:
-    """A short hash of the static files: a new deployment is not mixed with files that a browser has kept."""
+    """A short hash of the static files. It keeps a new deployment apart from files that a browser has cached."""
     return folder_of(static_files())
 
 
@@ -30,7 +30,7 @@ def library() -> str:
 
 @cache
 def page_template() -> Template:
-    """page.html, to which everything that is the same for every visitor is already known."""
+    """The template page.html, filled with everything that is the same for every visitor."""
     modules = needed_later("walks/walk.js", written_scripts())
     files = {"version": version(), "library": library(), "walk_modules": modules}
     return templates().get_template("page.html", globals=files)
@@ -38,7 +38,7 @@ def page_template() -> Template:
 
 @cache
 def follow_template() -> Template:
-    """follow.html, the page of who follows a class: the same for all."""
+    """The page follow.html of a phone in a class, which is the same for everyone."""
     files = {"version": version(), "library": library()}
     return templates().get_template("follow.html", globals=files)
 
@@ -61,7 +61,7 @@ SUBJECTS = {
 
 @dataclass(frozen=True)
 class SceneLink:
-    """A scene as the head line and the start page name it."""
+    """A scene in the navigation and on the start page."""
 
     slug: str
     title: str
@@ -103,7 +103,7 @@ def _link(scene: type[Scene], here: str) -> SceneLink:
 
 
 def when_open(document: Document, act: Callable[[], None]) -> None:
-    """Run `act` under the document's lock, from any thread, as long as somebody looks at the page."""
+    """Run `act` under the document's lock, from any thread, unless the visitor has left the page."""
     context = document.session_context
     if context and context.session.connection_count:
         document.add_next_tick_callback(act)

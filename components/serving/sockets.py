@@ -27,17 +27,19 @@ from components.serving.tokens import opens_session
 log = logging.getLogger(__name__)
 
 MOST_WAITING = 8
-"""Messages that may wait. The page has one in flight at a time; a queue that its visitor has left is dropped."""
+"""Maximum number of waiting messages. The page has one in flight at a time; the queue of a visitor who has left is
+dropped.
+"""
 CHEAP, SURCHARGE = 0.01, 8
 """CPU seconds that an answer may take. After a longer one, the visitor waits a multiple of the excess."""
 MOST_PINGS = 30
-"""Number of pings from a visitor, between two of ours, that close the socket."""
+"""Number of pings from a visitor, between two of ours, for which the socket is closed."""
 MOST_MISSED = 2
-"""Pings that may go without an answer."""
+"""Pings that may stay unanswered."""
 
 
 class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
-    """The socket of a page, in place of Bokeh's, which assembles and deserialises whatever is announced to it."""
+    """The socket of a page. It replaces Bokeh's, which assembles and deserialises whatever is announced."""
 
     application: BokehTornado
 
@@ -48,8 +50,9 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         self._work: asyncio.Task[None] | None = None
         self._missed = self._pinged = 0
         self._rests = 0.0
-        """Until when a visitor waits, for what the last answer took: so the others have at least half of the time, and
-        next to one that is dear nearly all of it."""
+        """The time until which a visitor waits because of the cost of the last answer. So other visitors have at least
+        half of the time, and much more next to an expensive visitor.
+        """
         self.gone = asyncio.Event()
 
     async def prepare(self) -> None:
@@ -59,7 +62,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
             raise RefusedError(403, "The server no longer knows this page; reload it.")
 
     def check_origin(self, origin: str) -> bool:
-        """Tornado asks where the page is not from the host that it connects to."""
+        """Tornado calls this if the page does not come from the host that it connects to."""
         return self.context.goes_by(origin)
 
     def open(self, *args: str, **kwargs: str) -> None:
@@ -70,7 +73,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         super().open()
 
     async def _async_open(self, token: str) -> None:
-        """Bokeh's opening, of which it is not certain that the visitor is still there when it is done."""
+        """Open the socket as Bokeh does. The visitor may have left before this is done."""
         await super()._async_open(token)
         assert self.connection is not None
         if self.gone.is_set():
@@ -91,7 +94,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
                 other._socket.drop(1008, "This page has a newer connection.")
 
     def on_message(self, frame: str | bytes) -> None:
-        """Read on at once, whatever waits: so the end of a flood is seen when it comes."""
+        """Read on at once, regardless of the queue, so that a flood is noticed when it arrives."""
         if self.ws_connection is None or self.ws_connection.is_closing():
             return
         try:
@@ -111,7 +114,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         self.close(code, reason)
 
     def pulse(self) -> None:
-        """Ask whether the visitor is still there; called at intervals."""
+        """Test the connection; called at intervals."""
         if self._missed == MOST_MISSED:
             self.drop(1001, "No answer to two pings.")
             return
@@ -124,7 +127,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         self._missed = 0
 
     def on_ping(self, data: bytes) -> None:
-        """Browsers send none; each is answered at once, past the queue."""
+        """Answer a ping at once, without the queue. Browsers send none."""
         self._pinged += 1
         if self._pinged == MOST_PINGS:
             self._refuse(ViolationError("Too many pings."))
@@ -146,7 +149,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
     async def _work_off(self) -> None:
         while self._waiting:
             await asyncio.sleep(self._rests - monotonic())
-            if not self._waiting:  # who has been sent away meanwhile
+            if not self._waiting:  # the visitor has been dropped meanwhile
                 break
             arrived, message = self._waiting.popleft()
             took = await metered(self._answer(message))
@@ -184,5 +187,5 @@ def metered(work: Coroutine[Any, Any, None]) -> Generator[Any, Any, float]:
         step = partial(work.send, None)
         try:
             yield awaited
-        except BaseException as error:  # who is cancelled
+        except BaseException as error:  # if cancelled
             step = partial(work.throw, error)

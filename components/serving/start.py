@@ -15,7 +15,7 @@ from components.serving.shell import navigation, version
 from components.state.link import PAGE_KEYS, read_query
 
 LOOKS = frozenset({"theme", "projector"})
-"""Keys of a link that say how a page looks: alone they open no scene."""
+"""Keys of a link that only change the look of a page. They open no scene."""
 
 
 @cache
@@ -26,14 +26,14 @@ def start_template() -> Template:
 
 @dataclass(frozen=True)
 class StartPage:
-    """The page of a link that names no scene, or none that there is."""
+    """Return the start page, for a link without a scene or with an unknown one."""
 
     scenes: Mapping[str, type[Scene]]
     walks: Sequence[Mapping[str, str]]
     things: Mapping[str, Thing]
 
     def asked(self, query: Mapping[str, Sequence[bytes]]) -> str | None:
-        """The page where a link asks for it, with a sentence where it names what is not a scene; else None."""
+        """Return the start page if the link asks for it, with a sentence about an unknown scene; otherwise None."""
         if query.keys() <= LOOKS:
             return self._plain
         if "scene" in query and not query.keys() & (PAGE_KEYS - LOOKS):

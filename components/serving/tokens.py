@@ -1,4 +1,4 @@
-"""The token of a page, which opens its session: made by Bokeh, believed only where our secret has signed it."""
+"""The token of a page, which opens its session. Bokeh makes it; it is valid only with our signature."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def opens_session(token: str, secret: bytes) -> bool:
 
 
 def page_name(token: str, secret: bytes) -> str:
-    """The name of the page that has this token, expired or not; "" where none has."""
+    """Return the name of the page that has this token, expired or not, or ""."""
     return str(_told(token, secret).get("page", ""))
 
 
@@ -33,5 +33,5 @@ def _told(token: str, secret: bytes) -> dict[str, Any]:
     try:
         told: dict[str, Any] = get_token_payload(token)
         return told if check_token_signature(token, secret_key=secret, signed=True) else {}
-    except (ValueError, KeyError, TypeError):  # a session's id, which is signed as tokens are
+    except (ValueError, KeyError, TypeError):  # a session's id is signed like a token
         return {}

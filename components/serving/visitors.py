@@ -1,4 +1,4 @@
-"""Visitors: their addresses behind proxies, and how many pages one network may open."""
+"""Visitors: their addresses behind proxies, and the rate at which a network may open pages."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Network = IPv4Network | IPv6Network
 
 MINUTE = 60.0
 OF_A_NETWORK = {4: 24, 6: 56}
-"""Bits of an address that a network of visitors shares, by the version of the protocol."""
+"""Bits of an address that a visitor's network shares, by version of the protocol."""
 MOST_NAMES = 100_000
-"""Number of names in a rate; beyond it, new names wait. So many names take 25 MB."""
+"""Maximum number of names in a rate; beyond it, new names wait. They take 25 MB."""
 
 
 def networks(names: Sequence[str]) -> tuple[Network, ...]:
-    """Addresses and networks by their names; ValueError for what is neither."""
+    """Parse addresses and networks. Raises ValueError for other text."""
     return tuple(ip_network(name) for name in names)
 
 
@@ -39,12 +39,12 @@ def visitor(peer: str, forwarded: str, trusted: Sequence[Network]) -> str:
 
 
 def address_of(request: HTTPServerRequest, trusted: Sequence[Network]) -> str:
-    """The address that a request comes from."""
+    """Return the address that a request comes from."""
     return visitor(request.remote_ip or "", ",".join(request.headers.get_list("X-Forwarded-For")), trusted)
 
 
 class Rate:
-    """Lets each name do something so many times a minute, all at once if necessary."""
+    """A limit per minute for each name. All events of a minute may come at once."""
 
     def __init__(self, most: int, clock: Callable[[], float] = monotonic) -> None:
         self.most = most
@@ -56,7 +56,7 @@ class Rate:
         return len(self._left)
 
     def admit(self, name: str) -> float:
-        """Count one time; where it is one too many, return the seconds until it is possible."""
+        """Count one event. If it is one too many, return the seconds until it is possible."""
         seconds = self.wait(name)
         if not seconds:
             self.charge(name, 1.0)
@@ -70,18 +70,18 @@ class Rate:
         return max(0.0, 1.0 - self.left(name)) * MINUTE / self.most
 
     def left(self, name: str) -> float:
-        """Return how many times are left."""
+        """Return the remaining number of events."""
         now = self._clock()
         left, seen = self._left.get(name, (float(self.most), now))
         return min(float(self.most), left + (now - seen) * self.most / MINUTE)
 
     def charge(self, name: str, amount: float) -> None:
-        """Count so many times, whether or not they are left."""
+        """Count this many events, even if they exceed the limit."""
         self._left[name] = self.left(name) - amount, self._clock()
         self._left.move_to_end(name)
 
     def _forget(self) -> None:
-        """Forget the names that have all their times left again."""
+        """Forget the names that have their full count again."""
         now = self._clock()
         while self._left:
             name, (_, seen) = next(iter(self._left.items()))
@@ -94,7 +94,7 @@ class Rate:
 
 
 class Arrivals(Rate):
-    """Pages that a network opens: a class comes through one address."""
+    """The limit of pages that a network may open. A whole class can have one address."""
 
     def admit(self, name: str) -> float:
         """`name` is the address of a visitor."""

@@ -1,1 +1,1 @@
-"""One visitor's conversation with the server."""
+"""The session of one visitor."""

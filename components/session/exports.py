@@ -11,10 +11,10 @@ from components.language.messages import File
 from components.language.state import State
 from components.quantities.refusals import in_words
 from components.scene.about import About, about_numbers
-from components.session.links import linked, standing_of
+from components.session.links import linked, page_state_of
 from components.state.commands import sentence
 from components.state.csv_export import as_file, as_table
-from components.state.page_state import standing_in
+from components.state.page_state import page_state_in
 from components.state.wire import Packet, packed
 from components.walks import Query, Walks
 from components.walks.links import Scenes
@@ -44,7 +44,7 @@ class AboutExport(Struct, frozen=True, tag=True):
 
 def page_file(asked: PageExport, scenes: Scenes) -> Packet:
     """Return the file as a message; ValueError, in words, where a number cannot be had."""
-    now = standing_in(scenes[asked.state.scene], asked.state)
+    now = page_state_in(scenes[asked.state.scene], asked.state)
     try:
         with in_words():
             return packed(as_file(now.asked, now.told[0], asked.page, asked.answer))
@@ -59,7 +59,7 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
     """
     (*_, table) = ("", *(name.decode("utf-8", "replace") for name in query.get("table", ())))
     link, step = linked({key: given for key, given in query.items() if key != "table"}, scenes, walks)
-    now, refused = standing_of(scenes[link.slug], link, step)
+    now, refused = page_state_of(scenes[link.slug], link, step)
     if problems := [*link.problems, *refused]:
         raise ValueError(" ".join(problems))
     try:
@@ -71,7 +71,7 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
 
 def about_page(asked: AboutExport, scenes: Scenes) -> Packet:
     """Return "About these numbers" as a message; a sentence replaces numbers that cannot be recomputed."""
-    now = standing_in(scenes[asked.state.scene], asked.state)
+    now = page_state_in(scenes[asked.state.scene], asked.state)
 
     def ask() -> About | None:
         if now.covered:

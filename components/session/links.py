@@ -11,7 +11,7 @@ from components.scene import Scene
 from components.state.commands import sentence
 from components.state.covers import NEXT, refused_covers
 from components.state.link import Link, read_query
-from components.state.page_state import PageState, standing_in
+from components.state.page_state import PageState, page_state_in
 from components.state.states import state_in, strange_axes
 from components.walks import Query, Walks
 from components.walks.links import Scenes, read_link
@@ -19,7 +19,7 @@ from components.walks.registry import asked_step
 
 
 def linked(query: Query, scenes: Scenes, walks: Walks) -> tuple[Link, str]:
-    """The link of an address and the name of its walk step, "" where it opens none."""
+    """Return the link of an address and the name of its walk step, or ""."""
     problems = []
     try:
         if asked := asked_step(query, walks):
@@ -31,17 +31,17 @@ def linked(query: Query, scenes: Scenes, walks: Walks) -> tuple[Link, str]:
     return dataclasses.replace(link, problems=[*problems, *link.problems]), ""
 
 
-def standing_of(kind: type[Scene], link: Link, step: str = "") -> tuple[PageState, list[str]]:
-    """The standing that a link asks for; and what of that cannot be, in words."""
+def page_state_of(kind: type[Scene], link: Link, step: str = "") -> tuple[PageState, list[str]]:
+    """Return the page state of a link, and sentences on its impossible parts."""
     state, problems = replace(state_in(link), step=step), []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))
     try:
-        now = standing_in(kind, known)
+        now = page_state_in(kind, known)
     except ValueError as reason:
         problems.append(f"{sentence(reason)} The link's parameters were not used.")
         known = State(scene=state.scene, step=state.step)
-        now = standing_in(kind, known)
+        now = page_state_in(kind, known)
     refused = refused_covers(kind, now.shown, state.covered)
     problems += [*strange_axes(now.shown, state), *refused.values()]
     covered = tuple(cover for cover in state.covered if cover not in refused)
-    return now if covered == known.covered else standing_in(kind, replace(known, covered=covered)), problems
+    return now if covered == known.covered else page_state_in(kind, replace(known, covered=covered)), problems

@@ -34,7 +34,7 @@ class MeasuredRows:
 
     def __init__(self) -> None:
         self.next = 0
-        """The piece that is needed next."""
+        """The number of the next piece."""
         self._t = array("d")
         self._columns: tuple[array[float], ...] = ()
 

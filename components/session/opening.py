@@ -1,4 +1,4 @@
-"""The page of a link: a session that is where the link wants it."""
+"""The page of a link: a session in the state of the link."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from components.quantities.refusals import LINK_LOST, report
 from components.scene import Scene
-from components.session.links import standing_of
+from components.session.links import page_state_of
 from components.session.session import Session
 from components.state.link import Link
 from components.state.page_state import fitted
@@ -17,7 +17,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
     """Return the page of a link; if its values are not possible, the scene with its defaults, and the reason."""
     kind, problems = scenes[link.slug], list(link.problems)
     try:
-        now, refused = standing_of(kind, link, step)
+        now, refused = page_state_of(kind, link, step)
         session = Session(now, (*problems, *refused), scenes=scenes, walks=walks)
         session.first = session.opening()
     except Exception as error:

@@ -1,4 +1,4 @@
-"""The one Panel component of a page: it carries the session's messages, one each way for every change."""
+"""The only Panel component of a page. It carries the session's messages, one in each direction per change."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Wire(Model):  # type: ignore[misc]  # Bokeh's are not looked into
 
 
 class SaidEvent(ModelEvent):  # type: ignore[misc]  # Bokeh's are not looked into
-    """A message of the browser, as JSON has it."""
+    """A message of the browser, as JSON."""
 
     event_name = "from_browser"
 
@@ -45,13 +45,13 @@ class SceneView(Widget):
         self.session = session
         super().__init__(**params)
 
-    def _get_properties(self, doc: Document | None) -> dict[str, Any]:  # as Panel declares it
+    def _get_properties(self, doc: Document | None) -> dict[str, Any]:  # declared by Panel
         """Removes Panel's properties, because the wire has no size and no style."""
         return {}
 
     def _get_model(self, doc: Document, root: Any = None, parent: Any = None, comm: Any = None) -> Model:
         model = super()._get_model(doc, root, parent, comm)
-        # Past Panel, which counts for its indicators how many events are at work: a fifth of what a change costs.
+        # Bypass Panel's count of active events for its indicators, which is a fifth of the cost of a change.
         model.on_event(SaidEvent.event_name, lambda event: self.session.hear(event.data))
         self.session.send = partial(self._tell, doc)
         return model

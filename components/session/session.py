@@ -50,7 +50,7 @@ from components.walks.judging import taught
 from components.walks.walk import Step
 
 MOST_MESSAGES = 2**53
-"""Messages are numbered below this; beyond it a browser counts no further."""
+"""Message numbers are below this; a browser counts no further."""
 
 MOST_OWN = 5
 TOO_MANY = (
@@ -64,7 +64,7 @@ Send = Callable[[Packet], None]
 
 
 class Publish(Protocol):
-    """A function that makes a picture ready for a class, when it is needed, until it is ended."""
+    """A function that encodes a picture for a class when it is needed, until publishing ends."""
 
     def __call__(self, make: Callable[[], Packet], /) -> None: ...
 
@@ -91,11 +91,11 @@ class Session:
         self.apart: Apart | None = None
         """The worker that does long jobs; without one the session does them itself."""
         self._apart: tuple[int | None, Future[Replied]] | None = None
-        """The answer that is awaited from there, after the number of the message that asked."""
+        """The answer that the worker will give, by the number of the request."""
         self._rows = MeasuredRows()
         self.send: Send = lambda packet: None
         self.first: Packet | None = None
-        """The first picture, made ready while it was seen whether it can be."""
+        """The first picture, computed when the link was checked."""
         self._errors: Errors = {}
         """The reasons of the last refusal."""
         self._problems = problems
@@ -108,7 +108,7 @@ class Session:
         self.now = with_news(now, self.running)
 
     def close(self) -> None:
-        """The visitor has left."""
+        """Forget the visitor, who has left."""
         if self._apart:
             self._apart[1].cancel()
         if self.running:
@@ -182,7 +182,7 @@ class Session:
         return self._stand(after, answer)
 
     def _take_rows(self, message: SendRows, answer: int | None) -> Packet | None:
-        """Take a piece of a measured record, and give the worker the whole one."""
+        """Take a piece of a measured record, and give the complete record to the worker."""
         try:
             job = self._rows.take(message)
         except ValueError as reason:
@@ -190,7 +190,7 @@ class Session:
         return self._ask_apart(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
 
     def _is_kept(self, message: BrowserMessage, after: PageState) -> bool:
-        """Return True if a hand has let go and the page does not change: its picture is not sent again."""
+        """Return True if a drag has ended and the page does not change; then its picture is not sent again."""
         lets_go = isinstance(message, SetValues) and message.holding is False and not message.values
         return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
 
@@ -214,7 +214,7 @@ class Session:
         return reply
 
     def _work_for(self, now: PageState) -> Running | None:
-        """The work of a scene that has some."""
+        """Return the background work of a scene, if it has some."""
         if now.kind.work is None:
             return None
         running = now.kind.work(lambda: self.network)
@@ -229,7 +229,7 @@ class Session:
             self._tell_class()
 
     def _own_step(self, given: Given) -> Step | None:
-        """The step that is answered, where it is of a walk from the visitor's own files."""
+        """Return the answered step, if it is in a walk from the visitor's own files."""
         steps = self.now.own[given.walk].steps if given.walk in self.now.own else ()
         return next((step for step in steps if step.id == given.step), None)
 
@@ -315,5 +315,5 @@ class Session:
 
 
 def with_news(now: PageState, running: Running | None) -> PageState:
-    """The standing, with all that work has found of its scene."""
+    """Return the page state, with all results of background work."""
     return with_values(now, running.news(now.scene)) if running else now

@@ -31,13 +31,13 @@ from components.walks.registry import read_own
 from components.walks.walk import Step, Walk
 
 BUDGET = 1.0
-"""Seconds of a processor for one job."""
+"""CPU seconds for one job."""
 LARGEST = 1_000_000
 """Maximum size of a walk's sheet in bytes; markup is longer than its source."""
 
 
 class Reading(Struct, frozen=True, tag=True):
-    """A walk's file, to be read and checked."""
+    """A walk's file to read and check."""
 
     name: str
     text: str
@@ -125,7 +125,7 @@ def _read(asked: Reading, walks: Walks, scenes: Scenes) -> Replied:
 
 
 def prepare(walks: Walks, scenes: Scenes) -> None:
-    """Read the lecture's own walks, so that no visitor's file pays for what all scenes work out once."""
+    """Read the lecture's own walks, so that the first visitor's file does not pay for values that all scenes share."""
     for walk in walks.values():
         list(problems(walk, scenes))
         walk_sheet(walk, scenes)
@@ -143,7 +143,7 @@ def work(walks: Walks, scenes: Scenes, come_in: BinaryIO, go_out: BinaryIO) -> N
 
 @contextmanager
 def _budget() -> Iterator[None]:
-    """The system ends a process whose time is over, whatever it does."""
+    """End a job that exceeds its time. The system ends the process whatever it does."""
     timed = hasattr(signal, "setitimer")
     if timed:
         signal.setitimer(signal.ITIMER_PROF, BUDGET)

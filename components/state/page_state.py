@@ -1,4 +1,4 @@
-"""The standing of a page: its complete state as one frozen value, and the new value after a message."""
+"""The page state: the complete state of a page as one frozen value, and the new value after a message."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class PageState:
     """A scene, its picture, and everything else of a page that a message can change.
 
     `held`     the compared scene, drawn in the frame and view of the current one
-    `before`   the standing before a change that is to be predicted; it is sent in place of this one
+    `before`   the page state before a change that is to be predicted; it is sent in place of this one
     `covered`  the plots, numbers and sentences that are not sent
     `step`     the current step of a walk, "d34/d34-07"; with a seed "d34/d34-07/5"
     `show`     the visible parts, if they are not those of the view
@@ -68,7 +68,7 @@ class PageState:
 
     @property
     def asked(self) -> PageState:
-        """The standing whose picture is sent: the one before a change, while the change is being predicted."""
+        """The page state whose picture is sent: the one before a change, while the change is being predicted."""
         return self.before or self
 
     @cached_property
@@ -90,7 +90,7 @@ class PageState:
 
     @cached_property
     def state(self) -> State:
-        """The part of the standing that links and messages contain."""
+        """The part of the page state that links and messages contain."""
         own = self.scene.off_default()
         return State(
             scene=self.scene.slug,
@@ -124,19 +124,19 @@ class PageState:
 
 
 def fitted(scene: Scene) -> PageState:
-    """Return the standing of a page with a scene in the fitted frame, without anything else."""
+    """Return the page state of a page with a scene in the fitted frame, without anything else."""
     return PageState(scene=scene, drawn=draw(scene))
 
 
 def changed(now: PageState, said: Command | Open, scenes: Scenes) -> PageState:
-    """Return the standing after a message. Raises RefusalError, with a sentence for each reason."""
+    """Return the page state after a message. Raises RefusalError, with a sentence for each reason."""
     return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
 
 
 def with_values(
     now: PageState, values: Values, *, holding: bool = False, along: Collection[str] = (), released: bool = False
 ) -> PageState:
-    """Return the standing with other values, in its frame, which grows if necessary.
+    """Return the page state with other values, in its frame, which grows if necessary.
 
     During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. A
     change of display refits the axes that it affects. Raises ValueError, with a sentence, for values that the scene
@@ -152,7 +152,7 @@ def with_values(
 def _redrawn(
     now: PageState, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
 ) -> PageState:
-    """Return the standing with another scene of its class, in its frame. With `refits`, axes may be fitted again."""
+    """Return the page state with another scene of its class, in its frame. With `refits`, axes may be fitted again."""
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
         frame = msgspec.structs.replace(frame, window=None)
@@ -161,7 +161,7 @@ def _redrawn(
 
 
 def _done(now: PageState, command: Command) -> PageState:
-    """Return the standing after a command.
+    """Return the page state after a command.
 
     The frame grows if necessary. At the end of a drag, mostly empty axes are fitted again, except the axes along the
     drag. They are not fitted in a step of a walk or while something is covered.
@@ -181,7 +181,7 @@ def _done(now: PageState, command: Command) -> PageState:
 
 
 def _predicted(after: PageState, before: PageState | None, begins: bool) -> PageState:
-    """Return the standing with covers for everything that has changed since `before`, if the visitor predicts.
+    """Return the page state with covers for everything that has changed since `before`, if the visitor predicts.
 
     A prediction `begins` with the first change of a parameter that is not only a change of display.
     """
@@ -193,7 +193,7 @@ def _predicted(after: PageState, before: PageState | None, begins: bool) -> Page
 
 
 def _shown_like(before: PageState, after: PageState) -> PageState:
-    """Return an earlier standing with the display parameters and the compared scene of the current one."""
+    """Return an earlier page state with the display parameters and the compared scene of the current one."""
     scene = shown_as(before.scene, after.scene, HIDDEN)
     if scene is before.scene and _key(before.held) == _key(after.held):
         return before
@@ -205,7 +205,7 @@ def _key(scene: Scene | None) -> object:
 
 
 def _turned(now: PageState, said: Open, scenes: Scenes) -> PageState:
-    """Return the standing after a message that opens a state.
+    """Return the page state after a message that opens a state.
 
     A scene that is opened with `carried` takes over the values of the shared system, unless it cannot show them.
     """
@@ -220,15 +220,17 @@ def _turned(now: PageState, said: Open, scenes: Scenes) -> PageState:
         given = stated_all(brought(kind, now.shared)) if kind is not now.kind else {}
         if given:
             with suppress(ValueError):
-                return standing_in(kind, msgspec.structs.replace(state, parameters={**given, **state.parameters}), now)
+                return page_state_in(
+                    kind, msgspec.structs.replace(state, parameters={**given, **state.parameters}), now
+                )
     try:
-        return standing_in(kind, state, now, keeps=said.keeps)
+        return page_state_in(kind, state, now, keeps=said.keeps)
     except ValueError as error:
         raise RefusalError({"state": f"{sentence(error)} Still drawn as before."}) from error
 
 
-def standing_in(kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False) -> PageState:
-    """Return the standing for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
+def page_state_in(kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False) -> PageState:
+    """Return the page state for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
 
     Anything the state omits is taken from `now`. With `keeps`, the frame stays if only quantities change; for another
     scene, window or display it is fitted.
@@ -272,7 +274,7 @@ def _only_quantities(before: Scene, after: Scene) -> bool:
 def _before(
     scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: PageState | None
 ) -> PageState | None:
-    """Return the standing before a predicted change, from a state; the existing standing if it is the same."""
+    """Return the page state before a predicted change, from a state; the existing standing if it is the same."""
     if scene is None:
         return None
     if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:

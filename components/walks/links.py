@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from components.language.state import State
 from components.scene import Scene
 from components.state.link import Link, read_query
-from components.state.page_state import PageState, standing_in
+from components.state.page_state import PageState, page_state_in
 from components.state.states import state_in, strange_axes, strange_curves
 from components.walks.types import BaseStep
 
@@ -38,10 +38,10 @@ def _of_the_page(link: Link) -> Iterator[str]:
 
 
 def standing_at(link: str, scenes: Scenes) -> PageState:
-    """The standing of a page that opens a link."""
+    """The page state of a page that opens a link."""
     state = state_of_link(link, scenes)
     kind = scenes[state.scene]
-    found = standing_in(kind, state)
+    found = page_state_in(kind, state)
     if strange := [*strange_axes(found.shown, state), *strange_curves(kind, state)]:
         raise ValueError(" ".join(strange))
     return found

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import Phase, given, settings
 
 from components.scenes import SCENES
-from components.session.links import standing_of
+from components.session.links import page_state_of
 from components.state.link import Link, read_query
 from tests.grids import tries
 from tests.scenes.checks import as_arguments
@@ -23,7 +23,7 @@ def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
         now = standing(link)
         read = read_query(as_arguments(now.query), SCENES)
         assert read.problems == []
-        again, refused = standing_of(SCENES[slug], read)
+        again, refused = page_state_of(SCENES[slug], read)
         assert (refused, again.query) == ([], now.query)
 
     leads_back()

@@ -19,7 +19,7 @@ from components.layout.sheet import in_force
 from components.quantities.refusals import in_words
 from components.scene.traces import BAND, band_columns
 from components.scenes import SCENES
-from components.session.links import standing_of
+from components.session.links import page_state_of
 from components.state.csv_export import as_csv, as_file, tables
 from components.state.link import Link
 from components.state.page_state import PageState, fitted
@@ -237,7 +237,7 @@ def test_with_dashpots_it_has_sizes_and_lags() -> None:
     ],
 )
 def test_a_covered_amplitude_is_in_no_file_nor_its_lag(cover: str, left: list[str]) -> None:
-    files = taken(standing_of(SCENES["forced"], Link("forced", {"c1": 0.5}, covered=(cover,)))[0])
+    files = taken(page_state_of(SCENES["forced"], Link("forced", {"c1": 0.5}, covered=(cover,)))[0])
     assert list(files.get("response", [])) == left
 
 

@@ -11,7 +11,7 @@ from components.language.state import State
 from components.layout.views import shown_blocks
 from components.scenes import SCENES
 from components.state.link import read_query
-from components.state.page_state import PageState, changed, fitted, standing_in
+from components.state.page_state import PageState, changed, fitted, page_state_in
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.states import state_in
 
@@ -24,7 +24,7 @@ def opened(query: str) -> PageState:
     args = {key: [text.encode() for text in texts] for key, texts in parse_qs(query, keep_blank_values=True).items()}
     link = read_query(args, SCENES)
     assert not link.problems
-    return standing_in(SCENES[link.slug], state_in(link))
+    return page_state_in(SCENES[link.slug], state_in(link))
 
 
 @views
