@@ -38,7 +38,7 @@ def part(duty: Duty, mode: int) -> float | None:
 
 
 def dies(duty: Duty) -> float | None:
-    """The time after which at most a hundredth of the complementary part is left."""
+    """The time in s after which at most a hundredth of the complementary part is left; inf if a part of it stays."""
     if not (duty.c and duty.from_rest):
         return None
     slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=math.inf)
