@@ -1,1 +1,1 @@
-"""Numbers: parameters, axes, units, motions; how a number is written, typed and refused."""
+"""Numbers: parameters, axes, units, motions; how a number is formatted, parsed and rejected."""

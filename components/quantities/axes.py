@@ -1,4 +1,4 @@
-"""Axes: a range in SI units, the unit that suits it, and round numbers to write at it."""
+"""Axes: a range in SI units, a suitable unit, and round numbers for its labels."""
 
 from __future__ import annotations
 
@@ -16,15 +16,16 @@ from components.language.picture import Digits, Ruler
 from components.quantities.formatting import at_tick, power_unit, ten, three
 
 TIME_AXIS = "t"
-"""The name of the axis that is the time window: the clock runs through it."""
+"""The name of the axis of the time window, which the clock runs through."""
 Range = tuple[float, float]
 Scaled = TypeVar("Scaled", float, NDArray[np.float64])
 LEAST = 1e-10
-"""The smallest value, in the unit of its axis, that a moving number has decimals for: 12 of them and not hundreds, on
-a kept axis that has become far too large."""
+"""The smallest value, in the unit of its axis, for which a live number has decimals: 12 of them, and not hundreds on a
+kept axis that has become far too large.
+"""
 
 
-class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass
+class Axis(Struct, frozen=True, dict=True):  # replacing a Struct is ten times as fast as replacing a dataclass
     """The range of an axis in SI units, and its labels: in units of `factor` (in SI) times 10**exponent.
 
     Ticks are labelled by their numbers, or by `labels` if given. With a `power` the axis shows that power of the
@@ -52,23 +53,25 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
     @property
     def chosen(self) -> Range:
-        """The range that the scene has chosen."""
+        """Return the range that the scene has chosen."""
         return self.own or (self.start, self.end)
 
     @property
     def seen(self) -> Range:
-        """The range of values that must be in the frame, from the lower to the upper end."""
+        """Return the range of values that must be in the frame, from the lower to the upper end."""
         return ordered(self.drawn or self.chosen)
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
-        """The places of values on this axis, in its unit; logarithms to base ten on a log axis."""
+        """Return the positions of values on this axis, in its unit; base-ten logarithms on a log axis."""
         measured = np.asarray(values, dtype=float) / self.factor
         if self.log:
             return np.log10(np.maximum(measured, 5e-324))
         return scale_by_ten(measured, -(self.exponent // self.power)) ** self.power
 
     def place(self, value: float) -> float:
-        """The place of a value on this axis, in its unit: for scalars and marks; OverflowError beyond the doubles."""
+        """Return the position of a value on this axis, in its unit, for scalars and marks. Raises OverflowError beyond
+        the range of doubles.
+        """
         if self.log or self.power != 1:
             return float(self.places(value))
         place = float(scale_by_ten(value / self.factor, -self.exponent))
@@ -77,33 +80,33 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
         return place
 
     def value(self, place: float) -> float:
-        """The value at a place of this axis: the inverse of `place`."""
+        """Return the value at a position of this axis: the inverse of `place`."""
         if self.log:
             return float(10.0**place * self.factor)
         return float(place ** (1 / self.power) * 10.0 ** (self.exponent / self.power) * self.factor)
 
     @property
     def full_unit(self) -> str:
-        """The unit with the power of ten before it."""
+        """Return the unit with the power of ten before it."""
         return f"{self.suffix}{self.unit}"
 
     @property
     def gap(self) -> str:
-        """The space between a number and the unit: none before a degree sign."""
+        """Return the space between a number and the unit: none before a degree sign."""
         return "" if self.full_unit == "°" else " "
 
     def digits(self, signed: bool = False) -> Digits:
-        """The format of a moving number on this axis: its decimals, and if its sign is always shown."""
+        """Return the format of a live number on this axis: its decimals, and if its sign is always shown."""
         largest = max(LEAST, *(abs(self.place(end)) for end in self.chosen))
         return Digits(max(0, 2 - math.floor(math.log10(largest))), signed)
 
     def number(self, value: float) -> str:
-        """A value in this axis' unit, to three digits."""
+        """Return a value in this axis' unit, with three digits."""
         return three(self.place(value))
 
     @cached_property
     def ruler(self) -> Ruler:
-        """The axis for the message."""
+        """Return the axis as a message contains it."""
         labels = [at_tick(tick) for tick in self.ticks]
         if self.log:
             powers = all(tick.is_integer() for tick in self.ticks)
@@ -128,16 +131,16 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
 
 ONE = Axis(-1.0, 1.0)
-"""The axis of pure numbers of order one: sines, cosines, shares."""
+"""Return the axis of pure numbers of order one: sines, cosines, shares."""
 
 
 def ordered(span: Range) -> Range:
-    """The range from its lower to its upper end."""
+    """Return the range from its lower to its upper end."""
     return min(span), max(span)
 
 
 def scale_by_ten(values: Scaled, exponent: int) -> Scaled:
-    """values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
+    """Return values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
     half = exponent // 2
     return values * 10.0**half * 10.0 ** (exponent - half) if exponent else values
 
@@ -158,7 +161,7 @@ def nice_axis(
     a, b = bare.place(low), bare.place(high)
     margin = 0.0 if exact else 0.08 * (high - low)
     ticks = nice_ticks(a, b, count)
-    # A number on one side of 0 is on the other side too.
+    # A tick on one side of 0 has a counterpart on the other side.
     least, most = bare.place(low - margin), bare.place(high + margin)
     ticks = tuple(sorted({*ticks, *(-tick for tick in ticks if least <= -tick <= most)}))
     return replace(bare, start=low - margin, end=high + margin, ticks=ticks, drawn=drawn, count=count)
@@ -172,13 +175,13 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
 
 
 def round_ticks(axis: Axis) -> tuple[float, ...]:
-    """Round numbers over the range that an axis has come to."""
+    """Return round numbers over the final range of an axis."""
     ends = ordered((axis.place(axis.start), axis.place(axis.end)))
     return tuple(tick for tick in nice_ticks(*ends, axis.count) if tick or axis.zero)
 
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
-    """Multiples of a round step within [low, high], at most `count` + 1; two at the least where the range allows."""
+    """Return multiples of a round step within [low, high]: at most `count` + 1, at least two if the range allows."""
     part = (high - low) / count
     if not 0 < part < math.inf:
         raise ArithmeticError(f"no ticks from {low} to {high}")
@@ -191,7 +194,9 @@ def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
 
 
 def log_axis(low: float, high: float, unit: str = "", count: int = 5, factor: float = 1.0) -> Axis:
-    """A logarithmic axis with ticks at powers of ten; where fewer than two are seen, at other round numbers."""
+    """Return a logarithmic axis with ticks at powers of ten; if fewer than two are in the range, at other round
+    numbers.
+    """
     start, end, low, high = low, high, low / factor, high / factor
     least, most = math.log10(low) - 1e-9, math.log10(high) + 1e-9
     first, last = math.ceil(least), math.floor(most)
@@ -214,17 +219,17 @@ def square_axes(across: Range, up: Range, unit: str = "") -> tuple[Axis, Axis]:
 
 
 def whole_axis(end: float, unit: str) -> Axis:
-    """An axis from 0 to `end`, both marked: for what is a share of a total."""
+    """Return an axis from 0 to `end` with both ends labelled, for shares of a total."""
     axis = nice_axis(0.0, end, unit, exact=True)
     top = float(f"{axis.place(axis.end):.3g}")
     return replace(axis, ticks=(0.0, top), labels=("0", f"{at_tick(top)}{axis.gap}{axis.full_unit}"))
 
 
 def time_axis(end: float) -> Axis:
-    """The axis of a time window from 0 to `end` seconds."""
+    """Return the axis of a time window from 0 to `end` seconds."""
     return nice_axis(0.0, end, "s", 3, exact=True)
 
 
 def widest(*ranges: tuple[float, float]) -> tuple[float, float]:
-    """The range that holds all of these."""
+    """Return the smallest range that contains all of these."""
     return min(low for low, _ in ranges), max(high for _, high in ranges)

@@ -45,7 +45,7 @@ class Named:
 
     @classmethod
     def some(cls, count: int, *each: Any, **rest: Any) -> list[Self]:
-        """Declarations that differ in their names alone."""
+        """Declarations that differ only in their names."""
         return [cls(*each, **rest) for _ in range(count)]
 
     @classmethod
@@ -64,7 +64,7 @@ class DrawnAxis(Named):
 
 @dataclass(eq=False)
 class Signal(Named, Generic[Case]):
-    """A number that moves, None where there is none; in texts it has the digits of the axis `on`."""
+    """A number that depends on time, or None; in texts it has the digits of the axis `on`."""
 
     value: Callable[[Case, AxesInForce], AnySignal | None] = lambda case, axes: None
     on: DrawnAxis | None = None
@@ -80,8 +80,9 @@ class Scalar(Named, Generic[Case]):
 
 @dataclass(eq=False)
 class Column(Named, Generic[Case]):
-    """A column of a source, in SI units, None where there is none; `called` is its name where another source has the
-    name too."""
+    """A column of a source, in SI units, or None; `called` is its name if another source already has a column of this
+    name.
+    """
 
     source: str
     value: Callable[[Case], NDArray[np.float64] | None] = lambda case: None
@@ -128,7 +129,7 @@ class Family(dict[Key, One]):
 
 @dataclass(eq=False)
 class AxisUnit(Named):
-    """The unit in which an axis is written; `write` writes a number that is counted on it."""
+    """The unit of an axis; `write` formats a number of that axis."""
 
     axis: DrawnAxis
     form: Callable[[Axis], str] = lambda axis: axis.full_unit
@@ -252,5 +253,5 @@ class Declared(Generic[Case]):
 
 
 def by_name(given: Mapping[One, Value]) -> dict[str, Value]:
-    """Values by the names of their declarations."""
+    """Return values by the names of their declarations."""
     return {one.name: value for one, value in given.items()}

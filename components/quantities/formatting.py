@@ -1,4 +1,4 @@
-"""Numbers as a person reads and types them: three digits on screen, every digit that counts in a field."""
+"""Numbers as people read and type them: three digits on screen, all digits that count in a field."""
 
 import math
 import re
@@ -8,7 +8,7 @@ from functools import lru_cache
 
 MINUS = "\N{MINUS SIGN}"
 PLAIN_EXPONENTS = range(-3, 5)
-"""Powers of ten that are written out; beyond them a number carries a power of ten."""
+"""Numbers up to these powers of ten are written in full; others have a power of ten."""
 
 LONGEST_INPUT = 60
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -19,14 +19,16 @@ _NUMBER = re.compile(
 
 
 class NoNumberError(ValueError):
-    """A typed text that is no number."""
+    """An error: a typed text is not a number."""
 
     def __init__(self, text: str) -> None:
         super().__init__(f"“{excerpt(text)}” is not a number: type one such as 2.5 or 1e-3.")
 
 
 def three(value: float | Decimal) -> str:
-    """Three significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷; decimals of any size."""
+    """Return three significant digits with trailing zeros: 2.00, 0.0400, −1.24, 1.23·10⁻⁷. Decimals of any size are
+    allowed.
+    """
     if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
         return "NaN" if math.isnan(value) else ("∞" if value > 0 else MINUS + "∞")
     if value == 0:
@@ -40,19 +42,19 @@ def three(value: float | Decimal) -> str:
 
 
 def signed(value: float | Decimal) -> str:
-    """Three significant digits, always with a sign."""
+    """Return three significant digits, always with a sign."""
     text = three(value)
     return text if text.startswith(MINUS) else "+" + text
 
 
 def plus(value: float | Decimal) -> str:
-    """A number as a further term of a sum: "+ 0.667" or "− 0.667"."""
+    """Return a number as a further term of a sum: "+ 0.667" or "− 0.667"."""
     text = signed(value)
     return f"{text[0]} {text[1:]}"
 
 
 def short(value: float | Decimal) -> str:
-    """A number in at most three significant digits, no trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
+    """Return a number in at most three significant digits, without trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
     text = three(value)
     head, mark, power = text.partition("·")
     head = head.rstrip("0").rstrip(".") if "." in head else head
@@ -83,7 +85,7 @@ def at_tick(value: float) -> str:
 
 @lru_cache(maxsize=4096)
 def tidy(value: float) -> str:
-    """The text of an input field: three digits, or as many as `value` needs to come back exactly."""
+    """Return the text of an input field: three digits, or as many as are needed to read back the same `value`."""
     if value == 0:
         return "0.00"
     number = Decimal(repr(float(value))).normalize()
@@ -94,7 +96,7 @@ def tidy(value: float) -> str:
 
 
 def shortest(value: float) -> str:
-    """The shortest plain text that reads back as the same double: 3, 0.04, 1e-300."""
+    """Return the shortest plain text that reads back as the same double: 3, 0.04, 1e-300."""
     if not math.isfinite(value):
         raise ValueError(f"{value} has no digits to write")
     number = Decimal(repr(float(value))).normalize()
@@ -144,20 +146,20 @@ def power_unit(value: float) -> tuple[int, str]:
 
 
 def ten(exponent: int) -> str:
-    """A power of ten: 10⁻⁴, and 1 for the power 0."""
+    """Return a power of ten: 10⁻⁴, and 1 for the power 0."""
     if exponent == 0:
         return "1"
     return ten_to(exponent).removeprefix("·")
 
 
 def ten_to(exponent: int) -> str:
-    """The factor ·10ⁿ."""
+    """Return the factor ·10ⁿ."""
     return "·10" + str(exponent).translate(_SUPERSCRIPTS)
 
 
 def excerpt(text: str, longest: int = 40) -> str:
-    """The start of a foreign text, without what cannot be seen."""
-    start = text[: longest + 1]  # what a browser sends may be megabytes long
+    """Return the start of a visitor's text, without invisible characters."""
+    start = text[: longest + 1]  # a browser's text may be megabytes long
     seen = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in start)
     return seen if len(seen) <= longest else seen[: longest - 1] + "…"
 
@@ -172,7 +174,7 @@ def _fixed(number: float | Decimal, decimals: int) -> str:
 
 
 def plain_number(text: str) -> str:
-    """`text` in ASCII signs and digits, without the spaces that carry no meaning."""
+    """Return `text` in ASCII signs and digits, without spaces that have no meaning."""
     text = unicodedata.normalize("NFKC", raised(text.strip())).replace(MINUS, "-").replace(",", ".").lower()
     text = re.sub(r"(?<![0-9])\s+|\s+(?![0-9])", "", text)
     return re.sub(r"(?<=[0-9])\s(?=[0-9]{3}(?![0-9]))", "", text)

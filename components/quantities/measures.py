@@ -62,7 +62,7 @@ _FACTOR = re.compile(r"(?P<name>[^\W\d_]+|°)(?:\^?(?P<power>[+-]?[0-9]))?|(?P<o
 
 
 def _measures() -> dict[str, Measure]:
-    """A frequency is counted in turns: 1 Hz = 2 pi rad/s."""
+    """A frequency counts cycles: 1 Hz = 2 pi rad/s."""
     with precise():
         turns, angles = (0, 0, -1, 0, 1), (0, 0, 0, 0, 1)
         known = {

@@ -37,15 +37,17 @@ from physics.motion import Harmonic, SampledCycle
 from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
-"""A quarter turn: the sine so much ahead is the cosine."""
+"""A quarter turn, by which a cosine is ahead of a sine."""
 LEAST_SHARE = 2.0**-53
 """Fraction of a chain's largest coordinate; smaller coordinates are rounding errors."""
 
 
 def scaled(exponent: int, *factors: float | Decimal) -> float:
-    """The product of the factors divided by 10**exponent, though intermediate products leave the range of doubles."""
+    """Return the product of the factors divided by 10**exponent, even if intermediate products leave the range of
+    doubles.
+    """
     others = [factor for factor in factors if factor != 1]
-    if not exponent and len(others) <= 1:  # in most pictures
+    if not exponent and len(others) <= 1:  # true in most pictures
         result = float(*others) if others else 1.0
     else:
         result = float(math.prod(map(Decimal, others), start=Decimal(1).scaleb(-exponent)))
@@ -76,7 +78,7 @@ def sines(size: Axis, time: Axis, *terms: _Term, line: tuple[float, float] = (0,
 
 
 def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> Sines:
-    """The rate of change of the same undamped motion, in the size's unit per unit of time."""
+    """Return the rate of change of the same undamped motion, in the unit of `size` per unit of time."""
     unit = size.exponent - time.exponent
     found = [
         Sine(scaled(unit, amplitude, omega), scaled(-time.exponent, omega), phase + math.pi / 2)
@@ -102,7 +104,7 @@ def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float])
 
 
 def damped(size: Axis, time: Axis, fading: Fading) -> DampedMass:
-    """The free motion of a damped mass, or its rate."""
+    """Return the free motion of a damped mass, or its rate."""
     sized, rated = size.exponent, size.exponent - time.exponent
     return DampedMass(
         start=scaled(sized, fading.start, 1 / size.factor),
@@ -113,7 +115,7 @@ def damped(size: Axis, time: Axis, fading: Fading) -> DampedMass:
 
 
 def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
-    """The motion of a damped mass from rest under a drive."""
+    """Return the motion of a damped mass from rest under a drive."""
     sized, rates = size.exponent - 2 * time.exponent, push._asdict()
     re, im = rates.pop("re"), rates.pop("im")
     return DrivenMass(
@@ -177,22 +179,22 @@ def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
 
 
 def derived(expression: Number) -> Derived:
-    """A signal that is a polynomial in earlier signals and in scalars."""
+    """Return a signal that is a polynomial in earlier signals and in scalars."""
     return Derived(value=as_expression(expression))
 
 
 def sine_of(angle: Name) -> SineOf:
-    """The sine of an earlier signal in rad, for rotations."""
+    """Return the sine of an earlier signal in rad, for rotations."""
     return SineOf(of=angle.name)
 
 
 def cosine_of(angle: Name) -> CosineOf:
-    """The cosine of an earlier signal in rad."""
+    """Return the cosine of an earlier signal in rad."""
     return CosineOf(of=angle.name)
 
 
 def total(*signals: Name) -> Derived:
-    """The sum of earlier signals."""
+    """Return the sum of earlier signals."""
     return Derived(value=Expression(tuple(Product(1.0, (one.name,)) for one in signals)))
 
 
@@ -213,9 +215,9 @@ def sampled(
 
 
 FLASHES = 6.0
-"""Swings a second that the eye can still follow."""
+"""Cycles per second that the eye can follow."""
 MOST = 1e308
-"""So many seconds are a double still."""
+"""The largest number of seconds that is a double."""
 
 
 def pace(omega: float, fastest: float) -> Pace:
@@ -230,14 +232,14 @@ def pace(omega: float, fastest: float) -> Pace:
 
 
 def round_up(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
-    """The least of these digits (1 among them) times a power of ten that is not below `value`."""
+    """Return the smallest of these digits (1 among them) times a power of ten that is not below `value`."""
     exponent = math.floor(math.log10(value))
     steps = [float(f"{digit}e{exponent}") for digit in digits] + [float(f"1e{exponent + 1}")]
     return min(step for step in steps if step >= value * (1 - 1e-9))
 
 
 def round_down(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
-    """The largest of these digits (1 among them) times a power of ten that is not above `value`."""
+    """Return the largest of these digits (1 among them) times a power of ten that is not above `value`."""
     exponent = math.floor(math.log10(value))
     steps = [float(f"{digit}e{exponent}") for digit in digits]
     return max(step for step in steps if step <= value * (1 + 1e-9))

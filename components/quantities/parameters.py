@@ -1,4 +1,4 @@
-"""Parameters: each kind's name, unit, bounds and slider, written once."""
+"""Parameters: name, unit, bounds and slider of each kind, defined once."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -22,19 +22,19 @@ Word = TypeVar("Word", bound=str)
 
 
 def names_of(parameters: Iterable[AnyParameter]) -> list[str]:
-    """Their names, which they have from the scene that declares them."""
+    """The names of parameters, which the declaring scene gives them."""
     return [one.name or "" for one in parameters]
 
 
 def one_of(
     default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:
-    """A choice of one among words; a mapping gives the label of each."""
+    """A choice between words; a mapping gives the label of each."""
     options: Any = {text: word for word, text in objects.items()} if isinstance(objects, Mapping) else list(objects)
     return param.Selector(default=default, objects=options, label=label, doc=doc or None)
 
 
-class Quantity(param.Number[Any]):  # a float, or None where the scene chooses itself
+class Quantity(param.Number[Any]):  # a float, or None if the scene chooses the value
     """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
 
     `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer near 0,
@@ -78,7 +78,7 @@ class Quantity(param.Number[Any]):  # a float, or None where the scene chooses i
             label=label,
             doc=says,
             softbounds=softbounds,
-            per_instance=False,  # or else param copies it for each scene in which it is set
+            per_instance=False,  # otherwise param copies it for each scene in which it is set
             **options,
         )
 

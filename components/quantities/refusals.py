@@ -21,13 +21,13 @@ LINK_LOST = "Something went wrong with this link; its parameters were not used."
 _GREEK = {"omega": "ω", "tau": "τ", "theta": "θ", "delta": "δ", "pi": "π"}
 _BELOW = str.maketrans("pnst0123456789+-", "ₚₙₛₜ₀₁₂₃₄₅₆₇₈₉₊₋")
 _SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”:])")
-"""A name of the code, but in quotation marks, and before a colon, where it is the name in a link."""
+"""A parameter's name in the code, except in quotation marks and before a colon, where it is the name in a link."""
 MOST_KINDS = 500
-"""Number of kinds of fault that are logged, so that the log stays finite."""
+"""Maximum number of kinds of error that are logged, so that the log stays finite."""
 
 
 class Once(logging.Filter):
-    """Lets what happens at one place through once; the place is the first argument of a record."""
+    """A log filter that passes the first record of each place; the place is the record's first argument."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -47,7 +47,7 @@ _log.addFilter(Once())
 
 @contextmanager
 def in_words() -> Iterator[None]:
-    """An ArithmeticError, NumPy's too, becomes a ValueError with a sentence for the visitor."""
+    """Turn an ArithmeticError, including NumPy's, into a ValueError with a sentence for the visitor."""
     try:
         with np.errstate(all="raise", under="ignore"):
             yield
@@ -69,7 +69,7 @@ def _symbol(found: re.Match[str]) -> str:
 
 
 def check_sendable(value: Any) -> None:
-    """ArithmeticError where a number in nested lists, dicts and structs is not finite: it cannot be sent."""
+    """Raise ArithmeticError if a number in nested lists, dicts and structs is not finite, because it cannot be sent."""
     left: list[Iterable[Any]] = [[value]]
     numbers: list[float] = []
     columns = [np.empty(0)]
@@ -99,6 +99,6 @@ def report(error: Exception) -> None:
 
 
 def _place(error: Exception) -> str:
-    """The file and line that raised it."""
+    """Return the file and line that raised an exception."""
     last = extract_tb(error.__traceback__)[-1]
     return f"{last.filename}:{last.lineno}"

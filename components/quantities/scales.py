@@ -1,4 +1,4 @@
-"""Scales of sliders, as the page has them (static/controls/scales.js): from a place, 0 to 1, to a number and back."""
+"""Scales of sliders, as in static/controls/scales.js: from a position, 0 to 1, to a number and back."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Ends = tuple[float, float]
 
 
 def slider_value(scale: Scale, place: float, soft: Ends) -> float:
-    """The number at a place, in round steps; three digits on a logarithmic slider."""
+    """Return the number at a position, in round steps; three digits on a logarithmic slider."""
     low, high = soft
     if scale == "log":
         return _digits(low * (high / low) ** place)
@@ -23,7 +23,7 @@ def slider_value(scale: Scale, place: float, soft: Ends) -> float:
 
 
 def slider_place(scale: Scale, value: float, soft: Ends) -> float:
-    """The position of a number; beyond the range, the nearer end."""
+    """Return the position of a number; beyond the range, the nearer end."""
     low, high = soft
     value = min(max(value, low), high)
     if scale == "log":

@@ -57,7 +57,7 @@ def typed_number(text: str, unit: str) -> float:
 
 
 def _parts(text: str) -> tuple[str, str]:
-    """A number and the unit after it; what divides before a unit is of the unit: 3 1/s, 3 /s."""
+    """Return a number and the unit after it. A division before a unit belongs to the unit: 3 1/s, 3 /s."""
     found = _NUMBER_PART.match(text)
     end = found.end() if found else 0
     number, unit = text[:end].strip(), text[end:].strip()
@@ -114,7 +114,7 @@ def _power(base: Decimal, exponent: Decimal) -> Decimal:
 
 
 def _ratio(given: str, unit: str, text: str) -> Decimal:
-    """The size of the unit given, in the unit of the field."""
+    """Return the size of the typed unit, in the unit of the field."""
     wanted = f"type a number in {unit}" if unit else "type a number without a unit"
     try:
         found = measure(given)
@@ -128,13 +128,13 @@ def _ratio(given: str, unit: str, text: str) -> Decimal:
 
 
 def unit_size(unit: str) -> float:
-    """The size of a unit in SI; 1 for one of the scene's own, and for degrees, in which scenes have their angles."""
+    """Return the size of a unit in SI; 1 for a scene's own unit, and for degrees, which scenes use for their angles."""
     own = _own(unit)
     return float(own.size) if own and unit not in ("", "°") else 1.0
 
 
 def _own(unit: str) -> Measure | None:
-    """None for a unit of the scene, such as v₀."""
+    """Return None for a scene's own unit, such as v₀."""
     try:
         return measure(unit)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Units in which a visitor reads and types a quantity, if not its own unit."""
+"""Units in which a visitor reads and types a quantity, other than its own unit."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from components.quantities.formatting import MINUS, tidy
 
 ROUND = 6
-"""The most digits of a number that counts as round in another unit; others are shown with four."""
+"""The most digits of a round number in another unit; other numbers are shown with four."""
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class Unit:
     size: float
 
     def field(self, value: float) -> str:
-        """The text of an input field for a value in the quantity's own unit."""
+        """Return the text of an input field for a value in the quantity's own unit."""
         number = value / self.size
         few = float(f"{number:.{ROUND}g}")
         return tidy(few if abs(few - number) <= 1e-12 * abs(number) else float(f"{number:.4g}"))
@@ -30,5 +30,5 @@ class Unit:
         return self.field(value).replace("-", MINUS)
 
     def value(self, number: float) -> float:
-        """A number in this unit, in the quantity's own: 150 ft/s are 45.72 m/s, not 45.720000000000006."""
+        """Return a number in this unit in the quantity's own unit: 150 ft/s are 45.72 m/s, not 45.720000000000006."""
         return float(f"{number * self.size:.15g}")

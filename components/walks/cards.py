@@ -1,4 +1,4 @@
-"""Cards: the part of a walk that the browser must know before its questions are answered, in an immutable file."""
+"""Cards: the part of a walk that the browser gets before its questions are answered, in an immutable file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
 
 
 def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
-    """The sheet of a walk for the browser, at an address with the hash of its content."""
+    """Return the sheet of a walk for the browser, at an address with the hash of its content."""
     content = msgspec.json.encode(walk_sheet(walk, scenes))
     return f"walks/{walk.name}.{sha256(content).hexdigest()[:16]}.json", content
 
@@ -38,7 +38,7 @@ def _card_with_variants(walk: str, step: Step, scenes: Scenes) -> StepCard:
 
 
 def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
-    """The card of a step that has the numbers of a seed."""
+    """Return the card of a step with the numbers of a seed."""
     subject = Subject(walk, step, scenes, seed)
     given, question = parted(asked(step, subject))
     opens = subject.opening
@@ -61,25 +61,25 @@ def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
 
 
 def asked(step: Step, subject: Subject) -> str:
-    """The question of a step, with its numbers; ValueError, in words, for one that the scene does not have."""
+    """Return the question of a step with its numbers. Raises ValueError, in words, if the scene does not have them."""
     return with_numbers(step.question, lambda: subject.standing.scene)
 
 
 def parted(question: str) -> tuple[str, str]:
-    """A question's text in two parts: what is given, and, from the first sentence that asks on, what is asked."""
+    """Split a question's text in two: the given facts, and the text from the first sentence that asks something."""
     parts = sentences(question)
     first = next((i for i, sentence in enumerate(parts) if ASKS.search(sentence)), 0)
     return " ".join(parts[:first]), " ".join(parts[first:])
 
 
 def sentences(text: str) -> list[str]:
-    """The sentences of a text; a formula is in one of them whole."""
+    """Return the sentences of a text. A formula is never split."""
     whole = FORMULA.sub(lambda match: match[0].replace(" ", "\0"), text)
     return [sentence.replace("\0", " ") for sentence in SENTENCE.split(whole) if sentence]
 
 
 def place_in_lecture(slides: tuple[str, ...]) -> str:
-    """The place of a step in the lecture: "D34, slide 8"."""
+    """Return the place of a step in the lecture: "D34, slide 8"."""
     if not slides:
         return ""
     lecture, _, page = slides[0].partition("-")

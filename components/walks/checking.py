@@ -1,4 +1,4 @@
-"""The check of a walk against the scenes: every link opens, every name is there, every answer can be given."""
+"""The check of a walk against the scenes: every link opens, every name exists, every answer can be given."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ MOST_WORDS = 60
 
 
 def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """The problems of a walk: sentences that name its step and field."""
+    """Return the problems of a walk: sentences that name its step and field."""
     for i, sentence in enumerate(walk.end):
         yield from (f"{walk.name}, {problem}" for problem in refused(f"end[{i}]", partial(rich, sentence)))
     for trial in walk.trials:
@@ -39,7 +39,7 @@ def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 
 def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """The shortcomings of a walk, though it runs: sentences that name its step and field."""
+    """Return the shortcomings of a walk that works: sentences that name its step and field."""
     for i, step in enumerate(walk.steps, 1):
         for doubt in (*_doubts(step, Subject(walk.name, step, scenes)), *_doubts_of_variants(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {doubt}"
@@ -60,7 +60,7 @@ def _doubts(step: Step, subject: Subject) -> Iterator[str]:
 
 
 def _lost_parts(step: Step, subject: Subject) -> Iterator[str]:
-    """The controls by which a part that the step lists is shown no longer."""
+    """Return the controls that would hide a part that the step lists."""
     after = standing_at(step.shown, subject.scenes)
     listed = _listed(step, after.scene)
     for name in step.controls:
@@ -71,7 +71,7 @@ def _lost_parts(step: Step, subject: Subject) -> Iterator[str]:
 
 
 def _listed(step: Step, scene: Scene) -> set[str]:
-    """The parts in the list of a step that a scene shows."""
+    """Return the parts in the list of a step that a scene shows."""
     return {block.part for block in in_force(scene.sheet(), scene.shown.forms) if block.part in step.show}
 
 
@@ -83,7 +83,7 @@ def _doubts_of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
 
 
 def problems_of(walk: str, place: int, step: Step, scenes: Scenes) -> Iterator[str]:
-    """The problems of a step of a walk, from 1 on."""
+    """Return the problems of a step of a walk, numbered from 1."""
     for problem in _of_step(walk, step, scenes):
         yield f"{walk}, step {place} ({step.id}), {problem}"
 
@@ -96,7 +96,7 @@ def _of_step(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
 
 
 def _of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
-    """The problem that a step first has with numbers that a student may have."""
+    """Return the first problem of a step with numbers that a student may get."""
     for seed, one in variants_of(step):
         for problem in _in_scene(one, Subject(walk, one, scenes, seed)):
             yield f"vary: with {told_apart(numbers_drawn(step, seed))}: {problem}"
@@ -126,7 +126,7 @@ def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
 
 
 def _unknown(field: str, names: Iterable[str], possible: Iterable[str]) -> Iterator[str]:
-    """A sentence on the names in a field that are not possible there, with all that are."""
+    """Return a sentence on the impossible names in a field, with all possible ones."""
     possible = sorted(possible)
     if wrong := [f"“{excerpt(name)}”" for name in names if name not in possible]:
         are = "is" if len(wrong) == 1 else "are"
@@ -136,7 +136,7 @@ def _unknown(field: str, names: Iterable[str], possible: Iterable[str]) -> Itera
 def _of_texts(step: BaseStep) -> Iterator[str]:
     for field, text in step.sentences():
         if field == "question":
-            continue  # it has numbers of its scene
+            continue  # it uses numbers of its scene
         yield from refused(field, partial(rich, text))
         if field != "explain" and any(live_names(text)):
             yield f"{field}: live numbers are allowed in explain only."

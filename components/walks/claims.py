@@ -1,4 +1,4 @@
-"""Numbers in the texts of a step that differ from what is shown with its answer."""
+"""Numbers in the texts of a step that differ from the numbers that are shown with its answer."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ _SAID = re.compile(r"(?P<symbol>[^\s=(]+) = (?P<number>[-−+]?\d+(?:\.\d+)?)")
 
 
 def untrue(step: BaseStep, subject: Subject) -> Iterator[str]:
-    """Return a sentence for each number that claim or explanation give to a quantity, and that it does not have in the
-    picture of the answer."""
+    """Return a sentence for each number in headline or explanation that differs from the quantity's value in the
+    picture of the answer.
+    """
     known = _by_symbol(subject.answered.scene)
     for field in ("title", "explain"):
         for said in _SAID.finditer(FORMULA.sub("", getattr(step, field)).replace("*", "")):
@@ -28,7 +29,7 @@ def untrue(step: BaseStep, subject: Subject) -> Iterator[str]:
 
 
 def _by_symbol(scene: Scene) -> dict[str, float]:
-    """The numbers of a scene in SI by the symbols of their quantities."""
+    """Return the numbers of a scene in SI by the symbols of their quantities."""
     own = {getattr(one, "symbol", ""): scene.values[name] for name, one in type(scene).linked().items()}
     told = {one.symbol: one.value for one in scene.readouts()}
     return {symbol: value for symbol, value in (own | told).items() if symbol and isinstance(value, float)}

@@ -25,13 +25,13 @@ _FUNCTIONS: dict[str, Callable[[float], float]] = {"sqrt": math.sqrt, "exp": mat
 
 
 def numbers_of(scene: Scene) -> dict[str, float]:
-    """The numbers of a scene by name, in SI and with every digit: its quantities and its readouts."""
+    """Return the numbers of a scene by name, in SI and unrounded: its quantities and its readouts."""
     own = {name: value for name, value in scene.values.items() if isinstance(value, float)}
     return own | {name: float(one.value) for one in scene.readouts() for name in (*one.also, one.name)}
 
 
 def worked_out(text: str, numbers: Mapping[str, float]) -> float:
-    """The number that an expression is; ValueError, in words, for what is none."""
+    """Return the value of an expression. Raises ValueError, in words, for an invalid one."""
     if len(text) > LONGEST:
         raise ValueError(f"“{excerpt(text)}” is longer than {LONGEST} characters")
     try:
@@ -48,7 +48,7 @@ def worked_out(text: str, numbers: Mapping[str, float]) -> float:
 
 
 class UnknownNameError(ValueError):
-    """An expression contains a name that the scene does not have."""
+    """An error: an expression contains a name that the scene does not have."""
 
 
 def _value(node: ast.expr, numbers: Mapping[str, float]) -> float:

@@ -27,16 +27,16 @@ from components.walks.subject import PlotAxes, place_of
 from components.walks.types import Above0, Entry
 
 Coordinate: TypeAlias = float | str
-"""A place or a height in a walk's file, or an expression that `worked_out` makes one of."""
+"""A position or a height in a walk's file, or an expression whose value it is."""
 Extent: TypeAlias = Above0 | str
 
-STRIDE = 0.04  # of the frame's width, over which a slope is seen
-STEEP = 0.06  # of its height, which a slope rises over that
-STANDS_OUT = 0.02  # of its height, by which a turning point differs from its surroundings
+STRIDE = 0.04  # fraction of the frame's width over which a slope is measured
+STEEP = 0.06  # fraction of its height that a slope must rise there
+STANDS_OUT = 0.02  # fraction of its height by which a turning point must differ from its surroundings
 SURROUNDINGS = 2.5  # tolerances around a turning point
-NEAR_TOP = 0.95  # of the frame's height: what goes higher leaves it
-COARSE, FINE = 2, 3  # digits of what a hand has drawn, and of what is true
-ZERO = 1e-4  # of an axis: what is nearer to zero is zero
+NEAR_TOP = 0.95  # of the frame's height: a curve that is higher leaves it
+COARSE, FINE = 2, 3  # digits of numbers of a drawing, and of true numbers
+ZERO = 1e-4  # fraction of an axis: a smaller value counts as zero
 
 
 class Numbers(NamedTuple):
@@ -86,7 +86,9 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return Numbers(**{name: float(number) for name, number in told.items() if number is not None})
 
     def worked_out(self, numbers: Mapping[str, float], axes: PlotAxes) -> Self:
-        """The feature with numbers for its expressions of a scene's; ValueError, in words, where there are none."""
+        """Return the feature with numbers for its expressions. Raises ValueError, in words, if an expression is
+        invalid.
+        """
         on_axes = ((name, axis) for names, axis in ((self.across, axes.x), (self.up, axes.y)) for name in names)
         told = {name: (text, axis.factor) for name, axis in on_axes if isinstance(text := getattr(self, name), str)}
         if not told:
@@ -95,15 +97,15 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return msgspec.convert(msgspec.to_builtins(msgspec.structs.replace(self, **found)), type(self))
 
     def seen(self, drawn: Sketch) -> Seen:
-        """The reading of this feature in a curve."""
+        """Return the measurement of this feature on a curve."""
         raise NotImplementedError
 
     def exact(self, true: Sketch) -> Seen:
-        """The reading that is said to be true."""
+        """Return the true value of the feature."""
         return self.seen(true)
 
     def called(self, axes: PlotAxes) -> str:
-        """Its name where the step has none for it."""
+        """Return its name if the step does not give one."""
         raise NotImplementedError
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
@@ -125,7 +127,7 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
 
 
 class FeatureAt(BaseFeature, frozen=True, kw_only=True):
-    """A feature that a curve has at a place; `lead` begins its name."""
+    """A feature at a position of a curve; `lead` begins its name."""
 
     lead: ClassVar[str]
     across: ClassVar[tuple[str, ...]] = ("at",)
@@ -136,7 +138,7 @@ class FeatureAt(BaseFeature, frozen=True, kw_only=True):
 
 
 class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
-    """A height `is` at a place."""
+    """A height `is` at a position."""
 
     lead, up = "The height at", ("value", "tol")
     value: Coordinate = field(name="is")
@@ -149,7 +151,7 @@ class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
 
 
 class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
-    """A direction, upwards or downwards, from a place on."""
+    """A direction, upwards or downwards, from a position on."""
 
     lead = "The direction after"
     way: Literal["up", "down"] = field(name="is")
@@ -167,7 +169,7 @@ class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
 
 
 class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
-    """A zero at a place; a curve that only touches zero has none."""
+    """A zero at a position. A curve that only touches zero has none."""
 
     lead, across = "The zero at", ("at", "tol")
     tol: Extent
@@ -184,7 +186,7 @@ class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
 
 
 class Extreme(FeatureAt, frozen=True, kw_only=True):
-    """A turning point at a place, as high as `is`, which is no edge; `sign` is -1 for the lowest."""
+    """A turning point with height `is` at a position that is not an edge; `sign` is -1 for a minimum."""
 
     sign: ClassVar[float]
     across, up = ("at", "tol"), ("value", "tol_y")
@@ -208,19 +210,19 @@ class Extreme(FeatureAt, frozen=True, kw_only=True):
 
 
 class Peak(Extreme, frozen=True, kw_only=True, tag="peak"):
-    """A turning point that is the highest of its surroundings."""
+    """A maximum that is the highest point around it."""
 
     lead, sign = "The peak at", 1.0
 
 
 class Trough(Extreme, frozen=True, kw_only=True, tag="trough"):
-    """A turning point that is the lowest of its surroundings."""
+    """A minimum that is the lowest point around it."""
 
     lead, sign = "The trough at", -1.0
 
 
 class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
-    """A pole: the curve goes out through the top of the frame near a place, and is within it on both sides."""
+    """A pole: the curve leaves the frame at the top near a position, and is inside it on both sides."""
 
     lead, across = "Leaves the frame at", ("at", "tol")
     tol: Extent
@@ -241,7 +243,7 @@ class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
 
 
 class Within(BaseFeature, frozen=True, kw_only=True):
-    """A feature of the part between two places."""
+    """A feature of the part between two positions."""
 
     across: ClassVar[tuple[str, ...]] = ("start", "end")
     start: Coordinate | None = field(default=None, name="from")
@@ -249,7 +251,7 @@ class Within(BaseFeature, frozen=True, kw_only=True):
 
 
 class Period(Within, frozen=True, kw_only=True, tag="period"):
-    """A period as long as `is`, by the ways between crossings of the middle in one direction."""
+    """A period `is`, measured between crossings of the middle in the same direction."""
 
     across = ("start", "end", "value", "tol")
     value: Extent = field(name="is")
@@ -278,7 +280,7 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
 
 
 class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
-    """The number `is` as the farthest from zero."""
+    """The number `is` as the largest distance from zero."""
 
     up = ("value", "tol")
     value: Coordinate = field(name="is")
@@ -302,7 +304,7 @@ class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
 
 
 class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
-    """The number `is` as the lowest of all."""
+    """The number `is` as the minimum."""
 
     up = ("value", "tol")
     value: Coordinate = field(name="is")
@@ -320,7 +322,7 @@ class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
 
 
 class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
-    """A sum with the other curve that is `is` everywhere; its place is where it is farthest from that."""
+    """A sum with the other curve that is `is` everywhere; its position is where it differs most from that."""
 
     up = ("value", "tol")
     other: str = field(name="with")

@@ -57,7 +57,7 @@ def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 
 def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iterator[tuple[str, dict[str, str]]]:
-    """The live numbers of the question of a step, and of earlier pictures of its chain, each with where it is."""
+    """Return the live numbers of a step's question, and of earlier pictures of its chain, each with its place."""
     *before, step = walk.steps[:number]
     yield "", texts_in_sight(subject.standing, step.cover, step.show)
     chain = chain_of(subject.answered.scene)
@@ -86,7 +86,7 @@ def _numbers(text: str) -> list[float]:
 
 
 def _set_to(subject: Subject, unit: str) -> Iterator[float]:
-    """The quantities that the scene is set to, in SI and in the unit of the answer."""
+    """Return the quantities that the scene is set to, in SI and in the unit of the answer."""
     for value in subject.standing.scene.values.values():
         if isinstance(value, float):
             yield from (value, value / unit_size(unit))

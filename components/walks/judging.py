@@ -12,7 +12,7 @@ from components.walks.walk import Step
 
 
 def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
-    """The lesson of a step and the sentence on its answer, which is forgotten here."""
+    """The lesson of a step, and the sentence on its answer. The answer is not stored here."""
     steps = walks[given.walk].steps if given.walk in walks else ()
     step = next((step for step in steps if step.id == given.step), None)
     if step is None:
@@ -22,7 +22,7 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
 
 
 def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
-    """Return the reply to an answer, for the numbers of the step that the student had: a lesson, or a refusal."""
+    """Return the reply to an answer, with the student's numbers of the step: a lesson, or a refusal."""
     try:
         step = varied(step, given.seed)
         lesson, refused = step.lesson(given, Subject(given.walk, step, scenes, given.seed)), ""

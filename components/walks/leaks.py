@@ -56,7 +56,7 @@ def before(step: Step, scenes: Scenes) -> Exhibit:
 
 
 def after(step: Step, scenes: Scenes) -> Exhibit:
-    """The picture of the answer; what only it covers is asked by no one here."""
+    """The picture after the answer; items that only this step hides are ignored."""
     return _exhibit(standing_at(step.shown, scenes), step.still, step.show)._replace(covered={})
 
 
@@ -71,7 +71,7 @@ def _exhibit(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]
 
 
 def chain_of(scene: Scene) -> object:
-    """The scene and its system: the values that scenes share, or where it shows none of these, all its quantities."""
+    """The scene and its system: the values that scenes share, or if it has none of these, all its quantities."""
     values = scene.values
     shares = scene.shares and all(values[name] == value for name, value in scene.sharing.items())
     names = set(scene.shares.values()) if shares else scene.quantities() - {"window"}
@@ -80,7 +80,7 @@ def chain_of(scene: Scene) -> object:
 
 
 def texts_in_sight(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
-    """The live numbers in the parts `show` of a picture, or in its view, with its covers, each with its text."""
+    """The live numbers in the parts `show` of a picture or of its view, each with its text, without covered ones."""
     picture, gone = without(standing.kind, standing.shown, covers)
     hidden, seen = frozenset(covers), _seen(standing.scene, picture, show)
     names = {name for block in seen for name in _numbers(block, picture, hidden)}
@@ -104,7 +104,7 @@ def _quantities(
     scene: Scene, picture: Picture, show: tuple[str, ...], covers: frozenset[str] = frozenset(),
     gone: frozenset[str] = frozenset(),
 ) -> Iterator[tuple[str, str]]:  # fmt: skip
-    """The curves, numbers and sentences that are seen of a picture, without what is covered or gone with that."""
+    """The visible curves, numbers and sentences of a picture: neither covered nor removed with something covered."""
     alias = {other: one.name for one in scene.readouts() for other in one.also}
     for block in _seen(scene, picture, show):
         for name in _numbers(block, picture, covers):
@@ -134,7 +134,7 @@ def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator
     elif isinstance(block, TableBlock) and TABLE not in covers:
         yield from (name for row in block.rows for cell in row for name in LIVE.findall(_text(cell, picture)))
     elif isinstance(block, PlotBlock):
-        for term in block.heading:  # a cover hides only the numbers that no other part of the scene has
+        for term in block.heading:  # a cover hides only the numbers that are in no other part of the scene
             yield from LIVE.findall(term.variants.get(picture.forms.get(term.form, "formula"), ""))
         if PLOT + block.name in covers:
             return
@@ -146,7 +146,7 @@ def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator
 
 
 def _labelled(shapes: Iterable[AnyShape], picture: Picture) -> Iterator[str]:
-    """The live numbers in the words of shapes that are drawn."""
+    """The live numbers in the words of visible shapes."""
     for one in shapes:
         if isinstance(one, Label) and all(picture.scalars.get(name, 1) for name in one.show):
             yield from (run.text for run in one.words if run.kind == "value")

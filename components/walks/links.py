@@ -18,7 +18,7 @@ Scenes = Mapping[str, type[Scene]]
 
 
 def read_link(link: str, scenes: Scenes) -> Link:
-    """A step's link, read; ValueError, in words, for one that asks for what is not there."""
+    """Return the parsed link of a step. Raises ValueError, in words, if it asks for something unknown."""
     query = parse_qs(link.removeprefix("?"), keep_blank_values=True)
     args = {key: [value.encode() for value in values] for key, values in query.items()}
     if "scene" not in args:
@@ -30,7 +30,7 @@ def read_link(link: str, scenes: Scenes) -> Link:
 
 
 def _of_the_page(link: Link) -> Iterator[str]:
-    """A sentence for each part that a page's link has and a step's has not."""
+    """Return a sentence for each part of a link that only a page's link may have."""
     if link.covered:
         yield "cover: list hidden parts in the field cover of the step."
     if link.before is not None:
@@ -38,7 +38,7 @@ def _of_the_page(link: Link) -> Iterator[str]:
 
 
 def standing_at(link: str, scenes: Scenes) -> PageState:
-    """The page state of a page that opens a link."""
+    """Return the page state of a page that opens a link."""
     state = state_of_link(link, scenes)
     kind = scenes[state.scene]
     found = page_state_in(kind, state)
@@ -48,12 +48,12 @@ def standing_at(link: str, scenes: Scenes) -> PageState:
 
 
 def state_of_link(link: str, scenes: Scenes) -> State:
-    """The state of a link, as a message carries it."""
+    """Return the state of a link, as a message contains it."""
     return state_in(read_link(link, scenes))
 
 
 def name_in_state(walk: str, step: BaseStep, seed: int = 0) -> str:
-    """The step as a state names it, "d34/d34-07", and "d34/d34-07/5" with the numbers of a seed."""
+    """Return the name of a step in a state, "d34/d34-07", or "d34/d34-07/5" with the numbers of a seed."""
     return "/".join((walk, step.id, *([str(seed)] if seed else [])))
 
 
@@ -63,7 +63,7 @@ def opening_state(name: str, step: BaseStep, scenes: Scenes) -> State:
 
 
 def elsewhere(name: str, step: BaseStep, link: str, scenes: Scenes) -> State:
-    """The state of another link, at which the page stays in the step, after its answer."""
+    """Return the state of another link of the step, with its answer shown."""
     state = state_of_link(link, scenes)
     is_same = state.scene == state_of_link(step.state, scenes).scene
     return replace(state, covered=step.still if is_same else (), step=name, show=step.show if is_same else ())

@@ -1,4 +1,4 @@
-"""Walks from their files: TOML, decoded by types; a complaint names the file, the step and the field."""
+"""Walks from their files: TOML, decoded by types. An error message names the file, the step and the field."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from components.quantities.formatting import excerpt
 from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"
-"""The walks that the lecture brings along."""
+"""The built-in walks."""
 ORDER = ("tour", "d31", "d32-33", "d34", "waves")
 LARGEST = 48_000
-"""Bytes of a file."""
+"""Maximum size of a file in bytes."""
 MOST_STEPS = MOST_LINKS = 60
 MOST_AT_END = 5
 MOST_TRIALS = 3
 PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
 DEEP = re.compile(r"""^[ \t\[{]*(?:[\w"'-]+[ \t]*\.[ \t]*){8}""", re.MULTILINE)
-"""A dotted key takes the square of its length to be read."""
+"""Reading a dotted key takes time proportional to the square of its length."""
 FORMS = {
     "id": "small letters, digits and hyphens, as first-step",
     "slides": "a lecture and one of its slides, as D34-7",
     "axis": "the name of a plot and x or y, as response.x",
 }
-"""The fields whose texts have a form, in words."""
+"""The fields whose texts have a prescribed form, in words."""
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 
 KnownSteps = Mapping[str, Step]
@@ -62,7 +62,7 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     if deep := DEEP.search(text):
         raise WalkError(f"{name}: “{excerpt(deep[0].strip())}” is no field of a walk: its name has too many dots.")
     try:
-        data = tomllib.loads(text.removeprefix("\ufeff"))  # some editors begin a file so
+        data = tomllib.loads(text.removeprefix("\ufeff"))  # some editors write a byte order mark at the beginning
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise WalkError(f"{name}: this is not TOML: {error}.") from error
     title, entries, end = data.pop("title", None), data.pop("step", None), data.pop("end", [])
@@ -92,7 +92,7 @@ def _trials(entries: Any, name: str) -> tuple[WalkTrial, ...]:
 
 
 def _steps(entries: list[Any], name: str, known: KnownSteps) -> list[Step]:
-    """Read the steps; WalkError with the first fault of each that cannot be read."""
+    """Read the steps. WalkError has the first fault of each unreadable one."""
     steps, faults, ids = dict[int, Step](), dict[int, str](), set[str]()
     for i, entry in enumerate(entries, 1):
         try:
@@ -124,7 +124,7 @@ def _step(entry: Any, where: str, known: KnownSteps, last: Step | None) -> Step:
 
 
 def _poll(entry: dict[str, Any], last: Step | None) -> dict[str, Any]:
-    """The fields that a poll need not give: it asks on what the step before it has shown."""
+    """Return the fields that a poll may omit, because it asks about the picture of the step before."""
     fields = {"kind": "choice", "fixed": True, "title": entry.get("question"), "explain": "There is no right answer."}
     if last is None or "state" in entry:
         return fields
@@ -142,7 +142,7 @@ def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any
 
 
 def _told(problem: str) -> str:
-    """A complaint of msgspec's, the field first."""
+    """Return an error message of msgspec, with the field first."""
     match = PLACE.match(problem)
     what, field = (match["what"], match["field"]) if match else (problem, "")
     if "matching regex" in what:
@@ -166,7 +166,7 @@ def load_walks(folders: Iterable[Path]) -> dict[str, Walk]:
 
 
 def load_walk(path: Path, known: KnownSteps) -> Walk:
-    """The walk of a file."""
+    """Return the walk of a file."""
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
@@ -175,5 +175,5 @@ def load_walk(path: Path, known: KnownSteps) -> Walk:
 
 
 def steps_of(walks: Iterable[Walk]) -> dict[str, Step]:
-    """All steps of walks, by id."""
+    """Return all steps of walks, by id."""
     return {step.id: step for walk in walks for step in walk.steps}

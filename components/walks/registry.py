@@ -1,4 +1,4 @@
-"""The walks of a server by name, one's own among them, and the step that a link asks for."""
+"""The walks of a server by name, including a visitor's own, and the step of a link."""
 
 from __future__ import annotations
 
@@ -31,15 +31,16 @@ def all_walks(folders: Iterable[Path], scenes: Scenes) -> dict[str, Walk]:
 
 
 def check(walk: Walk, scenes: Scenes) -> Walk:
-    """The walk; WalkError with the first thing that is wrong with it."""
+    """Return the walk. Raises WalkError with its first fault."""
     for problem in problems(walk, scenes):
         raise WalkError(problem)
     return walk
 
 
 def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
-    """A visitor's own walk from a file's text; WalkError with the first few things that are wrong with it, or where
-    one of the server's has its name."""
+    """Return a visitor's own walk from a file's text. Raises WalkError with its first few faults, or if the server has
+    a walk with its name.
+    """
     if name in walks:
         raise WalkError(f"there is a walk “{name}” here already: give the file another name.")
     walk = read_walk(text, name, steps_of(walks.values()))
@@ -49,7 +50,7 @@ def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
 
 
 class AskedStep(NamedTuple):
-    """The step that a link asks for, with the numbers of its seed, and its name in a state."""
+    """Return the step of a link, with the numbers of its seed, and its name in a state."""
 
     step: Step
     name: str

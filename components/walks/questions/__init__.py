@@ -1,2 +1,3 @@
-"""The kinds of question, each a class: what a walk's file has of it, and how it is checked, asked, judged, counted and
-written down. components/walks/walk.py has them all."""
+"""The kinds of question, each a class: the fields in a walk's file, the check, the card, the judgement, the counting,
+and the text of an answer. components/walks/walk.py lists them all.
+"""

@@ -1,4 +1,4 @@
-"""The question with answers to choose from: one is right, each of the others has its own sentence."""
+"""The question with answers to choose from. One is right, each of the others has its own reply."""
 
 from __future__ import annotations
 
@@ -25,8 +25,9 @@ class OptionEntry(Reply, frozen=True, kw_only=True):
 
 
 class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
-    """One of a few answers, shown in an order of each class's or visitor's own, unless it is `fixed`; of a `poll`, on
-    what is asked aloud, none is right."""
+    """One of a few answers, in an order that differs between classes and visitors unless it is `fixed`. In a `poll`, a
+    question asked aloud, no answer is right.
+    """
 
     takes = "option"
     usual_minutes = 2.0

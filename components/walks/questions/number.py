@@ -1,4 +1,4 @@
-"""The question for a typed number, right within a tolerance; wrong ones often given have their own sentences."""
+"""The question for a typed number, right within a tolerance. Frequent wrong numbers have their own replies."""
 
 from __future__ import annotations
 
@@ -23,8 +23,9 @@ Numeral: TypeAlias = float | str
 
 
 class AnswerEntry(Entry, frozen=True, kw_only=True):
-    """The right number, or several right ones, with their tolerance: `of` names the quantity of the scene, or is an
-    expression of these; `is` is a number that no quantity gives."""
+    """The right number, or several, with their tolerance. `of` names a quantity of the scene, or is an expression of
+    such quantities; `is` is a number that no quantity gives.
+    """
 
     of: str | tuple[str, ...] = ()
     given: Numeral | tuple[Numeral, ...] = field(name="is", default=())
@@ -55,7 +56,7 @@ class AnswerEntry(Entry, frozen=True, kw_only=True):
 
 
 class Miss(Reply, frozen=True, kw_only=True):
-    """A wrong number that is often given, or an expression of the scene's, with the sentence that is its own."""
+    """A frequent wrong number, or an expression of the scene's numbers, with its own reply."""
 
     given: Numeral = field(name="is")
     idea: Sentence
@@ -63,7 +64,7 @@ class Miss(Reply, frozen=True, kw_only=True):
 
 
 class NumericStep(Question, frozen=True, kw_only=True):
-    """A number: typed, or a place on an axis."""
+    """A number: typed, or a position on an axis."""
 
     answer: AnswerEntry
     misses: tuple[Miss, ...] = ()
@@ -73,7 +74,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
         yield from (miss.where for miss in self.misses if miss.where)
 
     def number(self, given: Given, subject: Subject) -> float:
-        """The number that an answer is; ValueError, in words, for what is none."""
+        """Return the number of an answer. Raises ValueError, in words, if it has none."""
         raise NotImplementedError
 
     @property
@@ -85,12 +86,12 @@ class NumericStep(Question, frozen=True, kw_only=True):
         return told or self.answer.numbers
 
     def wrong(self, subject: Subject) -> tuple[float, ...]:
-        """The wrong numbers that are often given."""
+        """Return the frequent wrong numbers."""
         given = (miss.given for miss in self.misses)
         return tuple(self._of_scene(one, subject) if isinstance(one, str) else one for one in given)
 
     def _of_scene(self, expression: str, subject: Subject) -> float:
-        """An expression of the numbers that the scene has with the answer, in the unit of the answer."""
+        """Return the value of an expression, from the scene's numbers with the answer, in the unit of the answer."""
         return worked_out(expression, subject.numbers) / unit_size(self.answer.unit)
 
     def truth(self, subject: Subject) -> str:

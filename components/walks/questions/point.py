@@ -1,4 +1,4 @@
-"""The question for a place on an axis of a plot, which the answer may play as the value of a parameter."""
+"""The question for a position on an axis of a plot. The answer may set a parameter to this position."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         return "x" if self.axis.endswith(".x") else "y"
 
     def on(self, subject: Subject) -> Axis:
-        """The axis that is marked."""
+        """The marked axis."""
         axes = subject.axes(self.plot)
         return axes.x if self.which == "x" else axes.y
 
@@ -82,7 +82,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         return Lesson(truth=self.truth(subject), places=places, shows=shows, **step)
 
     def count(self, given: Sequence[Judged]) -> Counted:
-        """Places on the axis."""
+        """Positions on the axis."""
         return Counted(answered=len(given), numbers=tuple(one.value or 0.0 for one in given))
 
     def written(self, given: Judged, subject: Subject) -> Written:

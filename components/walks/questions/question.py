@@ -39,7 +39,7 @@ class Written(NamedTuple):
 
 
 class Judged(Voted, frozen=True, kw_only=True):
-    """An answer as a class keeps it, with what is known of it, and by which form of its step it was judged."""
+    """An answer as a class stores it, with its judgement and the form of the step by which it was judged."""
 
     number: float = 0.0
     right: bool = False
@@ -67,12 +67,12 @@ class Question(BaseStep, frozen=True, kw_only=True):
 
     @property
     def planned(self) -> float:
-        """Minutes that it takes."""
+        """Minutes that the step takes."""
         return self.minutes or self.usual_minutes
 
     @property
     def unit(self) -> str:
-        """The unit of the number that is asked for."""
+        """The unit of the requested number."""
         return ""
 
     def right(self, subject: Subject) -> tuple[float, ...]:
@@ -80,7 +80,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
         return ()
 
     def problems(self, subject: Subject) -> Iterator[str]:
-        """Sentences that say what is wrong with it in its scene, the field first."""
+        """Return sentences that say what is wrong with the question in its scene, the field first."""
         raise NotImplementedError
 
     def doubts(self, subject: Subject) -> Iterator[str]:
@@ -88,23 +88,24 @@ class Question(BaseStep, frozen=True, kw_only=True):
         return iter(())
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
-        """The card of the question, with nothing of what is right."""
+        """Return the card of the question, without any sign of the right answer."""
         raise NotImplementedError
 
     def judged(self, given: Given, subject: Subject) -> Judgement | None:
-        """The judgement of an answer, None where nothing was answered; ValueError, in words, for what is no answer to
-        such a question."""
+        """Return the judgement of an answer, None if nothing was answered. Raises ValueError, in words, for an answer
+        of another kind.
+        """
         bare = Given(walk=given.walk, step=given.step, seed=given.seed, vote=given.vote, sure=given.sure)
         if replace(bare, **{self.takes: getattr(given, self.takes)}) != given:
             raise ValueError(UNFIT)
         return None if given == bare else self.judge(given, subject)
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
-        """The judgement of an answer that has the field of this kind and no other."""
+        """Return the judgement of an answer that has the field of this kind and no other."""
         raise NotImplementedError
 
     def lesson(self, given: Given, subject: Subject) -> Lesson:
-        """The lesson for an answer, or for none; ValueError, in words, for what is no answer to it."""
+        """Return the lesson for an answer, or for none. Raises ValueError, in words, for an answer of another kind."""
         judged = self.judged(given, subject)
         return self.teaches(
             given,
@@ -119,20 +120,20 @@ class Question(BaseStep, frozen=True, kw_only=True):
         )
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
-        """The lesson with what this kind adds to it."""
+        """Return the lesson with the additions of this kind."""
         raise NotImplementedError
 
     def count(self, given: Sequence[Judged]) -> Counted:
-        """The answers of a class together."""
+        """Return the answers of a class together."""
         raise NotImplementedError
 
     def written(self, given: Judged, subject: Subject) -> Written:
-        """An answer in the table of a class."""
+        """Return an answer in the table of a class."""
         raise NotImplementedError
 
 
 def astray(field: str, replies: Sequence[Reply], subject: Subject) -> Iterator[str]:
-    """A sentence for each of the replies in a field of a walk's file whose link opens nothing."""
+    """Return a sentence for each reply in a field of a walk's file whose link opens nothing."""
     for i, one in enumerate(replies):
         if one.where:
             yield from refused(f"{field}[{i}].where", partial(standing_at, one.where, subject.scenes))

@@ -1,4 +1,4 @@
-"""The question for a curve, which is drawn on the empty axes of a plot and judged by its features."""
+"""The question for a curve, drawn on the empty axes of a plot and judged by its features."""
 
 from __future__ import annotations
 
@@ -24,8 +24,9 @@ Curves = Mapping[str, Sketch]
 
 
 class Wrong(Reply, frozen=True, kw_only=True):
-    """A sketch that is often drawn: the features that it has, the kinds of those asked for that it fails, and the
-    sentence that is its own."""
+    """A frequent wrong sketch: the features that it has, the kinds of the requested features that it lacks, and its own
+    reply.
+    """
 
     draws: Sentence
     has: tuple[Feature, ...] = ()
@@ -100,15 +101,17 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         return tuple(feature.worked_out(subject.numbers_asked, axes) for feature in features)
 
     def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
-        """Which of the features were drawn."""
+        """Return the features that were drawn."""
         return tuple(feature.seen(drawn[self._on(feature)]).has for feature in features)
 
     def _on(self, feature: Feature) -> str:
-        """The curve that has it."""
+        """Return the curve of a feature."""
         return feature.on or self.curve
 
     def _wrong(self, drawn: Curves, missed: set[str], subject: Subject) -> Reply:
-        """The reply to that wrong sketch which has only what this one has, and fails most of what this one fails."""
+        """Return the reply to the frequent wrong sketch that matches this one best: it has only features that this one
+        has, and lacks most of those that this one lacks.
+        """
         fails = (one for one in self.wrong if missed.issuperset(one.fails))
         alike = [one for one in fails if all(self.seen(self.told(one.has, subject), drawn))]
         return max(alike, key=lambda one: len(one.fails)) if alike else Reply()
@@ -126,7 +129,7 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         return Counted(answered=len(given), sketches=sketches, having=having)
 
     def written(self, given: Judged, subject: Subject) -> Written:
-        """The points of each curve, across and up."""
+        """Return the points of each curve, horizontal and vertical."""
         axes = subject.pad(self.plot)
         across, up = axes.x.factor, axes.y.factor
         told = (

@@ -19,7 +19,7 @@ JOINER = "\u200d"
 
 
 class WordsStep(Question, frozen=True, kw_only=True, tag="words"):
-    """A few words to type, 80 characters at most."""
+    """A few words to type, at most 80 characters."""
 
     takes = "text"
     usual_minutes = 3.0
@@ -64,5 +64,5 @@ def tidied(text: str) -> str:
 
 
 def normalized(text: str) -> str:
-    """Return what equal answers have in common: without case, accents of form, and signs at the end of a sentence."""
+    """Return the common form of equal answers: without case, accents of form, and marks at the end of a sentence."""
     return unicodedata.normalize("NFKC", tidied(text)).casefold().strip(" .,;:!?\"'“”‘’")
