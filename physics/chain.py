@@ -32,8 +32,8 @@ from physics.oscillator import phase_of
 from physics.precision.exact import NOISE, PI, Array, exact, precise, rounded
 from physics.precision.polynomials import context
 from physics.sampling import Sinusoid
-from physics.sinusoids import ExactSinusoid, added
-from physics.valid import check_positive, finite_array
+from physics.sinusoids import ExactSinusoid, added, combined, on_heads
+from physics.valid import check_positive, finite_array, rows_in_range
 
 ChainEnds = Literal["fixed-fixed", "fixed-free", "free-free"]
 _TABLE_DIGITS = 90
@@ -88,7 +88,7 @@ class UniformChain:
         table = np.array([float(one) for one in self._scaled_sines])
         shapes = table[self._places]
         if self.ends == "free-free":
-            shapes[0] = float(self._rigid)
+            shapes[0] = float(self.rigid)
         return np.asarray(shapes)
 
     @cached_property
@@ -164,15 +164,29 @@ class UniformChain:
         entries = finite_array(name, values)
         if entries.shape != (self.N,):
             raise ValueError(f"{name} has {entries.size} numbers: {self.N} are needed, one for each mass")
-        moving = [(p, exact(value)) for p, value in enumerate(entries.tolist()) if value]
+        moving = np.flatnonzero(entries)
+        if not moving.size:
+            return [Decimal(0)] * self.N
+        numbers = [exact(value) for value in entries[moving].tolist()]
         with precise():
-            return [_sum([row[p] * value for p, value in moving]) for row in self.exact_shapes]
+            rounding = NOISE * max(map(abs, numbers))
+            sums = self._exact_shapes[:, moving] @ np.array(numbers, dtype=object)
+            return [total if abs(total) > rounding else Decimal(0) for total in sums]
+
+    @property
+    def _exact_shapes(self) -> NDArray[np.object_]:
+        """The shapes, to 80 digits."""
+        shapes = np.array(self._scaled_sines, dtype=object)[self._places]
+        if self.ends == "free-free":
+            shapes[0] = self.rigid
+        return shapes
 
     @cached_property
-    def exact_shapes(self) -> list[list[Decimal]]:
-        """The shapes, to 80 digits."""
-        rows = [[self._scaled_sines[place] for place in row] for row in self._places.tolist()]
-        return [[self._rigid] * self.N, *rows[1:]] if self.ends == "free-free" else rows
+    def heads_of_shapes(self) -> tuple[Array, Array]:
+        """The shapes without a drift, each number as a head and what is left of it."""
+        places = self._places[self.ends == "free-free" :]
+        head, rest = on_heads(self._scaled_sines)
+        return head[places], rest[places]
 
     @property
     def _parts(self) -> int:
@@ -207,7 +221,7 @@ class UniformChain:
             return [factor * one for one in self._sines]
 
     @property
-    def _rigid(self) -> Decimal:
+    def rigid(self) -> Decimal:
         """The shape of the drift of a free chain, one for all masses."""
         with precise():
             return (Decimal(1) / self.N).sqrt()
@@ -266,9 +280,8 @@ class ChainModes:
         """The displacement in m at t = 0 and the velocity in m/s of a drift; 0 of a chain with a fixed end."""
         if self.chain.ends != "free-free":
             return 0.0, 0.0
-        (shape, *_), *_ = self.chain.exact_shapes
         with precise():
-            return float(shape * self.coordinates[0]), float(shape * self.velocities[0])
+            return float(self.chain.rigid * self.coordinates[0]), float(self.chain.rigid * self.velocities[0])
 
     def displacement(self, p: int) -> ExactMotion:
         """The displacement in m of mass p, from 1 on, as a motion that is played by its sinusoids."""
@@ -276,26 +289,37 @@ class ChainModes:
         sizes, omega = self.amplitude * self.chain.shapes[:, p - 1], self.chain.omega
         waves = zip(sizes.tolist(), omega.tolist(), self.phase.tolist(), strict=True)
         harmonic = Harmonic(tuple(Sinusoid(*wave) for wave in waves if wave[0]), self.drift)
-        return harmonic_motion(f"x{p}", harmonic, lambda t: self._at(t.tobytes()).x[p - 1])
+        return harmonic_motion(f"x{p}", harmonic, lambda t: self._at(t.tobytes())[p - 1])
 
     @cached_property
-    def _at(self) -> Callable[[bytes], ChainMotion]:
-        """The motion at the times in a buffer: all masses share one computation."""
-        return lru_cache(1)(lambda times: self.motion(np.frombuffer(times)))
+    def _at(self) -> Callable[[bytes], Array]:
+        """The displacements at the times in a buffer: all masses share one computation."""
+        return lru_cache(1)(lambda times: self.x(np.frombuffer(times)))
 
     def motion(self, t: ArrayLike) -> ChainMotion:
         """x and v (N, n) at the times t (n,) in s."""
-        t, N = finite_array("t", t), self.chain.N
-        sinusoids = []
+        t = finite_array("t", t)
         with precise():
-            for (q, v, w), shape in zip(self._each(), self.chain.exact_shapes, strict=True):
-                rate = -w * w * q
-                cosine = [*(part * q for part in shape), *(part * v for part in shape)]
-                sine = [*(part * v for part in shape), *(part * rate for part in shape)]
-                sinusoids.append(ExactSinusoid(w, cosine, sine))
-        names = [f"the {what} of mass {p}" for what in ("displacement", "velocity") for p in range(1, N + 1)]
-        values = added(sinusoids, t, names)
-        return ChainMotion(t, values[:N], values[N:])
+            velocities = [(v, -w * w * q, w) for q, v, w in self._each()]
+        return ChainMotion(t, self.x(t), self._combined(t, "velocity", velocities))
+
+    def x(self, t: Array) -> Array:
+        """The displacements in m (N, n) at the times t (n,) in s."""
+        return self._combined(t, "displacement", self._each())
+
+    def _combined(self, t: Array, what: str, coordinates: list[tuple[Decimal, Decimal, Decimal]]) -> Array:
+        """The displacements or velocities (N, n) of all masses, from (q_j, its derivative, omega_j) at t = 0."""
+        chain, names = self.chain, [f"the {what} of mass {p + 1}" for p in range(self.chain.N)]
+        waves = [ExactSinusoid(w, (q,), (v,)) for q, v, w in coordinates if w]
+        found = combined(chain.heads_of_shapes, waves, t, names)
+        if chain.ends != "free-free":
+            return found
+        q, v, w = coordinates[0]
+        with precise():
+            rigid = ExactSinusoid(w, (chain.rigid * q,), (chain.rigid * v,))
+        drift = added([rigid], t, ["the drift of the chain"])
+        with np.errstate(over="ignore"):
+            return rows_in_range(names, found + drift)
 
     def _each(self) -> list[tuple[Decimal, Decimal, Decimal]]:
         return list(zip(self.coordinates, self.velocities, self.chain.exact_omega, strict=True))
@@ -308,9 +332,3 @@ def _table(parts: int) -> list[Decimal]:
     quarter = [Decimal(ctx.nstr(ctx.sinpi(ctx.mpf(n) / parts), _TABLE_DIGITS)) for n in range(parts // 2 + 1)]
     half = [*quarter, *quarter[(parts - 1) // 2 : 0 : -1]]
     return [*half, *(-one for one in half)]
-
-
-def _sum(terms: Sequence[Decimal]) -> Decimal:
-    """The sum, and 0 where it is only the rounding of its terms."""
-    total = sum(terms, Decimal(0))
-    return total if abs(total) > NOISE * max(map(abs, terms), default=total) else Decimal(0)

@@ -67,6 +67,8 @@ def _over_time(
 ) -> dict[str, NumberTable]:
     """Return the table of motions over time, and the table of their bands if the first has not the whole window."""
     on = {**on, **{name: on[high] for name, (_, high) in trace.layers.items() if high in on}}
+    if trace.axis in picture.axes:
+        on |= {TIME_AXIS: picture.axes[TIME_AXIS], **dict.fromkeys(trace.names, picture.axes[trace.axis])}
     motions = _table(trace.file, on)
     if trace.whole:
         return {source: motions}

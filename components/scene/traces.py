@@ -49,6 +49,7 @@ class Traces:
     `moving`    the columns of a file; None means the drawn ones
     `layers`    the lower and the upper edge of the band that shows a column of a file
     `averaged`  columns that the picture has itself, as means over a period
+    `axis`      the axis of motions that a plot shows as colours, for their unit in a file
     """
 
     end: float
@@ -60,6 +61,7 @@ class Traces:
     moving: tuple[str, ...] | None = None
     layers: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     averaged: frozenset[str] = frozenset()
+    axis: str = ""
 
     @property
     def t(self) -> Floats:

@@ -53,7 +53,7 @@ def coverable(scene: type[Scene], picture: Picture) -> set[str]:
     found |= {f"{kind}:{name}" for name in picture.axes for kind in ("ticks", "numbers")}
     for block in blocks(scene.sheet()):
         if isinstance(block, PlotBlock):
-            found |= {PLOT + block.name} | {name for drawn in _drawn(block) for name in drawn.covers}
+            found |= {PLOT + block.name} | {name for drawn in _drawn(block, picture) for name in drawn.covers}
             found |= {f"mark:{block.name}.{mark.at}" for mark in block.marks}
         elif isinstance(block, WordsBlock):
             found |= {f"form:{item.name}" for item in block.items if item.name}
@@ -90,7 +90,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         *covered,
         *(PLOT + other for name in _named(covered, PLOT) for other in scene.covered_with.get(name, ())),
     )
-    drawn = [one for plot in plots(scene) for one in _drawn(plot)]
+    drawn = [one for plot in plots(scene) for one in _drawn(plot, picture)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
     names = set(_named(covered, VALUE)) | _marks(covered)
     names |= _still(scene) | (_turning(scene) & picture.signals.keys()) if STAGE in covered else set()
@@ -147,8 +147,9 @@ class _Drawn:
     signals: frozenset[str] = frozenset()
 
 
-def _drawn(plot: PlotBlock) -> list[_Drawn]:
-    modal = [_Drawn(plot.name, frozenset(), frozenset(), frozenset({plot.modal}))] if plot.modal else []
+def _drawn(plot: PlotBlock, picture: Picture) -> list[_Drawn]:
+    colours = {(source, name) for source, one in picture.traces.items() if one.axis for name in one.names}
+    modal = [_Drawn(plot.name, frozenset(), frozenset(colours), frozenset({plot.modal}))] if plot.modal else []
     curves = [_curve(plot.name, curve) for curve in plot.curves]
     return [*modal, *curves, *(_band(plot.name, band) for band in plot.regions)]
 

@@ -13,6 +13,8 @@ from collections.abc import Callable, Sequence
 from math import ceil
 from typing import Any
 
+import numpy as np
+
 from physics.chain import UniformChain
 from physics.precision.exact import Array
 from physics.reference.driven_chain import Point, point
@@ -31,7 +33,7 @@ def chain_points(
     """
     import mpmath as mp
 
-    modes = chain.modes(x_0, v_0)
+    modes = chain.drawn_modes(np.asarray(x_0), np.asarray(v_0))
     amplitudes = (modes.amplitude @ abs(chain.shapes)).tolist()
     points: dict[int, list[Point]] = {p: [] for p in masses}
     with mp.workdps(DIGITS):
@@ -45,9 +47,9 @@ def chain_points(
             tails = _tails(bessel)
             drift = abs(modes.drift[0]) + abs(mp.mpf(modes.drift[1]) * time)
             for p in masses:
-                moved = x(p) * bessel[0] + v(p) * tails[0] / Omega
-                for n in range(1, len(tails)):
-                    moved += (x(p - n) + x(p + n)) * bessel[2 * n] + (v(p - n) + v(p + n)) * tails[n] / Omega
+                far = range(-len(tails) + 1, len(tails))
+                moved = mp.fdot((x(p + n), bessel[2 * abs(n)]) for n in far)
+                moved += mp.fdot((v(p + n), tails[abs(n)]) for n in far) / Omega
                 points[p].append(point(moved, amplitudes[p - 1] + drift))
     return points
 

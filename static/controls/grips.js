@@ -122,10 +122,10 @@ export class Grips {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
-  /** Takes a press near the grip of a stage that has one grip only. @param {PointerEvent} event */
+  /** Takes a press near the only visible grip of a stage. @param {PointerEvent} event */
   press(event) {
-    const [hit] = this.grips.values()
-    if (!hit.grip.hidden && Math.hypot(...this.#from(hit, event)) <= FINGER) this.#drag(event, hit)
+    const hit = [...this.grips.values()].find(({grip}) => !grip.hidden)
+    if (hit && Math.hypot(...this.#from(hit, event)) <= FINGER) this.#drag(event, hit)
   }
 
   /** The distance from a grip to a pointer. @param {Grip} grip @param {PointerEvent} event */

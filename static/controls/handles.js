@@ -1,7 +1,7 @@
 // Handles of a plot: pills at its axes that set a parameter, and the one that moves the current instant.
 
 import {element, long, reword, textWidth, units} from "../core/dom.js"
-import {focusByHand, whileHeld} from "./held.js"
+import {focusByHand, whileHeld, whilePressed} from "./held.js"
 import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 
@@ -66,14 +66,11 @@ export class Handles {
   /** Moves all handles of a plot to the pointer, from the press to the release. @param {PointerEvent} event */
   follow(event) {
     event.preventDefault()
-    const {host} = this.plot
-    host.setPointerCapture(event.pointerId)
     const pills = this.setters.filter(({off, element: pill}) => !off && !pill.inert)
     const move = (/** @type {PointerEvent} */ moved) =>
       pills.forEach(pill => this.#moveTo(pill, this.plot.valueAt(moved, pill.handle.axis)))
     this.#hold(pills)
-    move(event)
-    whileHeld(host, move, () => this.#release())
+    whilePressed(this.plot.host, event, move, () => this.#release())
   }
 
   /** Moves the current instant with a drag over a plot against time. @param {PointerEvent} event */
@@ -83,10 +80,8 @@ export class Handles {
     const {playing} = clock
     const side = this.plot.down ? "y" : "x"
     const move = (/** @type {PointerEvent} */ moved) => clock.seek(this.plot.valueAt(moved, side))
-    host.setPointerCapture(event.pointerId)
     clock.playing = false
-    move(event)
-    whileHeld(host, move, () => {
+    whilePressed(host, event, move, () => {
       clock.playing = playing
       clock.touch()
     })

@@ -1,5 +1,6 @@
 // A pointer that drags: followed until it is released; the page does not scroll under it.
 
+export const SIDEWAYS = 8 // px that a finger moves sideways before it drags instead of scrolling
 const BY_HAND = "by-hand" // the class of an element with the focus from a pointer: no focus ring until a key is pressed
 
 /**
@@ -19,18 +20,53 @@ export function focusByHand(part) {
 }
 
 /**
+ * Calls `act` with a press. A finger may be about to scroll, so its press counts when it has moved sideways, or when it
+ * is lifted. If the browser scrolls, nothing is called.
+ * @param {HTMLElement} host @param {PointerEvent} event @param {(event: PointerEvent) => void} act
+ */
+export function unlessScrolled(host, event, act) {
+  if (event.pointerType !== "touch" || getComputedStyle(host).touchAction === "none") return act(event)
+  const waiting = new AbortController()
+  const {signal} = waiting
+  const decide = (/** @type {PointerEvent} */ later) => {
+    if (later.pointerId !== event.pointerId) return
+    const [across, along] = [later.clientX - event.clientX, later.clientY - event.clientY].map(Math.abs)
+    const isDrag = across > SIDEWAYS && across > along
+    if (later.type === "pointermove" && !isDrag) return
+    waiting.abort()
+    if (later.type !== "pointercancel") act(later)
+  }
+  for (const name of /** @type {const} */ (["pointermove", "pointerup", "pointercancel"]))
+    host.addEventListener(name, decide, {signal})
+}
+
+/**
+ * Follows a pointer from a press until it is released; a press that is over already, a tap, is followed by its end.
+ * @param {HTMLElement} host @param {PointerEvent} event @param {(event: PointerEvent) => void} move
+ * @param {() => void} end
+ */
+export function whilePressed(host, event, move, end) {
+  move(event)
+  if (event.type === "pointerup") return end()
+  host.setPointerCapture(event.pointerId)
+  whileHeld(host, move, end)
+}
+
+/**
  * Follows a pointer that `host` has captured.
  * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end
  */
 export function whileHeld(host, move, end) {
   const free = steady(host.offsetParent ?? host)
   host.addEventListener("pointermove", move)
-  const stop = () => {
+  const stop = (/** @type {PointerEvent} */ {target}) => {
+    if (target !== host) return // a part in it that a finger was on before
     host.removeEventListener("pointermove", move)
+    host.removeEventListener("lostpointercapture", stop)
     free()
     end()
   }
-  host.addEventListener("lostpointercapture", stop, {once: true})
+  host.addEventListener("lostpointercapture", stop)
 }
 
 /**

@@ -1,8 +1,7 @@
 // Moves of a slider: sideways moves of a finger, and keys with steps that suit the value.
 
+import {SIDEWAYS} from "./held.js"
 import {atTwoDigits, leapt} from "./scales.js"
-
-const SIDEWAYS = 8 // px that a finger moves sideways before it drags the slider instead of scrolling
 
 /** @type {Record<string, 1 | -1>} */
 const ALONG = {ArrowUp: 1, ArrowDown: -1, ArrowRight: 1, ArrowLeft: -1}

@@ -1,18 +1,12 @@
-// The masses of a chain on a stage: one path for the springs and one for each side, so that a frame costs the same for
-// one mass as for many.
+// The masses of a chain on a stage: one path for all springs and one for the masses on each side.
 
 import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {atInstant} from "../core/signals.js"
+import {zigzag} from "./zigzag.js"
 
 const SIDE = 54 // of a lone mass, in pixels; n + 1 masses share its area
 const WIDEST = 0.75 // of a spacing
 const REACH = 24 // pixels from a mass within which a pointer takes it
-/** Number of masses and teeth of a spring up to it; with more masses a spring is a line. @type {[number, number][]} */
-const TEETH = [
-  [4, 9],
-  [12, 4],
-]
-
 /**
  * The position of each mass, its place at rest, and its displacement.
  * @param {AtInstant<page.Beads>} s @param {Named} all
@@ -25,52 +19,34 @@ function places(s, all) {
   })
 }
 
-/** @param {Point} from @param {Point} to @param {number} teeth @param {number} half the width of the teeth */
-function spring(from, to, teeth, half) {
-  let d = `M${from.x.toFixed(1)} ${from.y.toFixed(1)}`
-  const [dx, dy] = [to.x - from.x, to.y - from.y]
-  const length = Math.hypot(dx, dy) || 1
-  for (let i = 0; i < 2 * teeth; i++) {
-    const share = (i + 0.5) / (2 * teeth)
-    const off = (i % 2 ? half : -half) / length
-    d += `L${(from.x + dx * share - dy * off).toFixed(1)} ${(from.y + dy * share + dx * off).toFixed(1)}`
-  }
-  return `${d}L${to.x.toFixed(1)} ${to.y.toFixed(1)}`
+/** The springs: teeth up to 12 masses, then a line. @param {Point[]} ends @param {number} count @param {number} half */
+function springs(ends, count, half) {
+  if (count > 12) return `M${ends.map(({x, y}) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`
+  const pairs = ends.slice(1).map((end, i) => [ends[i], end])
+  return pairs.map(([from, to]) => zigzag(from.x, from.y, to.x, to.y, half, count > 4 ? 4 : 9)).join("")
 }
 
 /** @type {Kind<page.Beads>} */
 export const beads = {
-  make: () => [
-    svg("path", {class: "spring"}),
-    ...["k", "m1", "m2"].flatMap(tint => [
-      svg("path", {class: `stems ln ${tint}`}),
-      svg("path", {class: `mass ${tint}`}),
-    ]),
-    svg("path", {class: "reach"}),
-  ],
-  move([springs, ...parts], s, all = {}) {
+  make() {
+    const looks = ["k", "m1", "m2"].flatMap(tint => [`stems ln ${tint}`, `mass ${tint}`])
+    return ["spring", ...looks, "reach"].map(look => svg("path", {class: look}))
+  },
+  move(parts, s, all = {}) {
     const found = places(s, all)
     const side = Math.min(SIDE / Math.sqrt(s.count + 1), (WIDEST * s.length) / s.parts)
-    const [, teeth] = TEETH.find(([most]) => s.count <= most) ?? [0, 0]
-    const ends = [...(s.left ? [{x: s.x, y: s.y}] : []), ...found, ...(s.right ? [{x: s.x + s.length, y: s.y}] : [])]
-    setAttributes(springs, {
-      d: ends
-        .slice(1)
-        .map((end, i) => spring(ends[i], end, teeth, Math.min(0.35 * side, 11)))
-        .join(""),
-    })
-    const look = ["", "", ""]
+    const walls = [s.x, s.x + s.length].map(x => ({x, y: s.y}))
+    const ends = [...(s.left ? [walls[0]] : []), ...found, ...(s.right ? [walls[1]] : [])]
+    const squares = ["", "", ""]
     const stems = ["", "", ""]
     for (const {rest, shift, x, y} of found) {
-      const of = shift > s.least ? 1 : shift < -s.least ? 2 : 0
-      look[of] += `M${(x - side / 2).toFixed(1)} ${(y - side / 2).toFixed(1)}h${side}v${side}h${-side}z`
-      if (of && s.across) stems[of] += `M${rest.toFixed(1)} ${s.y}V${y.toFixed(1)}`
+      const way = shift > s.least ? 1 : shift < -s.least ? 2 : 0
+      squares[way] += `M${(x - side / 2).toFixed(1)} ${(y - side / 2).toFixed(1)}h${side}v${side}h${-side}z`
+      if (way && s.across) stems[way] += `M${rest.toFixed(1)} ${s.y}V${y.toFixed(1)}`
     }
-    for (let i = 0; i < 3; i++) {
-      setAttributes(parts[2 * i], {d: stems[i]})
-      setAttributes(parts[2 * i + 1], {d: look[i]})
-    }
-    setAttributes(parts[6], {d: look.join("")})
+    const looks = squares.flatMap((square, i) => [stems[i], square])
+    const outlines = [springs(ends, s.count, Math.min(0.35 * side, 11)), ...looks, s.picks ? squares.join("") : ""]
+    for (const [i, d] of outlines.entries()) setAttributes(parts[i], {d})
   },
 }
 

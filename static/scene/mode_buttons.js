@@ -30,16 +30,14 @@ export class ModeButtons {
     if (signal?.kind !== "modal" || this.drawn === signal) return
     this.drawn = signal
     const shares = energies(signal)
-    const most = Math.min(signal.omega.length, MOST)
-    const order = [...shares.keys()].toSorted((i, j) => shares[j] - shares[i] || i - j).slice(0, most)
-    const part = order.reduce((sum, j) => sum + shares[j], 0)
-    this.says.textContent =
-      most < shares.length ? `${most} of ${shares.length} modes, ${three(100 * part)} % of the energy` : ""
-    const alone = view.values[this.block.chosen]
-    const rank = new Map(order.map((j, place) => [j, place]))
-    const shown = order.toSorted((i, j) => i - j)
+    const strongest = [...shares.keys()].toSorted((i, j) => shares[j] - shares[i] || i - j).slice(0, MOST)
+    const part = three(100 * strongest.reduce((sum, j) => sum + shares[j], 0))
+    this.says.textContent = MOST < shares.length ? `${MOST} of ${shares.length} modes, ${part} % of the energy` : ""
     const focused = this.row.contains(document.activeElement) ? document.activeElement?.textContent : null
-    const made = shown.map(j => this.#button(signal, j, shares[j], alone === String(j + 1), (rank.get(j) ?? 0) >= HALL))
+    const alone = Number(view.values[this.block.chosen]) - 1
+    const made = strongest
+      .toSorted((i, j) => i - j)
+      .map(j => this.#button(signal, j, shares[j], j === alone, strongest.indexOf(j) >= HALL))
     this.row.replaceChildren(...made)
     const pressed = made.find(one => one.ariaPressed === "true")
     if (pressed) this.row.scrollLeft = pressed.offsetLeft - WIDE
@@ -53,11 +51,9 @@ export class ModeButtons {
   #button(signal, j, share, isAlone, isLess) {
     const count = signal.omega.length
     const shape = shapesOf(signal).subarray(j * count, (j + 1) * count)
-    const size = Math.max(...shape.map(Math.abs)) * 2.3
-    const points = Array.from(shape, (x, p) => [
-      NUMBER + ((p + 1) / (count + 1)) * (WIDE - NUMBER),
-      HIGH / 2 - (x / size) * HIGH,
-    ])
+    const scale = HIGH / (2.3 * Math.max(...shape.map(Math.abs)))
+    const step = (WIDE - NUMBER) / (count + 1)
+    const points = Array.from(shape, (x, p) => [NUMBER + (p + 1) * step, HIGH / 2 - x * scale])
     const line = svg("polyline", {class: "ln", points: points.join(" ")})
     line.style.strokeWidth = `${1 + 2 * Math.sqrt(share)}px`
     const dots = count <= DOTTED ? points.map(([cx, cy]) => svg("circle", {class: "body", cx, cy, r: 2.5})) : []

@@ -10,6 +10,7 @@ import {Flags, Labels} from "./labels.js"
 import {everyWhich} from "./places.js"
 import {Reading, isOnControl} from "./reading.js"
 import {PLAIN, toOneScale} from "../core/ruler.js"
+import {unlessScrolled} from "../controls/held.js"
 
 const REACH = 16 // units from a press to the point that it selects
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
@@ -240,11 +241,16 @@ export class Plot {
     this.host.addEventListener("pointerleave", () => this.reading.hide())
     this.host.addEventListener("pointerdown", event => {
       if (isOnControl(event) || !this.isInside(event)) return
-      const point = this.block.pick && this.#nearest(event)
-      if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
-      else if (this.block.time) this.handles.followTime(event)
-      else if (this.block.handles.length) this.handles.follow(event)
+      unlessScrolled(this.host, event, press => this.#press(press))
     })
+  }
+
+  /** @param {PointerEvent} event */
+  #press(event) {
+    const point = this.block.pick && this.#nearest(event)
+    if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
+    else if (this.block.time) this.handles.followTime(event)
+    else if (this.block.handles.length) this.handles.follow(event)
   }
 
   /** The point nearest to a press, as [source, index in its column]. @param {PointerEvent} event */

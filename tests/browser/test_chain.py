@@ -34,6 +34,29 @@ def test_the_mass_at_the_pointer_is_taken(page: Page, open_scene: Callable[..., 
     assert page.evaluate(SET, "h") > 0
 
 
+def test_the_pulse_is_led_to_where_it_starts(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="chain")
+    page.get_by_role("button", name="Pause").click()
+    page.wait_for_function("oscillations.page.clock.t > 0")
+    ring = page.get_by_role("slider", name="Pulse, start")
+    box, spacing = ring.bounding_box(), "(oscillations.page.stages[0].svg.getBoundingClientRect().width - 90) / 4.5"
+    assert box and ring.get_attribute("aria-orientation") is None
+    metre = page.evaluate(spacing)
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + metre, y, steps=4)
+    page.wait_for_function(f"Math.abs(({SET})('centre') - 1.8) < 0.02 && oscillations.page.clock.t === 0")
+    page.mouse.up()
+    page.wait_for_function("!oscillations.page.hand.grab")
+    assert page.evaluate(SET, "h") == pytest.approx(0.4, abs=0.02)
+    ring.press("ArrowLeft")
+    page.wait_for_function(f"({SET})('centre') < 1.8")
+    before = page.evaluate(SET, "h")
+    ring.press("ArrowDown")
+    page.wait_for_function(f"({SET})('h') < {before} && ({SET})('starts') === 'pulse'")
+
+
 def test_a_mode_is_a_button(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="chain", view="modes", **PLUCKED)
     assert page.locator(".mode-row button").count() == 8

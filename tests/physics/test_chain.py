@@ -190,12 +190,12 @@ def test_a_free_chain_cannot_be_plucked_and_a_start_has_a_number_for_each_mass()
 
 
 @pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("N", [1, 2, 9])
+@pytest.mark.parametrize("N", [1, 2, 9, 300])
 def test_mirror_images_give_the_sum_of_modes(N: int, ends: Any) -> None:
     chain, rng, t = UniformChain(N=N, m=0.3, k=7.0, ends=ends), np.random.default_rng(N), [0.0, 0.4, 11.0]
     x_0, v_0 = rng.normal(size=N), rng.normal(size=N)
     x = chain.motion(x_0, v_0, t).x
-    for p, points in chain_points(chain, x_0, v_0, t, range(1, N + 1)).items():
+    for p, points in chain_points(chain, x_0, v_0, t, range(1, N + 1, 1 + N // 10)).items():
         for point, found in zip(points, x[p - 1].tolist(), strict=True):
             assert abs(found - float(point.value)) <= 2 * U * float(point.size)
     assert [float(one.value) for one in chain_frequencies(chain, range(1, N + 1))] == chain.omega.tolist()

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import io
 import math
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from components.language.signals import Modal
 from components.scenes import SCENES
 from components.scenes.chain import Chain
+from components.session.exports import link_file
 from components.state.covers import without
 from physics.oscillator import Oscillator
 from tests.page.scripts import call
@@ -146,6 +149,40 @@ def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
     for t in (0.0, 0.7):
         found = call("static/core/modal.displaced", signal, t)
         np.testing.assert_allclose(found, axis.places(displacements(scene)[0]), atol=1e-12)
+
+
+def motions(given: dict[str, str]) -> pd.DataFrame | None:
+    """The table of the motions in the file of a link, if it has one."""
+    query = {"scene": [b"chain"], **{name: [text.encode()] for name, text in given.items()}}
+    content = link_file(query, "", SCENES, {}).content
+    found = pd.read_csv(io.BytesIO(content), comment="#")
+    return found if "t [s]" in found.columns else None
+
+
+@pytest.mark.parametrize("N", [1, 8, 60, 500])
+def test_a_file_has_the_displacements_of_all_masses_over_the_whole_window(N: int) -> None:
+    table = motions({"N": str(N)})
+    assert table is not None
+    assert table.columns.tolist() == ["t [s]", *(f"x{p} [m]" for p in range(1, N + 1))]
+    scene = Chain(N=N)
+    assert table["t [s]"].iloc[-1] == scene.of().end
+    np.testing.assert_array_equal(table.to_numpy()[:, 1:], displacements(scene))
+    assert len(table) >= 201 and table.size <= 101_000
+
+
+def test_a_covered_picture_has_no_displacements_in_the_file() -> None:
+    assert motions({"N": "8", "cover": "plot:field"}) is None
+    assert motions({"N": "8", "cover": "plot:energy"}) is not None
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_the_numbers_of_500_masses_are_checked(ends: str) -> None:
+    scene = Chain(N=500, ends=ends)
+    about = scene.of().about(scene.shown)
+    rows = [row for table in about.tables for row in table.rows]
+    assert len(rows) == 3 * 3 + 2
+    assert all(row.off <= table.limit for table in about.tables for row in table.rows)
+    assert about.energy
 
 
 def moves(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:

@@ -14,11 +14,13 @@ from components.scene.case import CaseScene, ComparedNumber, example
 from components.scene.frames import FITTED
 from components.scene.traces import TIME, Columns, Floats, Traces, samples
 from components.scenes.chain.case import PARTS, MassesShown
-from components.scenes.chain.paper import BY_MASS, BY_MODE, BY_PULSE, paper
+from components.scenes.chain.paper import BY_MASS, BY_MODE, BY_PULSE, Y, paper
 
 MOST = 500.0
 LENGTH = 4.5
 """Length in m of the string of all examples. It has 1 kg per metre and a tension of 1 N: waves run at 1 m/s."""
+MOST_NUMBERS, FEWEST = 100_000, 201
+"""Largest number of displacements in a file with more than FEWEST instants: a file takes at most half a second."""
 DIGITS = 12
 """Significant digits of m, k and a after a change of the number of masses."""
 
@@ -58,12 +60,12 @@ class Chain(CaseScene):
         ),
         example("One mass", "Most of the energy is in fast modes: ripples, and no pulse.", PULSE, starts="mass"),
         example(
-            "Mode 2 of 3", "Mass 2 stands still; its neighbours swing opposite ways.", PULSE, **string(3),
-            starts="mode", p=2.0,
+            "Mode 2 of 3", "Mass 2 stands still; its neighbours swing opposite ways.", PULSE,
+            **{**string(3), "way": "along"}, starts="mode", p=2.0,
         ),
         example(
             "Two", "The two masses of Coupled with equal springs: 0.618 and 1.62 rad/s.", PULSE,
-            **{**string(2, "fixed-free"), "m": 1.0, "k": 1.0, "a": 1.8}, starts="mass", p=1.0,
+            **{**string(2, "fixed-free"), "m": 1.0, "k": 1.0, "a": 1.8, "way": "along"}, starts="mass", p=1.0,
         ),
     )  # fmt: skip
 
@@ -160,10 +162,11 @@ class Chain(CaseScene):
 
 
 def _masses(case: MassesShown) -> Traces:
-    """The displacements of all masses, which no plot draws as curves."""
+    """The displacements of all masses, at fewer instants if there are many masses."""
     names = tuple(f"x{p}" for p in range(1, int(case.N) + 1))
 
     def exact(t: Floats) -> Columns:
-        return dict(zip(names, case.modes.motion(t).x, strict=True))
+        return dict(zip(names, case.modes.x(t), strict=True))
 
-    return Traces(case.end, samples(case.end, case.highest), names, exact, fastest=case.highest)
+    count = min(samples(case.end, case.highest), max(FEWEST, MOST_NUMBERS // len(names)))
+    return Traces(case.end, count, names, exact, axis=Y.name)

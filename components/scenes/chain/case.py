@@ -223,7 +223,7 @@ class MassesCase(Case):
         """The displacement of the mass that the visitor drags, played with all the other masses."""
 
         def exact(t: Floats) -> Floats:
-            return np.asarray(self.modes.motion(t).x[self.held - 1])
+            return np.asarray(self.modes.x(t)[self.held - 1])
 
         is_linear = not (self.by_mass and self.v_0)
         play = ModalPlay(self.drawn, "x", at="mass", of="h", by=self.h if is_linear else 0.0)
@@ -334,11 +334,12 @@ class MassesShown(MassesCase):
     picks = value(lambda c: float(c.by_mass))
     first = value(lambda c: 1.0 - c.left)
     per_part = value(lambda c: 1 / c.parts)
+    per_length = value(lambda c: 1 / c.length)
     right_wall = value(lambda c: float(c.ends == "fixed-fixed"))
     left_wall = value(lambda c: float(c.ends != "free-free"))
     least = value(lambda c: SEEN * c.reach)
     full = value(lambda c: abs(c.h) or c.reach)
-    graspable = value(lambda c: float(c.can_be_held))
+    graspable = value(lambda c: float(c.can_be_held and c.starts != "pulse"))
     crest = value.optional(lambda c: c.ray(1))
     other = value.optional(lambda c: c.ray(-1))
     lap_1 = value.optional(lambda c: c.lap(1))

@@ -7,7 +7,7 @@ from typing import Any, Literal
 from components.language.blocks import Block
 from components.language.expressions import Expression, Number, as_expression
 from components.language.plots import Handle, Room
-from components.language.shapes import AnyShape, Begin, Grab
+from components.language.shapes import Along, AnyShape, Begin, Grab
 from components.layout.grabs import begin
 from components.layout.sheet import column, modes, row, stage
 from components.layout.stage import ON_WIDE, H, W, beads, circle, line, text, wall
@@ -43,7 +43,8 @@ SPECTRUM = Plot("spectrum", MODE, axis("rad/s", lambda c: (0.0, 1.6 * c.ceiling)
 ENERGY = Plot("energy", MODE, axis("J", lambda c: (0.0, float(c.drawn.energy.max())), "E", room=1.08, count=3))
 BY_MODE, BY_MASS, BY_PULSE = form_of(c.starts == "mode"), form_of(c.by_mass), form_of(c.starts == "pulse")
 LEFT, LENGTH = float(ROOM.left), W - float(ROOM.left + ROOM.right)
-ACROSS = REACH * H * Y.share * number(c.is_across)
+HEIGHT = REACH * H * Y.share
+ACROSS = HEIGHT * number(c.is_across)
 
 
 def whole_numbers(first: float, last: float) -> Axis:
@@ -100,6 +101,7 @@ def shapes() -> list[AnyShape]:
         chain,
         *shown_by(c.graspable, *shown_by(c.is_across, circle(at, middle - up, 0, grab=hand("y", middle)))),
         *shown_by(c.graspable, *shown_by(c.way == "along", circle(at + beside, middle, 0, grab=hand("x", at)))),
+        *shown_by(c.starts == "pulse", *pulse(middle)),
         *shown_by(c.picks, text(ends[1], 14, f"mass {c.name}: {c.x:+} {Y.unit_text}", "end", style="t1 halo")),
     ]
 
@@ -117,6 +119,18 @@ def hand(axis: Literal["x", "y"], zero: Number) -> Grab:
     mass, seen = Begin("p", number_name(c.mass), exactly=True), Begin("h", number_name(c.h_now, Y), Y.name)
     label = "Mass, start" if axis == "y" else "Mass, start, along the chain"
     return begin(label, way, start=(mass, seen, Begin("v_0")))
+
+
+def pulse(middle: Number) -> tuple[AnyShape, ...]:
+    """The top of the pulse at the start: dragged along the chain it sets the place, up and down the height."""
+    per_metre = LENGTH * number(c.per_length)
+    aside = Along(
+        across="x", zero=LEFT, unit=per_metre, parameter="centre", moves=number_name(c.centre), least=0.0,
+    )  # fmt: skip
+    up = along("y", lambda h: as_expression(middle) - HEIGHT * on_axis(Y, h), Y, h=c.h)
+    x, y = LEFT + per_metre * number(c.centre), as_expression(middle) - HEIGHT * on_axis(Y, c.h)
+    ring = circle(x, y, 7, style="ring", grab=begin("Pulse, start", aside, up))
+    return ring, text(x + 12, y + 5, "start", "start", tint="mute", style="t1 halo")
 
 
 def field() -> Block:
