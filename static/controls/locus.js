@@ -3,14 +3,14 @@
 import {clamp} from "../core/ruler.js"
 import {polynomial, valueAt} from "../core/signals.js"
 
-const STRIDE = 8 // pixels, the longest step along the curve
-const SHORT = 0.4 // of the distance to the nearest pole, the longest step of a frequency
+const STRIDE = 8 // pixels: the longest step along the curve
+const SHORT = 0.4 // the longest step of a frequency, relative to the distance to the nearest pole
 const STRIDES = 200
-const AROUND = 2.5 // the way along the curve over the way of the hand: half of a circle over its diameter, and room
+const AROUND = 2.5 // largest distance along the curve, relative to that of the pointer: as on a half circle, and more
 const NEAR = 0.01 // pixels
-const LEAST = 1e-3 // of a frequency: at 0 nothing is driven
+const LEAST = 1e-3 // the least frequency: at 0 nothing is driven
 const HALVINGS = 30
-const SHARE = 1e-6 // of a step, over which a slope is taken
+const SHARE = 1e-6 // share of a step over which a slope is measured
 
 /**
  * A curve on the screen: the point at a frequency, and the longest step from there that leaves out no loop.
@@ -18,7 +18,7 @@ const SHARE = 1e-6 // of a step, over which a slope is taken
  */
 
 /**
- * The curve of a way. @param {page.Locus} way @param {Named} all @returns {Locus}
+ * The curve along which a way of dragging moves. @param {page.Locus} way @param {Named} all @returns {Locus}
  */
 function locusOf(way, all) {
   const [x, y, right, down] = [way.x, way.y, way.right, way.down].map(one => polynomial(one, all))
@@ -69,9 +69,9 @@ function stride(locus, w, length) {
 }
 
 /**
- * The frequency at the point of the curve that is nearest to the hand, the change per pixel, and the point. Only the
- * part of the curve about the present frequency counts that a hand can have followed, so that no loop is left for one
- * that crosses it.
+ * The frequency at the point of the curve that is nearest to the pointer, the change per pixel, and the point. Only
+ * the part of the curve around the current frequency that the pointer can have followed counts, so that no loop is left
+ * for one that crosses it.
  * @param {page.Locus} way @param {Point} hand @param {Named} all
  */
 export function onLocus(way, hand, all) {
@@ -92,7 +92,7 @@ export function onLocus(way, hand, all) {
 }
 
 /**
- * The frequency, in strides from the present one, that is nearest to the hand, by a pixel or more.
+ * The frequency, in strides from the current one, at the point nearest to the pointer.
  * @param {Locus} locus @param {number} now @param {Point} hand
  */
 function nearest(locus, now, hand) {

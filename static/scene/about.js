@@ -1,15 +1,15 @@
-// "About these numbers", folded away until asked for: what components/scene/about.py knows of the errors of what is
-// drawn. Asked again a moment after a change, while it is open.
+// "About these numbers", closed until it is opened: the errors of the drawn numbers, from components/scene/about.py.
+// While it is open, they are requested again shortly after a change.
 
 import {element, marked} from "../core/dom.js"
 
-const MOMENT = 300 // ms without a further change
+const MOMENT = 300 // ms after the last change
 
 export class About {
   /** @type {number | undefined} */
   timer
 
-  /** `fold` has just been opened for the first time. @param {HTMLDetailsElement} fold @param {Send} send */
+  /** Called when `fold` is opened for the first time. @param {HTMLDetailsElement} fold @param {Send} send */
   constructor(fold, send) {
     this.send = send
     this.body = element("div", {class: "about-body"})
@@ -82,7 +82,7 @@ function points(rows) {
   return element("table", {}, head, ...lines)
 }
 
-/** One under the other; from where they part they are paler. @param {page.AboutPoint} point */
+/** Texts one under the other; the part in which they differ is paler. @param {page.AboutPoint} point */
 function numbers({drawn, true: exact}) {
   let same = 0
   while (same < drawn.length && drawn[same] === exact[same]) same++

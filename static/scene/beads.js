@@ -4,9 +4,10 @@ import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {atInstant} from "../core/signals.js"
 import {zigzag} from "./zigzag.js"
 
-const SIDE = 54 // of a lone mass, in pixels; n + 1 masses share its area
+const SIDE = 54 // the side of a lone mass, in pixels; n + 1 masses share its area
 const WIDEST = 0.75 // of a spacing
-const REACH = 24 // pixels from a mass within which a pointer takes it
+const REACH = 24 // pixels: the largest distance at which a pointer takes a mass
+
 /**
  * The position of each mass, its place at rest, and its displacement.
  * @param {AtInstant<page.Beads>} s @param {Named} all
@@ -51,7 +52,7 @@ export const beads = {
 }
 
 /**
- * The number of the mass nearest to a point; 0 where none is near.
+ * The number of the mass nearest to a point; 0 if none is near.
  * @param {AtInstant<page.Beads>} s @param {Named} all @param {Point} at
  */
 function nearest(s, all, at) {

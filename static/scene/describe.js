@@ -8,9 +8,9 @@ import {indexed, plain} from "../core/plain.js"
 import {stepOf} from "../core/ruler.js"
 
 const BEYOND = "outside the frame"
-const HALVINGS = 40 // of the way between two points, in which a curve turns
-const MOST_PIECES = 3 // of a curve that are described one by one
-const ROWS = 25 // of a table: enough to follow a curve by ear
+const HALVINGS = 40 // share of the distance between two points within which a curve turns
+const MOST_PIECES = 3 // the most pieces of a curve that are described one by one
+const ROWS = 25 // the rows of a table: enough to follow a curve by ear
 
 /** @typedef {import("./plots.js").Plot} Plot */
 /**
@@ -30,7 +30,7 @@ const ROWS = 25 // of a table: enough to follow a curve by ear
 export const measured = (ruler, place) => withUnit(digits(ruler, place), ruler.unit)
 
 /**
- * Rounds to the digits that a column has; numbers that cannot be distinguished from 0 become 0.
+ * Rounds to the digits of a column; numbers that cannot be distinguished from 0 become 0.
  * @param {page.Ruler} ruler @param {number} place
  */
 function digits(ruler, place) {
@@ -55,7 +55,7 @@ export const axes = ({block, view}) => ({x: view.axes[block.x], y: view.axes[blo
 const span = axis => `${measured(axis, axis.start)} to ${measured(axis, axis.end)}`
 
 /**
- * Texts with their {live numbers}, by name, without those of which a number is hidden.
+ * Texts with their {live numbers}, by name, except texts with a hidden number.
  * @param {Record<string, string>} texts @param {Record<string, string>} values
  */
 export function spoken(texts, values) {
@@ -81,7 +81,7 @@ export function description(plot) {
   return [`${block.title}.`, ...now, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...lines].join(" ")
 }
 
-/** The curves that are seen; pieces of one curve are one. @param {Plot} plot @returns {Trace[]} */
+/** The visible curves; the pieces of a curve are together. @param {Plot} plot @returns {Trace[]} */
 export function traces(plot) {
   const {block, view, hidden} = plot
   const {x} = axes(plot)
@@ -103,7 +103,7 @@ export function traces(plot) {
 }
 
 /**
- * The motion of a curve over time: its signal at an instant, where it has one.
+ * The motion of a curve over time: its signal at an instant, if it has one.
  * @param {page.Curve} curve @param {Plot} plot
  */
 export function motionOf({signal, signal_x: across}, {block, view}) {
@@ -128,7 +128,7 @@ export function turned({xs, ys, motion}, i, sign) {
   return [(low + high) / 2, motion((low + high) / 2)]
 }
 
-/** The points that are drawn lowest and highest. @param {Trace} trace */
+/** The lowest and the highest drawn point. @param {Trace} trace */
 const extremes = ({ys}) => [Math.min, Math.max].map(most => ys.indexOf(ys.reduce((a, b) => most(a, b))))
 
 /**
@@ -199,7 +199,7 @@ function inside({xs, ys}, x, y) {
   return found
 }
 
-/** A number at a share of the way from the one before. @param {number[]} all @param {number} i @param {number} share */
+/** The number `share` of the way from the previous one. @param {number[]} all @param {number} i @param {number} share */
 const between = (all, i, share) => (share === 1 ? all[i] : all[i - 1] + share * (all[i] - all[i - 1]))
 
 /**
@@ -211,14 +211,14 @@ function isCut(y, end, height) {
   return !isWithin(y, end) && least < 1e-6 * Math.abs(y.end - y.start)
 }
 
-/** The edges of the frame, with the room of isWithin or another. @param {page.Ruler} ruler @param {number} [share] */
+/** The edges of the frame, with a margin. @param {page.Ruler} ruler @param {number} [share] */
 function edges({start, end}, share = 1e-3) {
   const more = share * Math.abs(end - start)
   return [Math.min(start, end) - more, Math.max(start, end) + more]
 }
 
 /**
- * The shares of the way between two points at which a line comes into the frame and leaves it; the first is the larger
+ * The shares of the distance between two points at which a line enters the frame and leaves it; the first is larger
  * where it stays outside (Y.-D. Liang and B. A. Barsky, ACM Trans. Graph. 3 (1984) 1).
  * @param {number[]} one @param {number[]} two @param {page.Ruler} x @param {page.Ruler} y
  */
@@ -339,7 +339,7 @@ function bands(plot) {
   })
 }
 
-/** The layers of a stack, each by its thickness. @param {Plot} plot */
+/** The layers of a stack, each described by its thickness. @param {Plot} plot */
 function layers(plot) {
   const {block, view} = plot
   const {y} = axes(plot)
@@ -382,14 +382,14 @@ export function table(plot) {
 /** @param {string} name @param {page.Ruler} ruler */
 const unit = (name, {unit: sign}) => (sign ? `${name}, ${sign}` : name)
 
-/** Coordinates evenly spread over the longest curve's. @param {Trace[]} all */
+/** Coordinates evenly spread over those of the longest curve. @param {Trace[]} all */
 function spread(all) {
   const {xs} = all.toSorted((a, b) => b.xs.length - a.xs.length)[0] ?? {xs: []}
   const step = Math.max((xs.length - 1) / (ROWS - 1), 1)
   return [...new Set(Array.from({length: Math.min(ROWS, xs.length)}, (_, i) => xs[Math.round(i * step)]))]
 }
 
-/** The instants at which a motion is lowest and highest. @param {Trace} trace */
+/** The instants of the minima and maxima of a motion. @param {Trace} trace */
 function turns(trace) {
   if (!trace.motion) return []
   const [lowest, highest] = extremes(trace)
@@ -397,7 +397,7 @@ function turns(trace) {
 }
 
 /**
- * The value of a curve at one of its points, or of its motion at any time; else none.
+ * The value of a curve at one of its points, or of its motion at any time; otherwise none.
  * @param {Trace} trace @param {number} place @param {page.Ruler} y
  */
 function near({xs, ys, motion}, place, y) {

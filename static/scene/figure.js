@@ -45,7 +45,7 @@ export class Figure {
     this.fit()
   }
 
-  /** BokehJS could not be fetched: so it is said in the place of the figure. */
+  /** Shows a message in place of the figure, because BokehJS could not be fetched. */
   lacks() {
     this.lack ??= element("p", {class: "lack"}, LACK)
     this.element.after(this.lack)
@@ -56,7 +56,7 @@ export class Figure {
     this.lack?.remove()
     this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
     const [view] = this.manager
-    view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
+    view.canvas_view.events_el.removeAttribute("tabindex") // keys have no effect on the figure itself
     if (this.left) this.leave()
   }
 
@@ -107,7 +107,7 @@ export class Figure {
   }
 
   /**
-   * Draws the curves that have columns and are not switched off.
+   * Draws the curves that have columns and are switched on.
    * @param {Columns} columns @param {Set<string>} hidden
    */
   fill(columns, hidden) {
@@ -180,7 +180,7 @@ function fill(source, given) {
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
 
-/** A length as Bokeh keeps it, without its wrapping. @param {BokehModel} length */
+/** A length as Bokeh stores it, without its wrapper. @param {BokehModel} length */
 const bare = length => (length?.value !== undefined ? length.value : length)
 
 /** @param {number | number[]} length */

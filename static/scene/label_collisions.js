@@ -12,17 +12,17 @@ import {EVERYWHERE, meet, moved, places} from "./places.js"
  */
 
 const AIR = 2 // units between neighbouring texts
-const FAR = 2.5 // lines that a text may move
-const EDGE = 4 // units to the edges of the paper, and units by which it may leave the picture
-const NEAR = 0.001 // units that are no way
+const FAR = 2.5 // the most lines by which a text may move
+const EDGE = 4 // units to the edges of the paper, and units by which a text may leave the picture
+const NEAR = 0.001 // units: a smaller shift counts as none
 const POINT = 9 // units from a point to its text
 const DROP = 0.37 // fraction of its line height that centres it on the point
 const OUT = 2.5 // units from the height of a point to its text
-const STEPS = [0, 1, -1, 2, -2] // lines that it moves where it cannot be clear of all
-const PIECE = 8 // units of a line, which a text keeps off
-const MOST = 500 // pieces between two points, also if one is far outside
-const OFF = 3 // units that it keeps from there
-const BASE = 0.2 // of a text's size under its base line
+const STEPS = [0, 1, -1, 2, -2] // lines by which it moves if it cannot avoid everything
+const PIECE = 8 // half the width of a line, in units, which a text avoids
+const MOST = 500 // the most pieces between two points, even if one is far outside
+const OFF = 3 // units between a text and such a piece
+const BASE = 0.2 // share of a text's size below its base line
 
 export class Clear {
   /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
@@ -57,7 +57,7 @@ export class Clear {
     )
   }
 
-  /** The dots, as far as they are shown. @returns {Box[]} */
+  /** The visible dots. @returns {Box[]} */
   #dots() {
     const shown = this.dots.filter(({group}) => group.style.display === "")
     return shown.map(({parts: [dot]}) => {

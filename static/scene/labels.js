@@ -4,14 +4,14 @@ import {toSI} from "../core/ruler.js"
 import {long, marked, setAttributes, svg, textWidth, units, unitSize, words} from "../core/dom.js"
 import {everyWhich, inLine, places} from "./places.js"
 
-const LINE = 1.1 // of the size of a text, from one to the next
+const LINE = 1.1 // distance of lines, relative to the size of the text
 const OVERHANG = 6 // units by which a number with its unit may exceed the left margin, before the unit goes below it
 
 const PILL = 24 // units of the height of a pill
-const LEAST = 20 // units of a band's thickness at its name
-const ALIKE = 0.02 // the share by which a band is no thicker
-const HALF = 7 // of a line of a band's name
-const WIDER = 1.2 // its bold type, over a small text's
+const LEAST = 20 // units: the least thickness of a band at its name
+const ALIKE = 0.02 // a band that is thicker by less than this share counts as equally thick
+const HALF = 7 // units: half the height of a line of a band's name
+const WIDER = 1.2 // the size of its bold type relative to small text
 const LIFT = 44 // units from a flag to the frame; stacked flags are higher
 
 export class Labels {
@@ -29,7 +29,7 @@ export class Labels {
     plot.over.append(this.scale, ...this.curves.map(l => l.text), ...this.bands.map(l => l.text))
   }
 
-  /** Hides the number beside the vertical axis that a pill at this height covers. @param {number} height */
+  /** Hides the number at the vertical axis that a handle at this height covers. @param {number} height */
   clear(height) {
     for (const number of this.scale.children) {
       const isUnder = Math.abs(Number(number.getAttribute("y")) - 4.5 - height) < (units("t0") + PILL) / 2
@@ -54,7 +54,7 @@ export class Labels {
     const {left, top, height} = this.plot.frame
     const {ticks, labels} = this.plot.y
     const last = ticks.length - 1
-    // A number that is too wide has its unit under it.
+    // A number that is too wide has its unit below it.
     const lines = labels.map(label => (textWidth(label) > left + OVERHANG ? label.split(/ (.*)/, 2) : [label]))
     const [size, more] = [units("t0"), LINE * units("t0")]
     const feet = ticks.map(tick => {
@@ -76,7 +76,7 @@ export class Labels {
     )
   }
 
-  // At the right end of each curve.
+  // Names at the right end of each curve.
   #nameCurves() {
     const {left, top, width, height} = this.plot.frame
     const shown = []
@@ -147,7 +147,7 @@ export class Flags {
     return {mark, line, flag, at: 0}
   }
 
-  // The message of a flag that is pressed.
+  // The message that a pressed flag sends.
   /** @param {page.Mark} mark @returns {page.BrowserMessage} */
   #asked({act, set: name, exactly, at, axis}) {
     if (act) return {type: "act", name: act}

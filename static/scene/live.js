@@ -1,4 +1,4 @@
-// The live numbers of a page: texts that come with every picture, or move with what is shown.
+// The live numbers of a page: texts that change with every picture, or with time.
 
 import {coverNumber} from "../compare/cover.js"
 import {reword} from "../core/dom.js"
@@ -11,7 +11,7 @@ export class Live {
   /** @type {Drawn["view"] | undefined} */
   view
 
-  /** Finds the numbers of a part that has come to the page. @param {Element} part */
+  /** Finds the numbers of a part that was added to the page. @param {Element} part */
   find(part) {
     for (const one of part.querySelectorAll("[data-value]")) {
       const name = one.getAttribute("data-value") ?? ""

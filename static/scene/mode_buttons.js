@@ -7,8 +7,8 @@ import {three} from "../core/numbers.js"
 
 const MOST = 8
 const HALL = 4
-const TAKES_PART = 0.002 // of the energy
-const DOTTED = 12 // masses, up to which a shape has a dot for each
+const TAKES_PART = 0.002 // least share of the energy
+const DOTTED = 12 // the most masses for which a shape has a dot each
 const [WIDE, HIGH, NUMBER] = [66, 40, 12] // NUMBER: the width of the number, left of the shape
 
 export class ModeButtons {

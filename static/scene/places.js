@@ -16,8 +16,8 @@ const TOUCH = 0.01 // a smaller overlap counts as none
 export const EVERYWHERE = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
 
 /**
- * One text after the other, clear of all that is fixed and of those before it, moved as little as can be; null where
- * it has no place.
+ * Places one text after the other: clear of everything fixed and of earlier texts, moved as little as possible; null if
+ * there is no place for it.
  * @param {Text[]} texts @param {Box[]} [fixed] @returns {(Box | null)[]}
  */
 export function places(texts, fixed = []) {
@@ -105,13 +105,13 @@ export const moved = (box, across, down) =>
     : box
 
 /**
- * The way into a room.
+ * The shift that brings a box into a room.
  * @param {number} low @param {number} high @param {number} least @param {number} most
  */
 const inward = (low, high, least, most) => Math.max(Math.min(0, most - high), least - low)
 
 /**
- * The ways that something may go back and on in its room.
+ * The distances by which a span may move back and forth in its room.
  * @param {number} low @param {number} high @param {number} least @param {number} most @param {number} far
  * @returns {[number, number]}
  */

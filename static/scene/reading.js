@@ -62,13 +62,13 @@ export class Reading {
     })
   }
 
-  /** The steps that the heights of curves are given in. */
+  /** The steps to which the heights of curves are rounded. */
   get #step() {
     return stepOf(this.plot.view.axes[this.plot.block.y])
   }
 
   /**
-   * Between two points of a column; of what is outside the column knows no more than that.
+   * The value between two points of a column. Outside the frame a column has no exact values.
    * @param {Float64Array} xs in order @param {Float64Array} ys @param {number} x @returns {number | null}
    */
   #between(xs, ys, x) {
@@ -95,7 +95,7 @@ export class Reading {
 /** True if the pointer is on a part of the overlay that has its own action. @param {PointerEvent} event */
 export const isOnControl = ({target}) => target instanceof Element && Boolean(target.closest(PRESSED))
 
-/** The last point but one, or the last before x. @param {Float64Array} xs in order @param {number} x */
+/** The last point before x, at most the last but one. @param {Float64Array} xs in order @param {number} x */
 function before(xs, x) {
   let low = 0
   let high = xs.length - 1
@@ -118,7 +118,7 @@ export function honest(value, step) {
 }
 
 /**
- * The value at a coordinate of an axis, in words.
+ * The value at a coordinate of an axis, as text.
  * @param {number} place @param {page.Ruler} ruler @param {number} step
  */
 function measured(place, {unit, log}, step) {
