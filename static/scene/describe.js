@@ -199,7 +199,7 @@ function inside({xs, ys}, x, y) {
   return found
 }
 
-/** A number between two others, by its share of the way. @param {number[]} all @param {number} i @param {number} share */
+/** The number at a share of the way. @param {number[]} all @param {number} i @param {number} share */
 const between = (all, i, share) => (share === 1 ? all[i] : all[i - 1] + share * (all[i] - all[i - 1]))
 
 /**
