@@ -1,4 +1,4 @@
-"""A TCP proxy between a browser and the server: it delays what passes, holds back streams, or falls silent."""
+"""A TCP proxy between a browser and the server. It can delay data, hold back streams, or fall silent."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ STREAM = b"text/event-stream"
 
 
 class Between:
-    """At `url`, in a thread of its own. Each piece takes `delay()` seconds, never overtaking another."""
+    """Serve at `url`, in its own thread. Each piece takes `delay()` seconds; the order is kept."""
 
     def __init__(self, port: int, delay: Callable[[], float], holds: bool) -> None:
         self._port = port
@@ -31,7 +31,7 @@ class Between:
         return f"http://127.0.0.1:{self.port}/"
 
     def silence(self) -> None:
-        """Let all connections hear nothing more, not even an end, as after a phone's sleep; new ones stand."""
+        """Let all connections receive nothing more, not even an end, as after a phone's sleep. New connections work."""
         for silent in self._silent:
             silent[0] = True
 
@@ -48,7 +48,8 @@ class Between:
         self.port = server.sockets[0].getsockname()[1]
         self._started.set()
         self._loop.run_forever()
-        # Closing asyncio.Server leaves open what it accepted in the same turn (Server._attach): it turns deaf first.
+        # Closing asyncio.Server leaves connections open that it accepted in the same turn (Server._attach), so it stops
+        # listening first.
         self._loop.remove_reader(server.sockets[0])
         while tasks := asyncio.all_tasks(self._loop):
             for end in self._ends:
@@ -71,7 +72,7 @@ class Between:
             self._ends.remove(end)
 
     async def _carry(self, source: asyncio.StreamReader, sink: asyncio.StreamWriter, silent: list[bool]) -> None:
-        """Until the source ends; it is read on while what it said is on its way."""
+        """Forward until the source ends. It is read on while earlier data is on its way."""
         on_its_way: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
         sending = asyncio.create_task(self._send(on_its_way, sink, silent))
         data = b"begun"
@@ -98,7 +99,7 @@ class Between:
 
 @contextmanager
 def between(port: int, delay: Callable[[], float] = lambda: NONE, holds: bool = False) -> Iterator[Between]:
-    """`holds` as a proxy does that buffers answers: of a stream of events nothing comes through."""
+    """Behave like a proxy that buffers responses if `holds`: nothing of a stream of events gets through."""
     proxy = Between(port, delay, holds)
     proxy.start()
     try:

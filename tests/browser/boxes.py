@@ -1,4 +1,4 @@
-"""Where all that is read or touched lies on a page, and what is wrong with it: overlaps, cuts, what is too small."""
+"""The boxes of everything that is read or touched on a page, and faults in its layout: overlaps, cuts, small parts."""
 
 from __future__ import annotations
 
@@ -128,11 +128,12 @@ TILTED = """pairs => {
 }"""
 STACKED = "getComputedStyle(document.querySelector('.paper > .block')).display === 'contents'"
 LINKED = (("v", "plane"), ("a", "law"), ("well", "energy"))
-"""Plots with lines from one to the other, beside it where there is room."""
+"""Plots whose lines connect them, next to each other if there is room."""
 
 
 def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:
-    """The faults in the layout of a page as it stands: parts that overlap, are cut off, leave their frame, are not
-    level, or have letters below `least` pixels of the page, an index below `index`."""
+    """Return the faults in the layout of a page: parts that overlap, are cut off, leave their frame, are not level, or
+    have letters below `least` pixels of the page, an index below `index`.
+    """
     tilted = [] if page.evaluate(STACKED) else page.evaluate(TILTED, LINKED)
     return cast(list[str], [*page.evaluate(FAULTS, [least, index]), *tilted])

@@ -14,7 +14,7 @@ import sys
 from playwright.sync_api import sync_playwright
 
 SHELL = "chromium-headless-shell"
-"""Chromium without a window's parts: a page costs it two thirds of what it costs the whole."""
+"""Chromium without a window: a page costs two thirds of the usual CPU time."""
 NAMES = (
     SHELL,
     "chromium",
@@ -27,13 +27,13 @@ NAMES = (
 
 
 def find() -> str | None:
-    """The first Chromium that answers when asked for its version, so that an empty wrapper does not count."""
+    """Return the first Chromium that reports its version. So an empty wrapper does not count."""
     installed = (os.environ.get("CHROMIUM"), *map(shutil.which, NAMES))
     return next(filter(_answers, installed), None) or next(filter(_answers, [_playwrights_own()]), None)
 
 
 def install() -> None:
-    """Debian's Chromium without windows where this is root on Debian, Playwright's own elsewhere."""
+    """Install Debian's Chromium without windows if this is root on Debian, and Playwright's own elsewhere."""
     if _is_debian() and os.geteuid() == 0:
         _run("apt-get", "update")
         _run("apt-get", "install", "--yes", "--no-install-recommends", SHELL, "fonts-liberation")

@@ -1,4 +1,4 @@
-"""A class as tests play it: the instructor's window, phones that join it, and a hand that draws."""
+"""A class for tests: the instructor's window, phones that join it, and a hand that draws."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
 
 @pytest.fixture
 def failing(server: Server, browser: Browser) -> Iterator[Open]:
-    """Pages for a class in which requests are made to fail, which browsers note as errors."""
+    """Pages for a class in which requests fail on purpose; browsers log these as errors."""
     with _opened(browser, server) as go:
         yield go
 
@@ -81,7 +81,7 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
 
 
 def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) -> Page:
-    """A phone that is let in as the remote control."""
+    """A phone that is accepted as the remote control."""
     lecture.keyboard.press("j")
     with lecture.expect_response(re.compile("/tickets$")) as answer:
         lecture.get_by_role("button", name="Remote control").click()
@@ -103,6 +103,6 @@ def draw(page: Page, height: Callable[[float], float]) -> None:
 
 
 def counted(lecture: Page, *counts: str) -> None:
-    """The votes for each answer, in the order of the walk's file."""
+    """Return the votes for each answer, in the order of the walk's file."""
     for i, count in enumerate(counts):
         expect(lecture.locator(f".answers [data-option='{i}'] .vote-count")).to_have_text(count)

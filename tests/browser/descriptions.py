@@ -9,6 +9,6 @@ SAYS = "name => document.getElementById(`says-${name}`).textContent"
 
 
 def described(page: Page, name: str) -> str:
-    """Return the description of a plot, as soon as it has one."""
+    """Return the description of a plot, once it has one."""
     page.wait_for_function(TOLD, arg=name)
     return str(page.evaluate(SAYS, name))

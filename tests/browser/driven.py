@@ -1,4 +1,6 @@
-"""A browser window that WebDriver commands drive, with the methods of Playwright's `Page` that the journey needs."""
+"""A browser window that is driven by WebDriver commands, with the methods of Playwright's `Page` that the journey
+needs.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,7 @@ KEYS = {
     "ArrowRight": "\ue014",
     "ArrowDown": "\ue015",
 }
-"""Names of keys, as Playwright and the page have them, with the code of WebDriver."""
+"""Names of keys in Playwright and on the page, with their codes in WebDriver."""
 
 
 class Driven(ABC):
@@ -39,7 +41,7 @@ class Driven(ABC):
 
     @abstractmethod
     def do(self, command: str, **given: object) -> Any:
-        """Return the result of a command of WebDriver, under its name in Marionette: `Navigate`."""
+        """Return the result of a command of WebDriver, by its name in Marionette: `Navigate`."""
 
     @abstractmethod
     def close(self) -> None:
@@ -63,7 +65,7 @@ class Driven(ABC):
           const value = ({script})
           return typeof value === "function" ? value(given) : value
         }}).then(value => done([value ?? null]), error => done([null, String(error)]))"""
-        # A page that is left meanwhile answers nothing: the next one is asked.
+        # A page that is being left does not answer; the next one is asked.
         while (answer := self.do("ExecuteAsyncScript", script=body, args=[arg])) is None:
             time.sleep(LOOK)
         value, *error = answer

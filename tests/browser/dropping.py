@@ -14,5 +14,5 @@ DROP = """([name, text]) => {
 
 
 def drop(page: Page, name: str, content: str) -> None:
-    """A text file of that name, as a hand drops it onto the paper."""
+    """Drop a text file of this name onto the paper."""
     page.evaluate(DROP, [name, content])

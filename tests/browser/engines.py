@@ -1,4 +1,4 @@
-"""The three engines of browsers: Chromium, Safari's and Firefox, with their scrollbars shown."""
+"""The three browser engines: Chromium, Safari's and Firefox, with visible scrollbars."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from tests.browser.chromium import find
 from tests.browser.driven import Driven
 
 Window = Page | Driven
-"""What tests use of it: `goto`, `reload`, `set_viewport_size`, `evaluate`, `wait_for_function`, `screenshot`, `mouse`,
-`keyboard`."""
+"""The methods that tests use: `goto`, `reload`, `set_viewport_size`, `evaluate`, `wait_for_function`, `screenshot`,
+`mouse`, `keyboard`.
+"""
 MISSING = "not installed: make browsers installs it"
 ENGINES = ("chromium", "webkit", "firefox")
 
 
 @pytest.fixture(scope="session", params=ENGINES)
 def engine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Window]:
-    """A window of 1280 x 720 in each engine; one that the machine lacks is skipped."""
+    """A window of 1280 x 720 in each engine; engines that the machine lacks are skipped."""
     name = request.param
     yield from OPENERS[name](request, tmp_path_factory.mktemp(name))
 

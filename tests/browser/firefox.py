@@ -1,4 +1,4 @@
-"""Debian's Firefox, driven by its own protocol (Marionette): Playwright drives only a Firefox that it has changed."""
+"""Debian's Firefox, driven by its own protocol (Marionette), because Playwright drives only a modified Firefox."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from tests.serving.server import free_port
 
 NAMES = ("firefox-esr", "firefox")
 AS_NARROW_AS_A_PHONE = ":root, body { min-width: 0 !important; }"
-"""For Firefox's own window, which is at least 500 px wide otherwise."""
+"""For Firefox's own window, which is otherwise at least 500 px wide."""
 
 
 def find() -> str | None:
-    """Its path: FIREFOX, or what the machine has."""
+    """Return the path of Firefox: FIREFOX, or an installed one."""
     return os.environ.get("FIREFOX") or next(filter(None, map(shutil.which, NAMES)), None)
 
 

@@ -1,4 +1,4 @@
-"""Fixtures of the browser tests: a served app, a Chromium, and pages that fail the test on a fault."""
+"""Fixtures of the browser tests: a running app, a Chromium, and pages that fail the test on a fault."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from tests.serving.server import ROOT, Server, serving
 
 SCREENSHOTS = ROOT / "build" / "screenshots"
 READY = "document.documentElement.dataset.ready === 'true'"
-# A busy machine has its time; what the page does by a timer of 10 s alone is too late.
+# Long enough for a busy machine, but shorter than the page's own timers of 10 s.
 expect.set_options(timeout=9_000)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Where the browser tests alone are asked for, or all others, a module without any is not even read."""
+    """Skip reading modules without browser tests if only these are requested, and the other way round."""
     asked = re.match(r"(not )?browser($| and )", config.option.markexpr)
     if not asked or collection_path.suffix != ".py":
         return None
@@ -39,7 +39,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Browser tests last: Playwright leaves an event loop running, which other tests should not see."""
+    """Run browser tests last: Playwright leaves an event loop running, which would disturb other tests."""
     items.sort(key=lambda item: item.get_closest_marker("browser") is not None)
 
 
@@ -52,7 +52,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 @pytest.fixture(scope="session")
 def framed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server whose pages anybody's frames may show."""
+    """A server whose pages any site may show in a frame."""
     with serving(tmp_path_factory.mktemp("framed") / "log", environment={"FRAME_ANCESTORS": "*"}) as running:
         yield running
 
@@ -87,7 +87,7 @@ def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[
         faults.extend(_foreign(request, server))
 
     def make(width: int = 1280, height: int = 720, fresh: bool = False, **given: Any) -> Page:
-        # Playwright waits for an expression by an eval, which the page forbids: tests/serving/test_headers.py.
+        # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_headers.py.
         size, options = {"width": width, "height": height}, {"bypass_csp": True, **given}
         tab = Tab(browser, size, options) if fresh else tabs.take(size, options)
         taken.append((tab, None if fresh else options))
@@ -112,7 +112,7 @@ def page(new_page: Callable[..., Page]) -> Page:
 
 @pytest.fixture(scope="module")
 def turning(browser: Browser, server: Server) -> Iterator[Page]:
-    """A page for all tests of a module, which is turned from scene to scene."""
+    """A page for all tests of a module, which changes from scene to scene."""
     tab = Tab(browser, {"width": 1280, "height": 720}, {"bypass_csp": True})
     tab.page.goto(f"{server.url}?scene={next(iter(SCENES))}")
     tab.page.wait_for_function(READY)
@@ -144,7 +144,7 @@ def open_scene(server: Server) -> Callable[..., Page]:
 
 @pytest.fixture
 def screenshot() -> Callable[[Page, str], Path]:
-    """Keeps a picture of a page as build/screenshots/NAME.png where whole grids are walked: each takes long."""
+    """Saves a screenshot as build/screenshots/NAME.png if whole grids are tested, because each takes long."""
 
     def take(page: Page, name: str) -> Path:
         path = SCREENSHOTS / f"{name}.png"
@@ -162,14 +162,14 @@ def _foreign(request: Request, server: Server) -> list[str]:
 
 
 def another_version(route: Route) -> None:
-    """The page as a later server has it."""
+    """Return the page as a later version of the server would send it."""
     answer = route.fetch()
     route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))
 
 
 @contextmanager
 def elsewhere(html: str) -> Iterator[str]:
-    """A page of another origin; its address."""
+    """Serve a page of another origin and return its address."""
 
     class Course(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
@@ -179,7 +179,7 @@ def elsewhere(html: str) -> Iterator[str]:
             self.wfile.write(html.encode())
 
         def log_message(self, *_: object) -> None:
-            """Nothing."""
+            """Log nothing."""
 
     with ThreadingHTTPServer(("127.0.0.1", 0), Course) as served:
         Thread(target=served.serve_forever, daemon=True).start()

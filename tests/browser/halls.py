@@ -21,9 +21,9 @@ TAUGHT = (
     "oscillations.walks.walk.lesson && "
     "oscillations.shown.state.covered.length === oscillations.walks.walk.step.reveals.covered.length"
 )
-"""A step is laid out, its answer shown."""
+"""A step is laid out and its answer is visible."""
 MEANT = "under pill-mark"
-"""Words at the mark that a hand has set, which may lie over others."""
+"""Words at the mark that the student has set. They may overlap others."""
 SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
   if (part instanceof SVGElement || part.closest(".figure, .in-force, .heard") || !part.checkVisibility()) return false
   const {overflowX, overflowY} = getComputedStyle(part)
@@ -31,12 +31,12 @@ SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
   return (overflowY !== "visible" && high > 1) || (overflowX !== "visible" && wide > 1)
 }).map(part => `${part.tagName} ${part.className}: ${part.scrollWidth - part.clientWidth} px to the side, ` +
   `${part.scrollHeight - part.clientHeight} px down`)"""
-"""Parts with more in them than is seen."""
+"""Parts whose content is larger than their box."""
 LARGE = (
     *("h1.waits", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
     *(".corner-words b", ".vote-count", ".votes .all", ".scale text", ".stage text", ".block .head"),
 )
-"""Parts that everybody reads: question, answers, what it means, what is drawn; the code of a class, how it answered."""
+"""Parts that everybody reads: question, answers, explanation, drawings; the code of a class, and its answers."""
 SMALL = """([least, kinds]) => {
   const size = part => parseFloat(getComputedStyle(part).fontSize) * (part.getScreenCTM?.().a ?? 1)
   return kinds.flatMap(kind => [...document.querySelectorAll(kind)]
@@ -47,11 +47,11 @@ LOW = """least => [...document.querySelectorAll(".plot-area")]
   .map(area => [area.checkVisibility() ? area.getBoundingClientRect().height : least, area])
   .filter(([height]) => height < least)
   .map(([height, area]) => `a plot is ${height.toFixed()} px high: ${area.parentElement.textContent.slice(0, 20)}`)"""
-"""Plots that are lower than so many pixels, in which nothing can be told."""
+"""Plots that are lower than this many pixels, and therefore unreadable."""
 
 
 def seen(page: Page, height: int, when: str) -> Iterator[str]:
-    """The faults of the page in a window so high."""
+    """The faults of the page in a window of this height."""
     passed(page)
     seek(page, 0.0)
     small = [22 * height / 1080, 19 * height / 1080]
@@ -61,11 +61,11 @@ def seen(page: Page, height: int, when: str) -> Iterator[str]:
 
 
 CELL = 12
-"""Pixels of the squares in which it is looked for what is drawn."""
+"""Pixels of the squares in which drawn content is searched."""
 
 
 def empty(page: Page) -> float:
-    """The share of the paper that the largest rectangle takes in which nothing is drawn."""
+    """The share of the paper that the largest empty rectangle takes."""
     shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB")).astype(int)
     left, top, right, bottom = map(int, page.evaluate(PAPER))
     drawn = np.abs(shot[top:bottom, left:right] - shot[top + 2, left + 2]).max(axis=2) > 12

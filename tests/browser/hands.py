@@ -1,4 +1,4 @@
-"""A hand on a window of any engine: what is named on the page is found, pressed and dragged."""
+"""Pointer and keys in a window of any engine: find named parts of the page, press and drag them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SEEN = "one => one.checkVisibility({opacityProperty: true, visibilityProperty: t
 NAMED = f"""([role, name]) => [...document.querySelectorAll({{
     button: "button, summary, [role=button]", link: "a[href]", tab: "[role=tab]", slider: "[role=slider]",
   }}[role])].filter({SEEN}).find(one => (one.getAttribute("aria-label") ?? one.textContent).trim() === name)"""
-"""The element with a role and a name, as a screen reader has them."""
+"""Return the element with a role and a name, as a screen reader announces them."""
 MIDDLE = """found => {
   found.scrollIntoView({block: "nearest", inline: "nearest"})
   const {left, top, width, height} = found.getBoundingClientRect()
@@ -27,14 +27,14 @@ def opened(window: Window, address: str) -> None:
 
 
 def middle(window: Window, selector: str) -> Point:
-    """The middle of an element, which is scrolled into sight, in pixels of the page."""
+    """Return the middle of an element, scrolled into view, in pixels of the page."""
     window.wait_for_function(f"[...document.querySelectorAll({selector!r})].some({SEEN})")
     x, y = window.evaluate(f"({MIDDLE})([...document.querySelectorAll({selector!r})].find({SEEN}))")
     return x, y
 
 
 def click(window: Window, role: str, name: str) -> None:
-    """Press what has a role and a name: ("button", "Play")."""
+    """Press the part with a role and a name: ("button", "Play")."""
     window.wait_for_function(NAMED, arg=[role, name])
     x, y = window.evaluate(f"given => ({MIDDLE})(({NAMED})(given))", [role, name])
     press(window, (x, y))
@@ -45,7 +45,7 @@ def press(window: Window, at: Point) -> None:
 
 
 def stroke(window: Window, points: Iterable[Point]) -> None:
-    """Press the button at the first point, move over the others, and let go."""
+    """Press the button at the first point, move over the others, and release it."""
     for i, (x, y) in enumerate(points):
         window.mouse.move(x, y)
         if not i:
@@ -54,6 +54,6 @@ def stroke(window: Window, points: Iterable[Point]) -> None:
 
 
 def drag(window: Window, selector: str, dx: float, dy: float = 0.0) -> None:
-    """Drag the middle of an element by so many pixels, in steps."""
+    """Drag the middle of an element by a number of pixels, in steps."""
     x, y = middle(window, selector)
     stroke(window, [(x + i / 8 * dx, y + i / 8 * dy) for i in range(9)])

@@ -1,4 +1,4 @@
-"""Ink on a page: where the dark pixels of a formula are, whatever the engine says of its boxes."""
+"""Positions of the dark pixels of a formula on a page, independent of the boxes that an engine reports."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SET = f"""formula => {{
 
 
 class Ink:
-    """The ink of one formula, in the look of the lecture."""
+    """The dark pixels of one formula, in the lecture's style."""
 
     def __init__(self, window: Window, latex: str, path: Path) -> None:
         window.evaluate(SET, mathml(latex))
@@ -31,6 +31,6 @@ class Ink:
         return [start - end for (_, end), (start, _) in pairwise(self.parts(axis))]
 
     def parts(self, axis: int) -> list[tuple[int, int]]:
-        """Where each part begins and ends."""
+        """The first and last pixel of each part."""
         edges = np.flatnonzero(np.diff(self._dark.any(axis=axis).astype(int))) + 1
         return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))

@@ -22,7 +22,7 @@ def missing() -> list[str]:
 
 
 def refusal() -> str:
-    """The reason why nothing can be installed here; "" where it can."""
+    """Return the reason why nothing can be installed here, or ""."""
     if not shutil.which("apt-get"):
         return "there is no apt-get"
     return "" if os.geteuid() == 0 else f"that needs root: sudo {' '.join(INSTALL)}"

@@ -1,4 +1,4 @@
-"""The control panel of one scene on a page of its own, with the scene behind it."""
+"""The control panel of one scene on its own page, with the scene behind it."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
 
 
 class Chain(Scene):
-    """A scene with one rule of its own: k2/m1 is at most 1e6."""
+    """A scene with its own rule: k2/m1 is at most 1e6."""
 
     slug = "chain"
     title = headline = "Chain"
@@ -59,7 +59,7 @@ class Chain(Scene):
 
 
 class Panel:
-    """The controls of one scene on a page of their own; `messages` are those that the page has sent."""
+    """The controls of one scene on their own page; `messages` are those that the page has sent."""
 
     def __init__(self, page: Page) -> None:
         self.page, self.told = page, SessionPage(Chain())

@@ -1,4 +1,4 @@
-"""Tabs of one browser that tests use one after the other: a page in a used tab is there in half the time."""
+"""Browser tabs that tests use one after the other: a page in a used tab loads in half the time."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage
 
 LASTING = ("add_init_script", "expose_function", "expose_binding")
-"""Methods of a page whose effect lasts as long as the page: a tab that tests share refuses them."""
+"""Methods of a page with a lasting effect. A tab that tests share refuses them."""
 EMPTY = '<!DOCTYPE html><link rel="icon" href="data:,">'
 CALMER = """{
   const real = requestAnimationFrame
@@ -27,19 +27,19 @@ CALMER = """{
   }
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
-"""Draws every third frame alone: without a graphics card a picture that plays takes more than a core."""
+"""Draw only every third frame: without a graphics card a playing picture takes more than one core."""
 FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
 
 
 def calm_context(browser: Browser, size: dict[str, int], **options: Any) -> BrowserContext:
-    """A visitor, whose pages draw less often."""
+    """A visitor whose pages draw less often."""
     context = browser.new_context(viewport=size, **options)
     context.add_init_script(CALMER)
     return context
 
 
 class Tab:
-    """A page in a context of its own: one visitor."""
+    """A page in its own context: one visitor."""
 
     def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any]) -> None:
         self.context = calm_context(browser, size, **options)
@@ -53,7 +53,7 @@ class Tab:
 
 
 class Tabs:
-    """Tabs that are free, by the options of their contexts."""
+    """Free tabs, by the options of their contexts."""
 
     def __init__(self, browser: Browser) -> None:
         self.browser = browser
@@ -71,7 +71,7 @@ class Tabs:
         return tab
 
     def give_back(self, tab: Tab, options: dict[str, Any], home: str) -> None:
-        """Keeps nothing of the last test but what the browser has fetched."""
+        """Remove everything of the last test except the browser's cache."""
         if tab.page.is_closed() or len(tab.context.pages) > 1:
             return tab.close()
         tab.page.unroute_all()

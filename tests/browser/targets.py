@@ -1,4 +1,6 @@
-"""The sizes of all that is pressed or dragged, for a pointer: what is hit around the middle of each, to the pixel."""
+"""The sizes of everything that is pressed or dragged: the area around the middle of each that a pointer hits, to the
+pixel.
+"""
 
 from __future__ import annotations
 
@@ -40,5 +42,5 @@ TARGETS = r"""least => {
 
 
 def small_targets(page: Page, least: int) -> list[str]:
-    """The targets that are hit over less than so many pixels in width or height."""
+    """The targets that are smaller than this many pixels in width or height."""
     return cast(list[str], page.evaluate(TARGETS, least))

@@ -1,4 +1,6 @@
-"""About these numbers in a Chromium: silent while folded, asked when opened and after a change, within its panel."""
+"""About these numbers in Chromium: no request while closed, a request when opened and after a change, all within its
+panel.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,7 @@ Open = Callable[..., Page]
 Keep = Callable[[Page, str], Path]
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
-LATER = 700  # ms, well beyond the moment for which a change has to be the last
+LATER = 700  # ms, much longer than the pause after which a request is sent
 FIT = """() => {
   const page = document.documentElement, about = document.querySelector('.about')
   const parts = [about, ...about.querySelectorAll('table, p')]
@@ -32,7 +34,7 @@ HIGH = "document.documentElement.scrollHeight > innerHeight"
 
 
 def asked(page: Page) -> list[str]:
-    """Grows by every message that asks for the numbers; one that is sent again keeps its number and counts once."""
+    """Grows by every message that requests the numbers; a repeated message keeps its number and counts once."""
     questions: list[str] = []
 
     def told(payload: str | bytes) -> None:
@@ -55,7 +57,7 @@ def wait_moment(page: Page) -> None:
 
 
 def settle(page: Page) -> None:
-    """Until nothing is asked any more and the answer stands."""
+    """Wait until nothing is requested and the answer is visible."""
     wait_moment(page)
     page.wait_for_function("!document.querySelector('.about [aria-busy]')")
 

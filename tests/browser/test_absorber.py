@@ -1,4 +1,4 @@
-"""The absorber in a Chromium: the knob, the goals, the machine's facts, damping, a link, and nothing cut off."""
+"""The absorber in Chromium: the knob, the goals, the machine's facts, damping, a link, and no cut texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""For those who use no mouse: where the Tab key leads."""
+"""Keyboard access: where the Tab key leads."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ NAMES = """() => [...document.querySelectorAll("button, [role=slider], input")]
 
 @pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_no_two_things_to_press_have_one_name(slug: str, page: Page, open_scene: Open) -> None:
-    """But for the words of a choice, which its group names."""
+    """Except the words of a choice, which its group names."""
     open_scene(page, scene=slug)
     page.evaluate("oscillations.change(() => ({covered: oscillations.plots.map(p => `plot:${p.block.name}`)}))")
     page.wait_for_function("oscillations.shown.state.covered.length === oscillations.plots.length")

@@ -1,4 +1,4 @@
-"""Accuracy in a Chromium: a measurement of one's own, its place in the queue, and what a visitor leaves behind."""
+"""Accuracy in Chromium: a visitor's own measurement, its place in the queue, its end when the visitor leaves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Open = Callable[..., Page]
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server that notices soon when a visitor has left."""
+    """A server that notices early that a visitor has left."""
     soon = ("--unused-seconds", "0.3")
     with serving(tmp_path_factory.mktemp("server") / "log", options=soon) as running:
         yield running
@@ -26,7 +26,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 UNDER_WAY = re.compile("It begins|is running")
 STEPPING = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")
-"""A method with steps is running: the ones without, which come first, have been measured."""
+"""A method with steps is running. Methods without steps come first and have been measured."""
 
 
 def test_who_leaves_makes_room_for_the_next(
@@ -61,7 +61,9 @@ NAMES = """() => {
     return {slug, left, right, top, bottom, stands: text.style.display === "", beside, off}
   })
 }"""
-"""Where the names of methods stand over the plot of errors: how far beside the ends of their lines, and lines off."""
+"""Positions of the methods' names over the plot of errors: the distance to the ends of their lines, and the number of
+lines up or down.
+"""
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (390, 844)], ids=str)

@@ -1,4 +1,4 @@
-"""The analogues in a Chromium: pictures to choose from, the controls that follow, flags, the stated speed."""
+"""The analogues in Chromium: pictures to choose from, the controls that follow, flags, the text of the speed."""
 
 from __future__ import annotations
 

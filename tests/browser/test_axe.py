@@ -1,4 +1,4 @@
-"""axe-core finds no fault; what it cannot decide, the contrast of texts over drawings, is decided here."""
+"""axe-core finds no fault. The contrast of texts over drawings, which axe cannot decide, is checked here."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 
 AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text(encoding="utf-8")
-# What is found is marked: a stage that takes another size meanwhile moves its texts, by whose places axe names them.
+# Results are marked on the page, because axe names texts by positions that change if a stage changes its size.
 RUN = """async () => {
   const wanted = {resultTypes: ["violations", "incomplete"], elementRef: true}
   const {violations, incomplete} = await axe.run(document, wanted)
@@ -30,8 +30,8 @@ RUN = """async () => {
     return {id, html: html.slice(0, 160), target, fault: i < violations.length}
   }))
 }"""
-# A drawing has no background of its own: its texts stand on paper, those of a mass on the mass; a halo of paper keeps
-# them from the lines that they cross.
+# A drawing has no background of its own. Its texts are on paper, those of a mass on the mass; a halo of paper separates
+# them from lines.
 CONTRAST = """targets => {
   const channel = c => (c /= 255, c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
   const parsed = colour => colour.match(/[\\d.]+/g).map(Number)
@@ -73,7 +73,7 @@ def test_no_violation_and_nothing_undecided(new_page: Callable[..., Page], serve
         page = new_page(width, height, color_scheme=theme, reduced_motion="reduce")
         page.goto(f"{server.url}?{link}")
         page.wait_for_function(READY)
-        seek(page, 0.0)  # what moves would be another by the time that it is looked at once more
+        seek(page, 0.0)  # a moving text would be a different one at the second look
         assert faults(page) == [], (link, theme, width)
 
 

@@ -1,4 +1,4 @@
-"""The chain in a Chromium: each mass can be taken, a mode is a button, the time is dragged downwards."""
+"""The chain in Chromium: each mass can be dragged, a mode is a button, time is dragged downwards."""
 
 from __future__ import annotations
 

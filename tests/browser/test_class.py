@@ -16,7 +16,7 @@ pytestmark = pytest.mark.browser
 
 
 def by_another_window(lecture: Page) -> None:
-    """The answer that one window of the instructor shows is shown in the others."""
+    """An answer that one window of the instructor shows is visible in the others."""
     second = lecture.context.new_page()
     second.goto(lecture.url)
     second.wait_for_function(CONNECTED)
@@ -30,11 +30,11 @@ def by_another_window(lecture: Page) -> None:
 
 
 def voted_again(lecture: Page, phones: list[Page]) -> None:
-    """The class votes again, after talk, until the vote is closed; the first result is hidden meanwhile."""
+    """The class votes again after a discussion, until the vote is closed; the first result is hidden meanwhile."""
     lecture.get_by_role("button", name="Vote again").click()
     expect(lecture.locator(".votes")).to_contain_text("0 of 2 have answered")
     expect(lecture.locator(".votes")).to_contain_text("Vote 2:")
-    assert lecture.locator(".vote-bar").count() == 0  # who votes again does not see how the others voted
+    assert lecture.locator(".vote-bar").count() == 0  # a student who votes again does not see the others' votes
     for phone in phones:
         phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
         expect(phone.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
@@ -54,7 +54,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
         phone.locator(f".answers [data-option='{i}']").click()
         expect(phone.get_by_text("You can change it")).to_be_visible()
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
-    assert lecture.locator(".vote-bar").count() == 0  # first the class sees that it answers, then what
+    assert lecture.locator(".vote-bar").count() == 0  # first the number of answers is visible, then the answers
     clicked(lecture)
     counted(lecture, "1", "1", "0", "0")
     voted_again(lecture, phones)
@@ -76,7 +76,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
         phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
         assert phone.evaluate("oscillations.timing.bound") < 1000
     lecture.reload()
-    lecture.wait_for_function("oscillations.walks.walk?.lesson")  # what has been shown is not asked once more
+    lecture.wait_for_function("oscillations.walks.walk?.lesson")  # a question whose answer was shown is not asked again
     counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
     phones[0].wait_for_function(
         "oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null"
@@ -103,7 +103,7 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     draw(phones[0], lambda x: 0.2 + 0.6 * x)
     draw(phones[1], lambda x: 0.9 - 0.6 * x)
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
-    for phone in phones:  # half a sketch may have been sent before the whole
+    for phone in phones:  # a half sketch may have been sent before the complete one
         expect(phone.get_by_text("You can change it")).to_be_visible()
     clicked(lecture)
     expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
@@ -128,14 +128,16 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     expect(own.get_by_text("You can change it")).to_be_visible()
     clicked(lecture)
     clicked(lecture)
-    own.locator(".told").get_by_text("Show such a case").click()  # what a reply leads to is on their own
+    own.locator(".told").get_by_text(
+        "Show such a case"
+    ).click()  # the case that a reply mentions opens on the student's own page
     own.wait_for_function(f"{CONNECTED} && oscillations.shown.state.scene === 'forced' && oscillations.walks")
     own.wait_for_function("oscillations.shown.state.parameters.c1 === 0.4")
     expect(own.locator(".class-bar")).to_contain_text("On your own")
     assert own.evaluate("!oscillations.shown.state.step && !oscillations.shown.state.covered.length")
     own.get_by_text("Back to the lecture").click()
     own.wait_for_function(f"{READY} && oscillations.asked?.card")
-    own.get_by_text("Try it on your own").click()  # and it is not sought again
+    own.get_by_text("Try it on your own").click()  # and it is not searched again
     own.wait_for_function(f"{CONNECTED} && !globalThis.sessionStorage['class-sought']")
     lecture.evaluate("oscillations.walks.walk.go(4)")
     own.goto(f"{own.url.partition('?')[0]}?walk=d34&step=d34-05")
@@ -162,7 +164,7 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     remote = window(query, 390, 844)
     expect(remote.locator("h1")).to_have_text(re.compile(r"^\d\d$"))
     asked = f"show {remote.locator('h1').inner_text()}?"
-    expect(dialog).to_contain_text(asked)  # it opens by itself, and asks as long as the phone waits
+    expect(dialog).to_contain_text(asked)  # it opens on its own, and asks while the phone waits
     lecture.keyboard.press("j")
     lecture.keyboard.press("j")
     expect(dialog).to_contain_text(asked)
@@ -186,7 +188,7 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
 
 
 def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open) -> None:
-    """Of a step that is open, nothing is shown by it; a class without a walk votes too."""
+    """An open step shows nothing by itself. A class without a walk votes too."""
     lecture, code = taught(window, "walk=d34&step=d34-04&projector")
     phone = joined(window, code)
     phone.wait_for_function("oscillations.asked.question?.step === 'd34-04'")

@@ -1,4 +1,6 @@
-"""A class of three phones whose server is killed and restarted while they answer, and whose lead changes computers."""
+"""A class of three phones whose server is killed and restarted while they answer, and whose lead moves to another
+computer.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,7 @@ from tests.reconnect.site import Site
 pytestmark = pytest.mark.browser
 
 BACK = 30_000
-"""Milliseconds that pages may take to come back by themselves."""
+"""Milliseconds in which pages must reconnect."""
 COPIED = f"{LED}.copies.answers.size === 2 && !{LED}.copies.stale.size"
 SENT = "You can change it"
 
@@ -65,14 +67,14 @@ def begun(context: BrowserContext, site: Site) -> Page:
 
 
 def taken_over(lecture: Page, context: BrowserContext) -> Page:
-    """The page of another computer, which leads the class from now on."""
+    """The page of another computer, which takes the lead."""
     lecture.keyboard.press("j")
     with lecture.expect_response(re.compile("/word$")) as answer:
         lecture.get_by_role("button", name="Another computer").click()
     other = context.new_page()
     other.goto(answer.value.json()["address"])
     other.wait_for_function(f"{LED}?.news.number && oscillations.walks.walk?.card", timeout=BACK)
-    other.wait_for_function(COPIED)  # what the first computer had copied
+    other.wait_for_function(COPIED)  # the answers that the first computer had copied
     return other
 
 

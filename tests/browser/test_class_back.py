@@ -1,4 +1,4 @@
-"""A lecturer who goes back in a class: hall and phones show the same, and no vote is thrown away."""
+"""An instructor goes back in a class: hall and phones show the same, and no vote is lost."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def shown(lecture: Page, phone: Page) -> None:
 
 
 def alike(lecture: Page, phone: Page, *, is_answered: bool) -> None:
-    """Both sides know the same of the question, and no number on the phone is missing."""
+    """Hall and phone have the same information on the question, and no number on the phone is missing."""
     for page, news in ((lecture, f"{LED}.news"), (phone, "oscillations.news")):
         page.wait_for_function(f"is => {QUESTION}({news}.question)[4] === is", arg=is_answered)
     asked = [page.evaluate(f"{QUESTION}({news}.question)") for page, news in

@@ -1,4 +1,4 @@
-"""A phone that follows a class over a connection as it is: slow, asleep, behind a proxy that buffers; loaded anew."""
+"""A phone that follows a class over a real connection: slow, asleep, behind a buffering proxy; after a reload."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 
 ERROR = "() => [Math.abs(oscillations.timing.now - Date.now()), oscillations.timing.bound]"
-"""The server's clock is that of this machine, which the browser has too; it is told in whole ms."""
+"""The server's clock is that of this machine, as is the browser's; it is sent in whole ms."""
 SHOWN = "document.querySelector('.class-bar .within').textContent"
 Phone = Callable[[str, str], Page]
 
 
 class Room:
-    """A class that is led by requests alone."""
+    """A class that is led by plain requests."""
 
     def __init__(self, url: str) -> None:
         self.url = url
@@ -40,7 +40,7 @@ class Room:
 
 @pytest.fixture
 def phone(browser: Browser) -> Iterator[Phone]:
-    """A phone's page at an address of its own."""
+    """A phone's page at its own address."""
     contexts = []
 
     def go(url: str, code: str) -> Page:
@@ -92,9 +92,9 @@ def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(se
     page.wait_for_function(HEARD)
     page.add_init_script(COUNT)
     page.route(f"{server.url}?*", another_version)
-    page.reload(wait_until="commit")  # the page loads itself anew, perhaps before all of this one is there
+    page.reload(wait_until="commit")  # the page reloads, perhaps before all of this one is loaded
     page.wait_for_function(f"{LOADS} === '2' && {HEARD}")
-    passed(page)  # it would be by now
+    passed(page)  # it would have happened by now
     assert page.evaluate(f"[{LOADS}, {VERSION}]") == ["2", "x"]
     page.unroute(f"{server.url}?*", another_version)
     page.reload(wait_until="commit")
@@ -102,7 +102,7 @@ def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(se
     page.evaluate("sessionStorage.removeItem('class-renewed')")
     with page.expect_response(re.compile("/events")):  # a stream of the same version again
         page.evaluate("oscillations.stream.control.abort()")
-    passed(page)  # it would be by now
+    passed(page)  # it would have happened by now
     assert page.evaluate(LOADS) == "3"
     assert page.evaluate(VERSION) != "x"
 
@@ -135,7 +135,7 @@ HIDDEN = """hidden => {
   Object.defineProperty(document, "hidden", {value: hidden, configurable: true})
   document.dispatchEvent(new Event("visibilitychange"))
 }"""
-"""A headless browser's page is always seen."""
+"""A headless browser's page is always visible."""
 
 
 def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
@@ -148,7 +148,7 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
         lecture.wait_for_function(f"{LED}.news.here === 1")
         page.evaluate(HIDDEN, True)
         lecture.wait_for_function(f"{LED}.news.here === 0")  # a phone in a pocket is not counted
-        proxy.silence()  # what it had open is dead when it wakes
+        proxy.silence()  # its open streams are dead when it wakes
         lecture.evaluate("oscillations.open({scene: 'forced'})")
         lecture.wait_for_function("oscillations.page.spec.slug === 'forced'")
         assert page.evaluate("oscillations.page.spec.slug") == "coupled"
@@ -159,7 +159,7 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
 
 
 RESENT = "oscillations.asked.given && oscillations.asked.delivery.isTaken(oscillations.asked.name)"
-"""Whether the server has the answer that the phone kept: it sends it again after a while."""
+"""True if the server has the answer that the phone kept and sends again after a while."""
 
 
 def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int, int], Page]) -> None:
@@ -173,7 +173,7 @@ def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int,
     again = page.evaluate("oscillations.asked.card.question.pad.sent")
     assert again == drawn and len(again["Xp1"]) == 101
     expect(page.get_by_text("You can change it")).to_be_visible()
-    page.wait_for_function(RESENT)  # or it meets the next question, and is refused
+    page.wait_for_function(RESENT)  # otherwise it meets the next question, and is refused
     lecture.evaluate("oscillations.walks.walk.go(7)")  # d34-08, a point
     page.wait_for_function("oscillations.asked?.card?.question.marker")
     page.locator(".pill-mark").press("ArrowRight")

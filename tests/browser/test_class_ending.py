@@ -14,7 +14,7 @@ DELETES = "This deletes 1 answer to 1 question. The code stops working, and phon
 
 
 def asked(lecture: Page) -> None:
-    """The class is open still, and the lecture asks whether to end it."""
+    """The class is still open, and the page asks whether to end it."""
     expect(lecture.get_by_role("dialog", name="End the class")).to_contain_text(DELETES)
     assert lecture.evaluate(f"{LED} && !{LED}.isOver")
 
@@ -50,7 +50,7 @@ def test_the_end_of_a_class_says_what_it_deletes_and_offers_the_csv(window: Open
         lecture.keyboard.press("Enter")  # the filled button saves
     assert re.fullmatch(r"class-\w{4}\.csv", download.value.suggested_filename)
     expect(lecture.get_by_text("Saved as class-")).to_be_visible()
-    lecture.keyboard.press("Enter")  # the next one ends
+    lecture.keyboard.press("Enter")  # the next press ends the class
     expect(phone.get_by_role("heading", name="The class is over.")).to_be_visible()
     expect(lecture.get_by_text("The class is over.")).to_be_visible()
     expect(lecture.get_by_role("dialog")).to_have_count(0)

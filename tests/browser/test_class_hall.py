@@ -1,4 +1,4 @@
-"""Steps of a walk in a hall with a class: beside its corner, with the votes of many, nothing is covered or cut off."""
+"""Steps of a walk in a hall with a class: next to its corner, with many votes, nothing is covered or cut off."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ STEPS: dict[str, Callable[[int], dict[str, Any]]] = {
     "d34-08": lambda i: {"value": 0.8 + 0.1 * i},
     "d34-01": lambda i: {"text": f"{i % 4}"},
 }
-"""A step of each kind, whose question or answer takes much room, and what the follower of a number answers."""
+"""A step of each kind whose question or answer needs much room, and the answer of follower number n."""
 SKETCHED = """[oscillations.walks.walk.card.question.plot].map(({frame, unit, host}) => {
   const names = [...document.querySelectorAll(".votes .chip")].map(chip => chip.textContent)
   const corner = document.querySelector(".class-corner").getBoundingClientRect()
   const isClear = host.getBoundingClientRect().top + frame.top * unit >= corner.bottom
   return [frame.height * unit / innerHeight, names.includes("Middle 50 %"), isClear]
 })[0]"""
-"""The share of the screen's height that sketches have, and whether their middle half can be told."""
+"""The share of the screen's height that sketches have, and whether their middle half is visible."""
 GO = "id => oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.findIndex(step => step.id === id))"
 PUT = f"id => {LED}.news.question?.step === id && !oscillations.walks.walk.lesson && {LAID}"
 
@@ -49,7 +49,7 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
         found += seen(lecture, HEIGHT, f"{step}, before")
         for i, token in enumerate(tokens):
             vote = {"walk": "d34", "step": step, **answer(i)}
-            call(server.url, f"/class/{code}/now", word=token)  # a phone that asks what is new is there
+            call(server.url, f"/class/{code}/now", word=token)  # a phone that polls is there
             assert call(server.url, f"/class/{code}/answer", "PUT", vote, token).status == 204
         shown(lecture)
         found += seen(lecture, HEIGHT, f"{step} with votes, before")
@@ -65,7 +65,7 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
 
 
 def narrow(lecture: Page, step: str, answer: dict[str, Any]) -> list[str]:
-    """The faults of sketches of a class: less than half of the height, no middle half, none clear of the corner."""
+    """The faults of a class's sketches: lower than half of the height, no middle half, or covered by the corner."""
     told = lecture.evaluate(SKETCHED) if "curves" in answer else [1, True, True]
     return [] if told[0] >= 0.5 and all(told[1:]) else [f"{step}: sketches have {told}"]
 

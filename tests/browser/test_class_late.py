@@ -1,4 +1,4 @@
-"""Requests of a class that fail, or are answered late: what came after them stands."""
+"""Requests of a class that fail or are answered late: later changes are kept."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def put(phone: Page, step: str) -> None:
 
 
 def losing(page: Page, path: str, kind: str = "") -> list[str]:
-    """The first request to a path gets no answer; what was sent to it, in order."""
+    """Let the first request to a path get no answer; return the data that was sent to it, in order."""
     sent: list[str] = []
 
     def go(route: Route) -> None:
@@ -59,7 +59,7 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None
     assert len(opened) == lecture.locator(".class-code").count() == 1
     losing(lecture, "/tally$")
     phone.locator(".answers [data-option='0']").click()
-    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")  # a count that is lost is taken anew
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")  # a count that is lost is requested again
     losing(lecture, "/tickets$")
     lecture.keyboard.press("j")
     lecture.get_by_role("button", name="Remote control").click()
@@ -79,8 +79,8 @@ def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
     with phone.expect_request(re.compile("/answer$")):
         phone.locator(".answers [data-option='0']").click()
     phone.locator(".answers [data-option='1']").click()
-    phone.wait_for_timeout(600)  # more than it waits for another change
-    assert len(late) == 1  # the second is not sent before the first is there: it might be overtaken
+    phone.wait_for_timeout(600)  # longer than it waits for another change
+    assert len(late) == 1  # the second is not sent before the first has arrived, because it might overtake
     lecture.evaluate(GO, 2)
     put(phone, "d31-03")
     late[0][0].fulfill(response=late[0][1])
@@ -91,7 +91,7 @@ def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
     asked = losing(phone, "/assets/.*json")
     lecture.evaluate("oscillations.walks.leave(); oscillations.open({scene: 'forced'})")
     phone.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'forced'")
-    assert len(asked) == 2  # a sheet that has not come is fetched anew
+    assert len(asked) == 2  # a sheet that did not arrive is fetched again
     nowhere: list[Route] = []
 
     def once(route: Route) -> None:
@@ -101,5 +101,5 @@ def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
         return route.fulfill(status=404, json={"sentence": "No class has this code now."})
 
     phone.route(re.compile("/events"), once)
-    phone.reload()  # while the store that replicas share is filled anew, no replica knows the room
+    phone.reload()  # while the shared store is refilled, no replica knows the room
     phone.wait_for_function(f"{READY} && oscillations.news.number")

@@ -1,4 +1,4 @@
-"""The lead of a class goes to another computer, which continues in the same state; the old one keeps its picture."""
+"""The lead of a class moves to another computer, which continues in the same state; the old one keeps its picture."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 
 STEP = "d31-02"
-"""Its numbers vary from visitor to visitor, but not in a class."""
+"""Its numbers differ between visitors, but not within a class."""
 ASKED = "One swing takes 1.00 s."
 LAID = """[...document.querySelectorAll("h1, .paper .block, .card, .card .asks, .class-corner, .foot *")].map(one => {
   const {x, y, width, height} = one.getBoundingClientRect()

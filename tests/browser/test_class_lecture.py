@@ -1,4 +1,4 @@
-"""A lecture of five steps from a file, played through: the hall's screen with a clicker, a phone, a remote control."""
+"""A lecture of five steps from a file: the hall's screen with a clicker, a phone, a remote control."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def look(lecture: Page, name: str, screenshot: Take) -> None:
 
 
 def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
-    """Two votes, with talk between."""
+    """Two votes with a discussion between them."""
     put(lecture, phone, "pull")
     phone.locator(".answers [data-option='1']").click()
     expect(phone.get_by_text(SENT)).to_be_visible()
@@ -63,7 +63,7 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
 
 
 def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
-    """Turned by the remote control."""
+    """Led by the remote control."""
     put(lecture, phone, "mass")
     phone.get_by_role("textbox", name="Your answer").fill("2")
     expect(phone.get_by_text(SENT)).to_be_visible()
@@ -87,7 +87,7 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
       const parts = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part))
       const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
-    }""")  # what was answered stands on the axis itself, a step from where the mark begins
+    }""")  # the answers are on the axis itself, next to where the mark begins
     look(lecture, "lecture-point", screenshot)
     clicked(lecture)
     expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
@@ -130,7 +130,7 @@ def table(lecture: Page, folder: Path) -> list[list[str]]:
 
 
 @pytest.mark.slow
-@pytest.mark.timeout(300)  # four windows on a machine with other things to do
+@pytest.mark.timeout(300)  # four windows on a busy machine
 def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screenshot: Take, tmp_path: Path) -> None:
     lecture, code = taught(window, "scene=oscillator&projector")
     expect(lecture.locator(".class-corner")).to_contain_text(code)
@@ -145,7 +145,7 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("5 of 5")
     clicked(lecture, "PageUp")
     put(lecture, phone, "curve")
-    assert len(phone.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101  # it is theirs still
+    assert len(phone.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101  # it is still theirs
     rows = table(lecture, tmp_path)
     assert [[*row[3:6], row[9]] for row in rows] == [
         ["walk", "step", "vote", "right"], ["five", "pull", "1", "no"], ["five", "pull", "2", "yes"],
@@ -153,6 +153,6 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
     ]  # fmt: skip
     assert {row[0] for row in rows[1:]} == {"1"} and all(row[1].endswith("Z") and row[2] == "1" for row in rows[1:])
     assert rows[3][7] == "2" and len(rows[5][7].split(";")) == 101 and rows[5][8] == "SI"
-    remote.close()  # which would go on asking, and be told that there is no such class
+    remote.close()  # it would continue to poll, and get the answer that there is no such class
     lecture.evaluate(f"{LED}.end()")
     expect(phone.get_by_role("heading", name="The class is over.")).to_be_visible()

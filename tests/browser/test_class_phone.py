@@ -1,4 +1,4 @@
-"""A phone while it waits, and after the answer: what it sent, how many have answered, the split, its own reply."""
+"""A phone while it waits and after the answer: its answer, the number of answers, the votes, its own reply."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A server is killed and started again while a class goes on: it has the class again, from the instructor's page."""
+"""A server is killed and started again during a class; it gets the class back from the instructor's page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BOTH = f"Object.keys({LED}.copies.answers.get('d31/d31-03/1')).length === 2"
 COPIED = f"{LED}.copies.answers.size && !{LED}.copies.stale.size"
 MINE = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
 AGAIN = 30_000
-"""Milliseconds for whoever was left alone to come back by itself."""
+"""Milliseconds in which a page must reconnect."""
 
 
 @pytest.fixture
@@ -54,14 +54,14 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         assert lecture.evaluate(f"{LED}.room.code") == code
         lecture.wait_for_function("document.documentElement.dataset.connected === 'true'", timeout=AGAIN)
         expect(remote.locator(".class-remote > [role=status]")).to_contain_text("3 of 16", timeout=AGAIN)
-        remote.get_by_role("button", name="Show the votes").click()  # it is let in still
+        remote.get_by_role("button", name="Show the votes").click()  # it is still accepted
         counted(lecture, "1", "1", "0")
         remote.get_by_role("button", name="Show the answer").click()
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phone.get_by_text("Twice the pull is twice the force")).to_be_visible()
 
         lecture.wait_for_function(BOTH)
-        site.kill()  # the instructor's page is loaded anew meanwhile, and the answer had been shown
+        site.kill()  # the instructor's page is reloaded meanwhile, after the answer was shown
         site.start()
         lecture.reload()
         lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
@@ -85,7 +85,7 @@ def _begun(lecture: Page, site: Site) -> str:
 
 
 def _answered(lecture: Page, phone: Page, site: Site, code: str) -> None:
-    """A phone answers, and one that is gone has before it."""
+    """A phone answers; another one has answered before and has left."""
     phone.goto(f"{site.url}{code}")
     phone.wait_for_function(f"{READY} && oscillations.asked.card")
     gone = call(site.url, f"/class/{code}/token", "POST").json["token"]  # a phone that leaves
@@ -98,7 +98,7 @@ def _answered(lecture: Page, phone: Page, site: Site, code: str) -> None:
 
 
 def _paired(lecture: Page, remote: Page) -> None:
-    """A phone is let in as the remote control."""
+    """A phone is accepted as the remote control."""
     lecture.keyboard.press("j")
     with lecture.expect_response(re.compile("/tickets$")) as answer:
         lecture.get_by_role("button", name="Remote control").click()
@@ -112,7 +112,7 @@ def _taken_over(lecture: Page, other: Page) -> None:
     """Another computer leads the class, and has the walk from a file that it never opened."""
     lecture.wait_for_function(CONNECTED)
     drop(lecture, "mine.toml", MINE)
-    # The server has a new process to start that reads walks, which a busy machine does slowly.
+    # The server has to start a new process that reads walks, which takes long on a busy machine.
     lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=3 * AGAIN)
     other.set_viewport_size({"width": 1280, "height": 844})
     lecture.keyboard.press("j")

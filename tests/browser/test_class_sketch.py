@@ -1,4 +1,4 @@
-"""A class sketches: an exact curve from a phone is judged right there and in the lecture, and lies on the true one."""
+"""A class sketches: an exact curve from a phone is judged right there and in the hall, and is drawn on the true one."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
 
 
 def test_the_pad_lies_above_the_bar_of_the_class(window: Open) -> None:
-    """A hand cannot draw over the bar. A plot that the step lists has the numbers of the time, whatever is under it."""
+    """A drawing does not cover the bar. A plot that the step lists has the numbers of the time."""
     lecture, code = taught(window, "walk=d34&step=d34-10&projector")
     phone = joined(window, code, 844, 390)
     phone.wait_for_function(TOLD, arg="d34-10")
@@ -79,7 +79,7 @@ def test_the_pad_lies_above_the_bar_of_the_class(window: Open) -> None:
 
 
 def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
-    """So what is checked above is no accident of equal frames."""
+    """So the check above does not rely on equal frames."""
     wide = []
     for _, step in SKETCHED:
         subject = Subject("", step, SCENES)

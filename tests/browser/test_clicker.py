@@ -1,4 +1,4 @@
-"""The two keys of a clicker: through a walk, out of a scene back to it, and past whatever lies over the page."""
+"""The two keys of a clicker: through a walk, from a scene back to it, and past everything that covers the page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Page Down alone leads through every step of every walk, and shows each claim and each explanation on the way."""
+"""Page Down alone leads through every step of every walk, and shows each headline and each explanation."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ HIDDEN = """parts => {
     return top < 0 || left < 0 || right > innerWidth || bottom > innerHeight || !part.contains(under)
   }).map(name => `${name} is not seen`))
 }"""
-"""Faults of the claim in the headline, and of parts of the card that are not seen whole."""
+"""Faults of the answer in the headline, and of parts of the card that are not completely visible."""
 CLAIM = ["h1", ".card .why"]
 PUT = "id => oscillations.asked.question?.step === id && oscillations.asked.card"
 GIVEN = "given => { const {question} = oscillations.asked.card; question.restore(given); question.changed() }"
@@ -50,7 +50,7 @@ def asked(page: Page, step: Step) -> None:
 
 
 def explained(page: Page, step: Step) -> list[str]:
-    """Faults of claim, explanation, and with `derive` of the formulas; the next press goes on."""
+    """Faults of headline, explanation, and with `derive` of the formulas; the next press continues."""
     passed(page)
     found = [f"{step.id}: {fault}" for fault in page.evaluate(HIDDEN, CLAIM)]
     if step.derive:
@@ -114,12 +114,12 @@ def test_with_votes(name: str, server: Server, window: Open, screenshot: Take) -
 
 
 def voted(server: Server, code: str, name: str, step: Step, tokens: list[str], phones: list[Page]) -> None:
-    """All answer but the last phone."""
+    """All answer except the last phone."""
     given: list[dict[str, Any]] = answers(step, len(tokens))
     for phone in phones:
         phone.wait_for_function(PUT, arg=step.id)  # then the class takes answers
     for token, answer in zip(tokens, given, strict=True):
-        call(server.url, f"/class/{code}/now", word=token)  # a phone that asks what is new is there
+        call(server.url, f"/class/{code}/now", word=token)  # a phone that polls is there
         put = call(server.url, f"/class/{code}/answer", "PUT", {"walk": name, "step": step.id, **answer}, token)
         assert put.status == 204, f"{step.id}: {put.text}"
     for phone, answer in zip(phones[:-1], given, strict=False):

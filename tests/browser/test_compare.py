@@ -1,4 +1,4 @@
-"""Comparison in a Chromium: Hold and its ledger, the curves from before a drag, and predictions."""
+"""Comparison in Chromium: Hold and its table of numbers, the curves from before a drag, and predictions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The connection is lost and comes back: nothing that was set is lost, and what is missing for good is said."""
+"""The connection is lost and returns: no value is lost, and the page names everything that is lost for good."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    """Without the fixture of pages, which fails on what a browser says in the console of a lost connection."""
+    """Without the fixture of pages, because the browser logs errors of a lost connection."""
     context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True)
     page = context.new_page()
     faults: list[str] = []
@@ -48,7 +48,7 @@ def opened(page: Page, server: Server) -> None:
 
 
 def lost(page: Page) -> None:
-    """There is no network any more, and the page has heard so: what is set from now on waits."""
+    """There is no network, and the page knows it: changes wait from now on."""
     page.context.set_offline(True)
     page.wait_for_function(CONNECTED.format("false"))
 
@@ -71,7 +71,7 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     expect(page.get_by_text("1 value waits")).to_be_visible()
     expect(page.locator(".control.waits")).to_have_count(1)
     page.set_viewport_size({"width": 320, "height": 568})
-    page.get_by_role("button", name="Hold").click(trial=True)  # what is said lies over nothing for good
+    page.get_by_role("button", name="Hold").click(trial=True)  # the message does not cover anything for good
     assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
     page.set_viewport_size({"width": 1280, "height": 720})
     frames = page.evaluate("oscillations.clock.frames")
@@ -94,7 +94,7 @@ def test_a_preset_and_a_scene_that_wait_are_shown_as_chosen(page: Page, server: 
     expect(page.locator(".control.waits")).not_to_have_count(0)
     expect(page.locator(".lost .next")).to_contain_text("1 change waits.")
     page.locator("input[name=k2-slider]").fill("0.5")
-    expect(beats).not_to_have_class(re.compile("waits"))  # other values than its own wait now
+    expect(beats).not_to_have_class(re.compile("waits"))  # values other than its own wait now
     beats.click()
     page.get_by_role("link", name="Forced").click()
     expect(page.locator(".lost .next")).to_contain_text("Forced opens then.")
@@ -107,7 +107,7 @@ def test_a_preset_and_a_scene_that_wait_are_shown_as_chosen(page: Page, server: 
 def test_a_page_without_a_connection_keeps_its_way_to_scenes_and_to_the_start(
     width: int, browser: Browser, server: Server
 ) -> None:
-    """On a first visit too, on which the tour is offered."""
+    """On a first visit too, when the tour is offered."""
     context = calm_context(browser, {"width": width, "height": 720}, bypass_csp=True)
     page = context.new_page()
     opened(page, server)
@@ -216,7 +216,9 @@ def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server
 
 
 def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Server) -> None:
-    """Its answer waits while the connection is lost, and comes; back in the history of a page loaded anew, too."""
+    """Its answer waits while the connection is lost, and arrives later; also after going back in the history of a
+    reloaded page.
+    """
     page.goto(f"{server.url}?scene=energy")
     page.wait_for_function(READY)
     page.evaluate("text => oscillations.walks.run('mine', text)", MINE)

@@ -1,4 +1,4 @@
-"""The control panel in a Chromium, with the scene behind it and nothing else of the page."""
+"""The control panel in Chromium, with the scene behind it and nothing else of the page."""
 
 import re
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The page of the driven mass: its headings have room, and a screen reader hears of what is drawn."""
+"""The page of the driven mass: its headings have room, and a screen reader announces the drawn curves."""
 
 from __future__ import annotations
 

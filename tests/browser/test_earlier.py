@@ -1,4 +1,4 @@
-"""The votes of an earlier class, from its CSV, outlined beside those of today."""
+"""The votes of an earlier class, from its CSV, outlined next to today's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The snippets of docs/embedding.md, as they stand, in pages of another origin."""
+"""The snippets of docs/embedding.md, unchanged, in pages of another origin."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ DRAWN = """oscillations.plots.filter(plot => plot.box && !plot.absent).every(plo
     ?.querySelector("canvas")?.width > 0)"""
 SET = """({name, value}) => oscillations.send({type: "set", values: {[name]: value}})"""
 MOST_LIKELY = {"m1": 1.5, "m": 1.5, "theta_0": 0.5, "limit": 2.0}
-"""A value for the first of these that a scene has."""
+"""A value for the first of these parameters that a scene has."""
 
 
 @pytest.mark.parametrize("engine", ("webkit", "firefox"), indirect=True)
@@ -93,7 +93,7 @@ READ = f"getComputedStyle({EXPLAINED}).visibility === 'visible' && {EXPLAINED}.t
 
 
 def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server) -> None:
-    """They come with the picture that the answer shows, which is held back here."""
+    """They arrive with the picture after the answer, which is held back here."""
     opened(engine, f"{server.url}?walk=d34&step=d34-10")
     engine.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
     engine.evaluate(HOLD_BACK)
@@ -112,7 +112,7 @@ KILL = "() => { oscillations.messages.wire.send = () => {} }"
 
 
 def test_a_connection_that_died_while_the_page_was_hidden_is_replaced(engine: Window, server: Server) -> None:
-    """Nothing is said by the visitor meanwhile."""
+    """The visitor sends nothing meanwhile."""
     opened(engine, f"{server.url}?scene=coupled")
     engine.wait_for_function(QUIET)
     engine.evaluate(KILL)

@@ -1,4 +1,4 @@
-"""In a Chromium: links beyond doubles open pages that work, and what is lost on the way is asked for anew."""
+"""Links beyond the range of doubles open pages that work; lost data is requested again."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ BREAKABLE = """() => {
   }
   return all.map(([, , name]) => `${name}.`)
 }"""
-"""Makes whatever takes a picture count its calls in `counts`, or fail where it is `broken`; the names of all."""
+"""Let every object that takes a picture count its calls in `counts`, or fail if it is `broken`; return all names."""
 
 
 @pytest.mark.parametrize("query", EXTREME_LINKS)
@@ -118,7 +118,7 @@ def test_a_picture_that_fails_does_not_keep_the_next_from_being_shown(browser: B
 
 @pytest.mark.parametrize("slug", ["coupled", "accuracy"])
 def test_an_exception_in_one_part_stops_no_other_and_is_told_once(slug: str, browser: Browser, server: Server) -> None:
-    """Without the fixture of pages, which a fault in the console would fail."""
+    """Without the fixture of pages, which would fail on a logged error."""
     page = browser.new_page(bypass_csp=True)
     logged: list[str] = []
     page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)

@@ -1,4 +1,4 @@
-"""A finger on a phone: no field zooms the page, and a long press selects nothing that it could drag."""
+"""A finger on a phone: no field zooms the page, and a long press selects nothing that can be dragged."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 LEAST = 16  # px; Safari on a phone zooms in to a field with smaller text, and stays there
 PAGES = {"": "#code", "?scene=coupled": ".panel [name=k2]", "?walk=d34&step=d34-01": ".card input"}
-"""Links, and a field that each has last."""
+"""Links, and the last field of each."""
 FIELDS = """[...document.querySelectorAll("input:not([type=checkbox], [type=radio], [type=range]), select, textarea")]
   .map(one => [one.name || one.id || one.type, parseFloat(getComputedStyle(one).fontSize)])"""
 SELECTED = """[...document.querySelectorAll(".block.stage, .plot-area, .drawing, .marking, [data-grab], .pill")]

@@ -1,4 +1,4 @@
-"""Fit in a browser: there when there is reason, and by the button, the key or a double click the frame suits again."""
+"""Fit in a browser: visible if there is a reason; the button, the key or a double click fits the frame again."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WINDOW = "oscillations.shown.view.axes.t.end"
 
 
 def heavier(page: Page) -> None:
-    """Four times the mass, typed: the window stands, so the period is seen to be twice as long."""
+    """Four times the mass, typed: the window stays, so the doubled period is visible."""
     before = page.evaluate(WINDOW)
     field = page.locator("input[name=m].field, input[name=m]").last
     field.fill("4")

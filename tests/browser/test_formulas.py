@@ -1,4 +1,4 @@
-"""Formulas look alike in all engines: measured by their ink."""
+"""Formulas look the same in all engines, measured by their dark pixels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""In a course page's frame on another origin."""
+"""The lecture in a frame of a course page on another origin."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""In the hand: what is grabbed follows within a frame, also when answers are late; letting go plays from the start."""
+"""Dragging: the dragged shape follows within a frame, even if answers are late; letting go plays from the start."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def stopped(page: Page) -> None:
 ACROSS = ((15, 0), (-12, 2))
 SCREENS = {"desk": (1280, 720), "landscape": (568, 320), "wide": (500, 800), "phone": (390, 844), "small": (320, 640)}
 WAYS = ((9, 4), (-6, -7))
-"""Where a hand leads what it has taken, in pixels from where that was."""
+"""Positions to which a grip is dragged, in pixels from where it was."""
 GRIPS = """() => oscillations.stages.flatMap(stage => [...(stage.grips?.grips.values() ?? [])])
   .filter(({grip}) => !grip.hidden && grip.checkVisibility())
   .map(({grip, grab}) => (grip.dataset.of = `${grab.label}: ${grab.ways.map(way => way.parameter)}`))"""
@@ -99,7 +99,7 @@ TURNS = list(zip(HELD_IN, itertools.cycle(["phone", *OTHERS]), strict=False))
 def test_what_a_hand_has_taken_is_where_the_hand_is(
     turn: tuple[str, str], new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    """By mouse on a desk, though answers are late there; by finger on phones."""
+    """By mouse on a desk, with late answers; by finger on phones."""
     (slug, screen), desk = turn, turn[1] == "desk"
     page = open_scene(
         new_page(*SCREENS[screen], fresh=True, **({} if desk else {"has_touch": True, "is_mobile": True})), scene=slug
@@ -112,7 +112,9 @@ def test_what_a_hand_has_taken_is_where_the_hand_is(
 
 
 def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
-    """A grip follows the hand along its ways; what begins a motion stops time, and plays it when it is let go."""
+    """A grip follows the pointer along its ways. A grip that begins a motion stops time, and plays it when it is
+    released.
+    """
     page.wait_for_function(QUIET)  # an answer may move lines
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     stopped(page)
@@ -168,7 +170,7 @@ def test_a_finger_that_answers_shows_no_focus_ring(
 
 
 def held_by_finger(page: Page, grip: Locator) -> tuple[Finger, dict[str, Any]]:
-    """A finger on a grip of a stage, and where that is."""
+    """A finger on a grip of a stage, and its position."""
     page.evaluate("() => { oscillations.clock.playing = false; oscillations.clock.seek(0) }")
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     passed(page)
@@ -179,9 +181,9 @@ def held_by_finger(page: Page, grip: Locator) -> tuple[Finger, dict[str, Any]]:
 
 
 def follows(page: Page, finger: Finger, grip: Locator, x: float, y: float) -> tuple[float, float]:
-    """The way from a finger that has moved to a place to the grip, when the server has answered."""
+    """The distance from the finger to the grip, after the server's answer."""
     finger.move(x, y)
-    passed(page)  # a message goes out with a frame
+    passed(page)  # a message is sent with a frame
     page.wait_for_function(QUIET)
     passed(page)
     now = grip.evaluate(PLACE)
@@ -194,7 +196,7 @@ EXCESS = "oscillations.shown.settings.excess.value"
 def test_a_finger_sets_the_height_of_the_aircraft_as_finely_as_it_can(
     new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    """Downwards it follows the finger. Upwards its way to standstill is short: the finger has 60 pixels for that."""
+    """Downwards it follows the finger. Upwards its range to standstill is short: the finger has 60 pixels for that."""
     page = open_scene(new_page(390, 844, has_touch=True), scene="phugoid", excess=0.1)
     grip = page.locator(".grip[data-grab=excess]:visible").first
     finger, was = held_by_finger(page, grip)
@@ -260,7 +262,7 @@ def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
     key, axis = ("ArrowRight", "x") if "x" in was["along"] else ("ArrowUp", "y")
     grip.press(key)
     page.wait_for_function(f"oscillations.page.hand.grab && {QUIET}")
-    passed(page)  # the answer is drawn with the frame after the one in which it came
+    passed(page)  # the answer is drawn in the frame after its arrival
     way = grip.evaluate(PLACE)[axis] - was[axis]
     assert 0 < (way if axis == "x" else -way) < 40, "a step, not a leap"
     page.keyboard.press("Enter")
@@ -268,8 +270,9 @@ def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
 
 
 def off(at: dict[str, Any], x: float, y: float) -> float:
-    """The distance of the thing held from the hand at (x, y), along its ways; of what turns about a point, beside the
-    line from there to the hand."""
+    """The distance of the dragged shape from the pointer at (x, y), along its ways; if it turns about a point, the
+    distance from the line between them.
+    """
     if at["about"]:
         cx, cy, tall = at["about"]
         one, other = (at["x"] - cx, (at["y"] - cy) / tall), (x - cx, (y - cy) / tall)
@@ -278,7 +281,7 @@ def off(at: dict[str, Any], x: float, y: float) -> float:
 
 
 def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...]) -> None:
-    """Takes a grip and leads it some ways, `along` which it follows within a frame; the hand still holds it."""
+    """Take a grip and drag it along `along`, which it must follow within a frame; the pointer stays pressed."""
     x, y = middle(grip)
     page.mouse.move(x, y)
     page.mouse.down()
@@ -298,7 +301,7 @@ def test_the_guess_is_dragged_while_it_plays_by_its_point_and_by_its_shape(page:
     drag(page, page.get_by_role("slider", name="Shape: where mass 2 turns"), "x", ((20, 0), (30, 5)))
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
-    # Beyond its 1 m the other mass takes over.
+    # Beyond its 1 m the other mass is dragged.
     x, y = middle(page.get_by_role("slider", name="Shape: where mass 2 turns"))
     page.mouse.move(x, y)
     page.mouse.down()
@@ -346,7 +349,7 @@ def test_what_a_finger_has_set_stands_when_the_browser_takes_it_away(
     took = page.locator(where).first
     took.evaluate("one => one.scrollIntoView({block: 'center'})")
     if "grip" in where:
-        stopped(page)  # a mass that moves is elsewhere when the finger comes
+        stopped(page)  # a moving mass is elsewhere when the finger arrives
     before = page.evaluate("name => oscillations.shown.settings[name].value", parameter)
     swipe(page, middle(took), (30, 1), end="touchCancel")
     page.wait_for_function(f"JSON.stringify(({HELD})(oscillations)) === '[false,false,false,true,false]'")
@@ -438,7 +441,7 @@ def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Op
 
 @pytest.mark.parametrize("desk", [True, False], ids=["mouse", "finger"])
 def test_the_dot_of_nyquist_goes_round_its_loop(desk: bool, new_page: Callable[..., Page], open_scene: Open) -> None:
-    """By a hand, which it follows along the curve, and by keys."""
+    """By pointer, which it follows along the curve, and by keys."""
     page = new_page(1280, 720) if desk else new_page(390, 844, has_touch=True)
     open_scene(page, scene="forced", view="nyquist", c1=0.2, c2=0.2, omega=0.5)
     grip, omega = page.get_by_role("slider", name="on the loops of mass 1"), "oscillations.shown.settings.omega.value"

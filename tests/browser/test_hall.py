@@ -1,4 +1,4 @@
-"""The hall: large type in every scene and in the walk, full screen, and the pointer that is seen from the last row."""
+"""Hall mode: large type in every scene and in the walk, full screen, and a pointer that the last row can see."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 SCENE, STEP = (28, 22), (22, 19)
-"""The smallest type on 1080 lines, and an index: of a scene, and of a step of a walk, beside its card."""
+"""The smallest type on 1080 lines, and an index: in a scene, and in a step of a walk, next to its card."""
 SIZES = ((1920, 1080), (1280, 720), (853, 480), (1024, 768))
 LINES = """oscillations.plots.filter(({host}) => host.checkVisibility())
   .flatMap(({figure: {model}}) => (model?.renderers ?? []))
@@ -28,19 +28,19 @@ UNDER = """oscillations.plots.filter(({host}) => host.checkVisibility())
 SIZE_OF = "part => parseFloat(getComputedStyle(part).fontSize)"
 THIN = """[...document.querySelectorAll(".block.plot, .block.stage")].filter(part =>
   part.checkVisibility() && part.getBoundingClientRect().width < 20).map(part => part.className)"""
-"""Plots and stages that have no room."""
+"""Plots and stages without room."""
 BELOW = """(paper => {
   const bar = document.querySelector(".transport").getBoundingClientRect()
   const blocks = [...paper.querySelectorAll(".words, .table")]
   const words = blocks.map(block => block.getBoundingClientRect().bottom - bar.top)
   return Math.max(paper.scrollHeight - paper.clientHeight, ...words)
 })(oscillations.page.paper)"""
-"""Pixels of the sheet that are out of sight, or of its words under the transport."""
+"""Pixels of the sheet that are out of view, or of its words under the transport."""
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
 def looked_at(page: Page, width: int, height: int, least: tuple[int, int] = SCENE) -> list[str]:
-    """The faults of the page on such a screen, where no scene is smaller than at a desk."""
+    """The faults of the page on this screen, on which no scene is smaller than on a desk."""
     lines, at_desk = min(height, width * 9 / 16), 1 if least == SCENE else 0.7
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
@@ -103,16 +103,16 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     page.get_by_role("button", name="Contents", exact=True).first.click()
     contents = page.locator("dialog.contents")
     expect(contents).to_contain_text("D34, slide 7")
-    assert "?" not in contents.inner_text()  # what will be asked is not read here
+    assert "?" not in contents.inner_text()  # the question is not readable here
     page.get_by_role("button", name="Close", exact=True).click()
     page.keyboard.press("w")
     expect(page.locator(".card")).to_have_count(0)
-    found += looked_at(page, 1920, 1080)  # the scene has its type again
+    found += looked_at(page, 1920, 1080)  # the scene has its own type size again
     assert not found, "\n".join(found)
 
 
 def test_the_questions_stand_in_a_window_of_their_own_that_leads_the_hall(server: Server, page: Page) -> None:
-    """With what the lecturer's own file asks, which the hall's page alone knows."""
+    """With the questions of the instructor's own file, which only the hall's page knows."""
     page.goto(f"{server.url}?walk=d34&step=12&projector")
     page.wait_for_function(f"{READY} && document.querySelector('.card')")
     drop(page, "mine.toml", 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n')
@@ -140,7 +140,7 @@ def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable
     expect(panel).to_be_visible()
     page.keyboard.press("c")
     expect(panel).to_be_hidden()
-    seek(page, 0.0)  # a mass that moves is elsewhere when the mouse comes
+    seek(page, 0.0)  # a moving mass is elsewhere when the mouse arrives
     grip = page.locator(".grip").first
     grip.click(trial=True)  # nor does it move any more with the width that the panel has left
     box = grip.bounding_box()
