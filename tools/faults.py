@@ -53,6 +53,14 @@ MUTANTS = (
     ),
     # what a page says and hides
     Mutant(
+        "width", "components/scenes/driven/case.py", "lambda c: 2 * c.zeta * c.one.omega_n,", "lambda c: c.width,",
+        "tests/scenes/test_numbers.py",
+    ),
+    Mutant(
+        "period", "components/scenes/damped/case.py", "2 * math.pi / c.one", "math.pi / c.one",
+        "tests/scenes/test_numbers.py",
+    ),
+    Mutant(
         "cover", "components/state/covers.py",
         "for one in hidden for column in one.columns", "for one in () for column in ()",
         "tests/page/test_covers.py",

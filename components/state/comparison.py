@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -49,7 +49,8 @@ def told_beside(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps
     if drawn and differ:
         held, _ = without(kind, drawn, covered)
         alike = _units(held) == _units(shown)
-        columns, numbers = columns_of(_differing(held, shown, alike), drawn_on(now), shown.axes)
+        given = held.columns if alike else held.sources
+        columns, numbers = columns_of(_differing(given, shown.columns), drawn_on(now), shown.axes)
         if alike:
             held = sent_picture(now, held)
             traces = traces_of(held)
@@ -68,16 +69,16 @@ def told_beside(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps
     return told, numbers
 
 
-def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns]:
+def _differing(held: Mapping[str, Columns], shown: Mapping[str, Columns]) -> dict[str, Columns]:
     """Return the sources of the compared picture that differ from the current one.
 
-    If `traced` is False, they include the numbers of curves that are otherwise sent as signals.
+    In other units they include the numbers of curves that are otherwise sent as signals. The exact numbers of the
+    current picture are not computed for that: under a push they take longer than the whole picture.
     """
-    ours, theirs = (one.columns if traced else one.sources for one in (held, shown))
     return {
         source: columns
-        for source, columns in ours.items()
-        if any(not np.array_equal(column, theirs.get(source, {}).get(name, ())) for name, column in columns.items())
+        for source, columns in held.items()
+        if any(not np.array_equal(column, shown.get(source, {}).get(name, ())) for name, column in columns.items())
     }
 
 

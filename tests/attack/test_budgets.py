@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 
 from app import SHEETS
+from components.language.state import State
 from components.quantities.refusals import SORRY
 from components.scenes import SCENES
 from components.session.exports import AboutExport, LinkExport, PageExport
@@ -16,9 +17,12 @@ from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.attack.extremes import EXTREMES, Values, values
 from tests.grids import sample, spread, tries
 from tests.scenes.checks import as_arguments, quantities
+from tests.states import links
 
 HERE = "http://here/"
 WORST = (
+    "scene=driven&push=pulses&width=0.95&Y=0.1408&omega=0.9875&m=3414&k=37.616&zeta=1.000000000000001&keep=zeta"
+    "&axes=log&held.push=pulses&held.omega=0.136&held.m=5.4&held.k=0.1&held.zeta=6.83",
     "scene=forced&c2=0.3&window=1e16",
     "scene=forced&m1=1e20&m2=9.999999990686774e19&c1=1.797e308",
     "scene=forced&omega=3147989031245930&m1=1e-300&c2=0.48158075046840454&v1_0=1e155&v2_0=0.31864389676684013",
@@ -42,11 +46,17 @@ def started() -> None:
 
 def check(link: Link) -> None:
     """Open a link, take its file and its errors: each within its budget, and refused only in a sentence."""
-    session, calls = counted(lambda: opened(SCENES, link))
-    assert calls <= PICTURE, f"the picture takes {calls} calls"
-    state = session.now.state
+    state = check_page(link)
     check_job(PageExport(state, HERE, 1), FILE)
     check_job(AboutExport(state, 1), ABOUT)
+
+
+def check_page(link: Link) -> State:
+    """Open a link: the picture, and the compared and the earlier one, each within the budget of a picture."""
+    session, calls = counted(lambda: opened(SCENES, link))
+    pictures = 1 + (link.held is not None) + (link.before is not None)
+    assert calls <= PICTURE * pictures, f"{pictures} pictures take {calls} calls"
+    return session.now.state
 
 
 def check_job(job: Errand, budget: int) -> None:
@@ -78,5 +88,18 @@ def test_extremes_together_keep_to_the_budgets(slug: str) -> None:
     @given(values(SCENES[slug]))
     def page(link: Values) -> None:
         check(Link(slug, link))
+
+    page()
+
+
+@scenes
+@pytest.mark.timeout(600)
+def test_any_state_keeps_to_the_budget_of_its_pictures(slug: str) -> None:
+    """Resonances, equal values and critical damping take more digits than extremes."""
+
+    @settings(max_examples=tries(60))
+    @given(links(SCENES[slug]))
+    def page(link: Link) -> None:
+        check_page(link)
 
     page()

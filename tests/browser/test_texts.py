@@ -1,4 +1,4 @@
-"""The amount of text on the first screen."""
+"""The amount of text at first sight."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
         if told.get(name):
             sources = read[name]["columns"].items()
             told[name]["columns"] = {
-                source: dict(zip(of, map(np.array, of.values()), strict=True)) for source, of in sources
+                source: {name: np.array(column, dtype=float) for name, column in of.items()} for source, of in sources
             }
             told[name]["signals"] |= {
                 key: one for key, one in read[name]["signals"].items() if one["kind"] == "sampled"
