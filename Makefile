@@ -23,7 +23,7 @@ BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
 .PHONY: run test rest test-all browsers scene lint format types hooks fast coverage attack audit digests reconnect load course soak \
-	deploy-test class up upgrade accuracy mutants pictures engines animation bench walk protocol readme lock docker clean
+	deploy-test class up upgrade accuracy mutants nightly pictures engines animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -48,6 +48,12 @@ browsers: $(VENV)/test.stamp
 # All tests, with every value of each grid.
 test-all:
 	GRIDS=whole $(MAKE) test rest
+
+# All tests with examples of the day, then faults of the day: make nightly SEED=20261127 repeats a night.
+nightly: export SEED ?= $(shell date +%Y%m%d)
+nightly: $(VENV)/test.stamp
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser" --hypothesis-seed=$(SEED)
+	$(BROWSER) $(BIN)/python -m tools.mutants --seed $(SEED) $(ARGS)
 
 lint: $(VENV)/test.stamp
 	$(BIN)/ruff check .

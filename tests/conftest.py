@@ -1,7 +1,8 @@
-"""Settings of all tests: one profile of Hypothesis, on every machine the same examples."""
+"""Settings of all tests: the same examples of Hypothesis on every machine, or those of a seed in `make nightly`."""
 
 import asyncio
 import inspect
+import os
 from collections.abc import Iterator
 
 import numpy as np
@@ -13,11 +14,15 @@ from tests.grids import tries
 
 pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom", "tests.browser.engines"]
 
-# The same examples on every machine. Over all doubles most of what is drawn leaves their range, and is passed over.
+SEED = os.environ.get("SEED")
+"""Given by `make nightly`: new examples each night. A failure becomes an `@example` of its test."""
+
+# Over all doubles most of what is drawn leaves their range, and is passed over.
 settings.register_profile(
     "steady",
     max_examples=tries(100),
-    derandomize=True,
+    derandomize=SEED is None,
+    print_blob=SEED is not None,
     deadline=None,
     suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )
@@ -27,6 +32,10 @@ settings.load_profile("steady")
 if not callable(providers.is_local_module_file):
     raise TypeError("Hypothesis collects the numbers of modules in another way now.")
 providers.is_local_module_file = lambda path: False
+
+
+def pytest_report_header() -> str:
+    return f"examples of Hypothesis: {f'SEED={SEED}' if SEED else 'the same in every run'}"
 
 
 @pytest.fixture(autouse=True)

@@ -64,7 +64,7 @@ def test_the_numbers_are_those_of_another_route(scene: type[Scene]) -> None:
             seen.update(check(one, numbers, TRUTHS[scene.slug](one)))
         known.update(numbers)
 
-    @settings(max_examples=100, deadline=None, derandomize=True, phases=NO_SHRINK)
+    @settings(max_examples=100, phases=NO_SHRINK)
     @given(values(scene))
     def check_random(state: dict[str, object]) -> None:
         compare(state)
