@@ -33,7 +33,7 @@ from physics.precision.exact import NOISE, PI, Array, exact, precise, rounded
 from physics.precision.polynomials import context
 from physics.sampling import Sinusoid
 from physics.sinusoids import ExactSinusoid, added, combined, on_heads
-from physics.valid import check_positive, finite_array, rows_in_range
+from physics.valid import check_positive, finite_array, is_number, keep_doubles, rows_in_range, shown
 
 ChainEnds = Literal["fixed-fixed", "fixed-free", "free-free"]
 _TABLE_DIGITS = 90
@@ -57,8 +57,9 @@ class UniformChain:
     ends: ChainEnds = "fixed-fixed"
 
     def __post_init__(self) -> None:
-        if int(self.N) != self.N or self.N < 1:
-            raise ValueError(f"N = {self.N!r}: a whole number of masses, at least 1, is needed")
+        keep_doubles(self, "m", "k")
+        if not (is_number(self.N) and self.N >= 1 and int(self.N) == self.N):
+            raise ValueError(f"N = {shown(self.N)}: a whole number of masses, at least 1, is needed")
         if self.ends not in get_args(ChainEnds):
             raise ValueError(f"ends = {self.ends!r}: choose the ends of a chain: {' or '.join(get_args(ChainEnds))}")
         check_positive("a mass in kg", m=self.m)

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 from physics.oscillator import phase_of
 from physics.precision.exact import Array, exact, precise, rounded, snapped, split, sum_of
 from physics.sinusoids import ExactSinusoid, added, apart
-from physics.valid import check_not_negative, check_positive, finite_array, in_range
+from physics.valid import check_not_negative, check_positive, finite_array, in_range, keep_doubles
 
 Vector = tuple[Decimal, Decimal]
 Vector3 = tuple[Decimal, Decimal, Decimal]
@@ -89,10 +89,9 @@ class TwoMassChain:
     k2: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, *(field.name for field in fields(self)))
         check_positive("a mass in kg", m1=self.m1, m2=self.m2)
         check_not_negative("a stiffness in N/m", k1=self.k1, k2=self.k2)
-        for field in fields(self):
-            object.__setattr__(self, field.name, float(getattr(self, field.name)))
 
     def modes(self) -> Modes:
         """Both modes, rounded once from 80 digits."""

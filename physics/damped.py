@@ -33,7 +33,7 @@ from physics.precision.curves import ScaledCurve, combined, product, turning
 from physics.precision.elementary import SMALLEST_EXPONENT, exponential
 from physics.precision.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
 from physics.pushed import PushedMass, PushedMotion
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array, keep_doubles
 
 QUANTITIES = ("the displacement", "the velocity", "the acceleration")
 NONE = Decimal(0)
@@ -85,6 +85,7 @@ class DampedOscillator:
     k: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "m", "c", "k")
         check_positive("a mass in kg", m=self.m)
         check_not_negative("a damping in N s/m", c=self.c)
         check_not_negative("a stiffness in N/m", k=self.k)

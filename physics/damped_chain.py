@@ -29,7 +29,7 @@ from physics.coupled import TwoMassChain
 from physics.laplace import Driven, Expansion, resolved
 from physics.precision.exact import PI, Array, exact, precise, rounded
 from physics.precision.roots import taxicab
-from physics.valid import check_not_negative, in_range
+from physics.valid import check_not_negative, in_range, keep_doubles
 
 DIGITS = 120
 NEAR = 1e-6
@@ -111,9 +111,8 @@ class DampedChain:
     c2: float = 0.0
 
     def __post_init__(self) -> None:
+        keep_doubles(self, *(field.name for field in fields(self)))
         check_not_negative("a damping in N s/m", c1=self.c1, c2=self.c2)
-        for field in fields(self):
-            object.__setattr__(self, field.name, float(getattr(self, field.name)))
         self.chain  # noqa: B018 (its limits are those of masses and springs)
 
     @classmethod

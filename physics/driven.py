@@ -31,7 +31,7 @@ from physics.precision.curves import combined, response, turning
 from physics.precision.exact import Array, exact, precise, sum_of, within_an_ulp
 from physics.precision.polynomials import Polynomial
 from physics.transient import EXACT, Effort, summed
-from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array, in_range
+from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array, in_range, keep_doubles
 
 Complexes = NDArray[np.complex128]
 Drive = Literal["force", "base", "unbalance"]
@@ -75,6 +75,7 @@ class DrivenOscillator:
     k: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "m", "c", "k")
         self.free  # noqa: B018 (its limits are those of the parameters)
 
     @cached_property
@@ -93,7 +94,7 @@ class DrivenOscillator:
         `size` is F_0 in N, Y in m, or mu e in kg m. Infinite without damping at the natural frequency exactly.
         """
         re, im = self._force(omega, size, kind)
-        m, c, k, w = map(Fraction, (self.m, self.c, self.k, omega))
+        m, c, k, w = map(Fraction, (self.m, self.c, self.k, float(omega)))
         d, e = k - m * w * w, c * w
         square = d * d + e * e
         if not square:
@@ -144,7 +145,7 @@ class DrivenOscillator:
         check_not_negative("the size of a drive", size=size)
         if kind not in get_args(Drive):
             raise ValueError(f"kind = {kind!r}: a drive is allowed to be {' or '.join(get_args(Drive))}")
-        of, w = Fraction(size), Fraction(omega)
+        of, w = Fraction(float(size)), Fraction(float(omega))
         if kind == "base":
             return Fraction(self.k) * of, Fraction(self.c) * w * of
         return (of if kind == "force" else of * w * w), Fraction(0)

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from physics.precision.exact import Array
+from physics.valid import doubles
 
 MOST_SHARE = 0.1
 """Largest standard error of a frequency over itself; beyond it the numbers are not to be trusted."""
@@ -149,8 +150,8 @@ class _Data:
 
     @classmethod
     def of(cls, t: ArrayLike, columns: ArrayLike, sigma: ArrayLike | None, modes: int) -> "_Data":
-        every, Y = np.asarray(t, dtype=float), np.atleast_2d(np.asarray(columns, dtype=float))
-        W = np.ones_like(Y) if sigma is None else 1 / np.broadcast_to(np.asarray(sigma, dtype=float), Y.shape)
+        every, Y = doubles("t", t), np.atleast_2d(doubles("columns", columns))
+        W = np.ones_like(Y) if sigma is None else 1 / np.broadcast_to(doubles("sigma", sigma), Y.shape)
         if every.ndim != 1 or Y.shape[1:] != every.shape:
             raise ValueError(
                 f"The columns have {Y.shape[-1]} rows, the times {every.size}: a number for each time is needed"

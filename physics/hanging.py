@@ -26,7 +26,7 @@ from physics.energy import half_square
 from physics.motion import ExactMotion, computed_by
 from physics.oscillator import Oscillator, OscillatorMotion
 from physics.precision.exact import Array, exact, precise, rounded, snapped, split, two_sum
-from physics.valid import check_not_negative, check_positive, finite_array, in_range
+from physics.valid import check_not_negative, check_positive, finite_array, in_range, keep_doubles
 
 Datum = Literal["equilibrium", "separate"]
 
@@ -40,6 +40,7 @@ class HangingMass:
     g: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "m", "k", "g")
         check_positive("a mass in kg", m=self.m)
         check_positive("the stiffness in N/m that a weight hangs on", k=self.k)
         check_not_negative("gravity in m/s^2", g=self.g)

@@ -20,6 +20,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from physics.precision.exact import Array
+from physics.valid import is_number, shown
 
 CUSP_EXCESS = sqrt(3) - 1
 LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g
@@ -62,7 +63,7 @@ def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
 
 def invariant(excess: float) -> float:
     """C = V - V^3/3 at V = 1 + excess: 2/3 in level flight, 0 at the cusp, negative for loops."""
-    check_excess(excess)
+    excess = check_excess(excess)
     return 2 / 3 - excess * excess * (1 + excess / 3)
 
 
@@ -205,7 +206,7 @@ def height(p: Array, w: Array) -> Array:
 
 def bottom_excess(excess: float) -> float:
     """The speed excess at the lowest point; a start with less speed than v_0 is the highest point."""
-    check_excess(excess)
+    excess = check_excess(excess)
     if excess >= 0:
         return excess
     root = sqrt(9 - 6 * excess - 3 * excess * excess)
@@ -213,8 +214,10 @@ def bottom_excess(excess: float) -> float:
     return min(rounded, CUSP_EXCESS)  # a start above the level line never loops
 
 
-def check_excess(excess: float) -> None:
-    if not -1 <= excess <= LARGEST_EXCESS:
+def check_excess(excess: float) -> float:
+    """Return a speed excess in units of v_0 as a float. Raises ValueError if it is not possible."""
+    if not (is_number(excess) and -1 <= excess <= LARGEST_EXCESS):
         raise ValueError(
-            f"a speed excess of {excess!r} v_0 is not possible: choose from -1 (standstill) to {LARGEST_EXCESS:g}"
+            f"a speed excess of {shown(excess)} v_0 is not possible: choose from -1 (standstill) to {LARGEST_EXCESS:g}"
         )
+    return float(excess)

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from physics.precision.exact import PI, Array, angle, binary, exact, on_circle, precise, rounded
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array, rows_in_range
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array, keep_doubles, rows_in_range
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,6 +59,7 @@ class Oscillator:
     k: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "m", "k")
         check_positive("a mass in kg", m=self.m)
         check_not_negative("a stiffness in N/m", k=self.k)
 

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.precision.exact import PI, Array, angle, exact, on_circle, precise, rounded
-from physics.valid import check_positive, finite_array
+from physics.valid import check_finite, check_positive, finite_array, keep_doubles
 
 HALF_TURN = pi  # the double, 1.2e-16 below the number: the largest amplitude
 CLOSE = Decimal("1e-40")
@@ -49,6 +49,7 @@ class Pendulum:
     g: float
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "l", "g")
         check_positive("a length in m", l=self.l)
         check_positive("gravity in m/s^2", g=self.g)
 
@@ -66,12 +67,12 @@ class Pendulum:
     def period(self, theta_0: float) -> float:
         """T in s of the swing of amplitude theta_0 in rad."""
         with precise():
-            return rounded("the period", 2 * PI / (self.frequency * _modulus(theta_0).mean))
+            return rounded("the period", 2 * PI / (self.frequency * _modulus_at(theta_0).mean))
 
     def motion(self, theta_0: float, t: ArrayLike) -> PendulumMotion:
         """The exact swing from rest at theta_0 in rad, |theta_0| < pi, at the times t (n,) in s."""
         t = finite_array("t", t)
-        modulus = _modulus(theta_0)
+        modulus, theta_0 = _modulus_at(theta_0), float(theta_0)
         with precise():
             (sine, _), (cosine, _) = on_circle(*angle(self.frequency * modulus.mean, t))
             fastest = rounded("the rate theta'", 2 * self.frequency * modulus.k)
@@ -89,7 +90,7 @@ class Pendulum:
 def excess(theta_0: float) -> float:
     """T/T_0 - 1 at the amplitude theta_0 in rad, rounded once, also where it is 1e-300."""
     with precise():
-        return float(_modulus(theta_0).excess)
+        return float(_modulus_at(theta_0).excess)
 
 
 @lru_cache(maxsize=64)
@@ -134,6 +135,11 @@ class _Modulus:
         """Derivative of the excess by theta_0, from dK/dk = (E - k'^2 K)/(k k'^2)."""
         later = sum((2**n * c * c for n, (_, _, c) in enumerate(self.steps[1:])), Decimal(0))
         return (self.k * self.k / 2 - later) / (2 * self.k * self.complement * self.mean)
+
+
+def _modulus_at(theta_0: float) -> _Modulus:
+    check_finite("an angle in rad", theta_0=theta_0)
+    return _modulus(float(theta_0))
 
 
 @lru_cache(maxsize=64)

@@ -18,7 +18,7 @@ from fractions import Fraction
 from typing import Literal, NamedTuple, get_args
 
 from physics.precision.turns import cospi, sinpi
-from physics.valid import check_finite, check_positive
+from physics.valid import check_finite, check_positive, is_number, keep_doubles, shown
 
 PushKind = Literal["square", "triangle", "pulses", "impulses", "step", "impulse"]
 
@@ -45,12 +45,13 @@ class PeriodicPush:
     width: float = 0.5
 
     def __post_init__(self) -> None:
+        keep_doubles(self, "size", "omega", "width")
         if self.kind not in get_args(PushKind):
             raise ValueError(f"kind = {self.kind!r}: a push is allowed to be {' or '.join(get_args(PushKind))}")
         check_finite("the size of a push", size=self.size)
         check_positive("a drive frequency in rad/s", omega=self.omega)
-        if not 0 < self.width < 1:
-            raise ValueError(f"width = {self.width!r}: choose a share of the period between 0 and 1")
+        if not (is_number(self.width) and 0 < self.width < 1):
+            raise ValueError(f"width = {shown(self.width)}: choose a number between 0 and 1, the share of a period")
 
     @property
     def once(self) -> bool:

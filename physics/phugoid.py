@@ -91,11 +91,15 @@ class Flight:
         return [Flight(**{name: column[part].copy() for name, column in vars(self).items()}) for part in parts]
 
 
-@lru_cache(maxsize=64)
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
     """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g, rounded once."""
     check_positive("a speed in m/s", v_0=v_0)
     check_positive("gravity in m/s^2", g=g)
+    return _linear(float(v_0), float(g))
+
+
+@lru_cache(maxsize=64)
+def _linear(v_0: float, g: float) -> LinearPhugoid:
     with precise():
         omega = Decimal(2).sqrt() * exact(g) / exact(v_0)
         return LinearPhugoid(

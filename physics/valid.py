@@ -1,7 +1,10 @@
 """Checks of numbers against the limits of physics; each raises a ValueError that names the value and the limit."""
 
 from collections.abc import Sequence
+from decimal import Decimal
 from math import isfinite
+from numbers import Real
+from reprlib import repr as excerpt
 from typing import TypeVar
 
 import numpy as np
@@ -13,30 +16,66 @@ DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
 """The range of the numbers that can be computed with, in words."""
 
 
+def is_number(value: object) -> bool:
+    """Return True for a real number that a finite double can hold: not for texts, arrays, complex numbers and bools."""
+    if type(value) is float:
+        return isfinite(value)
+    if isinstance(value, bool) or not isinstance(value, Real | Decimal):
+        return False
+    try:
+        return isfinite(value)
+    except (OverflowError, ValueError):  # a larger integer, a signalling NaN
+        return False
+
+
+def shown(value: object) -> str:
+    """Return a refused value as a message shows it: at most about 40 characters."""
+    return excerpt(value)
+
+
+def keep_doubles(record: object, *names: str) -> None:
+    """Store the numbers of a frozen record as doubles. What is no number stays, for the check that refuses it."""
+    for name in names:
+        if is_number(value := getattr(record, name)):
+            object.__setattr__(record, name, float(value))
+
+
 def check_positive(kind: str, **values: float) -> None:
     """Check that values are finite and above 0, as in check_positive("a mass in kg", m=m)."""
     for name, value in values.items():
-        if not (isfinite(value) and value > 0):
-            raise ValueError(f"{name} = {value!r}: {kind} is a finite number above 0")
+        if not (is_number(value) and value > 0):
+            raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number above 0")
 
 
 def check_not_negative(kind: str, **values: float) -> None:
     """Check that values are finite and 0 or more."""
     for name, value in values.items():
-        if not (isfinite(value) and value >= 0):
-            raise ValueError(f"{name} = {value!r}: {kind} is a finite number, 0 or more")
+        if not (is_number(value) and value >= 0):
+            raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number, 0 or more")
 
 
 def check_finite(kind: str, **values: float) -> None:
     """Check that values are neither infinite nor NaN."""
     for name, value in values.items():
-        if not isfinite(value):
-            raise ValueError(f"{name} = {value!r}: {kind} is a finite number")
+        if not is_number(value):
+            raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number")
+
+
+def doubles(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """The values as an array of doubles of the same shape. Raises ValueError for texts, complex numbers and None."""
+    try:
+        given = np.asarray(values)
+        numbers = given.dtype.kind in "iuf" or (given.dtype.kind == "O" and all(map(is_number, given.flat)))
+    except ValueError:  # rows of different lengths
+        numbers = False
+    if not numbers:
+        raise ValueError(f"{name} = {shown(values)}: only finite numbers are allowed")
+    return given.astype(np.float64, copy=False)
 
 
 def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """The values as an array (n,) of finite doubles."""
-    array = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    array = np.atleast_1d(doubles(name, values))
     if array.ndim != 1:
         raise ValueError(f"{name} has the shape {array.shape}: one dimension is allowed")
     if not np.isfinite(array).all():

@@ -194,3 +194,9 @@ def axes_of_columns(sheet: Block) -> dict[str, dict[str, str]]:
             own = {region.x: plot.x, region.low: plot.y, region.high: plot.y}
             axes.setdefault(region.source, {}).update(own)
     return axes
+
+
+def sources_of_plots(sheet: Block) -> dict[str, list[str]]:
+    """Return the sources of the curves of each plot, in the order of the curves: {plot: sources}."""
+    plots = (block for block in blocks(sheet) if isinstance(block, PlotBlock))
+    return {plot.name: list(dict.fromkeys(curve.source for curve in plot.curves)) for plot in plots}

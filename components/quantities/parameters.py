@@ -26,12 +26,21 @@ def names_of(parameters: Iterable[AnyParameter]) -> list[str]:
     return [one.name or "" for one in parameters]
 
 
+class WordSelector(param.Selector[Any]):
+    """A choice of one among words, which says in words what is possible."""
+
+    def _validate(self, val: object) -> None:
+        if val not in self.objects:
+            words = ", ".join(map(str, self.objects))
+            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: choose one of {words}.")
+
+
 def one_of(
     default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:
     """A choice between words; a mapping gives the label of each."""
     options: Any = {text: word for word, text in objects.items()} if isinstance(objects, Mapping) else list(objects)
-    return param.Selector(default=default, objects=options, label=label, doc=doc or None)
+    return WordSelector(default=default, objects=options, label=label, doc=doc or None)
 
 
 class Quantity(param.Number[Any]):  # a float, or None if the scene chooses the value

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from unicodedata import normalize
+
+import numpy as np
 
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.formatting import excerpt, shortest
@@ -105,17 +107,25 @@ def _table(columns: Columns, on: Mapping[str, Axis]) -> NumberTable:
     )
 
 
-def with_units(picture: Picture, axes: Mapping[str, Mapping[str, str]], source: str = "") -> Columns:
-    """Return the columns of a table under names such as "x1 [m]". The default is the first table.
+def with_units(
+    picture: Picture, axes: Mapping[str, Mapping[str, str]], plots: Mapping[str, Sequence[str]], source: str = ""
+) -> Columns:
+    """Return the columns of a table, or of a plot, under names such as "x1 [m]". The default is the first table.
 
-    `axes` as in `tables_of`. Raises ValueError, with the names of all tables, if there is no such table.
+    `axes` as in `tables_of`; `plots` are the sources of the curves of each plot. If a curve of a plot is in parts with
+    the same columns, such as a response below and above its resonance, these are joined. Raises ValueError, with the
+    names of all tables and plots, if there are no such numbers.
     """
     found = tables_of(picture, axes)
-    chosen = source or next(iter(found))
-    if chosen not in found:
-        raise ValueError(f"“{excerpt(source)}” has no numbers here: choose one of {', '.join(found)}.")
-    table = found[chosen]
-    return {headed(name, table.units[name]): column for name, column in table.columns.items()}
+    drawn = {plot: [one for one in sources if one in found] for plot, sources in plots.items()}
+    known = list(dict.fromkeys([*found, *(plot for plot, sources in drawn.items() if sources)]))
+    chosen = source or known[0]
+    if chosen not in known:
+        raise ValueError(f"“{excerpt(str(source))}” has no numbers here: choose one of {', '.join(known)}.")
+    first, *others = [found[one] for one in ([chosen] if chosen in found else drawn[chosen])]
+    parts = [first, *(one for one in others if one.columns.keys() == first.columns.keys())]
+    joined = {name: np.concatenate([part.columns[name] for part in parts]) for name in first.columns}
+    return {headed(name, first.units[name]): column for name, column in joined.items()}
 
 
 def headed(name: str, unit: str) -> str:

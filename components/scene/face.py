@@ -12,6 +12,7 @@ from bokeh.models import ColumnDataSource
 from param.parameterized import discard_events
 
 from components.quantities.parameters import AnyParameter, Values
+from components.scene.docstrings import documented
 from components.scene.picture import Picture
 from components.scene.scene import Scene
 
@@ -75,6 +76,9 @@ class SceneFace(param.Parameterized):
         self._listeners.append(listener)
 
     def __setattr__(self, name: str, value: Any) -> None:
+        if not (name.startswith("_") or hasattr(type(self), name)):
+            known = ", ".join(self.scene_kind.linked())
+            raise AttributeError(f"{name} is not a parameter of {self.scene_kind.__name__}: it has {known}")
         try:
             super().__setattr__(name, value)
         except Exception:
@@ -112,7 +116,7 @@ class SceneFace(param.Parameterized):
 def face_of(kind: type[Scene]) -> type[SceneFace]:
     """Return the class of the faces of a kind of scene, which has its parameters."""
     parameters = {name: _unbound(one) for name, one in kind.param.objects("existing").items() if name != "name"}
-    return type(f"{kind.__name__}Face", (SceneFace,), {"scene_kind": kind, "__doc__": kind.__doc__, **parameters})
+    return type(f"{kind.__name__}Face", (SceneFace,), {"scene_kind": kind, "__doc__": documented(kind), **parameters})
 
 
 def _unbound(parameter: AnyParameter) -> AnyParameter:

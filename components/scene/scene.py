@@ -12,7 +12,7 @@ from param.parameterized import ParameterizedMetaclass
 
 from components.language.blocks import Block
 from components.language.state import Frame
-from components.layout.sheet import axes_of_columns
+from components.layout.sheet import axes_of_columns, sources_of_plots
 from components.quantities.parameters import Quantity, Values, one_of
 from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.refusals import in_words
@@ -204,12 +204,27 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return draw(self).picture
 
     def frame(self, source: str = "") -> Columns:
-        """Return the numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`.
+        """Return the numbers of curves as columns of equal length, for `pandas.DataFrame`.
 
-        The default is the first source with numbers. Raises ValueError for a source without numbers, with the names of
-        the sources that have some.
+        Parameters
+        ----------
+        source : str
+            The name of a source, such as "time", or of a plot, such as "response". The default is the first source
+            that has numbers.
+
+        Returns
+        -------
+        dict of str to numpy.ndarray
+            A column (n,) of floats for each quantity, in SI units. Its name has the unit: "x1 [m]", "omega [rad/s]";
+            that of a pure number is 1: "M [1]".
+
+        Raises
+        ------
+        ValueError
+            If there are no such numbers. The message lists the names that have some.
         """
-        return with_units(self.shown, axes_of_columns(self.sheet()), source)
+        sheet = self.sheet()
+        return with_units(self.shown, axes_of_columns(sheet), sources_of_plots(sheet), source)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if "values" in vars(self):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from components.scene import Scene
+from components.scene.docstrings import documented
 from components.scenes.absorber import Absorber
 from components.scenes.accuracy import Accuracy
 from components.scenes.analogues import Analogues
@@ -33,3 +34,6 @@ SCENES: dict[str, type[Scene]] = {
         Accuracy,
     )
 }
+
+for _scene in SCENES.values():
+    _scene.__doc__ = documented(_scene)
