@@ -152,10 +152,27 @@ def fixed_points(chain: TwoMassChain) -> Array:
 
 
 def den_hartog(m1: float, k1: float, m2: float) -> Optimum:
-    """The absorber of mass m2 whose fixed points are of one height and nearly the peaks: see `highest_peak`.
+    """Return the absorber whose fixed points are of one height and nearly the peaks: see `highest_peak`.
 
     omega_2 = omega_1/(1 + mu) and c/(2 m2 omega_1) = sqrt(3 mu/(8 (1 + mu)^3)), mu = m2/m1; the fixed points
-    are then sqrt(1 + 2/mu) F_0/k1 high. ValueError if a number leaves the range of doubles.
+    are then sqrt(1 + 2/mu) F_0/k1 high.
+
+    Parameters
+    ----------
+    m1, m2 : float
+        The masses of the machine and of the absorber in kg, above 0.
+    k1 : float
+        The stiffness under the machine in N/m, above 0.
+
+    Returns
+    -------
+    Optimum
+        Stiffness k2 in N/m, damping c in N s/m, and the height of the fixed points over F_0/k1.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     check_positive("a mass in kg", m1=m1, m2=m2)
     check_positive("a stiffness in N/m", k1=k1)

@@ -56,6 +56,7 @@ class ResponsePeak(NamedTuple):
 
     @property
     def width(self) -> float | None:
+        """The width at half its power in rad/s, if it has one."""
         return self.ends[1] - self.ends[0] if self.ends else None
 
 

@@ -40,7 +40,15 @@ _TABLE_DIGITS = 90
 
 
 class ChainMotion(NamedTuple):
-    """Times in s (n,), displacements in m and velocities in m/s (N, n)."""
+    """The motion of a chain.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x, v : ndarray, shape (N, n)
+        Displacements in m and velocities in m/s of each mass.
+    """
 
     t: Array
     x: Array
@@ -49,7 +57,24 @@ class ChainMotion(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class UniformChain:
-    """N masses m in kg on springs k in N/m. ValueError names a value that is not possible."""
+    """Equal masses on equal springs.
+
+    Parameters
+    ----------
+    N : int
+        The number of masses, 1 or more.
+    m : float
+        Each mass in kg, above 0.
+    k : float
+        Each stiffness in N/m, above 0.
+    ends : {"fixed-fixed", "fixed-free", "free-free"}
+        The ends of the chain.
+
+    Raises
+    ------
+    ValueError
+        If a value is not possible.
+    """
 
     N: int
     m: float
@@ -123,9 +148,24 @@ class UniformChain:
         return DrawnModes(self, np.hypot(q, late), np.arctan2(q, late), energy, drift)
 
     def motion(self, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> ChainMotion:
-        """x and v (N, n) from displacements and velocities (N,) at the times t (n,): within 2 u of the amplitude.
+        """Return the free motion, within 2 u of the sum of the amplitudes of all modes.
 
-        The amplitude is the sum of the amplitudes of all modes.
+        Parameters
+        ----------
+        x_0, v_0 : array_like, shape (N,)
+            Displacements in m and velocities in m/s at t = 0.
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ChainMotion
+            x and v, each (N, n).
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or there are not N of them.
         """
         return self.modes(x_0, v_0).motion(t)
 

@@ -64,11 +64,20 @@ class Mode(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Modes:
-    """Natural frequencies and mode shapes; arrays (2,) hold the slow mode, then the fast one.
+    """Natural frequencies and mode shapes: the slow mode, then the fast one.
 
-    omega (rad/s) and ratio = X2/X1 are within 0.51 ulp; inf only for the ratio of a mode that leaves mass 1
-    at rest (k2 = 0), or beyond the range of doubles. omega + omega_lo is the frequency to 106 bits,
-    beat = omega_+ - omega_-. With k2 = 0 the slow mode is mass 2 alone, gamma = -inf and delta = inf.
+    Attributes
+    ----------
+    omega : ndarray, shape (2,)
+        Natural frequencies in rad/s, within 0.51 ulp.
+    omega_lo : ndarray, shape (2,)
+        omega + omega_lo is the frequency to 106 bits.
+    ratio : ndarray, shape (2,)
+        X2/X1, within 0.51 ulp; inf only if the mode leaves mass 1 at rest (k2 = 0), or beyond the range of doubles.
+    beat : float
+        omega_+ - omega_- in rad/s.
+    gamma, delta : float
+        X2/X1 = -gamma +- delta. With k2 = 0 the slow mode is mass 2 alone, gamma = -inf and delta = inf.
     """
 
     omega: Array
@@ -81,7 +90,20 @@ class Modes:
 
 @dataclass(frozen=True, kw_only=True)
 class TwoMassChain:
-    """Two masses in kg, positive, and two springs in N/m, zero or more. ValueError names a value that is neither."""
+    """Two masses and two springs: wall, k1, m1, k2, m2.
+
+    Parameters
+    ----------
+    m1, m2 : float
+        Masses in kg, above 0.
+    k1, k2 : float
+        Stiffnesses in N/m, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m1: float
     m2: float
@@ -156,7 +178,17 @@ class TwoMassChain:
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """A motion: t (n,); x, v (2, n) of both masses; e (2, n) elongations of both springs, not from rounded x."""
+    """The motion of both masses.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x, v : ndarray, shape (2, n)
+        Displacements in m and velocities in m/s of masses 1 and 2.
+    e : ndarray, shape (2, n)
+        Elongations in m of springs 1 and 2, not computed from the rounded x.
+    """
 
     t: Array
     x: Array
@@ -188,14 +220,17 @@ class FreeModes:
 
     @property
     def omega(self) -> Array:
+        """The natural frequencies (2,) in rad/s."""
         return self.chain.modes().omega
 
     @property
     def omega_lo(self) -> Array:
+        """The rest of the frequencies (2,) in rad/s, beyond 53 bits."""
         return self.chain.modes().omega_lo
 
     @property
     def amplitude(self) -> Array:
+        """The amplitudes (2, 2) of masses 1 and 2 in m, by mode."""
         return self.amplitudes[:, :2]
 
     @cached_property
@@ -210,15 +245,18 @@ class FreeModes:
 
     @cached_property
     def phase(self) -> Array:
+        """The phases (2,) in rad."""
         with precise():
             return np.array([phase_of(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])
 
     @property
     def drift_a(self) -> Array:
+        """The starts (2,) of the drifts of masses 1 and 2 in m."""
         return self.drifts[0, :2]
 
     @property
     def drift_b(self) -> Array:
+        """The velocities (2,) of the drifts of masses 1 and 2 in m/s."""
         return self.drifts[1, :2]
 
     @cached_property
@@ -239,6 +277,7 @@ class FreeModes:
 
     @cached_property
     def energy(self) -> Array:
+        """The energies (2,) of the modes in J."""
         with precise():
             both = [mode.mass * (v**2 + (mode.omega * q) ** 2) / 2 for mode, q, v in self.each()]
         return np.array([rounded("the energy of a mode", energy) for energy in both])
@@ -262,6 +301,7 @@ class FreeModes:
         return [mode.sinusoid(q, v) for mode, q, v in self.each()]
 
     def each(self) -> list[tuple[Mode, Decimal, Decimal]]:
+        """Return each mode with its coordinate in m and its velocity in m/s at t = 0."""
         return list(zip(self.chain.exact_modes, self.coordinate, self.velocity, strict=True))
 
 
@@ -304,9 +344,29 @@ def coordinates(chain: TwoMassChain, values: Vector) -> Vector:
 
 
 def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> Motion:
-    """The free motion at times t (n,), within 2 u of the sum of its amplitudes while omega_+ t < 1e15.
+    """Return the free motion of both masses.
 
-    Past that x and v stay on the orbit of the fast mode, but its phase is no longer certain.
+    It is within 2 u of the sum of its amplitudes while omega_+ t < 1e15. Past that x and v stay on the orbit of the
+    fast mode, but its phase is no longer certain.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    x_0, v_0 : array_like, shape (2,)
+        Displacements in m and velocities in m/s at t = 0.
+    t : array_like, shape (n,)
+        Times in s.
+
+    Returns
+    -------
+    Motion
+        x, v and e, each (2, n).
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, or a result leaves the range of doubles.
     """
     return free_modes(chain, x_0, v_0).motion(t)
 

@@ -78,7 +78,22 @@ class Fading(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class DampedOscillator:
-    """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
+    """A mass on a spring and a dashpot.
+
+    Parameters
+    ----------
+    m : float
+        The mass in kg, above 0.
+    c : float
+        The damping in N s/m, 0 or more.
+    k : float
+        The stiffness in N/m, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m: float
     c: float
@@ -130,9 +145,26 @@ class DampedOscillator:
             return float(2 * Decimal(pi) * self._a / self.exact_omega_d) if self.exact_omega_d else inf
 
     def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
-        """x, v, a (n,) from x(0) = x_0, x'(0) = v_0 at the times t (n,) in s, 0 or more.
+        """Return the free motion.
 
         Within 2 u of the sum of the sizes of both parts; a part that has died down to 1e-260 counts as nothing.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+        t : array_like, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        OscillatorMotion
+            x, v and a, each (n,).
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a result leaves the range of doubles.
         """
         t = finite_array("t", t)
         check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
@@ -151,7 +183,25 @@ class DampedOscillator:
         return PushedMass(self.m, self.c, self.k, push)
 
     def steady(self, push: PeriodicPush, t: ArrayLike) -> PushedMotion:
-        """The steady x and v (n,) under a push at the times t (n,) in s, within 4 u of the largest; see PushedMass."""
+        """Return the steady motion under a periodic push, within 4 u of the largest value.
+
+        Parameters
+        ----------
+        push : PeriodicPush
+            The push on the mass.
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        PushedMotion
+            x in m and v in m/s, each (n,); the v of an impulse is that just after it.
+
+        Raises
+        ------
+        ValueError
+            If no steady motion exists: at resonance without damping, or without a spring.
+        """
         return self.pushed(push).steady(t)
 
     def decays(self, x_0: float, v_0: float) -> tuple[Decay, ...]:

@@ -101,7 +101,22 @@ class ComplexModes(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class DampedChain:
-    """Masses in kg, positive, springs in N/m and dashpots in N s/m, zero or more; ValueError names any other value."""
+    """Two masses, two springs and two dashpots, each dashpot parallel to the spring of its number.
+
+    Parameters
+    ----------
+    m1, m2 : float
+        Masses in kg, above 0.
+    k1, k2 : float
+        Stiffnesses in N/m, 0 or more.
+    c1, c2 : float
+        Dampings in N s/m, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m1: float
     m2: float
@@ -143,20 +158,69 @@ class DampedChain:
         return np.array([self._ratio(i, s) for i, s in enumerate(self._roots)])
 
     def response(self, omega: ArrayLike, F_0: float = 1.0) -> Complexes:
-        """X1, X2 in m under F_0 sin(omega t) on mass 1: (2,), or (2, n) for n frequencies in rad/s.
+        """Return the complex amplitudes under F_0 sin(omega t) on mass 1: x_i = Im(X_i exp(i omega t)).
 
-        x_i = Im(X_i exp(i omega t)). Each part is rounded once; inf where no steady amplitude exists.
+        Parameters
+        ----------
+        omega : float or array_like, shape (n,)
+            Drive frequencies in rad/s, 0 or more.
+        F_0 : float
+            The amplitude of the force in N.
+
+        Returns
+        -------
+        ndarray of complex, shape (2,) or (2, n)
+            X1, X2 in m, each part rounded once; inf where no steady amplitude exists.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible.
         """
         frequencies = checked_damping(self.c2, F_0, omega, self.c1).tolist()
         each = np.array([damped_solution(self.chain, self.c2, F_0, w, self.c1) for w in frequencies])
         return each.reshape(-1, 2).T if np.ndim(omega) else each[0]
 
     def lags(self, omega: ArrayLike) -> Array:
-        """The lags of both masses behind the force in rad, (2,) or (2, n), continuous in omega: see `damped_lags`."""
+        """Return the lags of both masses behind the force, continuous in omega: see `damped_lags`.
+
+        Parameters
+        ----------
+        omega : float or array_like, shape (n,)
+            Drive frequencies in rad/s, 0 or more.
+
+        Returns
+        -------
+        ndarray, shape (2,) or (2, n)
+            Lags in rad.
+
+        Raises
+        ------
+        ValueError
+            If a frequency is not possible.
+        """
         return damped_lags(self.chain, self.c2, omega, self.c1)
 
     def works(self, omega: float, F_0: float = 1.0) -> tuple[float, float]:
-        """The energies in J that dashpots 1 and 2 take in a cycle of the steady motion, within 4 u."""
+        """Return the energies that both dashpots take in a cycle of the steady motion, within 4 u.
+
+        Parameters
+        ----------
+        omega : float
+            The drive frequency in rad/s.
+        F_0 : float
+            The amplitude of the force on mass 1 in N.
+
+        Returns
+        -------
+        tuple of float
+            The energies of dashpots 1 and 2 in J.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or an energy leaves the range of doubles.
+        """
         if not (self.c1 or self.c2):
             return 0.0, 0.0
         sizes = swing_and_stroke(self.chain, self.c2, F_0, omega, self.c1).tolist()

@@ -68,7 +68,22 @@ class Push(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class DrivenOscillator:
-    """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
+    """A mass on a spring and a dashpot, driven by a force, by its base or by an unbalanced rotor.
+
+    Parameters
+    ----------
+    m : float
+        The mass in kg, above 0.
+    c : float
+        The damping in N s/m, 0 or more.
+    k : float
+        The stiffness in N/m, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m: float
     c: float
@@ -89,9 +104,28 @@ class DrivenOscillator:
             return not self.c and within_an_ulp(omega, (exact(self.k) / exact(self.m)).sqrt())
 
     def response(self, omega: float, size: float = 1.0, kind: Drive = "force") -> complex:
-        """X in m, from exact numbers, each part rounded once: |X| and the lag are within 2 u.
+        """Return the complex amplitude X of the steady motion x_p = Im(X exp(i omega t)).
 
-        `size` is F_0 in N, Y in m, or mu e in kg m. Infinite without damping at the natural frequency exactly.
+        It is computed from exact numbers; each part is rounded once, so |X| and the lag are within 2 u.
+
+        Parameters
+        ----------
+        omega : float
+            The drive frequency in rad/s, 0 or more.
+        size : float
+            The amplitude of the drive, 0 or more: F_0 in N, Y in m, or mu e in kg m.
+        kind : {"force", "base", "unbalance"}
+            The kind of drive.
+
+        Returns
+        -------
+        complex
+            X in m; infinite without damping at the natural frequency exactly.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or the amplitude leaves the range of doubles.
         """
         re, im = self._force(omega, size, kind)
         m, c, k, w = map(Fraction, (self.m, self.c, self.k, float(omega)))
@@ -105,7 +139,27 @@ class DrivenOscillator:
             raise ValueError(f"the amplitude at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None
 
     def bode(self, omega: ArrayLike, size: float = 1.0, kind: Drive = "force") -> tuple[Array, Array]:
-        """|X| in m and the lag in rad at drive frequencies (n,) in rad/s, as `response` and `lag` have them."""
+        """Return the response over many drive frequencies.
+
+        Parameters
+        ----------
+        omega : array_like, shape (n,)
+            Drive frequencies in rad/s, 0 or more.
+        size : float
+            The amplitude of the drive: F_0 in N, Y in m, or mu e in kg m.
+        kind : {"force", "base", "unbalance"}
+            The kind of drive.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            |X| in m, and the lag in rad, as `response` and `lag` have them.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible.
+        """
         each = [self.response(w, size, kind) for w in finite_array("omega", omega).tolist()]
         return np.array(list(map(abs, each))), np.array(list(map(lag, each)))
 
@@ -113,10 +167,28 @@ class DrivenOscillator:
         self, omega: float, size: float = 1.0, x_0: float = 0.0, v_0: float = 0.0, t: ArrayLike = 0.0,
         kind: Drive = "force", effort: Effort = EXACT,
     ) -> DrivenMotion:  # fmt: skip
-        """Return x and v at the times t (n,) in s; the drive begins at t = 0.
+        """Return the motion under a drive that begins at t = 0.
 
-        With a dashpot they are as exact as `effort` says, without one within 1 u of the parts' sizes. ValueError where
-        that takes more work than `effort` allows.
+        Parameters
+        ----------
+        omega, size, kind
+            The drive, as in `response`.
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+        t : array_like, shape (n,)
+            Times in s, 0 or more.
+        effort : Effort
+            The digits, and the limit of the work.
+
+        Returns
+        -------
+        DrivenMotion
+            x in m and v in m/s, each (n,): with a dashpot as exact as `effort` says, else within 1 u of their parts.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or the motion takes more work than `effort` allows.
         """
         t = finite_array("t", t)
         check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))

@@ -77,6 +77,7 @@ class DrivenModes:
 
     @cached_property
     def free(self) -> FreeModes:
+        """The free motion from the initial conditions."""
         return started(self.chain, self.x_0, self.v_0)
 
     @cached_property
@@ -229,12 +230,56 @@ def forced_motion(
     x_0: ArrayLike = REST,
     v_0: ArrayLike = REST,
 ) -> Motion:
-    """The motion under F_0 sin(omega t) on mass 1; by default at rest in equilibrium at t = 0."""
+    """Return the motion under the force F_0 sin(omega t) on mass 1.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force in N.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+    t : array_like, shape (n,)
+        Times in s.
+    x_0, v_0 : array_like, shape (2,)
+        Displacements in m and velocities in m/s at t = 0; at rest in equilibrium by default.
+
+    Returns
+    -------
+    Motion
+        x, v and e, each (2, n), within 1.1 u of the envelope at every detuning.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
+    """
     return driven_modes(chain, F_0, omega, x_0, v_0).motion(t)
 
 
 def steady_start(chain: TwoMassChain, F_0: float, omega: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """(x_0, v_0) = (0, omega Xp), from which x_p is the whole motion; ValueError at resonance."""
+    """Return the initial conditions from which the particular solution is the whole motion.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+    omega : float
+        The drive frequency in rad/s.
+
+    Returns
+    -------
+    tuple of tuple of float
+        x_0 = (0, 0) in m, and v_0 = omega Xp in m/s.
+
+    Raises
+    ------
+    ValueError
+        At resonance, where no particular solution exists.
+    """
     modes = driven_modes(chain, F_0, omega)
     with precise():
         v1_0, v2_0 = (

@@ -51,6 +51,7 @@ class ForcedVibration:
 
     @property
     def is_driven(self) -> bool:
+        """True if the drive has a size and a frequency."""
         return bool(self.size and self.omega)
 
     @property
@@ -65,6 +66,7 @@ class ForcedVibration:
 
     @cached_property
     def push(self) -> Push:
+        """The motion from rest as numbers for a signal."""
         return self.oscillator.push(self.omega, self.size, self.kind)
 
     @cached_property

@@ -33,6 +33,7 @@ class ChainMotions(NamedTuple):
 
     @property
     def x(self) -> tuple[ExactMotion, ExactMotion]:
+        """The displacements of masses 1 and 2."""
         return self.x1, self.x2
 
 
@@ -48,14 +49,17 @@ class FreeMotions:
 
     @cached_property
     def slow(self) -> ChainMotions:
+        """The motions in the slow mode."""
         return ChainMotions(*self._mode(0, "slow"))
 
     @cached_property
     def fast(self) -> ChainMotions | None:
+        """The motions in the fast mode; None if it is at rest."""
         return ChainMotions(*self._mode(1, "fast")) if self.free.omega[1] else None
 
     @cached_property
     def both(self) -> ChainMotions:
+        """The motions in both modes together."""
         modes = (self.slow, self.fast) if self.fast else (self.slow,)
         rows = list(zip(ChainMotions._fields, *modes, strict=True))
         exact = (lambda t, i=i: _values(self._at(t.tobytes()))[i] for i in range(2, len(rows)))

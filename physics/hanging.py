@@ -33,7 +33,22 @@ Datum = Literal["equilibrium", "separate"]
 
 @dataclass(frozen=True, kw_only=True)
 class HangingMass:
-    """A mass m (kg) on a spring of stiffness k (N/m) under gravity g (m/s^2)."""
+    """A mass that hangs on a spring.
+
+    Parameters
+    ----------
+    m : float
+        The mass in kg, above 0.
+    k : float
+        The stiffness in N/m, above 0.
+    g : float
+        Gravity in m/s^2, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m: float
     k: float

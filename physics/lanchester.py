@@ -110,6 +110,7 @@ class HalfPeriod:
 
 @lru_cache(maxsize=256)
 def half_period(excess: float) -> HalfPeriod:
+    """Return the flight of this speed excess from its lowest point to its highest."""
     pieces = list(_pieces(max(excess, LINEAR)))
     scale = min(excess / LINEAR, 1.0)
     last = pieces[-1]

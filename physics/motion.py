@@ -147,6 +147,7 @@ class Harmonic:
 
     @property
     def omega(self) -> float:
+        """The highest frequency in rad/s."""
         return max((one.omega for one in self.sinusoids), default=0.0)
 
     def size(self) -> float:

@@ -29,7 +29,15 @@ from physics.valid import check_finite, check_not_negative, check_positive, fini
 
 @dataclass(frozen=True, kw_only=True)
 class OscillatorMotion:
-    """Times, displacements, velocities and accelerations, each (n,)."""
+    """The motion of one mass.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x, v, a : ndarray, shape (n,)
+        Displacements in m, velocities in m/s, accelerations in m/s^2.
+    """
 
     t: Array
     x: Array
@@ -39,9 +47,18 @@ class OscillatorMotion:
 
 @dataclass(frozen=True, kw_only=True)
 class OscillatorConstants:
-    """x = A cos(omega_n t) + B sin(omega_n t) + drift t = C sin(omega_n t + phi) + drift t; phi in (-pi, pi].
+    """The constants of both forms of the free motion.
 
-    drift is 0 but for k = 0, where it is v_0 and B is 0.
+    x = A cos(omega_n t) + B sin(omega_n t) + drift t = C sin(omega_n t + phi) + drift t.
+
+    Attributes
+    ----------
+    A, B, C : float
+        Amplitudes in m. B is 0 at k = 0.
+    phi : float
+        The phase in rad, in (-pi, pi].
+    drift : float
+        v_0 in m/s at k = 0, else 0.
     """
 
     A: float
@@ -53,7 +70,20 @@ class OscillatorConstants:
 
 @dataclass(frozen=True, kw_only=True)
 class Oscillator:
-    """A mass m (kg) on a spring of stiffness k (N/m)."""
+    """A mass on a spring.
+
+    Parameters
+    ----------
+    m : float
+        The mass in kg, above 0.
+    k : float
+        The stiffness in N/m, 0 or more; at 0 the mass drifts.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     m: float
     k: float
@@ -81,7 +111,23 @@ class Oscillator:
             return float(2 * PI / self.frequency) if self.k else inf
 
     def constants(self, x_0: float, v_0: float) -> OscillatorConstants:
-        """The constants of both forms of the solution for x(0) = x_0, x'(0) = v_0."""
+        """Return the constants of both forms of the solution.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+
+        Returns
+        -------
+        OscillatorConstants
+            Amplitudes, phase and drift, each rounded once.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or a constant leaves the range of doubles.
+        """
         A, B = self._amplitudes(x_0, v_0)
         with precise():
             C = (A * A + B * B).sqrt()
@@ -94,9 +140,24 @@ class Oscillator:
         )
 
     def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
-        """The motion from x(0) = x_0, x'(0) = v_0 at the times t (n,) in s.
+        """Return the free motion.
 
-        ValueError where x, v or a leaves the range of doubles.
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        OscillatorMotion
+            x, v and a, each (n,), within 2 u of their amplitudes.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or x, v or a leaves the range of doubles.
         """
         t = finite_array("t", t)
         omega = self.frequency

@@ -37,11 +37,29 @@ _COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot ov
 
 
 def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
-    """Amplitudes Xp1, Xp2 in m, signed: (2,) for a drive frequency omega in rad/s, (2, n) for n of them.
+    """Return the signed amplitudes Xp1, Xp2 of the particular solution Xp sin(omega t).
 
-    +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two
-    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
-    ValueError if an amplitude leaves the range of doubles.
+    One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+    omega : float or array_like, shape (n,)
+        Drive frequencies in rad/s, 0 or more.
+
+    Returns
+    -------
+    ndarray, shape (2,) or (2, n)
+        Amplitudes in m. +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has
+        on the two sides.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or an amplitude leaves the range of doubles.
     """
     frequencies = finite_array("omega", omega)
     check_drive(F_0, float(frequencies.min(initial=0.0)))

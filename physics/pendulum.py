@@ -43,7 +43,20 @@ class PendulumMotion:
 
 @dataclass(frozen=True, kw_only=True)
 class Pendulum:
-    """A point mass on a rod of length l (m) under gravity g (m/s^2); for a rigid body l = I/(m d)."""
+    """A mass on a rod of length l.
+
+    Parameters
+    ----------
+    l : float
+        The length in m, above 0.
+    g : float
+        Gravity in m/s^2, above 0.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     l: float  # noqa: E741
     g: float
@@ -65,12 +78,46 @@ class Pendulum:
         return float(self.frequency)
 
     def period(self, theta_0: float) -> float:
-        """T in s of the swing of amplitude theta_0 in rad."""
+        """Return the period of a swing of any size, rounded once.
+
+        Parameters
+        ----------
+        theta_0 : float
+            The amplitude in rad, less than pi.
+
+        Returns
+        -------
+        float
+            The period in s.
+
+        Raises
+        ------
+        ValueError
+            If the angle is not possible.
+        """
         with precise():
             return rounded("the period", 2 * PI / (self.frequency * _modulus_at(theta_0).mean))
 
     def motion(self, theta_0: float, t: ArrayLike) -> PendulumMotion:
-        """The exact swing from rest at theta_0 in rad, |theta_0| < pi, at the times t (n,) in s."""
+        """Return the exact swing from rest.
+
+        Parameters
+        ----------
+        theta_0 : float
+            The angle at t = 0 in rad, less than pi to either side.
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        PendulumMotion
+            The angle in rad and its derivatives, each (n,).
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         modulus, theta_0 = _modulus_at(theta_0), float(theta_0)
         with precise():

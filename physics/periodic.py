@@ -34,9 +34,23 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class PeriodicPush:
-    """A push of `size` F in N, or in N s for impulses, with omega in rad/s; `width` is the share of a period of pulses.
+    """A push on a mass that repeats, or a step or an impulse.
 
-    omega and width do not matter for a step or one impulse.
+    Parameters
+    ----------
+    kind : {"square", "triangle", "pulses", "impulses", "step", "impulse"}
+        The shape of the push.
+    size : float
+        The largest force in N; of impulses the momentum in N s.
+    omega : float
+        The angular frequency of the repetition in rad/s, above 0. It does not matter for a step or one impulse.
+    width : float
+        The share of a period that a pulse takes, between 0 and 1. It matters only for pulses.
+
+    Raises
+    ------
+    ValueError
+        If a number or a kind is not possible.
     """
 
     kind: PushKind

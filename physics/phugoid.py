@@ -58,7 +58,15 @@ __all__ = [
 
 @dataclass(frozen=True, kw_only=True)
 class LinearPhugoid:
-    """Angular frequency (rad/s) and period (s) of a small motion: v_0 alone says which aircraft it is."""
+    """The small motion of an aircraft: v_0 alone says which aircraft it is.
+
+    Attributes
+    ----------
+    omega : float
+        Angular frequency in rad/s.
+    tau : float
+        Period in s.
+    """
 
     omega: float
     tau: float
@@ -66,7 +74,17 @@ class LinearPhugoid:
 
 @dataclass(frozen=True, kw_only=True)
 class Flight:
-    """A flight in SI units, arrays (n,); h above level flight of equal energy."""
+    """A flight in SI units.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x, h : ndarray, shape (n,)
+        Distance along the ground in m, and height in m above level flight of equal energy.
+    u, w, V : ndarray, shape (n,)
+        Speeds forward, up and along the path in m/s.
+    """
 
     t: Array
     x: Array
@@ -92,7 +110,25 @@ class Flight:
 
 
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
-    """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g, rounded once."""
+    """Return omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g, each rounded once.
+
+    Parameters
+    ----------
+    v_0 : float
+        The speed of level flight in m/s, above 0.
+    g : float
+        Gravity in m/s^2, above 0.
+
+    Returns
+    -------
+    LinearPhugoid
+        Frequency and period.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
+    """
     check_positive("a speed in m/s", v_0=v_0)
     check_positive("gravity in m/s^2", g=g)
     return _linear(float(v_0), float(g))
@@ -108,7 +144,29 @@ def _linear(v_0: float, g: float) -> LinearPhugoid:
 
 
 def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
-    """The flight that is level at t = 0 with speed v_0 (1 + excess), to first order in the excess."""
+    """Return the flight that is level at t = 0, to first order in the excess of speed.
+
+    Parameters
+    ----------
+    v_0 : float
+        The speed of level flight in m/s, above 0.
+    g : float
+        Gravity in m/s^2, above 0.
+    excess : float
+        The speed at t = 0 is v_0 (1 + excess); from -1, standstill, to 1e6.
+    t : array_like, shape (n,)
+        Times in s.
+
+    Returns
+    -------
+    Flight
+        Distances, heights and speeds, each (n,).
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
+    """
     omega = linear_phugoid(v_0, g).omega
     check_excess(excess)
     t = finite_array("t", t)
@@ -118,10 +176,31 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
 
 
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
-    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,).
+    """Return the exact flight that is level at t = 0, at any times.
 
     Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53), and 32 u more in each later one: the phase is
     rounded within 2 u.
+
+    Parameters
+    ----------
+    v_0 : float
+        The speed of level flight in m/s, above 0.
+    g : float
+        Gravity in m/s^2, above 0.
+    excess : float
+        The speed at t = 0 is v_0 (1 + excess); from -1, standstill, to 1e6.
+    t : array_like, shape (n,)
+        Times in s.
+
+    Returns
+    -------
+    Flight
+        Distances, heights and speeds, each (n,).
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     omega = linear_phugoid(v_0, g).omega
     half = half_period(bottom_excess(excess))

@@ -8,9 +8,8 @@ start. With p1, p2 the exponents of the free motion and f[..] divided difference
 These are regular at zeta = 0, at critical damping and without a spring. The steady motion is the one that the pieces of
 a period bring back to its start: no Fourier sum. It does not exist where c = 0 and a line n of the push is at
 omega_n = n omega, or where k = 0 and the push has a mean. From rest a period is applied M times by repeated squaring,
-at a resonance too.
-
-States at the start of a piece have as many digits as they need; in pieces motions are summed as in physics.transient.
+at a resonance too. States at the start of a piece have as many digits as they need; in pieces motions are summed as in
+physics.transient.
 
 Source: beyond lecture D31; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.1 and 3.1.
 """
@@ -37,8 +36,7 @@ _CLOSE = Effort(2.0**-56, of_largest=True)
 _DIGITS, _MOST = 40, 8000
 _DIED_OUT = -1e5  # of an exponent: e^-1e5 is negligible
 _PERIODS = 64  # bits of the number of periods until a time
-_SHORT, _TERMS = 0.1, 12
-_BITS = 250  # of a time in a piece
+_SHORT, _TERMS, _BITS = 0.1, 12, 250  # bits of a time in a piece
 
 PhasePoint = tuple[Any, Any]  # x and v, numbers of mpmath
 
@@ -73,6 +71,7 @@ class AffineMap(NamedTuple):
     q: Any
 
     def at(self, state: PhasePoint) -> PhasePoint:
+        """Return the state to which a state is moved."""
         x, v = state
         return self.a * x + self.b * v + self.p, self.c * x + self.d * v + self.q
 
@@ -313,6 +312,7 @@ class TimesInPieces(NamedTuple):
 
     @classmethod
     def of(cls, push: PeriodicPush, t: Array) -> "TimesInPieces":
+        """Return the piece of each time of t (n,), and the time since its start."""
         none = np.zeros(t.size, dtype=int)
         if push.once:
             return cls(none.tolist(), none, t, np.zeros_like(t))

@@ -55,6 +55,7 @@ class PushedVibration:
 
     @cached_property
     def steady(self) -> SteadyMotion:
+        """The steady motion over the window."""
         return SteadyMotion(oscillator=self.oscillator, push=self.push, end=float(self.t[-1]))
 
     @property
@@ -147,10 +148,12 @@ class PushHarmonics:
 
     @property
     def r(self) -> float:
+        """The frequency of the push over the natural frequency."""
         return self.push.omega / self.oscillator.omega_n
 
     @cached_property
     def mass(self) -> PushedMass:
+        """The mass under the push."""
         return self.oscillator.pushed(self.push)
 
     def lines(self, n: Iterable[int]) -> Harmonics:

@@ -63,6 +63,7 @@ class SteadyMotion:
 
     @cached_property
     def mass(self) -> PushedMass:
+        """The mass under the push."""
         return self.oscillator.pushed(self.push)
 
     @property

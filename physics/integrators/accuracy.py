@@ -122,10 +122,12 @@ class Run:
 
     @property
     def name(self) -> str:
+        """The name of the method."""
         return METHODS[self.method].name
 
     @property
     def family(self) -> str:
+        """The family of the method."""
         return METHODS[self.method].family
 
     @property

@@ -41,6 +41,7 @@ def decoded_system(data: dict[str, Any]) -> System:
 
 
 def tell(**message: Any) -> None:
+    """Write a message to the standard output as a line of JSON."""
     print(json.dumps(message), flush=True)
 
 

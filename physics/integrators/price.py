@@ -33,6 +33,7 @@ class Price:
 
     @property
     def name(self) -> str:
+        """The name of the method."""
         return METHODS[self.method].name
 
 

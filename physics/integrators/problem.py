@@ -38,10 +38,12 @@ class Problem:
 
     @property
     def start(self) -> MotionState:
+        """The displacements in m and velocities in m/s at t = 0."""
         return *self.x_0, *self.v_0
 
     @property
     def spacing(self) -> float:
+        """The time in s between two outputs."""
         return float(self.t[1] - self.t[0])
 
     @property
@@ -75,10 +77,14 @@ class StoppedError(Exception):
 
 
 class OverTimeError(StoppedError):
+    """The time limit of a run is over."""
+
     end = "time limit"
 
 
 class CancelledError(StoppedError):
+    """The run was cancelled."""
+
     end = "cancelled"
 
 

@@ -33,6 +33,7 @@ class ScaledCurve(NamedTuple):
     scale: Decimal
 
     def times(self, factor: Decimal) -> "ScaledCurve":
+        """Return the curve times a factor."""
         with precise():
             return ScaledCurve(self.hi, self.lo, self.scale * factor)
 
@@ -123,12 +124,14 @@ def early(frequencies: Sequence[Decimal], t: Array, power: int) -> ScaledCurve:
 
 
 def product(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
+    """Return the product of two curves."""
     hi, lo = pair_product((a.hi, a.lo), (b.hi, b.lo))
     with precise():
         return ScaledCurve(hi, lo, a.scale * b.scale)
 
 
 def difference(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
+    """Return the difference of two curves."""
     scale = max(abs(a.scale), abs(b.scale))
     a, b = rescaled(a, scale), rescaled(b, scale)
     s, e = two_sum(a.hi, -b.hi)

@@ -24,14 +24,17 @@ def product(*factors: Polynomial) -> Polynomial:
 
 
 def added(*terms: Polynomial) -> Polynomial:
+    """Return the sum of two polynomials."""
     return tuple(sum(column, Fraction(0)) for column in zip_longest(*terms, fillvalue=Fraction(0)))
 
 
 def negative(a: Polynomial) -> Polynomial:
+    """Return a polynomial times -1."""
     return tuple(-one for one in a)
 
 
 def derivative(a: Polynomial) -> Polynomial:
+    """Return the derivative of a polynomial."""
     return tuple(k * one for k, one in enumerate(a))[1:] or (Fraction(0),)
 
 

@@ -1,0 +1,43 @@
+"""The public face of physics is documented: parameters and fields with units and shapes, results, errors, source."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+
+from tests.serving.server import ROOT
+from tools.docstrings import gaps, public
+
+FACE = {
+    "oscillator": ("Oscillator", "Oscillator.constants", "Oscillator.motion", "OscillatorMotion"),
+    "damped": ("DampedOscillator", "DampedOscillator.motion", "DampedOscillator.steady"),
+    "driven": tuple(f"DrivenOscillator{method}" for method in ("", ".response", ".bode", ".motion")),
+    "coupled": ("TwoMassChain", "Modes", "Motion", "free_motion"),
+    "particular": ("particular_solution",),
+    "forced": ("forced_motion", "steady_start"),
+    "damped_chain": tuple(f"DampedChain{method}" for method in ("", ".response", ".lags", ".works")),
+    "periodic": ("PeriodicPush",),
+    "chain": ("UniformChain", "UniformChain.motion", "ChainMotion"),
+    "phugoid": ("LinearPhugoid", "Flight", "linear_phugoid", "linear_flight", "flight"),
+    "pendulum": ("Pendulum", "Pendulum.period", "Pendulum.motion"),
+    "hanging": ("HangingMass",),
+    "absorber": ("den_hartog",),
+}
+"""The names that notebooks use, by module."""
+
+
+@pytest.mark.parametrize("module", FACE)
+def test_the_public_face_is_documented(module: str) -> None:
+    path = f"physics/{module}.py"
+    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
+    known = dict(public(tree))
+    assert set(FACE[module]) <= known.keys()
+    assert [one for one in gaps() if one.module == path and one.name in ("", *FACE[module])] == []
+    for name in FACE[module]:
+        text = ast.get_docstring(known[name]) or ""
+        assert "\nRaises\n" in text or "\nAttributes\n" in text, name
+
+
+def test_every_public_name_has_a_docstring() -> None:
+    assert [(one.module, one.name) for one in gaps() if "a docstring" in one.lacks] == []
