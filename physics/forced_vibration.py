@@ -83,10 +83,11 @@ class ForcedVibration:
     @cached_property
     def x(self) -> ExactMotion:
         """The displacement in m. It is played as the motion from rest and the free motion, which are always regular."""
+        twin = replace(self)  # which does not keep this motion
         from_rest = Elementary(
-            symbol="x_driven", exact=lambda t: self.at(t)[0], played=self.push, size=self._size, omega=self.fastest
+            symbol="x_driven", exact=lambda t: twin.at(t)[0], played=self.push, size=twin._size, omega=self.fastest
         )
-        return MotionPolynomial(((ONE, (from_rest,)), (ONE, (replace(self.free.x, symbol="x_free"),))), self._exact)
+        return MotionPolynomial(((ONE, (from_rest,)), (ONE, (replace(self.free.x, symbol="x_free"),))), twin._exact)
 
     @cached_property
     def x_p(self) -> ExactMotion:
@@ -122,10 +123,10 @@ class ForcedVibration:
         inner = (t[:-1, None] + step * (1 + _NODES) / 2).ravel()
         found = []
         with np.errstate(over="ignore", invalid="ignore"):
-            for inside, at in zip(self.powers(inner), self.powers(t), strict=True):
-                pieces = inside.reshape(count, -1) @ _WEIGHTS * step / 2
+            for power in self.powers(np.concatenate([t, inner])):
+                pieces = power[count + 1 :].reshape(count, -1) @ _WEIGHTS * step / 2
                 done = np.concatenate([[0.0], np.cumsum(pieces)])
-                before = _between(step, in_range("the work", done), in_range("the power", at), earlier)
+                before = _between(step, in_range("the work", done), in_range("the power", power[: count + 1]), earlier)
                 found.append((done - before) / period)
         return MeanPowers(t, *found)
 

@@ -5,9 +5,9 @@ Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6; eq
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
-from functools import cached_property, lru_cache
+from functools import cached_property, partial
 from math import inf, pi
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.damped import DampedOscillator, Decay, Fading
-from physics.motion import Elementary, ExactMotion
+from physics.motion import Elementary, ExactMotion, remembered
 from physics.oscillator import OscillatorMotion
 from physics.precision.exact import Array, exact, precise, rounded, sum_of
 from physics.valid import finite_array, in_range
@@ -44,19 +44,19 @@ class FreeDecay:
     @cached_property
     def x(self) -> Elementary:
         """The displacement in m. If it oscillates, it fills its envelope, and the spring has half of the energy."""
-        one = self.oscillator
+        one, motion, twin = self.oscillator, self._motion, replace(self)  # the twin does not keep this motion
         return Elementary(
-            symbol="x", exact=lambda t: self._motion(t).x, played=self.fadings[0], size=self.reach, omega=one.omega_d,
-            amplitude=lambda: self.envelope, square=lambda: self._decaying_energy / one.k,
+            symbol="x", exact=lambda t: motion(t).x, played=self.fadings[0], size=twin._size, omega=one.omega_d,
+            amplitude=lambda: twin.envelope, square=lambda: twin._decaying_energy / one.k,
         )  # fmt: skip
 
     @cached_property
     def v(self) -> ExactMotion:
         """The velocity in m/s. If it oscillates, the mass has half of the energy on average."""
-        one = self.oscillator
+        one, motion, twin = self.oscillator, self._motion, replace(self)
         return Elementary(
-            symbol="v", exact=lambda t: self._motion(t).v, played=self.fadings[1], size=lambda: abs(self.fastest.v),
-            omega=one.omega_d, square=lambda: self._decaying_energy / one.m,
+            symbol="v", exact=lambda t: motion(t).v, played=self.fadings[1], size=lambda: abs(twin.fastest.v),
+            omega=one.omega_d, square=lambda: twin._decaying_energy / one.m,
         )  # fmt: skip
 
     @cached_property
@@ -107,6 +107,11 @@ class FreeDecay:
         times = [0.0, *([] if turn is None or turn > end else [turn]), *([end] if end < inf else [])]
         return max(abs(moment.x) for moment in self.moments(times))
 
+    def _size(self) -> float:
+        """Return about the largest |x| in m."""
+        turn = self.first_turn
+        return max(abs(self.x_0), 0.0 if turn is None else abs(self._place(turn)))
+
     def moments(self, times: list[float]) -> list[Moment]:
         """Return the motion at these times in s."""
         motion = self.oscillator.motion(self.x_0, self.v_0, times)
@@ -115,22 +120,19 @@ class FreeDecay:
     @cached_property
     def _decaying_energy(self) -> ExactMotion:
         """The energy in J, averaged over a cycle of light damping."""
-        rate = self.oscillator.rates[0]
+        rate, E_0 = self.oscillator.rates[0], self.E_0
 
         def energy(t: Array) -> Array:
             decay = np.exp(-rate * t)
-            return np.asarray(self.E_0 * decay * decay)
+            return np.asarray(E_0 * decay * decay)
 
-        played = Decay(self.E_0, 0.0, 2 * rate, 0.0, pi / 2)
-        return Elementary(symbol="energy", exact=energy, played=played, size=lambda: self.E_0)
-
-    def _motion(self, t: Array) -> OscillatorMotion:
-        return self._motions(t.tobytes())
+        played = Decay(E_0, 0.0, 2 * rate, 0.0, pi / 2)
+        return Elementary(symbol="energy", exact=energy, played=played, size=lambda: E_0)
 
     @cached_property
-    def _motions(self) -> Callable[[bytes], OscillatorMotion]:
-        """The motion at the times in a buffer: x, v and what is made of them share one computation."""
-        return lru_cache(1)(lambda times: self.oscillator.motion(self.x_0, self.v_0, np.frombuffer(times)))
+    def _motion(self) -> Callable[[Array], OscillatorMotion]:
+        """The motion at given times: x, v and what is made of them share one computation."""
+        return remembered(partial(self.oscillator.motion, self.x_0, self.v_0))
 
     @property
     def first_zero(self) -> float | None:

@@ -8,13 +8,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import NamedTuple
 
-import numpy as np
-
 from physics.coupled import FreeModes, Motion
-from physics.motion import Elementary, ExactMotion, Harmonic, harmonic_motion, superposed
+from physics.motion import Elementary, ExactMotion, Harmonic, harmonic_motion, remembered, superposed
 from physics.precision.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid
 
@@ -61,20 +59,29 @@ class FreeMotions:
     def both(self) -> ChainMotions:
         """The motions in both modes together."""
         modes = (self.slow, self.fast) if self.fast else (self.slow,)
-        rows = list(zip(ChainMotions._fields, *modes, strict=True))
-        exact = (lambda t, i=i: _values(self._at(t.tobytes()))[i] for i in range(2, len(rows)))
+        rows, motion = list(zip(ChainMotions._fields, *modes, strict=True)), remembered(self.free.motion)
+        exact = (lambda t, i=i: _values(motion(t))[i] for i in range(2, len(rows)))
         sums = [superposed(*row) for row in rows[:2]]
         return ChainMotions(*sums, *(superposed(*row, exact=one) for row, one in zip(rows[2:], exact, strict=True)))
 
     def _mode(self, j: int, mode: str) -> list[Elementary]:
         """The motions in the mode j; the elongation of spring 1 is x1 itself."""
+        part = self._parts[j]
         x1, x2, e2, v1, v2 = (
-            harmonic_motion(f"{name}_{mode}", harmonic, lambda t, i=i: self._part(t, j)[i])  # type: ignore[misc]
+            harmonic_motion(f"{name}_{mode}", harmonic, lambda t, i=i: _values(part(t))[i])  # type: ignore[misc]
             for i, name, harmonic in zip(
                 (0, 1, 3, 4, 5), ("x1", "x2", "e2", "v1", "v2"), self._harmonics(j), strict=True
             )
         )
         return [x1, x2, x1, e2, v1, v2]
+
+    @cached_property
+    def _parts(self) -> tuple[Callable[[Array], Motion], Callable[[Array], Motion]]:
+        """The motion of each mode at given times, which share one computation; the slow one with all drifts."""
+        parts = remembered(self.free.parts)
+        if self.free.omega[1]:
+            return (lambda t: parts(t)[0]), (lambda t: parts(t)[1])
+        return (lambda t: parts(t)[0] + parts(t)[1]), (lambda t: parts(t)[1])
 
     def _harmonics(self, j: int) -> Iterator[Harmonic]:
         """The motions x1, x2, e2, v1, v2 in the mode j, in doubles."""
@@ -87,19 +94,6 @@ class FreeMotions:
         sizes = self.free.amplitudes[j].tolist()
         yield from (Harmonic((Sinusoid(size, omega, phase),)) for size in sizes)
         yield from (Harmonic((Sinusoid(_product(size, omega), omega, phase + QUARTER),)) for size in sizes[:2])
-
-    def _part(self, t: Array, j: int) -> list[Array]:
-        slow, fast = self._parts_at(t.tobytes())
-        return _values((slow, fast)[j] if self.free.omega[1] else slow + fast)
-
-    @cached_property
-    def _parts_at(self) -> Callable[[bytes], tuple[Motion, Motion]]:
-        """The motions of both modes at the times in a buffer: all that is made of them share one computation."""
-        return lru_cache(1)(lambda times: self.free.parts(np.frombuffer(times)))
-
-    @cached_property
-    def _at(self) -> Callable[[bytes], Motion]:
-        return lru_cache(1)(lambda times: self.free.motion(np.frombuffer(times)))
 
 
 def _values(motion: Motion) -> list[Array]:

@@ -5,13 +5,13 @@ The equations are in physics.oscillator; if k = 0, the mass drifts at constant s
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, partial
 from math import floor, pi
 from operator import attrgetter
 
 import numpy as np
 
-from physics.motion import Elementary, ExactMotion, Harmonic, computed_by, constant
+from physics.motion import Elementary, ExactMotion, Harmonic, computed_by, constant, remembered
 from physics.oscillator import Oscillator, OscillatorConstants, OscillatorMotion
 from physics.precision.exact import Array, exact, precise, rounded, sin_cos
 from physics.sampling import Sinusoid
@@ -35,6 +35,16 @@ class FreeOscillation:
 
     def amplitude(self, derivative: int) -> float:
         """C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0."""
+        if derivative not in self._amplitudes:
+            self._amplitudes[derivative] = self._amplitude(derivative)
+        return self._amplitudes[derivative]
+
+    @cached_property
+    def _amplitudes(self) -> dict[int, float]:
+        """The amplitudes that are known already."""
+        return {}
+
+    def _amplitude(self, derivative: int) -> float:
         if not self.oscillator.k:
             return (abs(self.x_0), abs(self.v_0), 0.0)[derivative]
         with precise():
@@ -96,20 +106,17 @@ class FreeOscillation:
         """One of x, v and a, a sine a quarter turn ahead for each derivative; of a free mass a line."""
         omega, size = self.oscillator.omega_n, self.amplitude(derivative)
         sine = Sinusoid(size, omega, self.constants.phi + derivative * QUARTER)
-        value = attrgetter(symbol)
+        value, motion = attrgetter(symbol), self._motion
         return Elementary(
-            symbol=symbol, exact=lambda t: np.asarray(value(self._motion(t))), size=lambda: size, omega=omega,
+            symbol=symbol, exact=lambda t: np.asarray(value(motion(t))), size=lambda: size, omega=omega,
             played=Harmonic((sine,)) if omega else Harmonic((), line), amplitude=lambda: constant(size),
             square=lambda: 0.5 * constant(size) ** 2,
         )  # fmt: skip
 
-    def _motion(self, t: Array) -> OscillatorMotion:
-        return self._motions(t.tobytes())
-
     @cached_property
-    def _motions(self) -> Callable[[bytes], OscillatorMotion]:
-        """The motion at the times in a buffer, which x, v and a share."""
-        return lru_cache(1)(lambda times: self.oscillator.motion(self.x_0, self.v_0, np.frombuffer(times)))
+    def _motion(self) -> Callable[[Array], OscillatorMotion]:
+        """The motion at given times, which x, v and a share."""
+        return remembered(partial(self.oscillator.motion, self.x_0, self.v_0))
 
     def last_peak(self, end: float) -> float:
         """Return the last time in periods, up to `end` in s, at which x is largest; negative if it never is."""

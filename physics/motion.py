@@ -11,13 +11,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cached_property, lru_cache
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
 from physics.precision.exact import Array
 from physics.sampling import CurveOrBand, Sinusoid, curve_or_band, highest_drawn, root_mean_square
 
+V = TypeVar("V")
 ONE = Decimal(1)
 
 
@@ -62,9 +63,9 @@ class ExactMotion(ABC):
         return MotionPolynomial((*_terms(self), *_terms(other)))
 
     def __mul__(self, other: ExactMotion | float) -> ExactMotion:
-        if isinstance(other, ExactMotion):
-            return MotionPolynomial(((ONE, (self, other)),))
-        return MotionPolynomial(((Decimal(other), (self,)),))
+        if isinstance(other, (float, int)):
+            return MotionPolynomial(((Decimal(other), (self,)),))
+        return MotionPolynomial(((ONE, (self, other)),))
 
     def __truediv__(self, other: float) -> ExactMotion:
         return MotionPolynomial(((ONE / Decimal(other), (self,)),))
@@ -90,6 +91,15 @@ MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
 """A factor and the motions that it multiplies."""
 
 
+def remembered(values: Callable[[Array], V]) -> Callable[[Array], V]:
+    """Return the function, which remembers its last result: the quantities of a motion share one computation.
+
+    `values` must not refer to an object that keeps a motion made with it: such a cycle waits for the garbage collector.
+    """
+    at_times = lru_cache(1)(lambda times: values(np.frombuffer(times)))
+    return lambda t: at_times(t.tobytes())
+
+
 def computed_by(exact: Callable[[Array], Array], motion: ExactMotion) -> ExactMotion:
     """Return a sum of motions whose values are computed in a way that loses fewer digits."""
     assert isinstance(motion, MotionPolynomial)
@@ -102,7 +112,7 @@ def constant(value: float) -> ExactMotion:
 
 
 def _terms(one: ExactMotion | float) -> tuple[MotionTerm, ...]:
-    return ((ONE, (one,)),) if isinstance(one, ExactMotion) else ((Decimal(one), ()),)
+    return ((Decimal(one), ()),) if isinstance(one, (float, int)) else ((ONE, (one,)),)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -264,8 +274,8 @@ class Superposition(MotionPolynomial):
         return float(values.min()), float(values.max())
 
     def band(self, drawn: float) -> MotionBand:
-        drawn_at = lru_cache(1)(lambda times: self.harmonic.drawn(np.frombuffer(times)))
-        return _slow(lambda t: drawn_at(t.tobytes()).lo), _slow(lambda t: drawn_at(t.tobytes()).hi)
+        drawn_at = remembered(self.harmonic.drawn)
+        return _slow(lambda t: drawn_at(t).lo), _slow(lambda t: drawn_at(t).hi)
 
     @property
     def mean_square(self) -> tuple[ExactMotion, ...]:

@@ -99,7 +99,7 @@ class Oscillator:
         with precise():
             return (exact(self.k) / exact(self.m)).sqrt()
 
-    @property
+    @cached_property
     def omega_n(self) -> float:
         """Natural frequency in rad/s, rounded once."""
         return float(self.frequency)

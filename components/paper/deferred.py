@@ -127,13 +127,14 @@ class Attributes(Generic[C]):
         called: tuple[str, str] = ("", ""),
     ) -> tuple[Attribute[V], Attribute[V]]:
         """Return two attributes from one sequence, both None if it is None."""
-
-        both = Attribute(compute)
-        both.name = f"pair_{id(both)}"  # computed once per case, for both
+        key = f"pair {id(compute)}"
 
         def part(i: int) -> Attribute[V]:
             def one(case: C) -> V | None:
-                found = both.__get__(case, self.kind)
+                known = vars(case)
+                if key not in known:
+                    known[key] = compute(case)
+                found = known[key]
                 return None if found is None else found[i]
 
             return Attribute(one, True, called[i], unit, meanings[i])

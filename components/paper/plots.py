@@ -98,10 +98,10 @@ class Plot(PlotFrame):
         """
 
         def compute(known: C, axes: Axes) -> V | None:
-            found, key = vars(known), f"{name} in frame"  # a case belongs to one picture
-            if key not in found:
-                found[key] = of(known, axes[self.across.name], axes[self.up.name])
-            return cast(V | None, found[key])
+            found, key = vars(known), f"{name} in frame"
+            if key not in found or found[key][0] is not axes:
+                found[key] = axes, of(known, axes[self.across.name], axes[self.up.name])
+            return cast(V | None, found[key][1])
 
         return cast(V, computed(case, name, compute, optional))
 

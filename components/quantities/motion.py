@@ -68,8 +68,8 @@ def sines(size: Axis, time: Axis, *terms: _Term, line: tuple[float, float] = (0,
             scaled(size.exponent, amplitude, 1 / size.factor),
             scaled(-time.exponent, omega),
             phase,
-            scaled(-time.exponent, decay),
-            scaled(size.exponent - time.exponent, slope, 1 / size.factor),
+            decay and scaled(-time.exponent, decay),
+            slope and scaled(size.exponent - time.exponent, slope, 1 / size.factor),
         )
 
     start, drift = line

@@ -9,7 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -27,9 +27,12 @@ from components.scene.about import About
 from components.scene.case_curves import BandColumns
 from components.scene.case_picture import CasePaper, CasePicture
 from components.scene.frames import FITTED
-from components.scene.picture import Picture
+from components.scene.picture import Asked, Picture
 from components.scene.scene import Scene
 from components.scene.traces import Floats, samples
+
+MOST_CASES = 8
+"""Number of cached cases: a picture that does not fit its frame is drawn again, with the same case."""
 
 
 class Case(ABC):
@@ -153,6 +156,11 @@ class ComparedNumber:
         return Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle)
 
 
+@lru_cache(MOST_CASES)
+def _case(asked: Asked[CaseScene]) -> Case:
+    return asked.scene.case(asked.scene.values, asked.frame)
+
+
 class CaseScene(Scene):
     """A scene made of a case and its paper."""
 
@@ -186,11 +194,11 @@ class CaseScene(Scene):
         return cls.written().block
 
     def of(self, frame: Frame = FITTED) -> Case:
-        """Return the case of the scene in a frame."""
-        return self.case(self.values, frame)
+        """Return the case of the scene in a frame. Frames that differ only in the ranges of axes have the same one."""
+        return _case(Asked((self.key, frame.window, frame.scale), self, frame))
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        return CasePicture(self.written(), self.of(frame)).picture
+        return CasePicture(self.written(), self.of(frame), frame).picture
 
     @property
     def numbers(self) -> dict[str, SceneNumber]:

@@ -9,6 +9,7 @@ from typing import Any
 from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
+from components.language.state import Frame
 from components.paper.deferred import FORMATS, Book, ExpressionRecord, attributes, recorded
 from components.paper.plot_axes import PlotAxis
 from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
@@ -112,10 +113,11 @@ class CasePicture:
 
     paper: CasePaper
     case: Any
+    frame: Frame
 
     @cached_property
     def framed(self) -> dict[str, Axis]:
-        return framed(self.case.frame, {name: one.axis(self.case) for name, one in self.paper.axes.items()})
+        return framed(self.frame, {name: one.axis(self.case) for name, one in self.paper.axes.items()})
 
     @cached_property
     def axes(self) -> dict[str, Axis]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Hashable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from typing import Literal, Protocol
+from typing import Generic, Literal, Protocol, TypeVar
 
 import msgspec
 from msgspec.structs import replace as changed
@@ -19,6 +19,7 @@ from components.scene.file_table import FileTable
 from components.scene.frames import FITTED, grown, loosened, paced, refitted, together
 from components.scene.traces import Columns, Traces
 
+D = TypeVar("D", bound="Drawable")
 Framing = Literal["fitted", "kept", "grown"]
 """Framing of a picture: it chooses its frame, keeps a given one, or widens it if something would leave it."""
 MOST_DRAWN = 64
@@ -112,16 +113,16 @@ class Drawable(Protocol):
 
 
 @dataclass(frozen=True)
-class _Asked:
-    """The key of the cache: a scene and a frame."""
+class Asked(Generic[D]):
+    """A key of a cache: a scene and a frame."""
 
     key: Hashable
-    scene: Drawable = field(compare=False)
+    scene: D = field(compare=False)
     frame: Frame = field(compare=False)
 
 
 @lru_cache(MOST_DRAWN)
-def _drawn(asked: _Asked) -> Framed:
+def _drawn(asked: Asked[Drawable]) -> Framed:
     """Return a picture with read-only columns, because many pages share it. Raises ArithmeticError for a number that
     cannot be sent."""
     picture, frame = asked.scene.picture(asked.frame), asked.frame
@@ -135,7 +136,7 @@ def _drawn(asked: _Asked) -> Framed:
 
 def drawing(scene: Drawable, frame: Frame = FITTED) -> Framed:
     """Return the picture of a scene in a frame; missing parts of the frame are fitted. Cached for all visitors."""
-    return _drawn(_Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
+    return _drawn(Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
 
 
 def draw(

@@ -72,7 +72,8 @@ def sent_picture(now: PageState, picture: Picture) -> Picture:
         return picture
     axes = parts.axes
     drawn = {name: one for name, one in picture.traces.items() if name in axes}
-    traces = {name: one.less(set(one.names) - axes[name].keys()) for name, one in drawn.items()}
+    gone = {name: set(one.names) - axes[name].keys() for name, one in drawn.items()}
+    traces = {name: one.less(gone[name]) if gone[name] else one for name, one in drawn.items()}
     wanted = parts.names.union(*(one.needed for one in traces.values()))
     if now.step:
         wanted = wanted.union(picture.live)  # the texts of a step may have any of them

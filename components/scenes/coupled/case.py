@@ -14,6 +14,7 @@ from components.chain.modes import PARTS, directions
 from components.chain.stage import Extremes, without_roundings
 from components.language.picture import Onward, Pace
 from components.paper.deferred import Attributes
+from components.quantities.axes import Axis, nice_axis, widest
 from components.quantities.formatting import signed, three
 from components.quantities.motion import pace
 from components.scene import Picture
@@ -96,6 +97,11 @@ class CoupledCase(ChainCase):
     def extremes(self) -> Extremes:
         found = {name: getattr(self.both, name).extremes(self.times) for name in ("x1", "x2", "e2")}
         return {name: (without_roundings(low), without_roundings(high)) for name, (low, high) in found.items()}
+
+    @cached_property
+    def axis_of_both(self) -> Axis:
+        """The axis of both masses."""
+        return nice_axis(*widest(self.extremes["x1"], self.extremes["x2"]), "m", 3)
 
     @cached_property
     def beat(self) -> Literal["rest", "drift", "one", "both", "apart"]:

@@ -41,7 +41,7 @@ from components.paper.plots import (
     when,
     words,
 )
-from components.quantities.axes import Axis, nice_axis, whole_axis, widest
+from components.quantities.axes import Axis, nice_axis, whole_axis
 from components.quantities.parameters import one_of
 from components.scene.frames import USED
 from components.scene.traces import Columns
@@ -58,7 +58,7 @@ MODEL = ("motion", "energy", "plane", "forces", "formulas")
 
 c = deferred(CoupledShown)
 GIVEN_BY_MODES = form_of(c.given_by == "modes")
-X = axis("m", lambda c: both_axis(c), "x")
+X = axis("m", lambda c: c.axis_of_both, "x")
 X_1 = axis("m", lambda c: own_axis(c), "x1", like=X)
 """The axis of both masses, unless mass 1 would use less than a quarter of it."""
 LEVEL = axis("J", lambda c: whole_axis(c.E_total, "J"), "E")
@@ -182,13 +182,9 @@ def forces() -> Block:
     )  # fmt: skip
 
 
-def both_axis(case: CoupledShown) -> Axis:
-    return nice_axis(*widest(case.extremes["x1"], case.extremes["x2"]), "m", 3)
-
-
 def own_axis(case: CoupledShown) -> Axis:
     """The axis of both masses, or of mass 1 alone if it would use less than a quarter of the other axis."""
-    own, both = nice_axis(*case.extremes["x1"], "m", 3), both_axis(case)
+    own, both = nice_axis(*case.extremes["x1"], "m", 3), case.axis_of_both
     return own if own.end - own.start < USED * (both.end - both.start) else both
 
 

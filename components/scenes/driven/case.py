@@ -249,7 +249,7 @@ class DrivenCase(PushedCase):
         elif side == "above":
             return {}
         X = magnification(ratio, zeta, self.kind)
-        lags = np.array([lag(complex(one)) if np.isfinite(one) else math.pi / 2 for one in X])
+        lags = np.array([lag(one) if cmath.isfinite(one) else math.pi / 2 for one in X.tolist()])
         power = {"power": 2 * zeta * (ratio * np.abs(X)) ** 2} if self.half_power else {}
         return {"omega": ratio * self.one.omega_n, "M": np.abs(X), "lag": lags, **power}
 
