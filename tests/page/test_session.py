@@ -5,17 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import msgspec
-import numpy as np
 import pytest
-from msgspec.structs import replace
 
 from components.language.state import State
-from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
-from components.scene.picture import draw
 from components.scenes import SCENES
 from components.session.opening import opened
-from components.state.covers import coverable
 from components.state.link import read_query
 from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
@@ -79,25 +74,6 @@ def test_a_state_that_is_refused_changes_nothing(state: dict[str, Any], reason: 
     assert told["errors"]["state"].endswith("Still drawn as before.")
     assert page.scene is scene
     assert {**told, "errors": {}, "answer": None} | {"view": None} == before | {"view": None}
-
-
-@scenes
-def test_a_link_brings_the_state_of_a_page_back(slug: str) -> None:
-    page = Page(changed(SCENES[slug]))
-    cover = sorted(coverable(SCENES[slug], page.shown))[0]
-    frame = draw(page.scene).frame
-    ranges = {name: (low, high + (high - low)) for name, (low, high) in frame.ranges.items() if name != TIME_AXIS}
-    kept = {name: span for name, span in ranges.items() if not page.shown.axes[name].log}
-    wide = replace(frame, ranges={**frame.ranges, **kept}, speed=frame.speed and 0.5 * frame.speed)
-    told = page.say(opening(replace(page.now.state, frame=wide, covered=(cover,))))
-    assert told["errors"] == {}
-    link = read_query(as_arguments(told["query"]), SCENES)
-    assert link.problems == []
-    assert link.frame is None or set(link.frame.ranges) <= set(kept)
-    state, stands = opened(SCENES, link).now.state, page.now.state
-    assert replace(state, frame=None) == replace(stands, frame=None)
-    for name, span in (stands.frame.ranges if stands.frame else {}).items():
-        np.testing.assert_allclose(state.frame.ranges[name] if state.frame else (), span, rtol=1e-3)
 
 
 def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:

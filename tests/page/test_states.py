@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import Phase, given, settings
+from msgspec.structs import replace
 
 from components.scenes import SCENES
 from components.session.links import page_state_of
@@ -25,6 +26,7 @@ def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
         assert read.problems == []
         again, refused = page_state_of(SCENES[slug], read)
         assert (refused, again.query) == ([], now.query)
+        assert replace(again.state, frame=None) == replace(now.state, frame=None)
 
     leads_back()
 

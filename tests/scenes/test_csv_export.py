@@ -7,7 +7,6 @@ import csv
 import io
 import re
 import zipfile
-from dataclasses import replace
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
@@ -19,12 +18,10 @@ from components.chain import of_scene
 from components.scene import Scene
 from components.scene.columns import tables_of
 from components.scenes import SCENES
-from components.state.csv_export import as_csv, tables
-from components.state.csv_export import comments as comments_of
+from components.state.csv_export import tables
 from components.state.link import read_query
 from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes, plots
-from tests.grids import sample
 from tests.page.told import Page, put
 from tests.scenes.checks import as_arguments, choices, quantities
 
@@ -124,18 +121,6 @@ def test_units_are_si_whatever_the_axes_count_in() -> None:
         assert list(pd.read_csv(io.BytesIO(response), comment="#"))[:3] == ["omega [rad/s]", "M [1]", "lag [rad]"]
     late = taken(SCENES["analogues"]())["analogues-excess.csv"]
     assert "excess [1]" in list(pd.read_csv(io.BytesIO(late), comment="#")) and b"percent" not in late
-
-
-@scenes
-def test_every_choice_at_every_end_of_every_slider_can_be_taken(slug: str) -> None:
-    for scene in sample([SCENES[slug](**choice) for choice in choices(SCENES[slug])]):
-        standing = dict(scene.values)
-        for name, quantity in quantities(SCENES[slug]).items():
-            for end in scene.shown.spans.get(name, quantity.softbounds):
-                scene.set({**standing, name: end})
-                head = comments_of(fitted(scene.value), scene.shown)
-                for table in tables(SCENES[slug], scene.shown):
-                    assert as_csv(replace(table, rows=table.rows[:1]), head)
 
 
 @scenes

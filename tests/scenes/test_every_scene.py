@@ -13,11 +13,9 @@ from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.encoding import COARSE, span
-from components.state.link import read_query
-from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes
 from tests.page.told import Page, apply_message, take_preset
-from tests.scenes.checks import as_arguments, check_picture, choices, corners, quantities, solves, typed
+from tests.scenes.checks import check_picture, choices, corners, quantities, solves, typed
 
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
@@ -131,22 +129,6 @@ def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
             assert list(errors) == [name]
             assert errors[name].endswith(".")
     assert scene.shown is before and dict(scene.param.values()) == values
-
-
-@scenes
-def test_link_round_trip(scene_class: type[Scene]) -> None:
-    scene = scene_class()
-    plain = read_query(as_arguments(fitted(scene.value).query), SCENES)
-    named = ["view"] if scene.views else scene.opens
-    assert plain.values == {name: scene.values[name] for name in named}, "its defaults, which a link names"
-    assert plain.as_opened(SCENES).values == plain.values
-    changed = {name: q.softbounds[1] for name, q in list(quantities(scene_class).items())[:2]}
-    scene.set({**changed, "window": 12.5})
-    link = read_query(as_arguments(fitted(scene.value).query), SCENES)
-    assert (link.slug, link.problems) == (scene.slug, [])
-    again = scene_class()
-    again.set(link.values)
-    assert again.param.values() | {"name": ""} == scene.param.values() | {"name": ""}
 
 
 @scenes
