@@ -49,6 +49,11 @@ class SceneFace(param.Parameterized):
     def __setstate__(self, values: Values) -> None:
         self.set(values)
 
+    def __repr__(self) -> str:
+        """The expression that makes this scene: its values that are not at their defaults."""
+        values = ", ".join(f"{name}={value!r}" for name, value in self.value.off_default().items())
+        return f'SCENES["{self.scene_kind.slug}"]({values})'
+
     @cached_property
     def sources(self) -> dict[str, ColumnDataSource]:
         """The numbers of the current picture, in SI units."""
