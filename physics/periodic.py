@@ -17,6 +17,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, NamedTuple, get_args
 
+import numpy as np
+
+from physics.precision.exact import Array
 from physics.precision.turns import cospi, sinpi
 from physics.valid import check_finite, check_positive, is_number, keep_doubles, shown
 
@@ -130,3 +133,15 @@ class PeriodicPush:
                 size = 2 * self.size * sinpi(turn) / over
                 return complex(size * cospi(turn), -size * sinpi(turn))
         return complex(self.size * self.omega / math.pi)
+
+    def sizes(self, n: Array) -> Array:
+        """|f_n| (n,) in N for n above 0, in doubles: a missing line may be a rounding error."""
+        over, size = np.pi * n, abs(self.size)
+        match self.kind:
+            case "square":
+                return np.asarray(4 * size * (n % 2) / over)
+            case "triangle":
+                return np.asarray(8 * size * (n % 2) / over**2)
+            case "pulses":
+                return np.asarray(2 * size * np.abs(np.sin(np.pi * np.mod(self.width * n, 1.0))) / over)
+        return np.full_like(over, size * self.omega / math.pi)

@@ -1,4 +1,4 @@
-"""One oscillator under a push that repeats, from its initial conditions: its parts, and the harmonics of the push.
+"""One oscillator under a push, from its initial conditions: its parts, and the harmonics of a push that repeats.
 
 A push F = f_0 + sum of f_n cos(n omega t + ..) moves the mass like so many sines at once: harmonic n by |X_n| =
 |f_n| M(n r)/k, with M the magnification of physics.driven and r = omega/omega_n.
@@ -22,13 +22,14 @@ from physics.periodic import PeriodicPush
 from physics.precision.exact import Array
 from physics.pushed import PushedMass
 from physics.sampling import drawable
-from physics.steady_motions import SteadyMotion
+from physics.steady_motions import RestAfterPush, SteadyMotion
 
 _APART, _LONG = 4.0, 12  # as in physics.forced_vibration
 _DRAWN, _NEAR = 100, 3  # lines that are drawn; lines next to the peak
 WIDE = 0.35
 """Damping ratio above which a peak is too wide to be met by one harmonic."""
-_NONE = 1e-12  # of the size of the push: a smaller line is a rounding error
+_NONE = 1e-12  # of the first line: a smaller one is a rounding error
+_RESONANT = 1e-3  # of k, what spring and inertia leave to the dashpot: below it doubles lose digits
 _ON_PEAK = 0.02  # distance of n r from the peak at which a harmonic without damping counts as on it
 
 
@@ -54,9 +55,16 @@ class PushedVibration:
     t: Array
 
     @cached_property
-    def steady(self) -> SteadyMotion:
-        """The steady motion over the window."""
+    def steady(self) -> SteadyMotion | RestAfterPush:
+        """The motion that is left when the transient has died."""
+        if self.push.once:
+            return RestAfterPush(oscillator=self.oscillator, push=self.push)
         return SteadyMotion(oscillator=self.oscillator, push=self.push, end=float(self.t[-1]))
+
+    @property
+    def fastest(self) -> float:
+        """The highest frequency in rad/s."""
+        return max(self.oscillator.omega_d, 0.0 if self.push.once else self.push.omega)
 
     @property
     def exists(self) -> bool:
@@ -71,7 +79,7 @@ class PushedVibration:
     @cached_property
     def is_fast(self) -> bool:
         """True if the motion is too fast for a line."""
-        return not drawable(max(self.oscillator.omega_d, self.push.omega), self.t)
+        return not drawable(self.fastest, self.t)
 
     @cached_property
     def split(self) -> bool:
@@ -98,24 +106,25 @@ class PushedVibration:
         """The bands of x, and of the push over the stiffness, as far as they are too fast for a line."""
         found, none = {}, np.zeros_like(self.t)
         if self.is_fast:
-            found["x"] = VibrationBand(none - self._bound, none + self._bound)
-        if not drawable(self.push.omega, self.t):
+            middle, size = self._band
+            found["x"] = VibrationBand(middle - size, middle + size)
+        if not (self.push.once or drawable(self.push.omega, self.t)):
             high = self.push.size / self.oscillator.k
             found["F_over_k"] = VibrationBand(none - (high if self.push.alternates else 0.0), none + high)
         return found
 
     @cached_property
     def x(self) -> ExactMotion:
-        """The displacement in m, exact as the sum of the steady and the free part; if these cancel, in doubles."""
+        """The displacement in m. It is played as the sum of its parts; if these cancel, from samples."""
         if self._has_parts:
-            return MotionPolynomial(((ONE, (self.x_p,)), (ONE, (self.transient.x,))))
+            return MotionPolynomial(((ONE, (self.x_p,)), (ONE, (self.transient.x,))), self._exact)
         t = np.linspace(0.0, 1.02 * float(self.t[-1]), 1 + max(self.t.size, 512))  # samples repeat after the window
         return Elementary(
             symbol="x",
-            exact=lambda t: self.steady.from_start(self.x_0, self.v_0, t)[0],
+            exact=self._exact,
             played=SampledCycle(float(t[-1]), *self.steady.from_start(self.x_0, self.v_0, t)),
             size=lambda: self.largest,
-            omega=max(self.oscillator.omega_d, self.push.omega),
+            omega=self.fastest,
         )
 
     @property
@@ -132,11 +141,26 @@ class PushedVibration:
     def transient(self) -> FreeDecay:
         """The free motion that is left without the steady part."""
         x, v = self.steady.at(np.zeros(1))
-        return FreeDecay(oscillator=self.oscillator, x_0=self.x_0 - float(x[0]), v_0=self.v_0 - float(v[0]))
+        speed = self.v_0 + self.steady.jump - float(v[0])
+        return FreeDecay(oscillator=self.oscillator, x_0=self.x_0 - float(x[0]), v_0=speed)
+
+    def _exact(self, t: Array) -> Array:
+        """x (n,) within 4 u of the largest x from rest, and 2 u of the free motion from x_0 and v_0."""
+        from_rest = self.steady.mass.from_rest(t).x
+        if not (self.x_0 or self.v_0):
+            return from_rest
+        return from_rest + FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0).x.at(t)
 
     @cached_property
     def _bound(self) -> float:
         return self.steady.size + self.transient.reach() if self.exists else self.largest
+
+    @property
+    def _band(self) -> tuple[Array, Array]:
+        """The middle and half the height (n,) in m of what x stays within."""
+        if self.push.once:
+            return self.steady.at(self.t)[0], self.transient.envelope.at(self.t)
+        return np.zeros_like(self.t), np.full_like(self.t, self._bound)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -157,23 +181,30 @@ class PushHarmonics:
         return self.oscillator.pushed(self.push)
 
     def lines(self, n: Iterable[int]) -> Harmonics:
-        """Return these lines of the push and of the motion, within 5 u."""
-        found = [self.mass.line(one) for one in n]
-        return Harmonics(*(np.array([(one.n, abs(one.f), abs(one.X)) for one in found], float).T))
+        """Return these lines n > 0 in doubles: within 1e-12, next to a resonance within 5 u."""
+        n, one = np.array(list(n), float), self.oscillator
+        f, turn = self.push.sizes(n), n * self.push.omega
+        with np.errstate(all="ignore"):
+            left = np.hypot(one.k - one.m * turn**2, one.c * turn)
+            X = f / left
+        for i in np.flatnonzero(left < _RESONANT * one.k):
+            X[i] = abs(self.mass.line(int(n[i])).X)
+        return Harmonics(n, f, X)
 
     def drawn(self, end: float) -> Harmonics:
         """Return the lines that the push has up to a frequency in rad/s, at most 100, and the first one."""
         n, f, X = self._first
-        here = (n * self.push.omega <= max(end, self.push.omega)) & (f > _NONE * abs(self.push.size))
+        here = (n * self.push.omega <= max(end, self.push.omega)) & (f > _NONE * f[0])
         return Harmonics(n[here], f[here], X[here])
 
     @cached_property
     def _first(self) -> Harmonics:
-        return self.lines(range(_DRAWN + 1))
+        return self.lines(range(1, _DRAWN + 1))
 
     def has_line(self, n: int) -> bool:
         """True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth."""
-        return abs(self.push.line(n)) > _NONE * abs(self.push.size)
+        f = self.push.sizes(np.array([1.0, n]))
+        return bool(f[1] > _NONE * f[0])
 
     @property
     def resonant(self) -> int:
@@ -199,6 +230,6 @@ class PushHarmonics:
         candidates = {*range(1, 13), *range(max(1, near - _NEAR), near + _NEAR + 1)}
         if self.push.kind == "pulses" and self.push.width < 0.05:
             candidates |= set(range(1, 200))
-        found = self.lines(sorted(candidates))
-        best = int(np.argmax(found.X))
-        return int(found.n[best]), float(found.X[best])
+        n, f, X = self.lines(sorted(candidates))
+        best = int(n[np.argmax(np.where(f > _NONE * f[0], X, 0.0))])
+        return best, abs(self.mass.line(best).X)

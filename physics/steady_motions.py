@@ -19,13 +19,14 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from physics.damped import DampedOscillator
-from physics.motion import Elementary, ExactMotion, SampledCycle
-from physics.periodic import PeriodicPush, Piece
+from physics.free_decay import FreeDecay
+from physics.motion import Elementary, ExactMotion, SampledCycle, constant
+from physics.periodic import PeriodicPush
 from physics.precision.exact import Array
 from physics.pushed import PushedMass
 
 _SINGULAR = 1e-5  # of the determinant of 1 - M, below which doubles keep too few digits
-_TERMS = 28  # of the power series, up to the phase 1
+_TERMS = 25  # of the power series, up to the phase 1
 _SHORT = 1e-3  # of z, below which (1 - (1 - exp(-z))/z)/z takes four terms of its series
 _FEWEST, _MOST, _PER_SWING = 256, 1024, 16  # samples: the fewest, the most, those of a swing
 
@@ -74,12 +75,10 @@ class SteadyMotion:
     @cached_property
     def x(self) -> ExactMotion:
         """The displacement in m."""
-        t = self._instants
-        rest = t if t[-1] == self.period else np.mod(t, self.period)  # before an impulse at the end, not after it
         return Elementary(
             symbol="x_p",
             exact=lambda t: self.mass.steady(t).x,
-            played=SampledCycle(float(t[-1]), *self._in_pieces(rest, self.starts)),
+            played=SampledCycle(float(self._instants[-1]), *self._samples),
             size=lambda: self.size,
             omega=max(self.oscillator.omega_d, self.push.omega),
         )
@@ -96,7 +95,8 @@ class SteadyMotion:
     @cached_property
     def size(self) -> float:
         """The largest |x| in m."""
-        return float(np.abs(self.at(np.linspace(0.0, self.period, _MOST + 1))[0]).max())
+        whole = self.period <= self.end
+        return float(np.abs(self._samples[0] if whole else self.at(np.linspace(0.0, self.period, _MOST + 1))[0]).max())
 
     @cached_property
     def starts(self) -> list[tuple[float, float]]:
@@ -135,7 +135,7 @@ class SteadyMotion:
 
     def _through(self, x: V, v: V) -> list[tuple[V, V]]:
         """x and v at the start of each piece of a period, from those before it."""
-        states = [(x, v + self._jump)]
+        states = [(x, v + self.jump)]
         for into_x, into_v, _ in self._maps[:-1]:
             x, v = states[-1]
             states.append(((into_x[0] * x + into_x[1] * v + into_x[2]), (into_v[0] * x + into_v[1] * v + into_v[2])))
@@ -144,11 +144,11 @@ class SteadyMotion:
     @cached_property
     def _period_map(self) -> Array:
         jump = np.eye(3)
-        jump[1, 2] = self._jump
+        jump[1, 2] = self.jump
         return _one_by_one([jump, *self._maps])
 
     @property
-    def _jump(self) -> float:
+    def jump(self) -> float:
         """The velocity in m/s that an impulse adds."""
         return self.push.size / self.oscillator.m if self.push.impulsive else 0.0
 
@@ -161,31 +161,40 @@ class SteadyMotion:
         return np.linspace(0.0, span, 8 * math.ceil(min(max(_PER_SWING * swings, _FEWEST), _MOST) / 8) + 1)
 
     @cached_property
+    def _samples(self) -> tuple[Array, Array]:
+        t = self._instants
+        rest = t if t[-1] == self.period else np.mod(t, self.period)  # before an impulse at the end, not after it
+        return self._in_pieces(rest, self.starts)
+
+    @cached_property
     def _maps(self) -> list[Array]:
         """The map of each piece, from x, v and 1 at its start to those at its end: a matrix (3, 3)."""
         one, found = self.oscillator, []
-        for piece in self.push.pieces:
-            r = self._response(np.array([float(piece.end - piece.begin) * self.period]))
-            x, v = self._forced(piece, r.E2, r.E3), self._forced(piece, r.B, r.E2)
-            rows = [r.A, r.B, x], [-one.k / one.m * r.B, r.slope, v]
-            found.append(np.array([*([float(part[0]) for part in row] for row in rows), [0.0, 0.0, 1.0]]))
+        spans = np.array([float(piece.end - piece.begin) for piece in self.push.pieces]) * self.period
+        for F, rise, r in zip(
+            *self._forces, map(PushResponse._make, zip(*self._response(spans), strict=True)), strict=True
+        ):
+            x, v = (F * r.E2 + rise * r.E3) / one.m, (F * r.B + rise * r.E2) / one.m
+            found.append(np.array([[r.A, r.B, x], [-one.k / one.m * r.B, r.slope, v], [0.0, 0.0, 1.0]]))
         return found
 
-    def _in_pieces(self, rest: Array, starts: Sequence[tuple[float | Array, float | Array]]) -> tuple[Array, Array]:
+    def _in_pieces(self, rest: Array, starts: Sequence[tuple[V, V]]) -> tuple[Array, Array]:
         """x and v (n,) at times from the start of a period, from those at the start of each of its pieces."""
-        one, values = self.oscillator, np.empty((2, rest.size))
-        begins = np.array([float(piece.begin) * self.period for piece in self.push.pieces])
+        one, pieces = self.oscillator, self.push.pieces
+        begins = np.array([float(piece.begin) * self.period for piece in pieces])
         places = np.searchsorted(begins, rest, side="right") - 1
-        for i, (piece, (x, v)) in enumerate(zip(self.push.pieces, starts, strict=True)):
-            here = places == i
-            x, v = np.broadcast_to(x, rest.shape)[here], np.broadcast_to(v, rest.shape)[here]
-            r = self._response(rest[here] - begins[i])
-            values[0, here] = r.A * x + r.B * v + self._forced(piece, r.E2, r.E3)
-            values[1, here] = r.slope * v - one.k / one.m * r.B * x + self._forced(piece, r.B, r.E2)
-        return values[0], values[1]
+        x, v = (np.stack([np.broadcast_to(of, rest.shape) for of in each]) for each in zip(*starts, strict=True))
+        x, v = (each[places, np.arange(rest.size)] for each in (x, v))
+        F, rise = (np.array(each, float)[places] / one.m for each in self._forces)
+        r = self._response(rest - begins[places])
+        found = r.A * x + r.B * v + F * r.E2, r.slope * v - one.k / one.m * r.B * x + F * r.B
+        return (found[0] + rise * r.E3, found[1] + rise * r.E2) if np.any(rise) else found
 
-    def _forced(self, piece: Piece, E: Array, integral: Array) -> Array:
-        return (float(piece.force) * E + float(piece.rise) / self.period * integral) / self.oscillator.m
+    @property
+    def _forces(self) -> tuple[list[float], list[float]]:
+        """The force in N at the start of each piece, and its rise in N/s."""
+        pieces = self.push.pieces
+        return [float(one.force) for one in pieces], [float(one.rise) / self.period for one in pieces]
 
     def _response(self, tau: Array) -> PushResponse:
         one = self.oscillator
@@ -203,6 +212,53 @@ class SteadyMotion:
         early = max(one.omega_n, fast) * tau <= 1
         E2[early], E3[early] = _series(damping, square, tau[early])
         return PushResponse(A, B, E2, E3, slope)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RestAfterPush:
+    """The rest in which a damped oscillator with a spring ends after a push that does not repeat.
+
+    It has the names of SteadyMotion.
+    """
+
+    oscillator: DampedOscillator
+    push: PeriodicPush
+
+    @property
+    def mass(self) -> PushedMass:
+        return self.oscillator.pushed(self.push)
+
+    @property
+    def place(self) -> float:
+        """The displacement in m: a step keeps the spring stretched, an impulse does not."""
+        return 0.0 if self.push.impulsive else self.push.size / self.oscillator.k
+
+    @property
+    def size(self) -> float:
+        return abs(self.place)
+
+    @property
+    def jump(self) -> float:
+        """The velocity in m/s that the push gives at once."""
+        return self.push.size / self.oscillator.m if self.push.impulsive else 0.0
+
+    @property
+    def x(self) -> ExactMotion:
+        return constant(self.place)
+
+    @property
+    def force(self) -> ExactMotion:
+        """The push in N, without an impulse."""
+        return constant(0.0 if self.push.impulsive else self.push.size)
+
+    def at(self, t: Array) -> tuple[Array, Array]:
+        """x and v (n,) of the rest."""
+        return np.full_like(t, self.place), np.zeros_like(t)
+
+    def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
+        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s."""
+        free = FreeDecay(oscillator=self.oscillator, x_0=x_0 - self.place, v_0=v_0 + self.jump)
+        return self.place + free.fadings[0].at(t), free.fadings[1].at(t)
 
 
 def _one_by_one(maps: list[Array]) -> Array:

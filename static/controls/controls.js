@@ -222,7 +222,6 @@ export class Controls {
     }
     const keys = this.views.find(({word}) => word === view)?.keys ?? []
     for (const name of keys) this.keys.append(/** @type {{row: HTMLElement}} */ (this.rows.get(name)).row)
-    this.keys.hidden = !keys.length
     this.keysTitle.textContent = this.keys.querySelector(".tiles")?.getAttribute("aria-label") ?? "Move this"
     this.bare = this.spec.groups.map(
       ({rows, actions, facts}) => rows.every(({name}) => keys.includes(name)) && !actions.length && !facts.length,
@@ -283,6 +282,7 @@ export class Controls {
       this.sections[i].hidden = this.bare[i] || (Boolean(form) && !forms[form])
     for (const {row, form} of this.rows.values())
       if (row.parentElement === this.keys) row.hidden = Boolean(form) && !forms[form]
+    this.keys.hidden = ![...this.rows.values()].some(({row}) => row.parentElement === this.keys && !row.hidden)
     for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
     for (const choice of this.choices) choice.update(settings)
     this.presets.update(preset)

@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 from physics.damped import DampedOscillator
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
-from physics.steady_motions import SteadyMotion
+from physics.pushed_vibration import PushedVibration, PushHarmonics
+from physics.steady_motions import RestAfterPush, SteadyMotion
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
 from tests.physics.push_truth import closed_form
@@ -74,6 +75,19 @@ def test_lines_are_those_of_the_reference(case: dict[str, Any]) -> None:
         else:
             X = complex(*map(float, true["X"]))
             assert abs(line.X - X) <= 5 * U * abs(X)
+
+
+@each_case
+def test_lines_in_doubles_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    """A line that is missing may be a rounding error."""
+    mass = mass_of(case)
+    if mass.push.once or not case["k"]:
+        return
+    oscillator = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    found, lines = PushHarmonics(oscillator=oscillator, push=mass.push).lines(range(1, 10)), mass.lines(9)[1:]
+    assert found.f == pytest.approx([abs(line.f) for line in lines], rel=1e-12, abs=1e-14 * case["F"])
+    true = [abs(line.X) for line in lines]
+    assert list(found.X) == pytest.approx(true, rel=1e-12, abs=1e-14 * true[0])
 
 
 @each_case
@@ -182,6 +196,33 @@ def test_motions_from_a_start_are_drawn_within_1e_12(case: dict[str, Any]) -> No
     rest, free = mass.from_rest(t), oscillator.motion(0.3, -0.2, t)
     assert x == pytest.approx(rest.x + free.x, abs=1e-12 * np.max(np.abs(x)))
     assert v == pytest.approx(rest.v + free.v, abs=1e-12 * np.max(np.abs(v)))
+    whole = PushedVibration(oscillator=oscillator, push=mass.push, x_0=0.3, v_0=-0.2, t=t).x
+    assert whole.at(t) == pytest.approx(rest.x + free.x, rel=1e-15, abs=0)
+
+
+@pytest.mark.parametrize("kind", ["step", "impulse"])
+@pytest.mark.parametrize("c", [0.0, 0.4, 3.0])
+def test_after_a_push_that_does_not_repeat_a_free_motion_is_left(kind: Any, c: float) -> None:
+    oscillator, t = DampedOscillator(m=0.5, c=c, k=2.0), np.linspace(0.0, 9.0, 300)
+    push = PeriodicPush(kind=kind, size=3.0)
+    motion = PushedVibration(oscillator=oscillator, push=push, x_0=0.2, v_0=-0.5, t=t)
+    true = oscillator.pushed(push).from_rest(t).x + oscillator.motion(0.2, -0.5, t).x
+    assert motion.x.at(t) == pytest.approx(true, rel=1e-15, abs=0)
+    assert motion.x_p.at(t) + motion.transient.x.at(t) == pytest.approx(true, abs=1e-14)
+    x, v = RestAfterPush(oscillator=oscillator, push=push).from_start(0.2, -0.5, t)
+    assert x == pytest.approx(true, abs=1e-13) and v[0] == (5.5 if kind == "impulse" else -0.5)
+    assert motion.tallest == pytest.approx(np.abs(true).max())
+
+
+def test_the_band_of_a_step_narrows_to_its_rest() -> None:
+    oscillator, t = DampedOscillator(m=1.0, c=0.1, k=4e4), np.linspace(0.0, 100.0, 401)
+    push = PeriodicPush(kind="step", size=4.0)
+    motion = PushedVibration(oscillator=oscillator, push=push, x_0=0.0, v_0=0.0, t=t)
+    band = motion.bands["x"]
+    dense = oscillator.pushed(push).from_rest(np.linspace(0.0, 0.05, 400)).x
+    assert band.high[0] >= dense.max() and band.low[0] <= dense.min() and band.high[0] == pytest.approx(2e-4, rel=1e-3)
+    assert band.high[-1] - band.low[-1] == pytest.approx(2e-4 * math.exp(-5.0), rel=1e-2)
+    assert list(motion.bands) == ["x"]
 
 
 @pytest.mark.parametrize("kind", ["square", "triangle", "pulses"])

@@ -16,7 +16,7 @@ from components.layout.sheet import blocks
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
-from components.scenes.driven.paper import BASE, PX, polygon
+from components.scenes.driven.forces import BASE, PX, polygon
 from physics.bode import driven_resonances
 from physics.driven import Drive, DrivenOscillator, highest, magnification
 from tests.grids import tries

@@ -20,7 +20,8 @@ from tests.grids import tries
 from tests.scenes.said import read
 
 DRIVEN = SCENES["driven"]
-PUSHES = ("square", "triangle", "pulses")
+PUSHES = ("square", "triangle", "pulses", "impulses")
+ONCE = ("step", "impulse")
 EXACT = {"view": "harmonics", "m": 1.0, "k": 36.0}
 
 
@@ -34,6 +35,8 @@ def lines_of(scene: Any) -> tuple[list[int], list[float], list[float]]:
     """The harmonics from 1 on, |f_n| in N and |X_n| in m, by the formulas of a textbook."""
     n = list(range(1, 400))
     match scene.push:
+        case "impulses":
+            f = [scene.J * scene.omega / math.pi for _ in n]
         case "square":
             f = [4 * scene.F_0 / (i * math.pi) if i % 2 else 0.0 for i in n]
         case "triangle":
@@ -48,18 +51,52 @@ def lines_of(scene: Any) -> tuple[list[int], list[float], list[float]]:
     )
 
 
-@pytest.mark.parametrize("push", PUSHES)
+def size_of(scene: Any) -> float:
+    """The size of the push in N, or of impulses in N s."""
+    return float(scene.J if scene.push.startswith("impulse") else scene.F_0)
+
+
+def mean_of(scene: Any) -> float:
+    """The size that the harmonics are divided by, in N."""
+    return float(scene.J * scene.omega / (2 * math.pi) if scene.push == "impulses" else scene.F_0)
+
+
+@pytest.mark.parametrize("push", [*PUSHES, *ONCE])
 @pytest.mark.parametrize("omega", [0.7, 2.0944, 5.0])
 def test_a_file_has_the_exact_motion_and_its_parts(push: Any, omega: float) -> None:
     scene = DRIVEN(push=push, omega=omega, x_0=0.02, v_0=0.1, c=1.0)
     data = scene.sources["time"].data
     mass = PushedMass(
-        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=scene.F_0, omega=omega, width=scene.width)
+        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=size_of(scene), omega=omega, width=scene.width)
     )
     free = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).motion(scene.x_0, scene.v_0, data["t"])
-    assert data["x"] == pytest.approx(mass.from_rest(data["t"]).x + free.x, abs=1e-14)
+    assert data["x"] == pytest.approx(mass.from_rest(data["t"]).x + free.x, rel=1e-15, abs=0)
+    if push == "impulse":
+        assert {"x_p", "x_c", "F_over_k"}.isdisjoint(data)
+        return
     assert data["x_p"] + data["x_c"] == pytest.approx(data["x"], abs=1e-12)
-    assert data["F_over_k"] == pytest.approx(mass.force(data["t"]) / scene.k, abs=1e-15)
+    if push != "impulses":
+        assert data["F_over_k"] == pytest.approx(mass.force(data["t"]) / scene.k, abs=1e-15)
+
+
+@pytest.mark.parametrize("push", ONCE)
+def test_what_does_not_repeat_has_no_frequency(push: Any) -> None:
+    slow, quick = (DRIVEN(view="harmonics", push=push, omega=omega) for omega in (0.0, 50.0))
+    assert slow.sources["time"].data["x"].tolist() == quick.sources["time"].data["x"].tolist()
+    assert slow.shown.forms["meets"] == "once" and not slow.shown.forms["repeats"]
+    assert not {"omega_at", "M_at"} & slow.shown.scalars.keys()
+    assert {"growth", "X", "on_peak", "strongest"}.isdisjoint(quick.numbers)
+    assert "does not repeat" in sentence(DRIVEN(push=push), "holds")
+
+
+def test_impulses_are_drawn_where_they_act() -> None:
+    scene = DRIVEN(view="harmonics", push="impulses", omega=2.0, J=0.3, window=10.0)
+    jolts, flash = scene.sources["jolts"].data, scene.shown.signals["F"]
+    assert jolts["jolt_t"][::3] == pytest.approx(math.pi * np.arange(4))
+    assert jolts["jolt"][1::3] == pytest.approx(0.3 / math.sqrt(39.48)) and not jolts["jolt"][::3].any()
+    assert len(DRIVEN(view="harmonics", push="impulses", omega=1e6).sources["jolts"].data["jolt_t"]) == 600
+    assert max(flash.y) == pytest.approx(0.3) and min(flash.y) == 0.0 and flash.period == pytest.approx(math.pi)
+    assert DRIVEN(push="impulse", J=0.0, x_0=0.1).shown.forms["meets"] == "idle"
 
 
 @pytest.mark.parametrize("push", PUSHES)
@@ -69,7 +106,7 @@ def test_a_push_is_one_of_a_force(push: Any) -> None:
         assert DRIVEN(kind=kind, push=push).sources["time"].data["x"].tolist() == (
             DRIVEN(kind=kind).sources["time"].data["x"].tolist()
         )
-    none = DRIVEN(push=push, F_0=0.0, x_0=0.1)
+    none = DRIVEN(push=push, F_0=0.0, J=0.0, x_0=0.1)
     assert none.sources["time"].data["x"].tolist() == DRIVEN(F_0=0.0, x_0=0.1).sources["time"].data["x"].tolist()
 
 
@@ -81,10 +118,11 @@ def test_bars_are_the_push_and_dots_lie_under_the_response(push: Any) -> None:
     M, seen = scene.shown.axes["M"], scene.shown.axes["r"].end / scene.omega
     has = [i for i, f_n in zip(n, f, strict=True) if f_n > 1e-12 and i < seen]
     assert np.all(bars["bar"][::3] == M.start) and bars["bar_omega"][::3] == pytest.approx(np.array(has) * scene.omega)
-    assert bars["bar"][1::3] == pytest.approx([max(f[i - 1] / scene.F_0, M.start) for i in has])
-    high = [i for i in has if X[i - 1] * scene.k / scene.F_0 >= M.start]
+    size = mean_of(scene)
+    assert bars["bar"][1::3] == pytest.approx([max(f[i - 1] / size, M.start) for i in has])
+    high = [i for i in has if X[i - 1] * scene.k / size >= M.start]
     assert dots["dot_omega"] == pytest.approx(np.array(high) * scene.omega) and len(high) > 1
-    assert dots["dot"] == pytest.approx([X[i - 1] * scene.k / scene.F_0 for i in high])
+    assert dots["dot"] == pytest.approx([X[i - 1] * scene.k / size for i in high])
     assert M.end >= dots["dot"].max()
 
 
@@ -156,6 +194,8 @@ def test_a_motion_too_fast_or_too_slow_is_drawn_all_the_same(push: Any, values: 
     if "x_hi" not in band:
         assert np.all(np.isfinite(scene.sources["time"].data["x"]))
         return
-    mass = PushedMass(scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=scene.F_0, omega=scene.omega, width=0.2))
+    mass = PushedMass(
+        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=size_of(scene), omega=scene.omega, width=0.2)
+    )
     x = mass.from_rest(np.linspace(0.0, band["t"][-1], 50)).x
     assert np.all(band["x_lo"] <= x.min()) and np.all(band["x_hi"] >= x.max() * (1 - 1e-9))

@@ -17,14 +17,16 @@ from components.quantities.parameters import (
     velocity,
 )
 from components.scene.case import CaseScene, ComparedNumber, example
-from components.scenes.driven.case import KINDS, DrivenShown
-from components.scenes.driven.paper import AXES, KIND_FORMS, PULSES, PUSHES, RESPONSE, paper
+from components.scenes.driven.case import KINDS
+from components.scenes.driven.paper import AXES, JOLTS, KIND_FORMS, PULSES, PUSHES, paper
+from components.scenes.driven.plots import REPEATS
+from components.scenes.driven.shown import DrivenShown
 
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 BELOW = {
     "kind": "force", "push": "sine", "F_0": 2.0, "Y": 0.05, "moment": 0.05, "omega": 4.398, "m": 1.0, "k": 39.48,
-    "c": 2.513, "keep": "c", "x_0": 0.0, "v_0": 0.0, "width": 0.2,
+    "c": 2.513, "keep": "c", "x_0": 0.0, "v_0": 0.0, "width": 0.2, "J": 0.5,
 }  # fmt: skip
 
 
@@ -37,6 +39,7 @@ class DrivenScene(DashpotScene, CaseScene):
     spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
     equations = (
         "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",
+        "other pushes: m x'' + c x' + k x = F(t) of the size F_0 or J and the period 2 pi/omega",
         "kind = base: m x'' + c (x' - y') + k (x - y) = 0; y = Y sin(omega t)",
         "kind = unbalance: m x'' + c x' + k x = moment omega^2 sin(omega t); moment = m_0 e",
         "r = omega/omega_n; M = |X| over F_0/k or over Y or over moment/m; lag = -arg X",
@@ -69,7 +72,10 @@ class DrivenScene(DashpotScene, CaseScene):
     )  # fmt: skip
 
     kind = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
-    push = one_of("sine", {"sine": "Sine", "square": "Square", "triangle": "Triangle", "pulses": "Pulses"}, "The push")
+    push = one_of("sine", {
+        "sine": "Sine", "square": "Square", "triangle": "Triangle", "pulses": "Pulses", "impulses": "Impulses",
+        "step": "Step", "impulse": "One impulse",
+    }, "The push")  # fmt: skip
     width = positive(
         0.2, symbol="w", unit="", label="width", tint="F", softbounds=(0.05, 0.95), bounds=(0.0, 1.0),
         inclusive_bounds=(False, False), allowed="a width is a share of the period, above 0 and below 1",
@@ -80,6 +86,10 @@ class DrivenScene(DashpotScene, CaseScene):
         "response": ("harmonics",), "harmonics": ("response",), "x": ("pushed",), "pushed": ("x",)
     }  # fmt: skip
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
+    J = not_negative(
+        0.5, symbol="J", unit="N s", label="impulse", tint="F", softbounds=(0.0, 2.0),
+        says="is the force times its short duration: it changes the velocity by J/m. Any value from 0 up.",
+    )  # fmt: skip
     Y = not_negative(
         0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),
         says="is how far the base is shaken to each side. Any value from 0 up.",
@@ -124,10 +134,12 @@ class DrivenScene(DashpotScene, CaseScene):
         ),
     )  # fmt: skip
     groups = (
-        Group("Drive", (kind, omega)),
+        Group("Drive", (kind,)),
+        Group("", (omega,), form=REPEATS, apart=True),
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
         Group("", (push,), form=PUSHES, apart=True),
         Group("", (width,), form=PULSES, apart=True),
+        Group("", (J,), form=JOLTS, apart=True),
         Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),

@@ -5,28 +5,26 @@ from __future__ import annotations
 import numpy as np
 
 from components.language.blocks import Block
-from components.language.plots import Room
 from components.layout.grabs import grab
 from components.layout.stage import circle, line, text
 from components.layout.views import in_views
-from components.paper.deferred import deferred
-from components.paper.plots import Plot, PlotItem, along, curve, either, handle, note, words
+from components.paper.plots import Plot, PlotItem, along, curve, either, note, words
 from components.quantities.axes import Axis
 from components.scene.traces import Columns
-from components.scenes.driven.case import DrivenCase, DrivenShown
-from physics.pushed_vibration import Harmonics, PushHarmonics
+from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.plots import HARMONICS, LEFT, OMEGA, PUSHED, SIDES, c
 
-c = deferred(DrivenShown)
 OTHERS = "The push is not a sine. This view is about a sine of the same frequency; the view Harmonics shows the others."
+ONCE = "The push does not repeat. This view is about a sine; the view Convolution is about every push."
 
 
 def _bars(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
     """Return a path up and down each line of the push, over F_0, from the lower end of the axis."""
     if not case.harmonics:
         return None
-    lines = _lines(case.harmonics, r)
+    lines = case.harmonics.drawn(r.end)
     up = np.full((len(lines.n), 3), M.start)
-    up[:, 1] = np.maximum(lines.f / case.F_0, M.start)
+    up[:, 1] = np.maximum(lines.f / case.mean_size, M.start)
     return {"bar_omega": np.repeat(lines.n * case.omega, 3), "bar": up.ravel()}
 
 
@@ -34,31 +32,35 @@ def _dots(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
     """Return the amplitude of each harmonic over F_0/k; one beyond the axis is at its end."""
     if not case.harmonics:
         return None
-    lines = _lines(case.harmonics, r)
-    sizes = lines.X * (case.k / case.F_0)
+    lines = case.harmonics.drawn(r.end)
+    sizes = lines.X * (case.k / case.mean_size)
     seen = sizes >= M.start
     return {"dot_omega": lines.n[seen] * case.omega, "dot": np.minimum(sizes[seen], M.end)}
 
 
-def _lines(harmonics: PushHarmonics, r: Axis) -> Harmonics:
-    """Return the lines on the axis, which has no place for a mean."""
-    n, f, X = harmonics.drawn(r.end)
-    return Harmonics(n[n > 0], f[n > 0], X[n > 0])
-
-
 def _strongest(case: DrivenCase, r: Axis, M: Axis) -> float | None:
     """Return the height of the highest dot."""
-    return min(case.harmonics.strongest[1] * (case.k / case.F_0), M.end) if case.harmonics else None
+    return min(case.harmonics.strongest[1] * (case.k / case.mean_size), M.end) if case.harmonics else None
 
 
-def in_harmonics(plot: Plot, below: Plot, response: list[PlotItem], room: Room, sides: Room) -> list[Block]:
+def _jolts(case: DrivenCase, t: Axis, x: Axis) -> Columns | None:
+    """Return a path up and down each impulse, as high as it alone makes the mass swing without a dashpot."""
+    if not case.is_impulsive or not case.pushed_by:
+        return None
+    at = case.jolts
+    up = np.zeros((len(at), 3))
+    up[:, 1] = case.J / (case.m * case.one.omega_n)
+    return {"jolt_t": np.repeat(at, 3), "jolt": up.ravel()}
+
+
+def in_harmonics(response: list[PlotItem]) -> list[Block]:
     """Return the blocks of the view Harmonics, and the sentence of the view Power on pushes that are not sines."""
-    power = words(either(c.no_powers, others=OTHERS), phone=12, name="powers")
-    blocks = harmonics(plot, *response, room=room), pushed(below, room=sides), strongest()
+    power = words(either(c.no_powers, others=OTHERS, once=ONCE), phone=12, name="powers")
+    blocks = harmonics(HARMONICS, *response), pushed(), strongest()
     return [in_views(power, "power"), *(in_views(one, "harmonics") for one in blocks)]
 
 
-def harmonics(plot: Plot, *response: PlotItem, room: Room) -> Block:
+def harmonics(plot: Plot, *response: PlotItem) -> Block:
     """Return the plot, over the curve of the response."""
     bars, dots = (plot.in_frame(c, of.__name__.strip("_"), of, optional=True) for of in (_bars, _dots))
     hand = grab(
@@ -71,7 +73,7 @@ def harmonics(plot: Plot, *response: PlotItem, room: Room) -> Block:
         *response,
         note("of each harmonic, against *nω*/*ω*_n", "mute"),
         title="Harmonics of the push over its size, the response, and the swing of each harmonic over F_0/k",
-        handles=(handle(c.r, parameter="omega", symbol="r", label="Drive frequency", tint="F"),),
+        handles=(OMEGA,),
         over=[
             line(x, plot.top, x, plot.bottom, style="thin", tint="F"),
             circle(x, plot.y(c.first_line), 0, grab=hand),
@@ -80,16 +82,20 @@ def harmonics(plot: Plot, *response: PlotItem, room: Room) -> Block:
                 style="t2 b halo",
             ),
         ],
-        room=room, grow=330, phone=10, height=212,
+        room=LEFT, grow=330, phone=10, height=212,
     )  # fmt: skip
 
 
-def pushed(plot: Plot, room: Room) -> Block:
+def pushed() -> Block:
     """Return the plot of the motion with its push, which a spring without a mass would follow."""
-    return plot.block(
+    return PUSHED.block(
         curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
         curve(c.F_over_k, "line", "mute", words="push *F*/*k*", read="push over k", fast="band"),
-        title="Displacement and push against time", room=room, grow=220, phone=15, height=150,
+        curve(
+            PUSHED.in_frame(c, "jolts", _jolts, optional=True), "line", "F", columns=("jolt_t", "jolt"),
+            words=either(c.is_impulsive, shown="impulses *J*/(*mω*_n)"), read="impulses",
+        ),
+        title="Displacement and push against time", room=SIDES, grow=220, phone=15, height=150,
     )  # fmt: skip
 
 
@@ -106,6 +112,7 @@ def strongest() -> Block:
         wide=f"**The peak is wide or missing. Harmonic {c.n_strongest} moves the mass most: by {c.X_strongest} m.**",
         grows=f"**Harmonic {c.n_peak} has exactly the natural frequency, and there is no dashpot: "
         f"its swing grows by {c.harmonic_growth} m each second.**",
+        once="**This push does not repeat, so it has no harmonics. The view Convolution shows what it leaves.**",
         sine="**A sine has one harmonic only. Choose another push.**",
         idle="**No push: the motion is that of the start alone.**",
     )

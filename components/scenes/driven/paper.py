@@ -8,7 +8,6 @@ from functools import partial
 from components.dashpot import NARROW_BELOW, apparatus
 from components.language.blocks import Block
 from components.language.expressions import Number
-from components.language.plots import Room
 from components.language.shapes import Quotient
 from components.layout.bode_marks import peak, upright
 from components.layout.grabs import grab
@@ -31,8 +30,7 @@ from components.layout.stage import (
     wide,
 )  # fmt: skip
 from components.layout.views import in_views
-from components.paper.deferred import deferred, number
-from components.paper.plot_axes import TIME, axis
+from components.paper.deferred import number
 from components.paper.plots import (
     EitherText,
     Plot,
@@ -43,7 +41,6 @@ from components.paper.plots import (
     drag,
     either,
     form_of,
-    handle,
     note,
     number_name,
     share,
@@ -51,32 +48,20 @@ from components.paper.plots import (
     when,
     words,
 )  # fmt: skip
-from components.quantities.axes import Axis
 from components.quantities.parameters import one_of
-from components.scenes.driven.case import KINDS, DrivenShown, outline
-from components.scenes.driven.harmonics import OTHERS, in_harmonics
+from components.scenes.driven.case import KINDS, outline
+from components.scenes.driven.forces import polygon
+from components.scenes.driven.harmonics import ONCE, OTHERS, in_harmonics
+from components.scenes.driven.plots import DRIVE, LEFT, OMEGA, PHASE, POWER, RESPONSE, ROOM, SIDES, R, X, c
 
-c = deferred(DrivenShown)
 BESIDE = 1 - STACKED
-ROOM = 1.2
-"""The reach of the axis of x, in its largest value."""
-SIDES, LEFT = Room(48, 26), Room(40, 14, top=10)
 FAINT = (0.0, 0.5, 1.0)
 """The damping ratios of the curves behind."""
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
 AXES = one_of("linear", {"linear": "Linear", "log": "Log"}, "Axes of the response")
 KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
-PUSHES, PULSES = form_of(c.offers_pushes), form_of(c.has_width)
-LAGS = Axis(
-    0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
-)
-R, DRIVE = axis("", lambda c: c.ratio_axis, "r"), axis("", lambda c: c.drive_axis, "drive")
-X = Plot("x", TIME, axis("m", lambda c: (-c.tallest, c.tallest), room=ROOM, count=2))
-POWER = Plot("power", TIME, axis("W", lambda c: c.power_ends, "P", count=1, seen=lambda c: c.power_range))
-RESPONSE = Plot("response", R, axis("", lambda c: c.response_axis, "M"))
-PHASE = Plot("phase", R, axis("", lambda c: LAGS, "lag"))
-HARMONICS, PUSHED = Plot("harmonics", R, RESPONSE.up), Plot("pushed", TIME, X.up)
-
+KIND_FORMS["force"] = form_of(c.has_force)
+PUSHES, PULSES, JOLTS = map(form_of, (c.offers_pushes, c.has_width, c.is_impulsive))
 MIDDLE, LEVEL = wide(0.34 * W, W * (0.22 * STACKED + 0.3 * BESIDE)), wide(X.y(0), H * (0.44 * STACKED + 0.28 * BESIDE))
 IS_BASE = number(c.kind == "base")
 STROKE = (0.7 - 0.15 * HALL + (0.4 - 0.25 * HALL) * IS_BASE) * wide(X.bottom - X.top, 0.34 * H)
@@ -91,11 +76,6 @@ BELOW, ABOVE = (
 )
 """The tables of the response, below an undamped resonance and above it."""
 RESPONSE_HEIGHT = RESPONSE.bottom - RESPONSE.top
-POLYGON = RESPONSE.in_frame(c, "polygon", lambda c, r, M: c.polygon(M.place(M.end)))
-PX = wide(-1 * RESPONSE.per_y, H * POLYGON.push)
-"""Pixels of one push."""
-BASE, CENTER = wide(RESPONSE.y(0), H * (0.98 - POLYGON.below * POLYGON.push)), 0.56 * W
-"""The tail of the polygon of the forces."""
 
 
 def paper() -> Block:
@@ -106,7 +86,7 @@ def paper() -> Block:
             in_views(response(), "response", "forces"),
             in_views(phase(), "response"),
             in_views(desk(choice(AXES, phone=62)), "response"),
-            *in_harmonics(HARMONICS, PUSHED, sweeps("M", "harmonics", c.sine_at), LEFT, SIDES),
+            *in_harmonics(sweeps("M", "harmonics", c.sine_at)),
             in_views(displacement(), "motion", "power", "formulas"),
             in_views(when(c.has_power, powers()), "power"),
             in_views(words(sentence(), phone=16, name="balance"), "response", "forces", "formulas"),
@@ -215,6 +195,7 @@ def sentence() -> EitherText:
         less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
         isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
         others=f"**{OTHERS}**",
+        once=f"**{ONCE}**",
         still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
         idle="**No push: the motion is that of the start alone.**",
     )
@@ -286,6 +267,7 @@ def drives(y: Number) -> list[Shape]:
     push, base = strength(c.amount), foot(c.stroke)
     turning = MIDDLE + WHEEL * number(c.cosine), y - WHEEL * number(c.sine)
     set_force = along("y", strength, DRIVE, F_0=c.amount, least=0.0)
+    set_impulse = along("y", strength, DRIVE, J=c.amount, least=0.0)
     set_base = along("y", foot, X.up, Y=c.stroke, least=0.0)
     set_moment = along("y", strength, DRIVE, moment=c.amount, least=0.0)
     moving: Looks = {"tint": "F", "style": "thick", "head": 14}
@@ -296,8 +278,10 @@ def drives(y: Number) -> list[Shape]:
             c.kind == "force",
             line(ASIDE, LEVEL, ASIDE, push, style="dotted", tint="F"),
             arrow(ASIDE, LEVEL, ASIDE, strength(c.F), **moving),
-            circle(ASIDE, push, 5, **ring, grab=grab("Force, amplitude", set_force)),
-            text(ASIDE + 10, push + 5, "*F*_0", **name),
+            *shown_by(c.has_force, circle(ASIDE, push, 5, **ring, grab=grab("Force, amplitude", set_force))),
+            *shown_by(c.is_impulsive, circle(ASIDE, push, 5, **ring, grab=grab("Impulse", set_impulse))),
+            *shown_by(c.has_force, text(ASIDE + 10, push + 5, "*F*_0", **name)),
+            *shown_by(c.is_impulsive, text(ASIDE + 10, push + 5, "*J*", **name)),
         ),
         *shown_by(
             c.kind == "base",
@@ -354,7 +338,7 @@ def response() -> Block:
         note(either(c.is_flat, shown=BEHIND), "mute"),
         note(either(c.peak_form, shown=f"peak at {c.peak_at} rad/s, width {c.peak_width}"), "m1"),
         title="Amplitude of the steady part against r, the drive frequency over the natural one",
-        handles=(handle(c.r, parameter="omega", symbol="ratio r", label="Drive frequency", tint="F"),),
+        handles=(OMEGA,),
         over=[
             *behind(RESPONSE),
             *half_width(),
@@ -413,86 +397,3 @@ def phase() -> Block:
         ],
         room=LEFT, grow=110, phone=15, height=130,
     )  # fmt: skip
-
-
-# The forces in steady vibration, tail to tip: they close on the push, on the scale of the response.
-
-
-def polygon() -> Block:
-    unit, p = PX * POLYGON.scale, POLYGON
-    kX, inertia = ("k", "*kX*"), ("m1", "*mω*²*X*")
-    up, end = BASE - unit * p.up, BASE - unit * p.end
-    across, aside = CENTER + unit * p.across, CENTER + unit * p.aside
-    shapes = [
-        *shown_by(
-            p.closed,
-            *shown_by(p.level, line(RESPONSE.x(c.omega), up, CENTER, up, style="level", tint="m1", show=ON_WIDE)),
-            *shown_by(c.kind != "unbalance", *arrows(up, across, aside, end, kX, inertia, -1)),
-            *shown_by(c.kind == "unbalance", *arrows(up, across, aside, end, inertia, kX, 1)),
-            *pushes(unit, across, end),
-        ),
-        *shown_by(p.growing, *growing_forces(up)),
-        *shown_by(p.idle, text(CENTER, BASE - 40, "no push", tint="mute", style="t2")),
-    ]
-    label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
-    return stage(*shapes, label=label, grow=230, phone=11, height=184, style="still", name="forces")
-
-
-def arrows(
-    up: Number, across: Number, aside: Number, end: Number, first: tuple[str, str], third: tuple[str, str], way: int
-) -> list[Shape]:
-    """The first arrow up, that of the dashpot across, the third one down."""
-    near, far = ("start", "end") if way < 0 else ("end", "start")
-    return [
-        arrow(CENTER, BASE, CENTER, up, tint=first[0], head=13),
-        *shown_by(POLYGON.braked, arrow(CENTER, up, across, up, tint="T", head=11)),
-        arrow(aside, up, aside, end, tint=third[0], head=13),
-        text(CENTER - 10 * way, (BASE + up) * 0.5, first[1], near, tint=first[0], style="t2 b halo"),
-        text(aside + 10 * way, (up + end) * 0.5, third[1], far, tint=third[0], style="t2 b halo"),
-        *shown_by(POLYGON.braked, text((CENTER + across) * 0.5, up - 9, "*cωX*", tint="T", style="t2 b halo")),
-    ]
-
-
-def pushes(unit: Number, across: Number, end: Number) -> list[Shape]:
-    """The push, from the tail to where the others end, and the angle by which x lags it."""
-    x, y, p, look = CENTER, BASE, POLYGON, Looks(tint="F", style="t2 b halo")
-    shaken = x + unit * p.y_side, y - unit * p.y_up
-    middle = (x + across) * 0.5, (y + end) * 0.5
-    away = middle[0] - 16 * p.end, middle[1] - 16 * p.across + 5  # from the others, at right angles to it
-    return [
-        *shown_by(c.kind != "base", arrow(x, y, across, end, tint="F", style="thick", head=15)),
-        *shown_by(c.kind == "force", text(*away, "*F*_0", **look)),
-        *shown_by(c.kind == "unbalance", text(middle[0] + 12, middle[1] + 16, "*F*_0", "start", **look)),
-        *shown_by(
-            c.kind == "base",
-            arrow(x, y, *shaken, tint="F", style="thick", head=15),
-            text((x + shaken[0]) * 0.5 - 8, (y + shaken[1]) * 0.5 + 16, "*kY*", "end", **look),
-            *shown_by(
-                p.y_braked,
-                arrow(*shaken, across, end, tint="F", head=12),
-                text((across + shaken[0]) * 0.5 - 8, (end + shaken[1]) * 0.5 + 18, "*cωY*", "end", **look),
-            ),
-        ),
-        *shown_by(
-            p.lags,
-            arc(x, y, 24, number(p.from_X), number(p.to_F), style="floor", tint="ink"),
-            text(x + 38 * p.phi_side, y - 38 * p.phi_up + 5, "*φ*", style="t2 b halo"),
-        ),
-        circle(x, y, 4, tint="ink"),
-    ]
-
-
-def growing_forces(up: Number) -> list[Shape]:
-    """Undamped at resonance: spring and inertia cancel, and what is left of the push makes the swing grow."""
-    x, y, left = CENTER, BASE, CENTER - PX
-    return [
-        arrow(x, y, x, up, tint="k", head=13),
-        arrow(x, up, left, up, tint="m1", head=11),
-        arrow(left, up, left, y, tint="m1", head=13),
-        arrow(x, y, left, y, tint="F", style="thick", head=15),
-        text(x + 10, (y + up) * 0.5, "*kX* grows", "start", tint="k", style="b halo"),
-        text(left - 8, (y + up) * 0.5, "*mω*²*X*", "end", tint="m1", style="b halo"),
-        text((x + left) * 0.5, up - 9, "growth", tint="m1", style="b halo"),
-        text((x + left) * 0.5, y + 20, "*F*_0", tint="F", style="t2 b halo"),
-        circle(x, y, 4, tint="ink"),
-    ]

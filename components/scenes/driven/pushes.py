@@ -9,15 +9,19 @@ from typing import Literal
 import numpy as np
 
 from components.dashpot import DashpotCase
-from components.scene.traces import Columns
+from components.scene.traces import Columns, Floats
 from physics.driven import Drive, DrivenOscillator
 from physics.forced_vibration import ForcedVibration
+from physics.motion import Elementary, ExactMotion, SampledCycle
 from physics.periodic import PeriodicPush
 from physics.pushed_vibration import WIDE, PushedVibration, PushHarmonics
 
 FEWEST, MOST, PER_PERIOD = 60, 240, 16
 """The times at which powers are computed: the fewest, the most, those in a period."""
-PushShape = Literal["sine", "square", "triangle", "pulses"]
+PushShape = Literal["sine", "square", "triangle", "pulses", "impulses", "step", "impulse"]
+MOST_JOLTS = 200
+FLASH, IN_FLASHES = 2, 32
+"""The samples at the start of a period, and all of it, in which an impulse shows on the stage."""
 
 
 class PushedCase(DashpotCase):
@@ -27,14 +31,30 @@ class PushedCase(DashpotCase):
     push: PushShape
     width: float
     F_0: float
+    J: float
     Y: float
     moment: float
     omega: float
 
     @property
+    def shape(self) -> PushShape:
+        """The shape of the push; a shaken base and an unbalance have a sine."""
+        return self.push if self.kind == "force" else "sine"
+
+    @property
+    def is_impulsive(self) -> bool:
+        return self.shape in ("impulses", "impulse")
+
+    @property
+    def is_once(self) -> bool:
+        """True if the push does not repeat."""
+        return self.shape in ("step", "impulse")
+
+    @property
     def amount(self) -> float:
-        """The size of the drive: F_0 in N, Y in m, or m_0 e in kg m."""
-        return {"force": self.F_0, "base": self.Y, "unbalance": self.moment}[self.kind]
+        """The size of the drive: F_0 in N, J in N s, Y in m, or m_0 e in kg m."""
+        sizes = {"force": self.J if self.is_impulsive else self.F_0, "base": self.Y, "unbalance": self.moment}
+        return sizes[self.kind]
 
     @cached_property
     def vibration(self) -> ForcedVibration:
@@ -45,37 +65,60 @@ class PushedCase(DashpotCase):
 
     @property
     def is_driven(self) -> bool:
-        return self.vibration.is_driven
+        return bool(self.amount and (self.omega or self.is_once))
 
     @property
     def is_sine(self) -> bool:
         """True if a sine drives it, or nothing."""
-        return self.kind != "force" or self.push == "sine" or not self.is_driven
+        return self.shape == "sine" or not self.is_driven
 
     @cached_property
-    def repeated(self) -> PeriodicPush | None:
+    def pushed_by(self) -> PeriodicPush | None:
         """The push, if it is not a sine."""
-        if self.is_sine or self.push == "sine":
+        if self.is_sine or self.shape == "sine":
             return None
-        return PeriodicPush(kind=self.push, size=self.F_0, omega=self.omega, width=self.width)
+        return PeriodicPush(kind=self.shape, size=self.amount, omega=self.omega or 1.0, width=self.width)
 
     @cached_property
     def harmonics(self) -> PushHarmonics | None:
-        """The harmonics of a push that is not a sine."""
-        return PushHarmonics(oscillator=self.one, push=self.repeated) if self.repeated else None
+        """The harmonics of a push that repeats and is not a sine."""
+        return PushHarmonics(oscillator=self.one, push=self.pushed_by) if self.pushed_by and not self.is_once else None
 
     @cached_property
     def moved(self) -> ForcedVibration | PushedVibration:
         """The motion under the drive, whatever its shape."""
-        if not self.repeated:
+        if not self.pushed_by:
             return self.vibration
-        return PushedVibration(oscillator=self.one, push=self.repeated, x_0=self.x_0, v_0=self.v_0, t=self.times)
+        return PushedVibration(oscillator=self.one, push=self.pushed_by, x_0=self.x_0, v_0=self.v_0, t=self.times)
+
+    @property
+    def jolts(self) -> Floats:
+        """The times (n,) in s of the first impulses in the window, at most 200."""
+        if self.is_once or not self.omega:
+            return np.zeros(1)
+        period = 2 * math.pi / self.omega
+        return np.asarray(period * np.arange(1 + int(min(self.end / period, MOST_JOLTS - 1))), float)
+
+    @property
+    def mean_size(self) -> float:
+        """The size that the harmonics are divided by: F_0, or the mean of impulses, in N."""
+        return self.J * self.omega / (2 * math.pi) if self.is_impulsive else self.F_0
+
+    @property
+    def seen_push(self) -> ExactMotion:
+        """The push on the stage: an impulse, in N s, shows for a moment."""
+        if not self.is_impulsive or not self.is_driven:
+            return self.moved.drive
+        period = 1.02 * self.end if self.is_once else 2 * math.pi / self.omega
+        flash = np.where(np.arange(IN_FLASHES + 1) < FLASH, self.J, 0.0)
+        played = SampledCycle(period, flash, np.zeros_like(flash))
+        return Elementary(symbol="F", exact=played.at, played=played, size=lambda: self.J)
 
     def met(self) -> str:
         """The word for which harmonic of the push meets the peak of the response."""
         found = self.harmonics
         if not found:
-            return "sine" if self.is_driven else "idle"
+            return "once" if self.is_driven and self.is_once else "sine" if self.is_driven else "idle"
         n, strongest = found.on_peak, found.strongest[0]
         if found.resonant:
             return "grows"
