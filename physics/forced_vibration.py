@@ -105,6 +105,10 @@ class ForcedVibration:
         fading = self.free.fadings
         return x + fading[0].at(t), v + fading[1].at(t)
 
+    def from_rest(self, t: Array) -> Array:
+        """Return x (n,) in m from rest in doubles."""
+        return drawn(self.push, t)[0]
+
     def powers(self, t: Array) -> tuple[Array, Array]:
         """Return the power that the drive puts in and the power that the dashpot takes (n,), in W."""
         one, (x, v) = self.oscillator, self.at(t)

@@ -76,6 +76,10 @@ class PushedVibration:
         """The largest |x| at these instants, in m."""
         return float(np.abs(self.steady.from_start(self.x_0, self.v_0, self.t)[0]).max())
 
+    def from_rest(self, t: Array) -> Array:
+        """Return x (n,) in m from rest at the times t (n,) in s, in rising order, in doubles."""
+        return self.steady.from_start(0.0, 0.0, t)[0]
+
     @cached_property
     def is_fast(self) -> bool:
         """True if the motion is too fast for a line."""

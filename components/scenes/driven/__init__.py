@@ -9,6 +9,7 @@ from components.layout.controls import Group
 from components.layout.views import View
 from components.quantities.parameters import (
     angular_frequency,
+    count,
     displacement,
     force,
     not_negative,
@@ -18,6 +19,7 @@ from components.quantities.parameters import (
 )
 from components.scene.case import CaseScene, ComparedNumber, example
 from components.scenes.driven.case import KINDS
+from components.scenes.driven.convolution import SLICED
 from components.scenes.driven.paper import AXES, JOLTS, KIND_FORMS, PULSES, PUSHES, paper
 from components.scenes.driven.plots import REPEATS
 from components.scenes.driven.shown import DrivenShown
@@ -81,9 +83,14 @@ class DrivenScene(DashpotScene, CaseScene):
         inclusive_bounds=(False, False), allowed="a width is a share of the period, above 0 and below 1",
         says="is the share of each period in which the pulse acts, above 0 and below 1.",
     )  # fmt: skip
+    slices = count(
+        12, symbol="N", label="slices", tint="F", softbounds=(1.0, 60.0), bounds=(1.0, 200.0),
+        allowed="a push is cut into 1 to 200 slices", says="is the number of slices of the push, from 1 to 200.",
+    )  # fmt: skip
     physical = (kind, push)
     covered_with = {
-        "response": ("harmonics",), "harmonics": ("response",), "x": ("pushed",), "pushed": ("x",)
+        "response": ("harmonics",), "harmonics": ("response",), "x": ("pushed", "sum"), "pushed": ("x", "sum"),
+        "sum": ("x", "pushed"),
     }  # fmt: skip
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     J = not_negative(
@@ -121,6 +128,10 @@ class DrivenScene(DashpotScene, CaseScene):
             keys=(push, omega), names=("stage", "plot:harmonics", "keys"),
         ),
         View(
+            "Convolution", "Add slices: when does the sum follow the exact motion?",
+            keys=(slices, push), names=("plot:sum", "plot:force", "keys"),
+        ),
+        View(
             "Forces", "Drag *ω* through the peak: which arrow balances the push below it, at it, and above it?",
             keys=(omega,), names=("stage:forces", "plot:response"),
         ),
@@ -140,6 +151,7 @@ class DrivenScene(DashpotScene, CaseScene):
         Group("", (push,), form=PUSHES, apart=True),
         Group("", (width,), form=PULSES, apart=True),
         Group("", (J,), form=JOLTS, apart=True),
+        Group("", (slices,), form=SLICED, apart=True),
         Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),

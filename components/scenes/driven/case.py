@@ -16,7 +16,7 @@ from components.scene import Picture
 from components.scene.about import About, Place, bands_among, bounded, few_of, points
 from components.scene.case_curves import BandColumns
 from components.scene.traces import BAND, RINGING, Columns
-from components.scenes.driven.pushes import PushedCase
+from components.scenes.driven.slices import SlicedCase
 from physics.bode import ResponsePeak, magnification_peak
 from physics.driven import Drive, half_power, highest, lag, magnification, ratios
 from physics.forced_vibration import SampledVibration
@@ -88,10 +88,9 @@ class Polygon(NamedTuple):
         return FILLED / self.height
 
 
-class DrivenCase(PushedCase):
+class DrivenCase(SlicedCase):
     """A driven motion of a mass on a spring and a dashpot."""
 
-    view: str
     axes: str
 
     @property

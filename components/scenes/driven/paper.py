@@ -50,6 +50,7 @@ from components.paper.plots import (
 )  # fmt: skip
 from components.quantities.parameters import one_of
 from components.scenes.driven.case import KINDS, outline
+from components.scenes.driven.convolution import in_convolution
 from components.scenes.driven.forces import polygon
 from components.scenes.driven.harmonics import ONCE, OTHERS, in_harmonics
 from components.scenes.driven.plots import DRIVE, LEFT, OMEGA, PHASE, POWER, RESPONSE, ROOM, SIDES, R, X, c
@@ -87,6 +88,7 @@ def paper() -> Block:
             in_views(phase(), "response"),
             in_views(desk(choice(AXES, phone=62)), "response"),
             *in_harmonics(sweeps("M", "harmonics", c.sine_at)),
+            *in_convolution(),
             in_views(displacement(), "motion", "power", "formulas"),
             in_views(when(c.has_power, powers()), "power"),
             in_views(words(sentence(), phone=16, name="balance"), "response", "forces", "formulas"),

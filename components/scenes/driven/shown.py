@@ -92,6 +92,8 @@ class DrivenShown(DrivenCase):
     lower = -upper
     F = value(lambda c: c.seen_push)
     F_over_k = value.optional(lambda c: c.moved.drive / c.k if c.pushed_by and not c.is_impulsive else None)
+    x_sliced = value.optional(lambda c: c.sliced.x if c.sliced else None)
+    push_F = value.optional(lambda c: c.moved.drive if c.in_slices and not c.is_impulsive else None)
     sine = value(lambda c: rotating("sine", 1.0, c.omega))
     cosine = value(lambda c: rotating("cosine", 1j, c.omega))
     turn = value(lambda c: _line(c.omega))
@@ -149,7 +151,7 @@ class DrivenShown(DrivenCase):
     peak_half = value.optional(lambda c: c.top_mark and c.top_mark.height / math.sqrt(2))
     peak_width = value.optional(lambda c: c.top_mark and c.top_mark.width)
     # The harmonics of a push.
-    offers_pushes = value(lambda c: c.kind == "force" and (c.view == "harmonics" or c.push != "sine"))
+    offers_pushes = value(lambda c: c.kind == "force" and (c.view in ("harmonics", "convolution") or c.push != "sine"))
     has_force = value(lambda c: c.kind == "force" and not c.is_impulsive)
     repeats = value(lambda c: not c.is_once)
     has_width = value(lambda c: c.shape == "pulses")
@@ -163,3 +165,17 @@ class DrivenShown(DrivenCase):
     strongest_at = value.optional(lambda c: c.harmonics.strongest[0] * c.omega if c.harmonics else None)
     first_line = value(lambda c: float(c.harmonics.lines([1]).f[0]) / c.mean_size if c.harmonics else 1.0)
     sine_at = value.optional(lambda c: c.M if c.settles and c.is_sine else None)
+    # The slices of a push.
+    has_slices = value(lambda c: c.view == "convolution" and c.kind == "force" and not c.is_impulsive)
+    misses = value.optional(
+        lambda c: c.compared[0] if c.compared else None,
+        "m",
+        "largest distance of the sum of the slices from the motion",
+    )
+    slice_width = value.optional(
+        lambda c: c.end / c.slices * c.one.omega_n / (2 * math.pi) if c.sliced else None,
+        "",
+        "slice over a natural period",
+    )
+    sums = value(lambda c: c.summed())
+    tail_count = value.optional(lambda c: str(len(c.tails)) if c.tails else None)

@@ -1,0 +1,137 @@
+r"""A motion as the sum of what the slices of a push leave: m x'' + c x' + k x = F(t) from rest.
+
+A short slice of a push, from u to u + du, acts like an impulse F(u) du, which leaves the motion h(t - u) F(u) du. The
+motion is the sum of them all, the convolution x = integral of h(t - u) F(u) du. A slice of the width w at the middle of
+which its impulse acts is short if omega_n w is: it moves the mass too far by about (omega_n w)^2/24.
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.9; L. Meirovitch, Analytical Methods in
+Vibrations (1967), section 1.5.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from physics.damped import DampedOscillator, Fading
+from physics.free_decay import FreeDecay
+from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
+from physics.precision.exact import Array
+
+_FEWEST = 400  # steps of a window at which the sum is sampled
+_LATER = 8  # steps beyond the window: samples repeat
+
+
+class Tail(NamedTuple):
+    """The motion that one impulse leaves: times t (n,) in s from the impulse on, displacements x (n,) in m."""
+
+    t: Array
+    x: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlicedPush:
+    """A push on a damped oscillator until `end` in s, cut into `count` slices, and a free motion from x_0, v_0.
+
+    `force` returns F (n,) in N at times (n,) in s.
+    """
+
+    oscillator: DampedOscillator
+    force: Callable[[Array], Array]
+    end: float
+    count: int
+    x_0: float = 0.0
+    v_0: float = 0.0
+
+    @property
+    def ends(self) -> Array:
+        """The begin and the end (count, 2) of each slice, in s."""
+        return self.end / self.count * (np.arange(self.count)[:, None] + np.array([0.0, 1.0]))
+
+    @property
+    def times(self) -> Array:
+        """The middles (count,) of the slices, in s."""
+        return self.end * (np.arange(self.count) + 0.5) / self.count
+
+    @cached_property
+    def forces(self) -> Array:
+        """The force (count,) in N of each slice."""
+        return self.force(self.times)
+
+    @property
+    def sizes(self) -> Array:
+        """The impulse (count,) in N s of each slice."""
+        return self.forces * (self.end / self.count)
+
+    @cached_property
+    def x(self) -> ExactMotion:
+        """The sum in m of all that the slices and the start leave, in doubles."""
+        steps, (x, v) = self._steps, self._sampled
+        sliced = Elementary(
+            symbol="x_sliced",
+            exact=self._at,
+            played=SampledCycle(self.end * (steps + _LATER) / steps, x, v),
+            size=lambda: float(np.abs(x).max()),
+            omega=self.oscillator.omega_d,
+        )
+        free = FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0).x
+        return MotionPolynomial(((ONE, (sliced,)), (ONE, (free,)))) if self.x_0 or self.v_0 else sliced
+
+    def miss(self, x: Array) -> float:
+        """Return the largest distance in m of the sum from the motion from rest, given at `instants` (n,)."""
+        return float(np.abs(self._sampled[0][: self._steps + 1] - x).max())
+
+    @property
+    def instants(self) -> Array:
+        """The times (n,) in s at which the sum is sampled, those of the slices among them."""
+        return np.linspace(0.0, self.end, self._steps + 1)
+
+    @property
+    def _steps(self) -> int:
+        return 2 * self.count * math.ceil(_FEWEST / (2 * self.count))
+
+    @cached_property
+    def _sampled(self) -> tuple[Array, Array]:
+        """The sum and its rate at these times and a few later ones; halfway in a jump of the rate."""
+        steps = self._steps
+        t, push = np.arange(steps + _LATER + 1) * (self.end / steps), np.zeros(steps + _LATER + 1)
+        push[steps // (2 * self.count) : steps : steps // self.count] = self.sizes
+        x, v = (of.at(t) for of in self._left)
+        v[0] /= 2
+        return np.convolve(push, x)[: t.size], np.convolve(push, v)[: t.size]
+
+    @cached_property
+    def _left(self) -> tuple[Fading, Fading]:
+        """The displacement and the velocity that an impulse of 1 N s leaves."""
+        return self.oscillator.fading(0.0, 1 / self.oscillator.m)[:2]
+
+    def _at(self, t: Array) -> Array:
+        later: Array = t - self.times[:, None]
+        left = np.where(later > 0, self._left[0].at(np.maximum(later, 0.0)), 0.0)
+        return np.asarray(self.sizes @ left)
+
+
+def tails(oscillator: DampedOscillator, times: Array, sizes: Array, end: float, points: int) -> list[Tail]:
+    """Return what impulses of these sizes in N s at these times in s leave until `end`, as so many points in all."""
+    left, whole = oscillator.fading(0.0, 1 / oscillator.m)[0], float(np.sum(end - times)) or 1.0
+    found = []
+    for at, size in zip(times.tolist(), sizes.tolist(), strict=True):
+        t = np.linspace(at, end, 2 + int(points * (end - at) / whole))
+        found.append(Tail(t, size * left.at(t - at)))
+    return found
+
+
+def joined(tails: list[Tail]) -> Tail:
+    """Return tails as one path, to the end of the window and back."""
+    ways = [slice(None, None, -1 if i % 2 else 1) for i in range(len(tails))]
+    return Tail(*(np.concatenate([tail[row][way] for tail, way in zip(tails, ways, strict=True)]) for row in (0, 1)))
+
+
+def outline(ends: Array, heights: Array) -> tuple[Array, Array]:
+    """Return the outline of slices between these ends (n, 2), of these heights (n,), from 0 up and down again."""
+    up = np.zeros((heights.size, 4))
+    up[:, 1:3] = heights[:, None]
+    return np.repeat(ends, 2, axis=1).ravel(), up.ravel()
