@@ -49,7 +49,8 @@ class SlicedPush:
     @property
     def ends(self) -> Array:
         """The begin and the end (count, 2) of each slice, in s."""
-        return self.end / self.count * (np.arange(self.count)[:, None] + np.array([0.0, 1.0]))
+        ends: Array = self.end / self.count * (np.arange(self.count)[:, None] + np.array([0.0, 1.0]))
+        return ends
 
     @property
     def times(self) -> Array:
@@ -85,6 +86,12 @@ class SlicedPush:
         return float(np.abs(self._sampled[0][: self._steps + 1] - x).max())
 
     @property
+    def reach(self) -> float:
+        """The largest |x| in m of the sum."""
+        free = FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0).fadings[0].at(self.instants)
+        return float(np.abs(self._sampled[0][: self._steps + 1] + free).max())
+
+    @property
     def instants(self) -> Array:
         """The times (n,) in s at which the sum is sampled, those of the slices among them."""
         return np.linspace(0.0, self.end, self._steps + 1)
@@ -97,7 +104,8 @@ class SlicedPush:
     def _sampled(self) -> tuple[Array, Array]:
         """The sum and its rate at these times and a few later ones; halfway in a jump of the rate."""
         steps = self._steps
-        t, push = np.arange(steps + _LATER + 1) * (self.end / steps), np.zeros(steps + _LATER + 1)
+        t = np.linspace(0.0, self.end * (steps + _LATER) / steps, steps + _LATER + 1)
+        push = np.zeros_like(t)
         push[steps // (2 * self.count) : steps : steps // self.count] = self.sizes
         x, v = (of.at(t) for of in self._left)
         v[0] /= 2

@@ -21,7 +21,15 @@ TOLERANCE = 1e-9
 NO_SHRINK = (Phase.explicit, Phase.generate)
 """A failing state is reported as it is: shrinking it would take minutes."""
 OTHERWISE = {
-    "driven": {"P_in", "P_lost", "on_peak", "strongest", "X_strongest"},  # test_driven_pushes
+    "driven": {  # test_driven_pushes
+        "P_in",
+        "P_lost",
+        "on_peak",
+        "strongest",
+        "X_strongest",
+        "misses",
+        "slice_width",
+    },
     "chain": {"E"},  # test_chain
     "modes": {"third_rate", "fourth_rate"},  # tests/physics/test_damped_chain
     "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_absorber, and below

@@ -129,7 +129,7 @@ class DrivenScene(DashpotScene, CaseScene):
         ),
         View(
             "Convolution", "Add slices: when does the sum follow the exact motion?",
-            keys=(slices, push), names=("plot:sum", "plot:force", "keys"),
+            keys=(slices,), names=("plot:sum", "plot:force", "keys"),
         ),
         View(
             "Forces", "Drag *ω* through the peak: which arrow balances the push below it, at it, and above it?",

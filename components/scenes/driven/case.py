@@ -263,6 +263,11 @@ class DrivenCase(SlicedCase):
         """The largest displacement that is drawn, of the mass or of its base, in m; 1 if nothing moves."""
         return self.sampled.tallest
 
+    @property
+    def sum_reach(self) -> float:
+        """The largest displacement in m of the motion and of the sum of the slices."""
+        return max(self.tallest, self.sliced.reach if self.sliced else 0.0)
+
     @cached_property
     def bands(self) -> dict[str, BandColumns]:
         return {name: BandColumns(*band) for name, band in self.sampled.bands.items()}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from components.language.blocks import Block
 from components.layout.views import in_views
 from components.paper.plots import curve, either, form_of, words
+from components.scenes.driven.grips import grips
 from components.scenes.driven.plots import FORCE, SIDES, SUM, c
 
 SLICED = form_of(c.has_slices)
@@ -19,9 +20,15 @@ def tails() -> Block:
     """Return the plot of the motion, of what each slice leaves, and of the sum."""
     paths = SUM.in_frame(c, "tails", lambda c, t, x: c.tail_path(), optional=True)
     return SUM.block(
-        curve(c.x_sliced, "dash", "xp", words="sum of the slices", read="sum of the slices", dot=True),
-        curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
-        curve(paths, "thin", "F", columns=("tail_t", "tail"), words="what a slice leaves", read="what slices leave"),
+        curve(c.x_sliced, "dash", "xp", words="sum", read="sum of the slices", dot=True),
+        curve(c.x, "sum", "m1", label="*x*", words="exact motion *x*", fast="ringing", dot=True),
+        curve(
+            paths, "thin", "F", columns=("tail_t", "tail"), read="what slices leave",
+            words=either(
+                c.tail_form, each="from each slice", some="from some slices", each_jolt="from each impulse",
+                some_jolt="from some impulses",
+            ),
+        ),
         title="Displacement, the motions that slices of the push leave, and their sum, against time",
         room=SIDES, grow=330, phone=10, height=160,
     )  # fmt: skip
@@ -36,7 +43,8 @@ def slices() -> Block:
             paths, "thin", "mute", columns=("slice_t", "slice"), read="slices", fill=0.3,
             words=either(c.is_impulsive, yes="impulses", no="its slices"),
         ),
-        title="The push and its slices against time", room=SIDES, grow=170, phone=12, height=110,
+        title="The push and its slices against time", over=grips(FORCE, FORCE.y, FORCE.up),
+        room=SIDES, grow=170, phone=12, height=110,
     )  # fmt: skip
 
 

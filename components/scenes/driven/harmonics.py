@@ -5,14 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from components.language.blocks import Block
+from components.language.expressions import Number
 from components.layout.grabs import grab
 from components.layout.stage import circle, line, text
 from components.layout.views import in_views
-from components.paper.plots import Plot, PlotItem, along, curve, either, note, words
+from components.paper.plots import Plot, PlotItem, PlotValue, along, curve, either, note, on_axis, words
 from components.quantities.axes import Axis
 from components.scene.traces import Columns
 from components.scenes.driven.case import DrivenCase
-from components.scenes.driven.plots import HARMONICS, LEFT, OMEGA, PUSHED, SIDES, c
+from components.scenes.driven.grips import grips
+from components.scenes.driven.plots import DRIVE, HARMONICS, LEFT, OMEGA, PUSHED, SIDES, c
 
 OTHERS = "The push is not a sine. This view is about a sine of the same frequency; the view Harmonics shows the others."
 ONCE = "The push does not repeat. This view is about a sine; the view Convolution is about every push."
@@ -88,6 +90,10 @@ def harmonics(plot: Plot, *response: PlotItem) -> Block:
 
 def pushed() -> Block:
     """Return the plot of the motion with its push, which a spring without a mass would follow."""
+
+    def up(force: PlotValue) -> Number:
+        return PUSHED.y(0) - PUSHED.up_pixels(c.stretch) * on_axis(DRIVE, force)
+
     return PUSHED.block(
         curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
         curve(c.F_over_k, "line", "mute", words="push *F*/*k*", read="push over k", fast="band"),
@@ -95,7 +101,8 @@ def pushed() -> Block:
             PUSHED.in_frame(c, "jolts", _jolts, optional=True), "line", "F", columns=("jolt_t", "jolt"),
             words=either(c.is_impulsive, shown="impulses *J*/(*mω*_n)"), read="impulses",
         ),
-        title="Displacement and push against time", room=SIDES, grow=220, phone=15, height=150,
+        title="Displacement and push against time", over=grips(PUSHED, up, DRIVE),
+        room=SIDES, grow=220, phone=15, height=150,
     )  # fmt: skip
 
 

@@ -24,7 +24,8 @@ POWER = Plot("power", TIME, axis("W", lambda c: c.power_ends, "P", count=1, seen
 RESPONSE = Plot("response", R, axis("", lambda c: c.response_axis, "M"))
 PHASE = Plot("phase", R, axis("", lambda c: LAGS, "lag"))
 HARMONICS, PUSHED = Plot("harmonics", R, RESPONSE.up), Plot("pushed", TIME, X.up)
-SUM, FORCE = Plot("sum", TIME, X.up), Plot("force", TIME, axis("N", lambda c: c.slice_axis))
+SUM = Plot("sum", TIME, axis("m", lambda c: (-c.sum_reach, c.sum_reach), room=ROOM, count=2, like=X.up))
+FORCE = Plot("force", TIME, axis("N", lambda c: c.slice_axis))
 REPEATS = form_of(c.repeats)
 OMEGA = handle(c.r, parameter="omega", symbol="ratio r", label="Drive frequency", tint="F", form=REPEATS.name)
 """The pill of the drive frequency on the axis of r."""

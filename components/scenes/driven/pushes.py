@@ -51,6 +51,10 @@ class PushedCase(DashpotCase):
         return self.shape in ("step", "impulse")
 
     @property
+    def has_width(self) -> bool:
+        return self.shape == "pulses"
+
+    @property
     def amount(self) -> float:
         """The size of the drive: F_0 in N, J in N s, Y in m, or m_0 e in kg m."""
         sizes = {"force": self.J if self.is_impulsive else self.F_0, "base": self.Y, "unbalance": self.moment}
@@ -90,6 +94,21 @@ class PushedCase(DashpotCase):
         if not self.pushed_by:
             return self.vibration
         return PushedVibration(oscillator=self.one, push=self.pushed_by, x_0=self.x_0, v_0=self.v_0, t=self.times)
+
+    @property
+    def period_in_window(self) -> float | None:
+        """The period of a push that is not a sine over the window, if it is not longer."""
+        share = 2 * math.pi / self.omega / self.end if self.pushed_by and not self.is_once else math.inf
+        return share if share <= 1 else None
+
+    @property
+    def crest(self) -> float:
+        """The first time at which the push is highest, over the window."""
+        if self.shape == "step":
+            return 0.25
+        return {"square": 0.25, "triangle": 0.25, "pulses": 0.5 * self.width}.get(self.shape, 0.0) * (
+            self.period_in_window or 0.0
+        )
 
     @property
     def jolts(self) -> Floats:

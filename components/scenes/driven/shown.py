@@ -154,7 +154,6 @@ class DrivenShown(DrivenCase):
     offers_pushes = value(lambda c: c.kind == "force" and (c.view in ("harmonics", "convolution") or c.push != "sine"))
     has_force = value(lambda c: c.kind == "force" and not c.is_impulsive)
     repeats = value(lambda c: not c.is_once)
-    has_width = value(lambda c: c.shape == "pulses")
     on_peak = value.optional(lambda c: c.harmonics.on_peak or None if c.harmonics else None, "", "harmonic at the peak")
     strongest = value.optional(lambda c: c.harmonics.strongest[0] if c.harmonics else None, "", "strongest harmonic")
     n_peak = value.optional(lambda c: str(c.harmonics.on_peak) if c.harmonics else None)
@@ -165,6 +164,15 @@ class DrivenShown(DrivenCase):
     strongest_at = value.optional(lambda c: c.harmonics.strongest[0] * c.omega if c.harmonics else None)
     first_line = value(lambda c: float(c.harmonics.lines([1]).f[0]) / c.mean_size if c.harmonics else 1.0)
     sine_at = value.optional(lambda c: c.M if c.settles and c.is_sine else None)
+    # The rings of a push: a hand sets the period over the window, by `full_turn` over it. The `stretch` of a push in m
+    # is that of the spring, or the swing that an impulse makes.
+    period_share = value.optional(lambda c: c.period_in_window)
+    full_turn = value(lambda c: 2 * math.pi / c.end)
+    pulse_width = value.optional(lambda c: c.width if c.has_width and c.pushed_by else None)
+    half_high = value.optional(lambda c: c.F_0 / 2 if c.has_width and c.pushed_by else None)
+    F_high = value.optional(lambda c: c.F_0 if c.pushed_by and not c.is_impulsive else None)
+    J_high = value.optional(lambda c: c.J if c.pushed_by and c.is_impulsive else None)
+    stretch = value(lambda c: c.drive_axis.factor / (c.m * c.one.omega_n if c.is_impulsive else c.k))
     # The slices of a push.
     has_slices = value(lambda c: c.view == "convolution" and c.kind == "force" and not c.is_impulsive)
     misses = value.optional(
@@ -178,4 +186,4 @@ class DrivenShown(DrivenCase):
         "slice over a natural period",
     )
     sums = value(lambda c: c.summed())
-    tail_count = value.optional(lambda c: str(len(c.tails)) if c.tails else None)
+    tail_form = value(lambda c: c.tail_words())

@@ -61,6 +61,11 @@ class SlicedCase(PushedCase):
         start = [Tail(self.times, self.free.fadings[0].at(self.times))] if self.x_0 or self.v_0 else []
         return [*start, *found]
 
+    def tail_words(self) -> str:
+        """The word for whose tails are drawn."""
+        count = len(self.jolts) if self.is_impulsive else self.slices
+        return ("some" if count > MOST_TAILS else "each") + ("_jolt" if self.is_impulsive else "")
+
     @property
     def slice_axis(self) -> Axis:
         """The axis of the force, or of impulses."""
