@@ -21,8 +21,8 @@ SUFFIXES, VENDOR = (".py", ".js", ".css"), ROOT / "components" / "serving" / "ve
 LONGEST_FUNCTION, LONGEST_MODULE, WIDEST_LINE = 40, 500, 120
 SHORTEST_WATCH, LONGEST_WATCH, LONGEST_TASK = 21, 100, 105
 TASKS_BEGIN = (
-    "Pull", "Drag", "Turn", "Watch", "Choose", "Change", "Let", "Take", "Follow", "Compare", "Meet", "Make", "Start",
-    "Drop",
+    "Pull", "Drag", "Turn", "Watch", "Choose", "Change", "Let", "Take", "Follow", "Compare", "Meet", "Add", "Make",
+    "Start", "Drop",
 )  # fmt: skip
 VAGUE = re.compile(r"(The same|What|That|How|Those|This)\b")
 """First words of a docstring that name nothing."""

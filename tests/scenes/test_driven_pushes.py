@@ -199,3 +199,77 @@ def test_a_motion_too_fast_or_too_slow_is_drawn_all_the_same(push: Any, values: 
     )
     x = mass.from_rest(np.linspace(0.0, band["t"][-1], 50)).x
     assert np.all(band["x_lo"] <= x.min()) and np.all(band["x_hi"] >= x.max() * (1 - 1e-9))
+
+
+def summed(scene: Any, t: np.ndarray) -> np.ndarray:
+    """The sum of what the slices leave, each by the free motion after its impulse."""
+    end, count = scene.shown.axes["t"].end, int(scene.slices)
+    middles = end * (np.arange(count) + 0.5) / count
+    one, found = DampedOscillator(m=scene.m, c=scene.c, k=scene.k), np.zeros_like(t)
+    push = PeriodicPush(kind=scene.push, size=scene.F_0, omega=scene.omega, width=scene.width)
+    for middle, F in zip(middles, PushedMass(scene.m, scene.c, scene.k, push).force(middles), strict=True):
+        left = one.motion(0.0, F * end / count / scene.m, np.maximum(t - middle, 0.0)).x
+        found += np.where(t > middle, left, 0.0)
+    return found
+
+
+@pytest.mark.parametrize("push", ["square", "triangle", "pulses", "step"])
+@pytest.mark.parametrize("slices", [1, 12, 60, 200])
+def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices: int) -> None:
+    scene = DRIVEN(view="convolution", push=push, slices=slices, x_0=0.01, c=1.5, width=0.31)
+    data = scene.sources["time"].data
+    t = data["t"]
+    free = DampedOscillator(m=scene.m, c=1.5, k=scene.k).motion(0.01, 0.0, t)
+    assert data["x_sliced"] == pytest.approx(summed(scene, t) + free.x, abs=1e-13)
+    fine = np.linspace(0.0, t[-1], 1 + 2 * slices * math.ceil(400 / slices))
+    rest = PushedMass(scene.m, 1.5, scene.k, PeriodicPush(kind=push, size=2.0, omega=scene.omega, width=0.31))
+    exact = rest.from_rest(fine).x
+    miss = np.abs(summed(scene, fine) - exact).max()
+    assert scene.numbers["misses"].value == pytest.approx(miss, rel=0.02)
+    share = miss / np.abs(exact).max()
+    assert scene.shown.forms["sums"] == ("follows" if share <= 0.05 else "coarse") or abs(share - 0.05) < 0.003
+    assert scene.numbers["slice_width"].value == pytest.approx(t[-1] / slices * math.sqrt(39.48) / (2 * math.pi))
+    path, tails = scene.sources["outline"].data, scene.sources["tails"].data
+    area = np.trapezoid(np.abs(path["slice"]), path["slice_t"])
+    middles = t[-1] * (np.arange(slices) + 0.5) / slices
+    assert area == pytest.approx(np.abs(rest.force(middles)).mean() * t[-1])
+    assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
+    assert np.count_nonzero(tails["tail_t"] == t[-1]) <= 14
+
+
+def test_impulses_are_slices_already() -> None:
+    scene = DRIVEN(view="convolution", push="impulses", omega=2.0)
+    assert "x_sliced" not in scene.sources["time"].data and "misses" not in scene.numbers
+    assert "An impulse is a slice already" in sentence(scene, "sums") and not scene.shown.forms["has_slices"]
+    assert scene.sources["outline"].data["slice"].max() == scene.J
+    assert scene.shown.forms["tail"] == "each_jolt"
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"kind": "base"}, "about a force"),
+        ({"F_0": 0.0}, "No push"),
+        ({"omega": 0.0}, "No push"),
+        ({"push": "step", "window": 1e3}, "too fast for a line"),
+        ({"push": "impulses", "omega": 1e5}, "too fast for a line"),
+    ],
+)
+def test_without_slices_the_page_says_why(values: dict[str, Any], words: str) -> None:
+    scene = DRIVEN(view="convolution", **values)
+    assert words in sentence(scene, "sums")
+    assert "x_sliced" not in scene.sources["time"].data and not len(scene.sources["outline"].data)
+
+
+def test_slices_are_computed_in_their_view_alone() -> None:
+    """A file of another view has the columns that it always had."""
+    assert list(DRIVEN(view="motion").sources["time"].data) == ["t", "x", "x_c", "x_p"]
+    assert list(DRIVEN(view="convolution").sources["time"].data) == ["t", "x", "x_c", "x_p", "x_sliced", "push_F"]
+
+
+def test_a_hand_sets_the_push_where_it_is_drawn() -> None:
+    pulses = DRIVEN(view="harmonics", push="pulses", omega=2.0, width=0.3, window=10.0).shown.scalars
+    assert pulses["period_share"] == pytest.approx(math.pi / 10) and pulses["full_turn"] == pytest.approx(math.pi / 5)
+    assert pulses["crest"] == pytest.approx(0.15 * math.pi / 10) and pulses["pulse_width"] == 0.3
+    assert "period_share" not in DRIVEN(view="harmonics", push="square", omega=0.1, window=10.0).shown.scalars
+    assert {"period_share", "pulse_width"}.isdisjoint(DRIVEN(view="harmonics", push="step").shown.scalars)

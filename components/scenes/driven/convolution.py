@@ -56,7 +56,6 @@ def sentence() -> Block:
         follows=f"**{width}: short enough to act as one impulse. The sum misses the motion by at most {c.misses} m.**",
         coarse=f"**{width}: too long to act as one impulse. The sum misses the motion by up to {c.misses} m.**",
         impulses="**An impulse is a slice already: the motion is the sum of what the impulses leave.**",
-        many="**More than 200 impulses act in this window. For a picture of each, choose a shorter window.**",
         fast="**The motion is too fast for a line in this window. For a picture of the slices, choose a shorter one.**",
         other="**This view is about a force. Choose Force as the drive.**",
         idle="**No push: the motion is that of the start alone.**",

@@ -8,7 +8,7 @@ import numpy as np
 
 from components.quantities.axes import Axis, nice_axis
 from components.scene.traces import Columns
-from components.scenes.driven.pushes import MOST_JOLTS, PushedCase
+from components.scenes.driven.pushes import PushedCase
 from physics.convolution import SlicedPush, Tail, joined, outline, tails
 from physics.sampling import drawable
 
@@ -91,6 +91,6 @@ class SlicedCase(PushedCase):
         if not self.in_slices:
             return "fast"
         if not self.compared:
-            return "impulses" if len(self.jolts) < MOST_JOLTS else "many"
+            return "impulses"
         miss, largest = self.compared
         return "follows" if miss <= FOLLOWS * largest else "coarse"
