@@ -15,11 +15,12 @@ import numpy as np
 
 from physics.damped import DampedOscillator
 from physics.driven import highest
-from physics.forced_vibration import VibrationBand
+from physics.forced_vibration import MeanPowers, VibrationBand
 from physics.free_decay import FreeDecay
 from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
 from physics.periodic import PeriodicPush
 from physics.precision.exact import Array
+from physics.push_powers import mean_powers
 from physics.pushed import PushedMass
 from physics.sampling import drawable
 from physics.steady_motions import RestAfterPush, SteadyMotion
@@ -75,6 +76,12 @@ class PushedVibration:
     def largest(self) -> float:
         """The largest |x| at these instants, in m."""
         return float(np.abs(self.steady.from_start(self.x_0, self.v_0, self.t)[0]).max())
+
+    def mean_powers(self, end: float, count: int) -> MeanPowers | None:
+        """Return the mean powers of the last period up to `end` in s; None of a push that does not repeat."""
+        if isinstance(self.steady, RestAfterPush):
+            return None
+        return mean_powers(self.steady, self.x_0, self.v_0, end, count)
 
     def from_rest(self, t: Array) -> Array:
         """Return x (n,) in m from rest at the times t (n,) in s, in rising order, in doubles."""

@@ -125,13 +125,18 @@ class SteadyMotion:
 
     def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
         """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s, in rising order, at a resonance too."""
-        counts, places = np.unique(np.floor(np.minimum(t / self.period, _PERIODS)), return_inverse=True)
+        counts = np.floor(np.minimum(t / self.period, _PERIODS))
+        return self.after(x_0, v_0, counts, np.maximum(t - counts * self.period, 0.0))
+
+    def after(self, x_0: float, v_0: float, periods: Array, rest: Array) -> tuple[Array, Array]:
+        """x and v (n,) from such a start, at times `rest` (n,) in s after so many periods (n,), in rising order."""
+        counts, places = np.unique(periods, return_inverse=True)
         state, states = np.array([x_0, v_0, 1.0]), []
         for before, count in pairwise((0.0, *counts.tolist())):
             state = np.linalg.matrix_power(self._period_map, int(count - before)) @ state
             states.append(state)
         x, v, _ = np.array(states)[places].T
-        return self._in_pieces(np.maximum(t - counts[places] * self.period, 0.0), self._through(x, v))
+        return self._in_pieces(rest, self._through(x, v))
 
     def _through(self, x: V, v: V) -> list[tuple[V, V]]:
         """x and v at the start of each piece of a period, from those before it."""

@@ -32,6 +32,7 @@ TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
 VIEWS = ("guess", "solve", "roots", "sweep", "hunt")
 CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
 ENDS, STARTS = ("fixed-fixed", "fixed-free", "free-free"), ("pulse", "pluck", "mass", "mode")
+SHAPES = ("square", "triangle", "pulses", "impulses", "step", "impulse")
 HARD: dict[str, list[dict[str, Any]]] = {
     "oscillator": [{"k": 1e12}, {"m": 1e150, "k": 1e-150}, {"m": 1e-150, "k": 1e150}, {"x_0": 1e300}, {"k": 0.0}],
     "energy": [{"k": 1e12}, {"x_0": 1e-150}, {"m": 1e150}, {"datum": "separate", "x_0": -0.2}, {"g": 0.0}],
@@ -74,6 +75,16 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({**ON_SLOW, "omega": w} for w in (1.0, 2.0, 1.0 + 1e-12, 2.0 - 1e-12, math.sqrt(2.0))),
         *({name: 10.0**power} for name in ("m1", "m2", "k1", "F_0", "x1_0") for power in (-150, 150)),
         *({"omega": 1e-150}, {"k1": 0.0}, {"k2": 0.0}, {"F_0": 0.0}, {"omega": 0.0}),
+    ],
+    "driven": [
+        *(
+            {"push": push, "x_0": 0.02, **values}
+            for push in SHAPES
+            for values in ({}, {"k": 36.0, "omega": 2.0, "c": 0.0})
+        ),
+        *({"push": "square", **values} for values in ({"omega": 0.01}, {"omega": 60.0}, {"window": 1e3}, {"k": 1e-6})),
+        {"push": "pulses", "width": 1e-9, "k": 36.0, "omega": 2.0, "c": 1e-9},
+        {"push": "triangle", "c": 12.0, "k": 36.0},
     ],
     "absorber": [{"damping": "added"}, {"own": True, "m1": 1e150}, {"k2": 1e12}, {"k2": 0.0}, {"m2": 1e-12}],
 }

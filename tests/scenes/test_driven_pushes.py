@@ -178,12 +178,25 @@ def test_a_missing_harmonic_is_harmless() -> None:
 @pytest.mark.parametrize("push", PUSHES)
 def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
     scene = DRIVEN(view="response", push=push)
-    assert "The push is not a sine" in sentence(scene, "holds") and "The push is not a sine" in sentence(
-        scene, "no_powers"
-    )
-    assert {"X", "phi", "W", "P_in"}.isdisjoint(scene.numbers)
-    assert scene.shown.forms["no_powers"] and not DRIVEN().shown.forms.get("no_powers")
+    assert "The push is not a sine" in sentence(scene, "holds")
+    assert {"X", "phi", "W"}.isdisjoint(scene.numbers)
     assert DRIVEN(view="harmonics").shown.forms["meets"] == "sine"
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_the_mean_powers_are_those_of_the_push(push: Any) -> None:
+    scene = DRIVEN(view="power", push=push, omega=2.0944, c=1.0, window=60.0)
+    mass = PushedMass(1.0, 1.0, 39.48, PeriodicPush(kind=push, size=size_of(scene), omega=2.0944, width=0.2))
+    for name in ("P_in", "P_lost"):
+        assert scene.numbers[name].value == pytest.approx(mass.work * 2.0944 / (2 * math.pi), rel=1e-6)
+    assert scene.shown.forms["has_power"] and not scene.shown.forms["no_powers"]
+
+
+@pytest.mark.parametrize("push", ONCE)
+def test_a_push_that_does_not_repeat_has_no_mean_power(push: Any) -> None:
+    scene = DRIVEN(view="power", push=push)
+    assert {"P_in", "P_lost"}.isdisjoint(scene.numbers) and not scene.shown.forms["has_power"]
+    assert "no mean power" in sentence(scene, "no_powers")
 
 
 @pytest.mark.parametrize("values", [{"omega": 600.0}, {"omega": 0.01}, {"window": 1e5}, {"window": 1e-3}, {"k": 1e-6}])
@@ -259,12 +272,6 @@ def test_without_slices_the_page_says_why(values: dict[str, Any], words: str) ->
     scene = DRIVEN(view="convolution", **values)
     assert words in sentence(scene, "sums")
     assert "x_sliced" not in scene.sources["time"].data and not len(scene.sources["outline"].data)
-
-
-def test_slices_are_computed_in_their_view_alone() -> None:
-    """A file of another view has the columns that it always had."""
-    assert list(DRIVEN(view="motion").sources["time"].data) == ["t", "x", "x_c", "x_p"]
-    assert list(DRIVEN(view="convolution").sources["time"].data) == ["t", "x", "x_c", "x_p", "x_sliced", "push_F"]
 
 
 def test_a_hand_sets_the_push_where_it_is_drawn() -> None:

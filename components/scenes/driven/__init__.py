@@ -28,7 +28,7 @@ NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 BELOW = {
     "kind": "force", "push": "sine", "F_0": 2.0, "Y": 0.05, "moment": 0.05, "omega": 4.398, "m": 1.0, "k": 39.48,
-    "c": 2.513, "keep": "c", "x_0": 0.0, "v_0": 0.0, "width": 0.2, "J": 0.5,
+    "c": 2.513, "keep": "c", "x_0": 0.0, "v_0": 0.0, "width": 0.2, "J": 0.5, "slices": 12.0,
 }  # fmt: skip
 
 

@@ -22,6 +22,7 @@ from physics.driven import Drive, half_power, highest, lag, magnification, ratio
 from physics.forced_vibration import SampledVibration
 from physics.pushed_vibration import PushedVibration
 from physics.reference.damped import driven_points, response_points
+from physics.reference.pushed import pushed_points
 from physics.sampling import periods
 
 KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")
@@ -91,6 +92,7 @@ class Polygon(NamedTuple):
 class DrivenCase(SlicedCase):
     """A driven motion of a mass on a spring and a dashpot."""
 
+    view: str
     axes: str
 
     @property
@@ -314,14 +316,18 @@ class DrivenCase(SlicedCase):
         )  # fmt: skip
 
     def about(self, shown: Picture) -> About | None:
-        if not self.is_sine:
-            return None
         columns, sweep, one = shown.sources["time"], shown.sources["below"], self.vibration.oscillator
-        response, x = {"M": "$|X|$ over its unit", "lag": r"$\phi$"}, {"x": "$x$"}
-        true = driven_points(one, self.omega, self.amount, self.kind, self.x_0, self.v_0, few_of(columns["t"]))
+        response, x, t = {"M": "$|X|$ over its unit", "lag": r"$\phi$"}, {"x": "$x$"}, few_of(columns["t"])
+        t = t if "x" in columns else []
+        limit = 8 if self.pushed_by else 4
+        if self.pushed_by:
+            largest = float(np.abs(self.moved.from_rest(columns["t"])).max())
+            true = pushed_points(self.one, self.pushed_by, self.x_0, self.v_0, largest, t)
+        else:
+            true = driven_points(one, self.omega, self.amount, self.kind, self.x_0, self.v_0, t)
         true_response = response_points(one, self.kind, few_of(sweep["omega"]))
         tables = (
-            bounded("$x(t)$", 4, "the sum of the sizes of its parts", points(x, columns, true)),
+            bounded("$x(t)$", limit, "the sum of the sizes of its parts", points(x, columns, true)),
             bounded(
                 "the response and the lag", 16, "itself, as far as rounding $r$ allows",
                 points(response, sweep, true_response, Place("omega", r"$\omega$", "rad/s")),
@@ -329,7 +335,7 @@ class DrivenCase(SlicedCase):
         )  # fmt: skip
         work = "The work put in and the work lost in a cycle are equal once the complementary part has died."
         bands = {BAND: shown.sources.get(BAND, {}) | shown.sources.get(RINGING, {})}
-        return About(tables, work if self.c and self.is_driven else "", bands_among(bands, x))
+        return About(tables, work if self.c and self.is_driven and not self.is_once else "", bands_among(bands, x))
 
 
 def outline(kind: Drive, zeta: float, of_phase: bool) -> str:

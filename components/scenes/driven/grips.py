@@ -35,6 +35,6 @@ def grips(plot: Plot, up: Callable[[PlotValue], Number], axis: PlotAxis) -> list
     return [
         circle(top, up(c.F_high), 5, **RING, grab=grab("Height of the push", sets_force)),
         circle(top, up(c.J_high), 5, **RING, grab=grab("Size of the impulses", sets_impulse)),
-        circle(half, up(c.half_high), 5, **RING, grab=grab("Width of the pulses", sets_width)),
+        circle(half, up(c.half_F), 5, **RING, grab=grab("Width of the pulses", sets_width)),
         circle(left + period, up(0), 5, **RING, grab=grab("Period of the push", sets_period)),
     ]

@@ -17,6 +17,7 @@ from components.scenes.driven.grips import grips
 from components.scenes.driven.plots import DRIVE, HARMONICS, LEFT, OMEGA, PUSHED, SIDES, c
 
 OTHERS = "The push is not a sine. This view is about a sine of the same frequency; the view Harmonics shows the others."
+NO_PERIOD = "The push does not repeat, so it has no mean power of a period."
 ONCE = "The push does not repeat. This view is about a sine; the view Convolution is about every push."
 
 
@@ -57,7 +58,7 @@ def _jolts(case: DrivenCase, t: Axis, x: Axis) -> Columns | None:
 
 def in_harmonics(response: list[PlotItem]) -> list[Block]:
     """Return the blocks of the view Harmonics, and the sentence of the view Power on pushes that are not sines."""
-    power = words(either(c.no_powers, others=OTHERS, once=ONCE), phone=12, name="powers")
+    power = words(either(c.no_powers, once=NO_PERIOD), phone=12, name="powers")
     blocks = harmonics(HARMONICS, *response), pushed(), strongest()
     return [in_views(power, "power"), *(in_views(one, "harmonics") for one in blocks)]
 

@@ -147,13 +147,14 @@ class PushedCase(DashpotCase):
 
     @cached_property
     def power(self) -> Columns:
-        """The mean powers of a sine; none if nothing pushes, or if they are too fast for a line."""
-        if not (self.is_driven and self.is_sine):
+        """The mean powers; none without a push that repeats, or if they are too fast for a line."""
+        if not self.is_driven:
             return {}
         wanted = PER_PERIOD * self.end * max(self.highest, self.omega) / (2 * math.pi)
         if wanted > 4 * MOST:
             return {}
-        return self.vibration.mean_powers(self.end, int(min(max(wanted, FEWEST), MOST)))._asdict()
+        found = self.moved.mean_powers(self.end, int(min(max(wanted, FEWEST), MOST)))
+        return found._asdict() if found else {}
 
     @property
     def power_range(self) -> tuple[float, float]:

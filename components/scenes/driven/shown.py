@@ -117,7 +117,7 @@ class DrivenShown(DrivenCase):
     P_lost = value.optional(lambda c: float(c.power["P_lost"][-1]) if c.power else None, "W", "mean power lost")
     # Which formulas and words are shown.
     size = value(lambda c: ("grows" if c.resonant else "nearly") if c.swells else c.kind)
-    no_powers = value(lambda c: "" if c.is_sine else "once" if c.is_once else "others")
+    no_powers = value(lambda c: "once" if c.is_driven and c.is_once else "")
     quality = value(lambda c: c.kind if c.kind != "base" and c.zeta else "")
     work = value(lambda c: ("base" if c.shaken else "push") if c.steady and c.c else "")
     holds = value(_holds)
@@ -169,7 +169,7 @@ class DrivenShown(DrivenCase):
     period_share = value.optional(lambda c: c.period_in_window)
     full_turn = value(lambda c: 2 * math.pi / c.end)
     pulse_width = value.optional(lambda c: c.width if c.has_width and c.pushed_by else None)
-    half_high = value.optional(lambda c: c.F_0 / 2 if c.has_width and c.pushed_by else None)
+    half_F = value.optional(lambda c: c.F_0 / 2 if c.has_width and c.pushed_by else None)
     F_high = value.optional(lambda c: c.F_0 if c.pushed_by and not c.is_impulsive else None)
     J_high = value.optional(lambda c: c.J if c.pushed_by and c.is_impulsive else None)
     stretch = value(lambda c: c.drive_axis.factor / (c.m * c.one.omega_n if c.is_impulsive else c.k))

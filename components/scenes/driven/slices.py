@@ -19,16 +19,14 @@ FOLLOWS = 0.05
 
 
 class SlicedCase(PushedCase):
-    """A motion under a push, and in the view Convolution what slices of the push leave."""
+    """A motion under a push, and the motions that slices of the push leave."""
 
-    view: str
     slices: float
 
     @property
     def in_slices(self) -> bool:
-        """True if slices are drawn: those of a force, in their view, of a motion that is not too fast for a line."""
-        shown = self.view == "convolution" and self.kind == "force" and self.is_driven
-        return shown and drawable(self.highest, self.times)
+        """True if slices are drawn: those of a force, of a motion that is not too fast for a line."""
+        return self.kind == "force" and self.is_driven and drawable(self.highest, self.times)
 
     @cached_property
     def sliced(self) -> SlicedPush | None:
