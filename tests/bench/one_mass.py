@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator
+from decimal import Decimal
 from random import Random
 
 import mpmath as mp
@@ -18,6 +19,7 @@ from physics.damped import DampedOscillator
 from physics.driven import DrivenOscillator
 from physics.periodic import PeriodicPush, PushKind
 from physics.reference.damped import damped_points, driven_points
+from physics.reference.pushed import pushed_points
 from physics.steady_motions import SteadyMotion
 from tests.physics.chain_truth import U, ulps
 from tests.physics.push_truth import closed_form
@@ -56,14 +58,14 @@ def table(samples: int, seed: int) -> str:
 
 
 def push_table(samples: int, seed: int) -> str:
-    """The worst errors of x in the steady motion under a push, in u of the largest x: in a file, and as it is drawn."""
+    """The worst errors of x under a push, in u of the largest x: steady in a file and as it is drawn, and from rest."""
     lines = [
         "",
-        f"# Accuracy under a push that repeats\n\n{samples} of each kind, seed {seed}, u of the largest x.",
+        f"# Accuracy under a push\n\n{samples} of each kind, seed {seed}, u of the largest x.",
         "",
     ]
-    lines += ["| push | in a file, u | drawn, u |", "|---|---|---|"]
-    kinds: tuple[PushKind, ...] = ("square", "triangle", "pulses", "impulses")
+    lines += ["| push | steady, in a file, u | steady, drawn, u | from rest, in a file, u |", "|---|---|---|---|"]
+    kinds: tuple[PushKind, ...] = ("square", "triangle", "pulses", "impulses", "step", "impulse")
     for kind in kinds:
         random = Random(seed)
         errors = np.array([push_errors(kind, random) for _ in range(samples)])
@@ -71,16 +73,27 @@ def push_table(samples: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-def push_errors(kind: PushKind, random: Random) -> tuple[float, float]:
+def push_errors(kind: PushKind, random: Random) -> tuple[float, float, float]:
     """The errors of one oscillator, m = k = 1, ten times slower to ten times quicker than its push."""
     push = PeriodicPush(kind=kind, omega=10 ** random.uniform(-1, 1), width=random.uniform(0.05, 0.95))
     one = DampedOscillator(m=1.0, c=2 * 10 ** random.uniform(-6, 0.5), k=1.0)
-    motion, t = SteadyMotion(oscillator=one, push=push), random.uniform(0, 2 * math.pi / push.omega)
+    t = random.uniform(0, 2 * math.pi / push.omega)
+    return *(steady_errors(one, push, t) if not push.once else (0.0, 0.0)), from_rest_error(one, push, 7 * t)
+
+
+def steady_errors(one: DampedOscillator, push: PeriodicPush, t: float) -> tuple[float, float]:
+    motion = SteadyMotion(oscillator=one, push=push)
     found = one.steady(push, [t]).x[0], motion.at(np.array([t]))[0][0]
     with mp.workdps(250):
         true = closed_form(motion.mass, mp.mpf(t) * mp.mpf(push.omega) / (2 * mp.pi))[0]
         in_file, drawn = (float(abs(mp.mpf(float(x)) - true) / U / motion.size) for x in found)
     return in_file, drawn
+
+
+def from_rest_error(one: DampedOscillator, push: PeriodicPush, t: float) -> float:
+    found = one.pushed(push).from_rest(np.linspace(0.0, t, 100)).x
+    (true,) = pushed_points(one, push, 0.0, 0.0, float(np.abs(found).max()), [t])["x"]
+    return float(abs(Decimal(float(found[-1])) - true.value) / true.size / Decimal(U))
 
 
 def shown(error: float) -> str:

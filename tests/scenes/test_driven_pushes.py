@@ -79,6 +79,14 @@ def test_a_file_has_the_exact_motion_and_its_parts(push: Any, omega: float) -> N
         assert data["F_over_k"] == pytest.approx(mass.force(data["t"]) / scene.k, abs=1e-15)
 
 
+@pytest.mark.parametrize("push", [*PUSHES, *ONCE])
+def test_no_formula_calls_the_push_or_its_steady_part_a_sine(push: Any) -> None:
+    scene = DRIVEN(view="formulas", push=push)
+    assert scene.shown.forms["law"] == "push" and "formula" not in scene.shown.forms["x_p"]
+    sine = DRIVEN(view="formulas").shown.forms
+    assert sine["law"] == "force" and sine["x_p"] == "dies_formula"
+
+
 @pytest.mark.parametrize("push", ONCE)
 def test_what_does_not_repeat_has_no_frequency(push: Any) -> None:
     slow, quick = (DRIVEN(view="harmonics", push=push, omega=omega) for omega in (0.0, 50.0))

@@ -71,6 +71,10 @@ class DrivenScene(DashpotScene, CaseScene):
             "Spin-dry", "1.62, towards 1 above; on the way up it passes 2.55 at r = 1.04.", BELOW,
             kind="unbalance", omega=9.425,
         ),
+        example(
+            "Third harmonic", "A square push, and three swings in each: harmonic 3 is at the peak, 0.135 m.", BELOW,
+            push="square", omega=2.0944, c=1.0,
+        ),
     )  # fmt: skip
 
     kind = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")

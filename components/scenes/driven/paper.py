@@ -148,8 +148,9 @@ def facts() -> tuple[EitherText, ...]:
     root = r"(1 - r^2)^2 + (2 \zeta r)^2"
     return (
         either(
-            c.kind,
+            c.law,
             force=r"$m \ddot{x} + c \dot{x} + k x = F_0 \sin \omega t$",
+            push=r"$m \ddot{x} + c \dot{x} + k x = F(t)$",
             base=r"$m \ddot{x} + c (\dot{x} - \dot{y}) + k (x - y) = 0$",
             unbalance=r"$m \ddot{x} + c \dot{x} + k x = m_0 e\, \omega^2 \sin \omega t$",
         ),
