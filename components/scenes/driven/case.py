@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from functools import cached_property
 from typing import Literal, NamedTuple
