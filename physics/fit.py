@@ -318,6 +318,8 @@ def _searched(data: _Data, start: Array, error: float = _CLOSE) -> _Found:
         ).x  # fmt: skip
         for _ in range(0 if error > _CLOSE else _LAST_STEPS):
             r, J = parts(theta.tobytes())
+            if not np.isfinite(r).all():
+                break
             theta = theta - np.linalg.lstsq(J, r, rcond=None)[0]
         if not np.isfinite(np.concatenate([r for r, _, _ in _projected(scaled, theta)])).all():
             raise np.linalg.LinAlgError
@@ -332,6 +334,8 @@ def _searched(data: _Data, start: Array, error: float = _CLOSE) -> _Found:
 def _projected(data: _Data, theta: Array) -> list[tuple[Array, Array, Array]]:
     """The residuals of each column, Kaufman's Jacobian, and the linear coefficients."""
     basis, parts = _basis(theta, data.t, data.powers), []
+    if not np.isfinite(basis).all():  # the search has run away, and LAPACK would print this
+        return [(y * math.nan, np.zeros((y.size, len(theta))), np.zeros(basis.shape[1])) for y in data.Y]
     for y, w in zip(data.Y, data.W, strict=True):
         Q, R = np.linalg.qr(basis * w[:, None])
         known = Q.T @ (y * w)

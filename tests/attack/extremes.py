@@ -19,6 +19,8 @@ TINY, HUGE = sys.float_info.min, sys.float_info.max
 EXTREMES = (5e-324, TINY, 1e-300, 1e-160, 1e-80, 1e-9, 1.0, 1e9, 1e80, 1e160, 1e300, HUGE)
 NAMES = ("x1", "x2", "x1_p", "work", "verlet", "closed", "2", "99", "nothing")
 AXES = ("t", "x", "w", "omega", "X", "X1", "v", "E", "p", "f", "none")
+MOST_ROWS = 1250
+"""Rows of a piece: components.language.messages."""
 COVERS = ("plot:x1", "plot:x2", "plot:response", "value:tau", "value:omega", "value:D", "plot:none")
 Values = dict[str, Any]
 Message = dict[str, Any]
@@ -56,9 +58,12 @@ def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
     kinds = [
         values(scene).map(_set),
         st.sampled_from(sorted(scene.linked())).flatmap(lambda name: _about(scene, name)),
-        st.sampled_from([{"type": "csv"}, {"type": "about"}, {"type": "run", "order": "cancel"}]),
+        st.sampled_from(
+            [{"type": "csv"}, {"type": "about"}, {"type": "cancel_fit"}, {"type": "run", "order": "cancel"}]
+        ),
         st.sampled_from([scene, *SCENES.values()]).flatmap(_open),
         _rows(),
+        records(),
         malformed(scene),
     ]
     acts = [{"type": "act", "name": name} for group in scene.groups for name, _ in group.actions]
@@ -67,13 +72,27 @@ def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
 
 
 def _rows() -> SearchStrategy[Message]:
-    """A piece of a measured record: of any number, out of order, of any size, with anything as a number."""
+    """A piece of a measured record: of any number, out of order, too large, with anything as a number."""
     sizes = st.sampled_from([0.0, -0.0, *EXTREMES, float("nan"), float("inf")]) | st.floats(-10, 10)
     columns = st.lists(sizes, max_size=40) | st.lists(st.floats(-1, 1), min_size=8, max_size=8).map(sorted)
     places = st.integers(0, 2) | st.integers(-5, 10**20)
+    columns |= st.just([0.0] * (MOST_ROWS + 1))
     several = st.lists(columns, max_size=3) | columns | st.text(max_size=3)
     parts = {"type": st.just("rows"), "piece": places, "of": places, "t": columns, "columns": several}
     return st.fixed_dictionaries(parts, optional={"size": places})
+
+
+def records() -> SearchStrategy[Message]:
+    """A whole measured record of any numbers, which the server fits."""
+    numbers = st.floats(-1e9, 1e9) | st.sampled_from([0.0, -0.0, 5e-324, 1e-300, 1e9])
+
+    def rows(n: int) -> SearchStrategy[Message]:
+        column = st.lists(numbers, min_size=n, max_size=n)
+        parts = {"t": column.map(sorted), "columns": st.lists(column, min_size=1, max_size=2)}
+        fixed = {"type": st.just("rows"), "piece": st.just(0), "of": st.just(1), **parts}
+        return st.fixed_dictionaries(fixed, optional={"size": st.integers(1, 10), "derivative": st.integers(0, 2)})
+
+    return st.integers(0, 40).flatmap(rows)
 
 
 def _open(scene: type[Scene]) -> SearchStrategy[Message]:
