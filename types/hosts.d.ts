@@ -76,7 +76,7 @@ interface PlotHost extends Canvas {
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
   readonly messages: Pick<import("../static/net/messages.js").Messages, "send" | "last" | "rests"> &
-    Partial<Pick<import("../static/net/messages.js").Messages, "request">>
+    Partial<Pick<import("../static/net/messages.js").Messages, "request" | "abandon">>
   send(message: page.BrowserMessage): void
   take(sets: page.State["parameters"]): void
   open(state: Pick<page.State, "scene"> & Partial<page.State>): void

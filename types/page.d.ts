@@ -131,7 +131,12 @@ declare namespace page {
     columns: RowNumbers[]
   }
 
-  type BrowserMessage = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
+  /** Cancels the fit that waits for its turn; the page no longer waits for its answer. */
+  interface CancelFit extends FromBrowser {
+    type: "cancel_fit"
+  }
+
+  type BrowserMessage = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows | CancelFit
 
   /** Any message of the server; `answer` is the number of the message that it answers. */
   interface ServerMessage {

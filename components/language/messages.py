@@ -149,8 +149,24 @@ class SendRows(FromBrowser, frozen=True, kw_only=True, tag="rows"):
     columns: Annotated[list[RowNumbers], Meta(min_length=1, max_length=2)]
 
 
+class CancelFit(FromBrowser, frozen=True, kw_only=True, tag="cancel_fit"):
+    """Cancels the fit that waits for its turn; the page no longer waits for its answer."""
+
+
 BrowserMessage: TypeAlias = (
-    SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout | SendRows
+    SetValues
+    | Typed
+    | Act
+    | Choose
+    | RunOrder
+    | Open
+    | GiveAnswer
+    | RunWalk
+    | Lead
+    | AskCsv
+    | AskAbout
+    | SendRows
+    | CancelFit
 )
 
 

@@ -25,6 +25,8 @@ ALLOWANCE = 20
 """CPU seconds that one network may use in a minute, also all at once."""
 PATIENCE, STARTING = 20.0, 120.0
 """Seconds until a process is ended that exceeds its budget, or that is not ready."""
+FIT_PATIENCE = 5.0
+"""The same for a fit, since a visitor waits for it."""
 OVER_BUDGET = -getattr(signal, "SIGPROF", 0)
 """The exit code of a process that the system has ended for exceeding its limits."""
 SHARED = "Too many requests from your network are waiting. Try again in a few seconds."
@@ -135,7 +137,8 @@ class ReadingProcess:
         process = self._ready()
         if process is None:
             return Replied(refused=GONE)
-        reply = _answer(process, msgspec.msgpack.encode(job), PATIENCE)
+        patience = FIT_PATIENCE if isinstance(job, Fitting) else PATIENCE
+        reply = _answer(process, msgspec.msgpack.encode(job), patience)
         if reply:
             return msgspec.msgpack.decode(reply, type=Replied)
         _end(process)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from components.language.messages import FittedMotion, FittedNumber, FittedParameters
 from components.quantities.formatting import three, with_error
 from physics.chain_fit import ChainFit, chain_of_fit
 from physics.fit import Caution, DampedFit
+from physics.residuals import Cause, cause_of
 
 FEW_IN_A_CYCLE = 4.0
 """Rows in a cycle from which on no other frequency is likely."""
@@ -17,9 +21,16 @@ SIGNIFICANT = 4.0
 UNITS = ("m", "m/s", "m/s²")
 """The units of a displacement and of its derivatives."""
 RANDOM = "The residuals of the fit are random: the model agrees with your points within their scatter."
+NOT_RANDOM = "The residuals of the fit are not random: {}. The standard errors allow for this."
+MANY = "the friction is not viscous, or something else moves too"
+CAUSES = {
+    Cause.AIR: "large swings lose more than their share, as with the drag of air",
+    Cause.DRY: "small swings lose more than their share, as with dry friction",
+    Cause.SPRING: "the frequency changes with the amplitude, as with a spring that is not linear",
+    Cause.DRIFT: "the equilibrium moves during the record",
+    Cause.OTHER: "something else moves too, most at {} rad/s",
+}
 SENTENCES = {
-    Caution.CORRELATED: "The residuals of the fit are not random: the friction is not viscous, or something else "
-    "moves too. The standard errors allow for this.",
     Caution.DRIFT: "The points drift: the fit includes a straight line.",
     Caution.CLIPPED: "Some points are at a limit of the sensor: the fit leaves them out.",
     Caution.FEW_ROWS: "The file has fewer than 30 points: the standard errors are rough.",
@@ -41,13 +52,21 @@ class Described(NamedTuple):
     sentences: tuple[str, ...]
 
 
-def on_residuals(fit: DampedFit) -> tuple[str, ...]:
+def on_residuals(t: Sequence[float], fit: DampedFit) -> tuple[str, ...]:
     """The sentences on the residuals, the most important one first, and on what else a reader has to know."""
-    cautions = [text for caution, text in SENTENCES.items() if caution in fit.cautions]
-    found = cautions if Caution.CORRELATED in fit.cautions else [RANDOM, *cautions]
+    first = NOT_RANDOM.format(_cause(t, fit)) if Caution.CORRELATED in fit.cautions else RANDOM
+    cautions = (text for caution, text in SENTENCES.items() if caution in fit.cautions)
     pairs = zip(fit.aliases, fit.omega.tolist(), strict=False)
     aliases = [alias for alias, omega in pairs if alias + omega < FEW_IN_A_CYCLE * omega]
-    return (*found, *(f"Rows so far apart fit {three(alias)} rad/s equally well." for alias in aliases))
+    return (first, *cautions, *(f"Rows so far apart fit {three(alias)} rad/s equally well." for alias in aliases))
+
+
+def _cause(t: Sequence[float], fit: DampedFit) -> str:
+    """The cause of the residuals in words; with two frequencies it is not known."""
+    if len(fit.omega) > 1:
+        return MANY
+    cause, strongest = cause_of(np.asarray(t), fit)
+    return CAUSES[cause].format(three(strongest))
 
 
 def one_mass(fit: DampedFit, motion: FittedMotion, derivative: int) -> Described:

@@ -85,7 +85,7 @@ def fitted(job: Fitting) -> Fitted:
     except ArithmeticError as error:
         raise ValueError(EXTREME) from error
     numbers, parameters, sentences = described
-    sentences = (*on_residuals(fit), *sentences)
+    sentences = (*on_residuals(job.t, fit), *sentences)
     return Fitted(motion=motion, parameters=parameters, numbers=numbers, sentences=sentences)
 
 

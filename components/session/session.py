@@ -16,6 +16,7 @@ from components.language.messages import (
     AskAbout,
     AskCsv,
     BrowserMessage,
+    CancelFit,
     Fitted,
     GiveAnswer,
     Given,
@@ -93,6 +94,8 @@ class Session:
         self._apart: tuple[int | None, Future[Replied]] | None = None
         """The answer that the worker will give, by the number of the request."""
         self._rows = MeasuredRows()
+        self._fit: Future[Replied] | None = None
+        """The last job, if it is a fit."""
         self.send: Send = lambda packet: None
         self.first: Packet | None = None
         """The first picture, computed when the link was checked."""
@@ -165,6 +168,9 @@ class Session:
                 return self._ask_apart(Reading(message.name, message.text), answer)
             case SendRows():
                 return self._take_rows(message, answer)
+            case CancelFit():
+                self._cancel_fit()
+                return packed(Fitted(answer=answer))
             case Lead(code=code, key=key):
                 self._end_publishing()
                 self._publish = self.lead(code, key) if code else None
@@ -183,11 +189,21 @@ class Session:
 
     def _take_rows(self, message: SendRows, answer: int | None) -> Packet | None:
         """Take a piece of a measured record, and give the complete record to the worker."""
+        if self._apart and self._apart[0] == answer and self._fit and not self._fit.done():
+            return None  # the last piece is repeated while its rows are fitted
+        if message.piece == 0:
+            self._cancel_fit()
         try:
             job = self._rows.take(message)
         except ValueError as reason:
             return packed(Fitted(answer=answer, refused=str(reason)))
         return self._ask_apart(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
+
+    def _cancel_fit(self) -> None:
+        """Cancel the fit of an earlier record if it still waits for its turn."""
+        if self._fit:
+            self._fit.cancel()
+        self._fit = None
 
     def _is_kept(self, message: BrowserMessage, after: PageState) -> bool:
         """Return True if a drag has ended and the page does not change; then its picture is not sent again."""
@@ -242,6 +258,7 @@ class Session:
             worker = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
         future = worker.ask(asked, self.network)
         self._apart = answer, future
+        self._fit = future if isinstance(asked, Fitting) else None
 
         def tell(done: Future[Replied]) -> None:
             if not done.cancelled():

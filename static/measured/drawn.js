@@ -169,3 +169,32 @@ export function residualsOf(plot, {t, x}) {
   const curve = over(signals, scalars, times, new Set([signal]))[signal]
   return curve.map((value, i) => (times[i] < 0 || times[i] > plot.x.end ? NaN : toPlace(plot.y, x[i]) - value))
 }
+
+/**
+ * The points as they are drawn: displacements without the fitted offset and drift. A velocity or an acceleration is
+ * drawn at the fitted displacement, with its residual over the same power of the natural frequency, of two their mean.
+ * @param {{rows: import("./record.js").Rows | null, fit: page.Fitted | null} | null} file
+ * @returns {DrawnPoints[] | null}
+ */
+export function shownOf(file) {
+  if (!file?.rows || (file.rows.derivative && !file.fit)) return null
+  const {t, columns, derivative} = file.rows
+  const motion = file.fit?.motion
+  const [omega, decay] = [motion?.omega ?? [], motion?.decay ?? []]
+  const sizes = omega.map((w, j) => Math.log(Math.hypot(w, decay[j])))
+  const scale = Math.exp((derivative * sizes.reduce((sum, one) => sum + one, 0)) / (sizes.length || 1))
+  return columns.map((x, i) => {
+    const {C = [], S = [], offset = 0, drift = 0, scatter = 0} = motion?.columns[i] ?? {}
+    const swing = (/** @type {number} */ time, /** @type {number} */ order) =>
+      omega.reduce((sum, w, j) => {
+        const size = Math.hypot(C[j], S[j]) * Math.hypot(w, decay[j]) ** order
+        const phase = Math.atan2(-S[j], C[j]) + order * Math.atan2(w, -decay[j])
+        return sum + size * Math.exp(-decay[j] * time) * Math.cos(w * time + phase)
+      }, 0)
+    const points = x.map((one, row) => {
+      const rest = one - offset - drift * t[row]
+      return derivative ? swing(t[row], 0) + (rest - swing(t[row], derivative)) / scale : rest
+    })
+    return {t, x: points, scatter: scatter / scale}
+  })
+}

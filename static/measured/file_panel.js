@@ -2,13 +2,20 @@
 
 import {chip, element, marked, reword} from "../core/dom.js"
 import {VALUES, TIMES, unitIn} from "./record.js"
+import {canRecord, Recorder} from "./recorder.js"
 
-const HINT = "Or drop it here, or paste columns from a spreadsheet. A CSV file has a column of times and "
+const HINT =
+  "Or drop it here, or paste columns from a spreadsheet. A CSV file, also in a zip file, has a column of times and "
 const KINDS = "of displacements, velocities or accelerations."
+
+const RECORD = "Record with this phone"
 
 /** @typedef {import("./record.js").Column} Column */
 
 export class FilePanel {
+  /** @type {Recorder | null} */
+  recording = null
+
   /**
    * @param {HTMLElement} host of the file @param {HTMLElement} fitHost of the numbers
    * @param {Record<string, string>} examples names of files by their labels
@@ -17,22 +24,7 @@ export class FilePanel {
   constructor(host, fitHost, examples, measured) {
     this.host = host
     this.measured = measured
-    this.input = element("input", {type: "file", accept: ".csv,.tsv,.txt,text/csv,text/plain", hidden: ""})
-    this.input.addEventListener("change", () => {
-      const [file] = this.input.files ?? []
-      if (file) measured.open(file)
-      this.input.value = ""
-    })
-    const choose = () => this.input.click()
-    const ready = Object.entries(examples).map(([label, name]) => chip(label, () => this.#example(name)))
-    const columns = measured.labels.length > 1 ? "one for each mass," : "one"
-    this.empty = element(
-      "div",
-      {class: "measured-empty"},
-      chip("Choose a file", choose),
-      ...ready,
-      element("p", {class: "mute"}, `${HINT}${columns} ${KINDS}`),
-    )
+    this.empty = this.#offer(examples)
     this.name = element("p", {class: "measured-name"})
     this.columns = element("div", {class: "measured-columns"})
     this.numbers = element("table", {class: "facts-table"})
@@ -40,18 +32,79 @@ export class FilePanel {
     this.more = element("p", {class: "measured-more"})
     this.fit = chip("Fit to data", () => measured.take())
     this.csv = chip("Save residuals", () => measured.save())
-    const buttons = element(
-      "p",
-      {class: "measured-buttons"},
-      this.fit,
-      this.csv,
-      chip("Remove", () => measured.remove()),
-    )
+    this.cancel = chip("Cancel", () => measured.cancel())
+    this.again = chip("Fit again", () => measured.choose({}))
+    const remove = chip("Remove", () => measured.remove())
+    const buttons = element("p", {class: "measured-buttons"}, this.cancel, this.again, this.fit, this.csv, remove)
     this.file = element("div", {}, this.name, this.columns, buttons)
     this.status = element("p", {class: "measured-status", role: "status"})
     this.heard = element("p", {class: "heard", role: "status"})
-    host.append(this.input, this.empty, this.status, this.file, this.heard)
+    host.append(this.empty, this.status, this.file, this.heard)
     fitHost.append(this.sentence, this.more, this.numbers)
+  }
+
+  /** The ways to get a file. @param {Record<string, string>} examples */
+  #offer(examples) {
+    const {measured} = this
+    const types = ".csv,.tsv,.txt,.zip,text/csv,text/plain,application/zip"
+    const input = element("input", {type: "file", accept: types, hidden: ""})
+    input.addEventListener("change", () => {
+      const [file] = input.files ?? []
+      if (file) measured.open(file)
+      input.value = ""
+    })
+    const choose = chip("Choose a file", () => input.click())
+    const ready = Object.entries(examples).map(([label, name]) => chip(label, () => this.#example(name)))
+    const isOne = measured.labels.length === 1
+    const record = isOne && canRecord() ? [this.#recorder()] : []
+    const hint = element("p", {class: "mute"}, `${HINT}${isOne ? "one" : "one for each mass,"} ${KINDS}`)
+    return element("div", {class: "measured-empty"}, input, choose, ...record, ...ready, hint)
+  }
+
+  /** The button that records with this phone, and stops. */
+  #recorder() {
+    const record = chip(RECORD, () => {
+      if (this.recording) return this.#leaveRecording(record)
+      this.recording = new Recorder({
+        waits: left => {
+          reword(record, `Cancel: it starts in ${left} s`)
+          reword(this.status, "Fix the phone to the spring, and let it swing.")
+        },
+        records: left => {
+          reword(record, `Stop: ${left} s left`)
+          reword(this.status, "It records: do not touch the phone.")
+        },
+        done: table => {
+          this.#endRecording(record)
+          this.measured.begin("Recorded by this phone", table)
+        },
+        refused: reason => {
+          this.#endRecording(record)
+          this.show(reason)
+        },
+      })
+    })
+    return record
+  }
+
+  /** @param {HTMLElement} record */
+  #leaveRecording(record) {
+    const {recording} = this
+    if (recording?.isRunning) return recording.stop()
+    this.#endRecording(record)
+    this.show("")
+  }
+
+  /** @param {HTMLElement} record */
+  #endRecording(record) {
+    this.recording?.leave()
+    this.recording = null
+    reword(record, RECORD)
+  }
+
+  /** Ends what goes on when the scene is left. */
+  leave() {
+    this.recording?.leave()
   }
 
   /** @param {string} name */
@@ -88,6 +141,7 @@ export class FilePanel {
     this.name.replaceChildren(element("b", {}, name), count ? `: ${count}` : "")
     const {time, motions} = choice
     this.columns.replaceChildren(
+      ...this.#tables(),
       ...this.#choice("Time", time, TIMES, column => ({time: column})),
       ...this.measured.labels.flatMap((label, i) =>
         this.#choice(label, motions[i], VALUES, column => ({motions: motions.with(i, column)})),
@@ -95,10 +149,25 @@ export class FilePanel {
     )
   }
 
+  /** A choice between the tables of a zip file. */
+  #tables() {
+    const {tables, place} = this.measured.opened ?? {tables: [], place: 0}
+    if (tables.length < 2) return []
+    const choice = select(
+      "Table",
+      tables.map(({name}, i) => [String(i), name]),
+      String(place),
+    )
+    choice.addEventListener("change", () => this.measured.turnTo(Number(choice.value)))
+    return [element("span", {}, "Table"), choice, element("span", {})]
+  }
+
   /** @param {page.Fitted | null} [fit] */
   #number(fit) {
     this.csv.disabled = !fit
     this.fit.disabled = !fit?.parameters
+    this.cancel.hidden = !this.measured.isFitting
+    this.again.hidden = this.measured.isFitting || Boolean(fit) || !this.measured.opened?.rows
     const {numbers, sentences} = fit ?? {numbers: [], sentences: []}
     this.numbers.replaceChildren(...numbers.map(line))
     reword(this.sentence, sentences[0] ?? "")

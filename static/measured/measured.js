@@ -1,23 +1,27 @@
 // The view of a visitor's own measurement: a file, its points over the model, the fit and the residuals. The rows stay
 // in this page; the server gets them only to fit a motion, and keeps nothing.
 
-import {Points, Residuals, residualsOf} from "./drawn.js"
+import {Points, Residuals, residualsOf, shownOf} from "./drawn.js"
 import {FilePanel} from "./file_panel.js"
 import {parser} from "./parser.js"
 import {guessed, piecesOf, rowsOf} from "./record.js"
-import {MOST_BYTES, tableOf} from "./table.js"
+import {MOST_BYTES, tableOf, tablesOf, textOf} from "./table.js"
+import {isZip, unpacked} from "./zip.js"
 import {save} from "../export/save.js"
 import {inWords} from "../core/notes.js"
 
 const AGAIN = 2000 // ms until a fit is requested again for which the server had no time
-const MOST_TRIES = 5
+const MOST_TRIES = 15
 const FITTING = "Computing the fit. It may have to wait for those of other visitors."
 const HEADS = ["point - offset [m]", "curve [m]", "residual [m]"]
-const BUSY = "The fit could not be computed now. Remove the file, and open it again in a moment."
+const BUSY = "The fit could not be computed now. Press “Fit again” in a moment."
+const CANCELLED = "The fit is cancelled. “Fit again” computes it."
 
 /**
- * A file: its table, the chosen columns, and the rows and the fit if there are any.
- * @typedef {{name: string, table: import("./table.js").Table, choice: import("./record.js").ColumnChoice,
+ * A file: its tables, the place of the chosen one and this one, the chosen columns, and the rows and the fit if there
+ * are any.
+ * @typedef {{name: string, tables: import("./table.js").NamedTable[], place: number,
+ *   table: import("./table.js").Table, choice: import("./record.js").ColumnChoice,
  *   rows: import("./record.js").Rows | null, fit: page.Fitted | null}} Opened
  */
 
@@ -33,6 +37,8 @@ let opened = null
 export class MeasuredView {
   /** @type {import("./drawn.js").DrawnPoints[] | null} by column */
   shown = null
+
+  isFitting = false
 
   /** @param {PartHost} page @param {Map<page.MeasuredBlock, HTMLElement>} hosts of the blocks by block */
   constructor(page, hosts) {
@@ -50,7 +56,8 @@ export class MeasuredView {
     this.panel = new FilePanel(host, hostOf("fit")[1], examples, this)
     this.#listen()
     this.update()
-    if (opened && opened.choice.motions.length !== this.tracks.length) this.#start(opened.name, opened.table)
+    if (opened && opened.choice.motions.length !== this.tracks.length) this.turnTo(opened.place)
+    else if (opened && !opened.fit) this.choose({})
     else this.#tell("")
   }
 
@@ -88,6 +95,8 @@ export class MeasuredView {
   leave() {
     if (this.pasted) document.removeEventListener("paste", this.pasted)
     this.tracks.forEach(({lane}) => lane.leave())
+    this.#endFit()
+    this.panel.leave()
   }
 
   /** @param {File} file */
@@ -96,27 +105,46 @@ export class MeasuredView {
       const size = (file.size / 2 ** 20).toFixed(1)
       return this.#tell(`${file.name} has ${size} MB: files of at most 5 MB are read.`)
     }
-    await this.read(file.name, await file.text())
+    const bytes = new Uint8Array(await file.arrayBuffer())
+    if (!isZip(bytes)) return this.read(file.name, textOf(bytes))
+    try {
+      const files = await unpacked(bytes)
+      this.#start(file.name, tablesOf(files, await parser()))
+    } catch (reason) {
+      this.#tell(`${file.name}: ${inWords(reason)}`)
+    }
   }
 
   /** @param {string} name @param {string} text */
   async read(name, text) {
     try {
-      this.#start(name, tableOf(text, await parser()))
+      this.begin(name, tableOf(text, await parser()))
     } catch (reason) {
       this.#tell(`${name}: ${inWords(reason)}`)
     }
   }
 
-  /** @param {string} name @param {import("./table.js").Table} table */
-  #start(name, table) {
-    opened = {name, table, choice: guessed(table, this.tracks.length), rows: null, fit: null}
+  /** Shows a table that is no file. @param {string} name @param {import("./table.js").Table} table */
+  begin(name, table) {
+    this.#start(name, [{name, table}])
+  }
+
+  /** Shows another table of the file. @param {number} place */
+  turnTo(place) {
+    if (opened) this.#start(opened.name, opened.tables, place)
+  }
+
+  /** @param {string} name @param {import("./table.js").NamedTable[]} tables @param {number} [place] */
+  #start(name, tables, place = longest(tables)) {
+    const {table} = tables[place]
+    opened = {name, tables, place, table, choice: guessed(table, this.tracks.length), rows: null, fit: null}
     this.choose({})
   }
 
   /** Chooses columns or units, and fits again. @param {Partial<import("./record.js").ColumnChoice>} change */
   choose(change) {
     if (!opened) return
+    this.#endFit()
     /** @type {Opened} */
     const file = {...opened, choice: {...opened.choice, ...change}, rows: null, fit: null}
     opened = file
@@ -125,6 +153,7 @@ export class MeasuredView {
     if (unknown >= 0) return this.#tell(`Choose the unit of “${["Time", ...this.labels][unknown]}”.`)
     try {
       file.rows = rowsOf(file.table, file.choice)
+      this.isFitting = true
       this.#tell(FITTING)
       this.#send(file, piecesOf(file.rows))
     } catch (reason) {
@@ -151,8 +180,25 @@ export class MeasuredView {
   /** @param {Opened} file @param {page.Fitted} answer */
   #fitted(file, answer) {
     if (opened !== file) return
+    this.isFitting = false
     file.fit = answer.motion ? answer : null
     this.#tell(answer.refused)
+  }
+
+  /** Cancels the fit that is being computed, and keeps the points. */
+  cancel() {
+    this.#endFit()
+    this.#tell(CANCELLED)
+  }
+
+  /** Ends the wait for a fit; the server drops it. */
+  #endFit() {
+    const {messages} = this.page.host
+    if (!this.isFitting || !opened) return
+    this.isFitting = false
+    opened = {...opened} // answers to the file before are late
+    messages.abandon?.("rows")
+    messages.send({type: "cancel_fit"})
   }
 
   /** Sets the parameters of the scene to the fit. */
@@ -166,6 +212,7 @@ export class MeasuredView {
   }
 
   remove() {
+    this.#endFit()
     opened = null
     this.#tell("")
   }
@@ -202,6 +249,12 @@ export class MeasuredView {
   }
 }
 
+/** The place of the table with the most rows. @param {import("./table.js").NamedTable[]} tables */
+function longest(tables) {
+  const counts = tables.map(({table}) => table.lines.length)
+  return counts.indexOf(Math.max(...counts))
+}
+
 /** The cells of each row of a column. @param {PlotHost} plot @param {import("./drawn.js").DrawnPoints} shown */
 function savedColumn(plot, shown) {
   const place = residualsOf(plot, shown)
@@ -210,33 +263,5 @@ function savedColumn(plot, shown) {
     const residual = place[i] * 10 ** exponent * factor
     const rest = Number.isNaN(residual) ? "," : `${(x - residual).toPrecision(9)},${residual.toPrecision(4)}`
     return `${x.toPrecision(9)},${rest}`
-  })
-}
-
-/**
- * The points as they are drawn: displacements without the fitted offset and drift. A velocity or an acceleration is
- * drawn at the fitted displacement, with its residual over the same power of the natural frequency, of two their mean.
- * @param {Opened | null} file @returns {import("./drawn.js").DrawnPoints[] | null}
- */
-function shownOf(file) {
-  if (!file?.rows || (file.rows.derivative && !file.fit)) return null
-  const {t, columns, derivative} = file.rows
-  const motion = file.fit?.motion
-  const [omega, decay] = [motion?.omega ?? [], motion?.decay ?? []]
-  const sizes = omega.map((w, j) => Math.log(Math.hypot(w, decay[j])))
-  const scale = Math.exp((derivative * sizes.reduce((sum, one) => sum + one, 0)) / (sizes.length || 1))
-  return columns.map((x, i) => {
-    const {C = [], S = [], offset = 0, drift = 0, scatter = 0} = motion?.columns[i] ?? {}
-    const swing = (/** @type {number} */ time, /** @type {number} */ order) =>
-      omega.reduce((sum, w, j) => {
-        const size = Math.hypot(C[j], S[j]) * Math.hypot(w, decay[j]) ** order
-        const phase = Math.atan2(-S[j], C[j]) + order * Math.atan2(w, -decay[j])
-        return sum + size * Math.exp(-decay[j] * time) * Math.cos(w * time + phase)
-      }, 0)
-    const points = x.map((one, row) => {
-      const rest = one - offset - drift * t[row]
-      return derivative ? swing(t[row], 0) + (rest - swing(t[row], derivative)) / scale : rest
-    })
-    return {t, x: points, scatter: scatter / scale}
   })
 }

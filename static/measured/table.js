@@ -17,6 +17,33 @@ const SEPARATORS = ["\t", ";", ","]
  * @typedef {{parse(text: string, how: {delimiter: string}): {data: string[][]}}} Parser
  */
 
+/** A table and the name of its file. @typedef {{name: string, table: Table}} NamedTable */
+
+/** The text of a file; spreadsheets also write UTF-16. @param {Uint8Array} bytes */
+export function textOf(bytes) {
+  const isWide = bytes[0] === 0xff && bytes[1] === 0xfe
+  return new TextDecoder(isWide ? "utf-16le" : "utf-8").decode(bytes)
+}
+
+/**
+ * The tables among files, or throws the reason why the first one is none.
+ * @param {{name: string, bytes: Uint8Array}[]} files @param {Parser} parser @returns {NamedTable[]}
+ */
+export function tablesOf(files, parser) {
+  /** @type {Error[]} */
+  const reasons = []
+  const tables = files.flatMap(({name, bytes}) => {
+    try {
+      return [{name, table: tableOf(textOf(bytes), parser)}]
+    } catch (reason) {
+      reasons.push(new Error(`${name}: ${/** @type {Error} */ (reason).message}`))
+      return []
+    }
+  })
+  if (!tables.length) throw reasons[0]
+  return tables
+}
+
 /** Reads a table, or throws the reason with the line. @param {string} text @param {Parser} parser @returns {Table} */
 export function tableOf(text, parser) {
   const lines = linesOf(text)

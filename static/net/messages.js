@@ -114,6 +114,14 @@ export class Messages {
     return new Promise(answered => this.send(message, {answered}))
   }
 
+  /** Stops waiting for the answer to a message of this type. @param {page.BrowserMessage["type"]} type */
+  abandon(type) {
+    if (this.asked?.message.type !== type) return
+    clearTimeout(this.reminder)
+    this.asked = null
+    this.#flush()
+  }
+
   /** Tests the connection, because a phone that slept does not notice a lost one. */
   probe() {
     if (!this.wire) return

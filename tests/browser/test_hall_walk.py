@@ -1,4 +1,4 @@
-"""Every step of the walks in a hall, before and after its answer: nothing scrolls, is cut off or too small."""
+"""Every step of the walks in a hall, before and after its answer: nothing scrolls, is cut off or is too small."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ UNFOLD = """open => {
   document.querySelector(".card .follows").open = open
   document.querySelector(".paper").style.visibility = open ? "hidden" : ""
 }"""
-"""The equations lie over the paper."""
+"""The equations cover the paper."""
 ANSWER = """given => {
   const {question} = oscillations.walks.walk.card, {marker, pad, field} = question
   if ("option" in given) question.restore(given)
@@ -53,11 +53,11 @@ ANSWER = """given => {
   const level = share => pad.plot.y.start + share * (pad.plot.y.end - pad.plot.y.start)
   for (const [i, heights] of [...(pad?.heights.values() ?? [])].entries()) heights.fill(level(0.3 + 0.4 * i))
 }"""
-"""As a hand would give it: what the words of an answer take is asked about here, not the ways of giving one."""
+"""The answer as a student would give it; how it is entered is tested elsewhere."""
 
 
 def wordiest(step: Step) -> dict[str, Any]:
-    """The answer whose sentence is the longest."""
+    """The answer with the longest reply."""
     if isinstance(step, ChoiceStep):
         return {"option": max(range(len(step.options)), key=lambda i: len(step.options[i].reply))}
     if isinstance(step, NumericStep) and step.misses:
@@ -96,7 +96,7 @@ def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server
 
 @pytest.mark.slow
 def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> None:
-    """With Page Down, Page Up, a full stop and its start key, F5, alone."""
+    """Only with Page Down, Page Up, a full stop and the clicker's start key, F5."""
     walk = WALKS["d34" if WHOLE else "tour"]
     page.goto(f"{server.url}?walk={walk.name}&projector")
     for place, step in enumerate(walk.steps):
@@ -116,7 +116,7 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
     expect(contents).to_be_visible()
     clicked(page)
     expect(contents).to_be_visible()  # after the last step it stops
-    for _ in range(4):  # up to its head, then out of it
+    for _ in range(4):  # up to its top, then out of it
         if contents.is_visible():
             clicked(page, "PageUp")
     expect(contents).to_be_hidden()
@@ -126,16 +126,16 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
 
 
 def step_back_and_forth(page: Page, place: int) -> None:
-    """To the step before, a blank screen, the start key, and again to where it was."""
+    """To the previous step, a blank screen, the start key, and back again."""
     for back in (0, 1):
         clicked(page, "PageUp")
         page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - back)
     page.keyboard.press(".")
     expect(page.locator(".blank")).to_be_visible()
-    clicked(page)  # brings the screen back, and does nothing else
+    clicked(page)  # unblanks the screen and does nothing else
     expect(page.locator(".blank")).to_have_count(0)
     assert page.evaluate(f"place => ({ASKED})(place)", place - 1)
-    page.reload()  # what a browser does with F5, which no key of ours is
+    page.reload()  # the browser's own action for F5, which we do not override
     page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
     assert "&projector" in page.evaluate("location.search")
     for count in range(3):

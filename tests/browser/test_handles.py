@@ -1,4 +1,4 @@
-"""Handles and what leads from scene to scene: dragged by a finger on a phone, the time by the mouse; links."""
+"""Handles and links between scenes: dragged by a finger on a phone, the time by the mouse."""
 
 from __future__ import annotations
 
@@ -15,14 +15,16 @@ from tests.browser.waiting import passed, turned
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 UNANCHORED = ":root, body {overflow-anchor: none}"
-"""A browser that does not keep in place by itself what it shows."""
+"""A browser without scroll anchoring."""
 STANDS = "([block, top]) => Math.abs(block.getBoundingClientRect().top - top) <= 1"
-"""Whether a block is where it was: lines that come above it move it until the next frame at most."""
+"""True if a block is where it was. Lines that appear above move it until the next frame at most."""
 BOXES = """plot => [plot.querySelector(".pill"), ...plot.querySelectorAll(".scale text")].map(part => {
   const {top, height} = part.getBoundingClientRect(), bare = part.matches("text") ? height / 6 : 0
   return [top + bare, top + height - bare]
 })"""
-"""Top and bottom, in pixels, of a plot's pill, then of each number at its vertical axis less the room under a digit."""
+"""Top and bottom, in pixels, of a plot's handle, then of each number at its vertical axis without the room under a
+digit.
+"""
 
 
 def middle(handle: Locator) -> tuple[float, float]:
@@ -33,7 +35,7 @@ def middle(handle: Locator) -> tuple[float, float]:
 
 
 def top(block: Locator) -> float:
-    """Where a block begins in the window."""
+    """The position of a block in the window."""
     return float(block.evaluate("block => block.getBoundingClientRect().top"))
 
 
@@ -162,7 +164,7 @@ def test_a_drag_over_a_plot_moves_the_instant_and_letting_go_plays_on(page: Page
 
 
 def test_a_handle_at_a_vertical_axis_cuts_no_number(page: Page, open_scene: Open) -> None:
-    """Over all its values, in the hall too, where type is large and the plot low; numbers keep off each other."""
+    """Over all its values, also in the hall, where type is large and the plot low. Numbers do not touch."""
     open_scene(page, scene="modes", view="guess", ratio=1)
     plot = page.locator(".block.plot:visible").filter(has=page.locator(".pill"))
     seen = set()

@@ -1,4 +1,4 @@
-"""A walk on paper: with the numbers of its file, on few pages, prepared beside what a class sees."""
+"""A walk on paper: with the numbers of its file, on few pages, prepared while a class sees something else."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts for those who do not see the page: the contents of a plot and the effect of a change, in true words."""
+"""Texts for screen readers: the contents of a plot and the effect of a change, checked against the drawing."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
 
 
 def test_a_turning_point_is_told_where_the_motion_turns(page: Page, open_scene: Open) -> None:
-    """Not where the nearest point is drawn."""
+    """Not at the nearest drawn point."""
     open_scene(page, scene="oscillator")
     scene = SCENES["oscillator"]()
     omega_n = math.sqrt(scene.k / scene.m)

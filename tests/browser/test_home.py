@@ -1,4 +1,4 @@
-"""The start page in a browser: every scene, walk and class is reached from it, on every screen."""
+"""The start page in a browser: it leads to every scene, walk and class, on every screen."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def test_it_can_be_printed(page: Page, server: Server) -> None:
 
 
 def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
-    page = browser.new_page()  # the refusal stands in its console
+    page = browser.new_page()  # the browser logs the refusal
     page.goto(server.url)
     field = page.get_by_label("In a live class?")
     field.fill("ZZZZ")

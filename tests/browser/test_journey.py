@@ -1,4 +1,4 @@
-"""One journey of a visitor in Chromium, in Safari's engine and in Firefox, each of its legs a test."""
+"""One visitor's journey in Chromium, in Safari's engine and in Firefox; each part is a test."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ SAVED = """() => {
   URL.createObjectURL = file => ((window.saved = {size: file.size}), "#")
   HTMLAnchorElement.prototype.click = function () { window.saved.name = this.download }
 }"""
-"""Notes a file in place of saving it: each browser would ask in its own way where to."""
+"""Notes a file instead of saving it, because each browser asks in its own way where to save."""
 
 
 def value(window: Window, name: str) -> float:
-    """The value of a parameter, once all that was set is answered."""
+    """The value of a parameter, once all messages are answered."""
     window.wait_for_function(QUIET)
     found: float = window.evaluate(f"oscillations.shown.settings.{name}.value")
     return found
@@ -123,7 +123,7 @@ ANSWERS: dict[str, Callable[[Window], None]] = {
     "d34-08": marked,
     "d34-10": sketched,
 }
-"""How a number, a choice, a point and a sketch are given."""
+"""How to give a number, a choice, a point and a sketch."""
 
 
 @pytest.mark.parametrize("step", ANSWERS)

@@ -1,4 +1,4 @@
-"""Keys: what each does, where it acts, and that none acts while something is typed."""
+"""Keys: their actions, where they work, and that none works while something is typed."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
     before = playing(page)
     page.keyboard.press("Space")
     expect(page.locator(".blank")).to_have_count(0)
-    assert playing(page) is before  # the key that brings the screen back does nothing else
+    assert playing(page) is before  # the key that unblanks the screen does nothing else
     for count in (1, 0):  # a clicker sends the same one again
         page.keyboard.press(".")
         expect(page.locator(".blank")).to_have_count(count)
@@ -132,7 +132,7 @@ def test_lists_open_at_their_beginning_with_the_way_out_in_sight(
         expect(close).to_be_in_viewport(ratio=1)
         assert opened.evaluate("list => [list.scrollTop, list.scrollHeight > list.clientHeight]") == [0, True]
         opened.evaluate("list => list.scrollTo(0, 1000)")
-        if button == "Contents":  # what covers the page is left from anywhere
+        if button == "Contents":  # a dialog is closed from anywhere
             expect(close).to_be_in_viewport(ratio=1)
         close.click()
         expect(opened).to_be_hidden()

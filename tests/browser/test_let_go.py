@@ -1,4 +1,6 @@
-"""A hand or a key lets go: axes that have become too wide are fitted anew, with the curves of before as ghosts."""
+"""The end of a drag or a key press: axes that have become too wide are fitted again, with the earlier curves under the
+new ones.
+"""
 
 from __future__ import annotations
 
@@ -16,13 +18,13 @@ WIDTH = "(({start, end}) => end - start)(oscillations.shown.view.axes.x)"
 GHOSTS = (
     """() => oscillations.plots.find(({block}) => block.name === 'x').host.querySelectorAll('.ghosts path').length"""
 )
-LINGERED = "since => performance.now() > since + 1700"  # longer than the curves from before a drag stay by themselves
+LINGERED = "since => performance.now() > since + 1700"  # longer than earlier curves stay on their own
 
 PRESS = """([key, count]) => {
   for (const type of Array(count).fill(["keydown", "keyup"]).flat())
     document.activeElement.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}))
 }"""
-"""A key, pressed so often that no pause lies between."""
+"""A key, pressed so often that there is no pause between presses."""
 NOTE_REST = """() => {
   const {messages} = oscillations, {send} = messages
   addEventListener("keyup", () => { globalThis.released = performance.now() })
@@ -31,7 +33,7 @@ NOTE_REST = """() => {
     send.call(messages, message, about)
   }
 }"""
-"""A script that notes how long no key was pressed when they have let go."""
+"""A script that measures the time without a key press when the end is reported."""
 KEEP_BACK = """() => {
   const {messages} = oscillations, {send} = messages.wire
   messages.patience = 60000
@@ -40,7 +42,7 @@ KEEP_BACK = """() => {
     else send(message)
   }
 }"""
-"""A script that keeps back the message that a hand has let go, until the test sends it."""
+"""A script that holds back the message at the end of a drag until the test sends it."""
 
 
 def opened(page: Page, open_scene: Open) -> float:
@@ -125,7 +127,7 @@ def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
     typed(page, "k", "40")
     is_fitted(page)
     ghosts_stand(page)
-    page.keyboard.press("Control+Shift+Z")  # of the field: nothing of ours
+    page.keyboard.press("Control+Shift+Z")  # it belongs to the field and undoes nothing in the scene
     page.locator("input[name=m]").blur()
     typed(page, "m", "1.5")
     page.wait_for_function("oscillations.shown.settings.m.value === 1.5")
@@ -141,7 +143,7 @@ ANSWERS = """() => {
 
 
 def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> None:
-    """Typed, by a key, on a slider, by a grip; what waits for the end of the change does not miss it."""
+    """Typed, by a key, on a slider, by a grip. Actions that wait for the end of the change get it."""
     opened(page, open_scene)
     page.evaluate("() => { oscillations.clock.playing = false; oscillations.clock.seek(0) }")
     page.evaluate(ANSWERS)
@@ -198,7 +200,7 @@ def test_a_frame_of_a_link_stands(page: Page, open_scene: Open) -> None:
     page.locator("input[name=m-slider]").focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_function(f"oscillations.shown.settings.m.value !== 1 && {QUIET}")
-    page.wait_for_function("!oscillations.page.compare.undoGroup")  # the key has been let go
+    page.wait_for_function("!oscillations.page.compare.undoGroup")  # the key has been released
     page.wait_for_function(QUIET)
     assert page.evaluate(END) == 9
 

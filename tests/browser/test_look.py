@@ -1,4 +1,4 @@
-"""Measurements of a walk in a browser: `make walk ARGS=--look` says what the last row of a hall cannot read."""
+"""Measurements of a walk in a browser: `make walk ARGS=--look` reports what the last row of a hall cannot read."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_the_last_row_can_read_every_step(name: str, server: Server, browser: Br
 
 
 def test_pictures_of_each_step_stand_beside_its_problems(tmp_path: Path) -> None:
-    """In a process of its own: this one has a Playwright already."""
+    """In its own process, because this one already has a Playwright."""
     (tmp_path / "flat.toml").write_text(FLAT.replace("[[step]]", "[[step]]\ncover = []", 1), encoding="utf-8")
     command = [sys.executable, "-m", "tools.walk", "flat.toml", "--pictures"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import io
 import re
+import zipfile
 from collections.abc import Callable
 
 import numpy as np
@@ -23,6 +25,29 @@ PASTE = """text => {
   document.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}))
 }"""
 OMEGA, DECAY = 5.0, 0.1
+LOSE = """() => {
+  const {messages, connection} = oscillations
+  const request = messages.request.bind(messages)
+  window.pieces = []
+  messages.request = message => {
+    window.pieces.push(message.piece)
+    if (window.pieces.length === 3) connection.lose()
+    return request(message)
+  }
+}"""
+DROP_ROWS = """() => {
+  const {wire} = oscillations.messages
+  const send = wire.send.bind(wire)
+  wire.send = message => message.type === "rows" ? undefined : send(message)
+  window.repair = () => { wire.send = send }
+}"""
+SHAKE = """() => {
+  DeviceMotionEvent.requestPermission = async () => "granted"
+  window.shaking = setInterval(() => {
+    const a = 2 * Math.cos(8 * performance.now() / 1000)
+    dispatchEvent(new DeviceMotionEvent("devicemotion", {acceleration: {x: 0.01, y: a, z: 0}, interval: 16}))
+  }, 16)
+}"""
 
 
 def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
@@ -127,6 +152,17 @@ def test_a_file_goes_along_to_the_other_scene(measured: Page) -> None:
     expect(measured.locator(".measured-name")).to_have_text("simulated-dashpot.csv")
 
 
+def test_oscillator_leads_to_the_file(measured: Page) -> None:
+    measured.get_by_role("button", name="Simulated: dashpot").click()
+    shows_fit(measured)
+    measured.evaluate("oscillations.open({scene: 'oscillator', parameters: {m: 2}})")
+    measured.get_by_text("Save and share").click()
+    measured.get_by_role("link", name="Compare with your file").click()
+    expect(measured.locator(".measured-name")).to_have_text("simulated-dashpot.csv: 361 points")
+    shows_fit(measured)
+    assert measured.evaluate("['m', 'c'].map(name => oscillations.shown.settings[name].value)") == [2, 0]
+
+
 def test_an_acceleration_is_drawn_as_the_displacement_of_the_fit(measured: Page) -> None:
     t = np.arange(301) / 30
     a = -0.04 * OMEGA**2 * np.cos(OMEGA * t) + 9.81
@@ -172,6 +208,93 @@ def test_a_record_is_sent_again_after_a_lost_connection(measured: Page) -> None:
     expect(measured.locator(".measured-name")).to_have_text("second.csv: 301 points")
     shows_fit(measured)
     assert "second" not in str(measured.evaluate("Object.values(sessionStorage)"))
+
+
+def test_a_record_is_sent_from_its_first_piece_to_a_new_session(measured: Page) -> None:
+    t = np.arange(5000) / 300
+    x = 0.04 * np.cos(OMEGA * t) + np.random.default_rng(3).normal(0, 2e-4, t.size)
+    measured.evaluate(LOSE)
+    drop(measured, "long.csv", "t (s),x (m)\n" + "\n".join(f"{a:.4f},{b:.5f}" for a, b in zip(t, x, strict=True)))
+    shows_fit(measured)
+    assert measured.evaluate("window.pieces.slice(0, 7)") == [0, 1, 2, 0, 1, 2, 3]
+
+
+def test_a_fit_can_be_cancelled_and_computed_again(measured: Page) -> None:
+    measured.evaluate(DROP_ROWS)
+    drop(measured, "cart.csv", record())
+    measured.get_by_role("button", name="Cancel").click()
+    expect(measured.locator(".measured-status")).to_have_text("The fit is cancelled. “Fit again” computes it.")
+    expect(measured.get_by_role("button", name="Cancel")).to_be_hidden()
+    measured.wait_for_function("oscillations.messages.rests")
+    measured.evaluate("window.repair()")
+    measured.get_by_role("button", name="Fit again").click()
+    shows_fit(measured)
+    expect(measured.get_by_role("button", name="Fit again")).to_be_hidden()
+
+
+def zipped(**files: str) -> bytes:
+    """A zip file of tables by name."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as out:
+        for name, text in files.items():
+            out.writestr(f"{name}.csv", text)
+    return made.getvalue()
+
+
+def choose(page: Page, name: str, content: bytes) -> None:
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Choose a file").click()
+    chooser.value.set_files(FilePayload(name=name, mimeType="application/zip", buffer=content))
+
+
+def test_a_zip_file_has_its_longest_table_first_and_a_choice(measured: Page) -> None:
+    short = "\n".join(record(seed=4).splitlines()[:200])
+    choose(measured, "phyphox.zip", zipped(Short=short, Raw=record(), Notes="a letter"))
+    shows_fit(measured)
+    expect(measured.locator(".measured-name")).to_have_text("phyphox.zip: 301 points")
+    measured.get_by_label("Table", exact=True).select_option("Short.csv")
+    expect(measured.locator(".measured-name")).to_have_text("phyphox.zip: 199 points")
+    shows_fit(measured)
+
+
+def test_a_zip_bomb_is_refused_in_a_sentence(measured: Page) -> None:
+    bomb = zipped(bomb="1,2\n" * 50_000_000)
+    assert len(bomb) < 1_000_000
+    choose(measured, "bomb.zip", bomb)
+    expect(measured.locator(".measured-status")).to_have_text(
+        "bomb.zip: its tables have more than 5 MB. At most 5 MB are read."
+    )
+    measured.get_by_role("button", name="Simulated: dashpot").click()
+    shows_fit(measured)
+
+
+def test_a_phone_records_its_own_acceleration(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page], measured: Page
+) -> None:
+    expect(measured.get_by_role("button", name="Record with this phone")).to_have_count(0)
+    phone = new_page(width=390, height=844, fresh=True, has_touch=True, is_mobile=True)
+    open_scene(phone, scene="damped", view="measured")
+    phone.evaluate(SHAKE)
+    phone.get_by_role("button", name="Record with this phone").tap()
+    stop = phone.get_by_role("button", name="Stop: 24 s left")
+    expect(stop).to_be_visible(timeout=60_000)
+    expect(phone.locator(".measured-status")).to_have_text("It records: do not touch the phone.")
+    stop.tap()
+    shows_fit(phone)
+    expect(phone.locator(".measured-name")).to_contain_text("Recorded by this phone: ")
+    expect(phone.get_by_label("Motion: column")).to_have_value("1")
+    expect(phone.get_by_role("row", name=re.compile("natural frequency"))).to_contain_text(re.compile(r"8\.0|7\.9"))
+
+
+def test_a_phone_that_refuses_its_sensor_is_told_what_to_do(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    phone = new_page(width=390, height=844, fresh=True, has_touch=True, is_mobile=True)
+    open_scene(phone, scene="damped", view="measured")
+    phone.evaluate("DeviceMotionEvent.requestPermission = async () => 'denied'")
+    phone.get_by_role("button", name="Record with this phone").tap()
+    expect(phone.locator(".measured-status")).to_contain_text("Allow motion sensors")
+    expect(phone.get_by_role("button", name="Record with this phone")).to_be_visible()
 
 
 def test_nothing_of_it_is_fetched_before_its_view_is_shown(page: Page, open_scene: Callable[..., Page]) -> None:

@@ -1,5 +1,6 @@
-"""Features that a browser lacks and files it cannot fetch: a sentence says so, the rest goes on, and they come
-later."""
+"""Features that a browser lacks and files it cannot fetch: a sentence reports them, everything else works, and files
+come later.
+"""
 
 from __future__ import annotations
 
@@ -25,13 +26,13 @@ LACKS = {
     "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
     "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
 }
-"""Scripts that make a browser lack a feature, or say so."""
+"""Scripts that remove a feature of the browser, or report that it is missing."""
 BY_ANYTHING = 30_000
 
 
 @pytest.fixture
 def quiet(browser: Browser) -> Iterator[Quiet]:
-    """Makes pages that may say in the console what they miss; none may throw."""
+    """Makes pages that may log missing features; none may throw."""
     contexts, faults = [], []
 
     def make(script: str = "", **options: Any) -> Page:
@@ -105,7 +106,9 @@ def test_without_bokeh_all_but_the_curves_goes_on(quiet: Quiet, server: Server) 
     played(page, 3)
     expect(page.get_by_role("alert").filter(has_text="Not connected.")).to_be_visible()
     page.unroute("**/bokeh.min.js")
-    page.locator("button", has_text="Try now").dispatch_event("click")  # seen or not: the page tries by itself too
+    page.locator("button", has_text="Try now").dispatch_event(
+        "click"
+    )  # visible or not, because the page also tries on its own
     page.wait_for_function("oscillations.plots.filter(plot => plot.box && !plot.absent).every(plot => plot.mounted)")
     expect(lacks).to_have_count(0)
 

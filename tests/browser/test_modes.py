@@ -33,7 +33,7 @@ def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screen
 
 
 def at(page: Page, plot: str, x: float, y: float) -> tuple[float, float]:
-    """Where a point of a plot is on the page."""
+    """The position of a point of a plot on the page."""
     page.wait_for_function(f"oscillations.plots.find(p => p.block.name === '{plot}').box")
     found = page.evaluate(f"""(p => {{
       const box = p.host.getBoundingClientRect()

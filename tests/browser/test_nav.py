@@ -1,4 +1,4 @@
-"""The head line: scenes by lecture, of which those that are not shown fold where there is no room."""
+"""The navigation: scenes by lecture; lectures without the current scene fold if there is no room."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.browser.views import GRID
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 MOST = 13
-"""Scenes that the head line has room for at 1024."""
+"""Number of scenes that fit in the navigation at 1024 pixels."""
 MORE = """count => {
   const last = [...document.querySelectorAll(".nav .scene-group")].at(-1), own = last.cloneNode(true)
   const links = [...Array(count)].map(() => last.querySelector("a").cloneNode(true))
@@ -21,7 +21,7 @@ MORE = """count => {
   own.querySelector(".scenes").replaceChildren(...links)
   if (count) last.after(own)
 }"""
-"""Adds scenes in a lecture of their own."""
+"""Adds scenes in their own lecture."""
 OFF_LINE = """() => {
   const range = document.createRange()
   range.selectNodeContents(document.querySelector(".scene-menu summary"))

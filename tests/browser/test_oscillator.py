@@ -1,4 +1,4 @@
-"""Scenes oscillator and energy in a Chromium: shared lines, a slider, gravity, the datum, the link."""
+"""The scenes oscillator and energy in Chromium: shared lines, a slider, gravity, the datum, the link."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FITS = "document.documentElement.scrollWidth <= innerWidth && document.documentE
 
 
 def level(page: Page, selector: str, way: str) -> float:
-    """Where the middle or an edge of an element stands, from the top of the window."""
+    """The position of the middle or an edge of an element, from the top of the window."""
     return float(page.evaluate(f"(b => {way})(document.querySelector('{selector}').getBoundingClientRect())"))
 
 

@@ -1,4 +1,4 @@
-"""A walk of one's own: from a file that is chosen or dropped, and from questions that are asked on the page."""
+"""A visitor's own walk: from a file that is chosen or dropped, and from questions that are written on the page."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     ):
         chosen(page, name, content)
         expect(notice).to_contain_text(said)
-    chosen(page, "here.toml", MINE.replace("d31-03", "d31-07").encode())  # a step of the scene that is shown
+    chosen(page, "here.toml", MINE.replace("d31-03", "d31-07").encode())  # a step of the visible scene
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'here' && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
-    drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # as large as may be
+    drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # the largest size
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
     expect(page.locator("h1")).to_have_text("How long does one swing take?")
     assert "walk=my-walk&step=one" in page.evaluate("location.search")
@@ -76,7 +76,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     page.locator(".answers [data-option='0']").click()
     clicked(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    page.reload()  # what has been answered is not asked again
+    page.reload()  # a question that has been answered is not asked again
     page.wait_for_function("oscillations.walks.walk?.lesson")
     expect(page.locator(".answers [data-option='0']")).to_contain_text("your answer")
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
@@ -88,7 +88,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
 
 
 def test_an_answer_goes_to_the_file_that_it_is_of(page: Page, open_scene: Callable[..., Page]) -> None:
-    """A file that is no message is answered with a picture; the one after it is read."""
+    """A file that is no message is answered with a picture; the next one is read."""
     open_scene(page, scene="energy")
     both = """mine => Promise.all([
       oscillations.walks.check("big", "#".repeat(49_000)),
@@ -104,7 +104,7 @@ def test_an_answer_goes_to_the_file_that_it_is_of(page: Page, open_scene: Callab
 
 
 def asked(page: Page, question: str, kind: str, **fields: str) -> None:
-    """A step, asked of what is shown."""
+    """A step about the visible picture."""
     dialog = page.get_by_role("dialog", name="Write a question")
     dialog.locator("[name=question]").fill(question)
     dialog.locator("[name=kind]").select_option(kind)
@@ -118,7 +118,7 @@ def asked(page: Page, question: str, kind: str, **fields: str) -> None:
 
 
 def ask_each_kind(page: Page) -> Locator:
-    """A step of each kind; the dialog in which they were asked."""
+    """A step of each kind, and the dialog in which it was written."""
     page.locator(".walks summary").click()
     page.get_by_role("button", name="Write a question on this picture").click()
     dialog = page.get_by_role("dialog", name="Write a question")
@@ -159,7 +159,7 @@ def x1_of(values: dict[str, float], t: float) -> tuple[float, float]:
 
 
 def are_read_off(step: SketchStep) -> None:
-    """The features of a sketch are those of the motion; the first was told by an expression."""
+    """The features of a sketch are those of the motion; the first one was given by an expression."""
     assert isinstance(step.must[0], ValueAt) and step.must[0].value == "x1_0"
     for feature in step.told(step.must, Subject("", step, SCENES)):
         assert isinstance(feature, ValueAt | Peak | Trough)

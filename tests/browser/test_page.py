@@ -1,4 +1,4 @@
-"""The page in a real Chromium: draws, plays without the server, answers a slider, restores a link, refuses kindly."""
+"""The page in Chromium: draws, plays without the server, answers a slider, restores a link, rejects values in words."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_scene_draws_and_fits_desk_hall_and_phone(
 
 @contextmanager
 def layouts(page: Page) -> Iterator[Callable[[], tuple[float, float]]]:
-    """A function that returns how often the page has been laid out, and how many frames it has drawn."""
+    """A function that returns the number of layouts of the page, and the number of frames drawn."""
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable")
 
@@ -105,7 +105,7 @@ def test_a_frame_is_laid_out_once(slug: str, turning: Page) -> None:
 
 @pytest.mark.parametrize("slug", spread(list(SCENES), 3))
 def test_nothing_but_frames_lays_out_the_page_after_a_change(slug: str, turning: Page) -> None:
-    """No timer that a change has started measures the page, either."""
+    """A timer that starts with a change does not measure the page either."""
     turned(turning, slug, {})
     turning.evaluate("oscillations.clock.playing = true")
     least = math.inf

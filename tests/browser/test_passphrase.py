@@ -1,4 +1,4 @@
-"""A server on which instructors alone open classes: the page asks for their passphrase in words."""
+"""A server on which only instructors open classes: the page asks for their passphrase in words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The phugoid in a Chromium: presets as pictures, other units, views, the clock, links."""
+"""The phugoid in Chromium: presets as pictures, other units, views, the clock, links."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PAUSE = "oscillations.clock.playing = false"
 
 
 def drawn(page: Page) -> list[str]:
-    """The outlines on the paper: what another unit must not change."""
+    """The outlines on the paper, which another unit must not change."""
     shapes: list[str] = page.evaluate(OUTLINES)
     return shapes
 

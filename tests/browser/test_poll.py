@@ -1,4 +1,4 @@
-"""A poll between two steps of a walk, and the question how sure the class is."""
+"""A poll between two steps of a walk, and the question of how sure the class is."""
 
 from __future__ import annotations
 

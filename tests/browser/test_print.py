@@ -1,4 +1,4 @@
-"""On paper a scene is one sheet: its pictures in ink, with parameters and link."""
+"""A printed scene is one sheet: its pictures in ink, with parameters and link."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers at the pointer over a plot: those of the motion itself."""
+"""The numbers at the pointer over a plot are those of the motion itself."""
 
 from __future__ import annotations
 

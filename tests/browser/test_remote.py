@@ -1,4 +1,4 @@
-"""The remote control of a class: the question, the split, and buttons that do something now."""
+"""The remote control of a class: the question, the votes, and buttons that have an effect now."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CLOSES = "Close the QR code"
 
 
 def offered(remote: Page) -> list[str]:
-    """The words of its buttons, the next press last."""
+    """The texts of its buttons, the next action last."""
     return remote.locator(".remote-deeds .act:visible").all_inner_texts()
 
 

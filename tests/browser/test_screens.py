@@ -1,4 +1,4 @@
-"""Every scene on any screen: nothing overlaps, nothing is cut off, nothing is too small to read."""
+"""Every scene on every screen: nothing overlaps, is cut off, or is too small to read."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ STAYING = """() => {
 
 SCROLLED = """(paper => paper.scrollHeight - paper.clientHeight -
   (paper.parentElement.querySelector(".notice")?.offsetHeight ?? 0))(document.querySelector(".paper"))"""
-"""So much of the paper is out of sight; a notice gives its room back when it is closed."""
+"""Pixels of the paper that are out of view; closing a notice gives its room back."""
 PRESETS = [fitted(scene.at(values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
 BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2, view="formulas").value).query
 """The longest equations."""
 REFUSED = f"{fitted(SCENES['absorber'](damping='added', c=40.0).value).query}&unknown=1"
-"""The longest words beside a stage, under a notice."""
+"""The longest words next to a stage, under a notice."""
 CASES = [(link, GRID if WHOLE else SAMPLE) for link in (*LINKS, BRAKED, REFUSED)] + [
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
 ]
-"""Links and the sizes that each is looked at in."""
+"""Links, and the sizes at which each is tested."""
 DESK = (1250, 590)
 NAMES_ON = """kinds => {
   const seen = one => one.checkVisibility() && one.getBoundingClientRect().width > 0
@@ -50,7 +50,7 @@ NAMES_ON = """kinds => {
     .filter(part => part !== text && meet(text.getBoundingClientRect(), part.getBoundingClientRect()))
     .map(part => `${text.textContent} on ${part.getAttribute("class")}`))
 }"""
-"""Names of a stage that lie on its parts of these kinds, or less than 3 px beside them."""
+"""Names on a stage that overlap parts of these kinds, or are less than 3 px next to them."""
 CROSSED = """(({shapes, clear}) => {
   const {parts: [shift]} = shapes.find(({group}) => group.textContent.includes("½"))
   const {left, right, top, bottom} = clear.box(shift)
@@ -58,7 +58,7 @@ CROSSED = """(({shapes, clear}) => {
     one.left < right && one.right > left && one.top < bottom && one.bottom > top)
   return [clear.lines.length > 99, crossed]
 })(oscillations.page.stages.find(({under}) => under?.block.name === "well"))"""
-"""Whether the lines of the well are drawn, and what of them lies under the name of a shift."""
+"""True if the lines of the well are drawn, and the part of them under the name of a shift."""
 LIFT = """(({host, frame}) => {
   const name = [...document.querySelectorAll(".stage text")].find(({textContent}) => textContent === "L")
   return name.getBoundingClientRect().left - host.getBoundingClientRect().left - frame.left
@@ -72,7 +72,7 @@ MISPLACED = """oscillations.plots.filter(({host}) => host.checkVisibility()).fla
     bare(plot.y.labels[i]) === bare(number.textContent) && Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
   )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
 })"""
-"""Numbers at vertical axes that stand elsewhere."""
+"""Numbers at vertical axes with other positions."""
 SIDEWAYS = (844, 390)
 PLAY_ENDS = "document.querySelector('.transport .play').getBoundingClientRect().bottom - innerHeight"
 
@@ -84,7 +84,7 @@ def test_nothing_overlaps_is_cut_or_too_small(
     page.goto(f"{server.url}?{link}")
     page.wait_for_function(READY)
     found = [fault for width, height in sizes for fault in seen(page, width, height)]
-    # What the browser is told of the size of text is followed by all that is drawn.
+    # Everything that is drawn follows the size of text in the browser.
     page.evaluate("document.documentElement.style.fontSize = '200%'")
     for width, height in ((1280, 720), (640, 900)) if WHOLE else ((1280, 720),):
         found += [f"text of 200 %, {fault}" for fault in seen(page, width, height)]
@@ -92,14 +92,14 @@ def test_nothing_overlaps_is_cut_or_too_small(
 
 
 def seen(page: Page, width: int, height: int) -> list[str]:
-    """The faults in a window of that size."""
+    """The faults in a window of this size."""
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
     seek(page, 0.0)
     found = [*faults(page), *page.evaluate(SQUEEZED), *page.evaluate(MISPLACED)]
     if (covered := page.evaluate(STAYING)) > 0.45:
         found.append(f"what stays in sight covers {covered:.1%}")
-    # On a desk the whole sheet is in sight, with its handles.
+    # On a desk the whole sheet is visible, with its handles.
     if width >= DESK[0] and height >= DESK[1] and (scrolled := page.evaluate(SCROLLED)) > 1:
         found.append(f"{scrolled} px of the sheet are out of sight")
     if (width, height) == SIDEWAYS and (cut := page.evaluate(PLAY_ENDS)) > 0:
@@ -122,7 +122,7 @@ def test_a_finger_hits_what_it_aims_at(
 def test_in_a_low_window_the_bar_goes_under_the_stage(
     new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
-    """Where the stage stays in sight: a phone held sideways has it beside the plots."""
+    """Where the stage stays visible: on a phone held sideways it is next to the plots."""
     page = open_scene(new_page(1280, 720), scene="analogues")
     page.evaluate("document.documentElement.style.fontSize = '200%'")
     passed(page)
@@ -143,7 +143,7 @@ def test_on_a_phone_no_number_of_a_table_is_out_of_sight(
         page.set_viewport_size({"width": width, "height": 640})
         passed(page)
         assert page.evaluate("(table => table.scrollWidth - table.clientWidth)(document.querySelector('.roles'))") == 0
-    assert page.locator(".roles").get_by_role("rowheader").count() == 7  # it is a table still
+    assert page.locator(".roles").get_by_role("rowheader").count() == 7  # it is still a table
 
 
 def test_on_a_low_phone_names_lie_on_no_bar(new_page: Callable[..., Page], open_scene: Callable[..., Page]) -> None:

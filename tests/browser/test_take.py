@@ -1,4 +1,4 @@
-"""Files that a visitor takes away from the page: numbers and pictures, by a press on a button."""
+"""Files that a visitor saves from the page: numbers and pictures."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ DRAWN = {
     for name in ("svg", "title", "g", "rect", "line", "path", "circle", "text", "tspan", "clipPath", "image")
 }
 WITHIN = re.compile(r' href="data:image/png;base64,[^"]*"')
-"""A picture that the drawing holds itself."""
+"""A picture that contains its own drawing."""
 
 
 def saved(page: Page, kind: str) -> Download:
@@ -57,7 +57,7 @@ def content(download: Download) -> bytes:
 
 
 def drawn(page: Page) -> str:
-    """The picture that is chosen, as SVG."""
+    """The chosen picture, as SVG."""
     return unquote(page.get_by_role("dialog").locator("img").get_attribute("src") or "").partition(",")[2]
 
 
@@ -168,7 +168,7 @@ def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(
     told = page.get_by_role("dialog").locator("p").inner_text()
     turns = re.findall(r"(?:lowest|highest) (\S+) m at (\S+) s", told)
     assert len(turns) == 6 and len(rows) == 26 + len(turns)
-    for height, instant in turns:  # the motion's own, which no point that is drawn need have
+    for height, instant in turns:  # the extremum of the motion itself, which may be between drawn points
         assert any(row[0] == instant and height in row[1:] for row in rows), (height, instant)
     page.get_by_role("button", name="Close").click()
     expect(page.get_by_role("dialog")).to_have_count(0)

@@ -1,4 +1,4 @@
-"""The amount of text at first sight."""
+"""The amount of text on the first screen."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From scene to scene within a session: no page is loaded, the back button returns, nothing is left behind."""
+"""From scene to scene within a session: no page is loaded, the back button returns, nothing is left in memory."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def arrived(page: Page, slug: str) -> None:
 
 
 def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: Open) -> None:
-    """And each plot has the place there that Bokeh gives its figure."""
+    """Each plot already has the size that Bokeh gives its figure."""
     asked: list[str] = []
     page.set_viewport_size({"width": 1001, "height": 611})
     open_scene(page, scene="coupled", k2=3)
@@ -120,10 +120,10 @@ def test_a_click_for_another_tab_is_the_browsers_own(page: Page, open_scene: Ope
 
 
 def test_a_sheet_that_could_not_be_fetched_is_asked_for_again(browser: Browser, open_scene: Open) -> None:
-    page = browser.new_page(bypass_csp=True)  # what could not be fetched stands in its console
+    page = browser.new_page(bypass_csp=True)  # the browser logs the file that could not be fetched
     open_scene(page, scene="coupled", k2=3)
     page.evaluate("globalThis.mine = true")
-    page.route("**/sheets/forced.*", lambda route: route.abort(), times=2)  # it is asked for twice
+    page.route("**/sheets/forced.*", lambda route: route.abort(), times=2)  # it is requested twice
     page.locator(".nav nav a[data-scene=forced]").evaluate("link => link.click()")
     arrived(page, "forced")
     assert page.evaluate("globalThis.mine")

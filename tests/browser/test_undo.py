@@ -1,4 +1,4 @@
-"""Undo and redo, and the back button: one entry for each thing done, none for what was refused."""
+"""Undo and redo, and the back button: one entry for each action, none for a refused one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers of one's own: a step asks each visitor with others, a class with those of its file."""
+"""A visitor's own numbers: a step asks each visitor with different numbers, and a class with those of its file."""
 
 from __future__ import annotations
 

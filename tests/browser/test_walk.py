@@ -1,4 +1,4 @@
-"""A guided walk in a browser: questions, answers by mouse and keys, sketches, contents, and what is kept."""
+"""A guided walk in a browser: questions, answers by mouse and keys, sketches, contents, and stored answers."""
 
 from __future__ import annotations
 
@@ -148,14 +148,14 @@ CLEAR = """() => {
   return others.length > 0 && !others.some(({left, right, top, bottom}) =>
     left < own.right - 1 && own.left < right - 1 && top < own.bottom - 1 && own.top < bottom - 1)
 }"""
-"""Whether one's mark lies on nothing that the plot says."""
+"""True if the visitor's mark covers no text of the plot."""
 
 
 RARE = """() => {
   const real = requestAnimationFrame
   globalThis.requestAnimationFrame = act => setTimeout(() => real(act), 150)
 }"""
-"""A machine with much to do, which draws seven times a second."""
+"""A busy machine, which draws seven times a second."""
 
 
 def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) -> None:
@@ -185,7 +185,7 @@ def test_a_point_and_its_question_share_the_first_screen_of_a_phone(walk: Callab
 
 
 def sketch(page: Page, height: Callable[[float], float], count: int = 120) -> None:
-    """Draws over the pad: heights and places as shares of the frame."""
+    """Draws over the pad: heights and positions as shares of the frame."""
     frame = page.evaluate(
         "(() => { const {plot} = oscillations.walks.walk.card.question.pad;"
         " const b = plot.host.getBoundingClientRect(), f = plot.frame;"
@@ -204,7 +204,7 @@ def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
     page = walk("d34-14")
 
     def saddle(share: float) -> float:
-        """Two resonances and a saddle between them, that stays above zero."""
+        """Two resonances and a minimum between them that stays above zero."""
         s = 2.5 * share
         swing = abs((1 - s * s) / (s**4 - 3 * s * s + 1 + 1e-9))
         return min(max(swing, 0.9 if 0.7 < s < 1.6 else 0.0) / 5, 1.02)
@@ -219,7 +219,7 @@ def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
     expect(rows.nth(2)).to_contain_text("missed")
     expect(page.locator(".card .reply")).to_contain_text("with friction")
     expect(page.locator(".strokes .judged")).to_have_count(5)
-    page.reload()  # what has been drawn is not asked again
+    page.reload()  # a question that was drawn is not asked again
     expect(rows).to_have_count(5)
     expect(rows.nth(2)).to_contain_text("missed")
     page.get_by_role("button", name="Draw again").click()
@@ -315,7 +315,7 @@ NAMED = """oscillations.walks.walk.step.controls.filter(name => {
   const part = document.querySelector(`.card .borrowed :is([name="${name}"], [data-name="${name}"])`)
   return !part?.checkVisibility()
 })"""
-"""Of the controls that a step names, those that are not on its card."""
+"""The controls that a step names and that are not on its card."""
 FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].filter(part => {
   const sets = part.getAttribute("data-grab")?.split(" ") ?? []
   return part.checkVisibility() && !part.inert && !oscillations.walks.walk.step.controls.some(one => sets.includes(one))
@@ -334,7 +334,7 @@ def looked_at(page: Page) -> Iterator[str]:
 
 
 def go(page: Page, place: int) -> None:
-    """To a step of the walk that is on."""
+    """Opens a step of the current walk."""
     page.evaluate("place => oscillations.walks.walk.go(place)", place)
     page.wait_for_function(f"place => oscillations.walks.walk.place === place && {CARD}", arg=place)
     page.wait_for_function("oscillations.walks.walk.card.page === oscillations.page")
@@ -402,13 +402,13 @@ def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
 
 
 def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -> None:
-    """Its motion stands on the stage still."""
+    """Its motion on the stage is at rest."""
     page = walk("d31-09")
     page.evaluate("oscillations.change(() => ({show: ['stage', 'plot:energy', 'plot:well']}))")
     expect(page.locator(".cover:visible")).to_have_count(1)
     expect(page.locator(".cover > :visible")).to_have_count(0)  # the wash alone
     bar = page.locator(".block.stage .body:visible")
-    expect(bar).to_have_count(0)  # it would tell which of both begins full
+    expect(bar).to_have_count(0)  # it would show which of both begins at its maximum
     plot = "oscillations.page.plots.find(plot => plot.block.name === 'energy')"
     energies = f"{plot}.dots.filter(one => 'TV'.includes(one.curve.y))"
     shown = f"{energies}.map(({{dot}}) => dot.style.display !== 'none')"
@@ -452,12 +452,12 @@ const look = () => {
   requestAnimationFrame(look)
 }
 requestAnimationFrame(look)"""
-"""Notes at each frame what is on the page."""
+"""Notes the contents of the page at each frame."""
 
 
 @pytest.mark.parametrize("step", ["d34-02", "d31-02"])
 def test_a_link_to_a_step_never_shows_the_scene_alone(new_page: Callable[..., Page], server: Server, step: str) -> None:
-    """The second one waits for the visitor's own numbers: its stage is there before its card."""
+    """The second one waits for the visitor's own numbers: its stage is visible before its card."""
     page = new_page(fresh=True)
     page.add_init_script(SEEN)
     page.goto(f"{server.url}?walk={step[:3]}&step={step}")

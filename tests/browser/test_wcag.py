@@ -1,4 +1,4 @@
-"""Criteria of WCAG that no other test is about; docs/accessibility.md has all of them."""
+"""Criteria of WCAG that no other test covers; docs/accessibility.md lists all of them."""
 
 from __future__ import annotations
 

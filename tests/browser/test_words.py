@@ -1,4 +1,4 @@
-"""Short answers in the hall: let in one by one on the remote control; markup stays text."""
+"""Short answers in the hall: the remote control shows them one by one; markup stays text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pieces of text that a page shows: a sentence, a formula, a number at an axis or in a field is one each."""
+"""The pieces of text that a page shows: each sentence, formula, number at an axis or in a field is one piece."""
 
 from __future__ import annotations
 
@@ -35,5 +35,5 @@ PIECES = """() => {
 
 
 def pieces(page: Page) -> list[str]:
-    """The texts that can be read without scrolling or opening anything."""
+    """The texts that are readable without scrolling or opening anything."""
     return cast(list[str], page.evaluate(PIECES))

@@ -14,7 +14,7 @@ def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str
 
 
 class Finger:
-    """One finger, moved by hand."""
+    """One finger, moved step by step."""
 
     def __init__(self, page: Page) -> None:
         self.browser = page.context.new_cdp_session(page)
@@ -33,7 +33,7 @@ class Finger:
 
 
 class Mouse:
-    """A mouse with its button, as a `Finger` is moved."""
+    """A mouse button, with the methods of a `Finger`."""
 
     def __init__(self, page: Page) -> None:
         self.mouse = page.mouse

@@ -1,4 +1,4 @@
-"""Every scene in each word of each of its choices: what is looked at over a grid of screens."""
+"""Every scene in each option of each of its choices, for tests over a grid of screens."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ GRID = (
     *((1280, 720), (1249, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
     *((853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
 )
-"""Sizes of windows, of which a sample is looked at."""
+"""Sizes of windows, of which a sample is tested."""
 
 
 def seen(scene: type[Scene]) -> Iterator[Scene]:
-    """The scene as it opens, then with each other word of each choice."""
+    """The scene as it opens, then with each other option of each choice."""
     yield (opens := scene.at())
     yield from (scene.at(choice) for choice in choices(scene) if opens.differing(choice))
 
@@ -32,5 +32,5 @@ SCREENS = [(theme, width, height) for theme in ("light", "dark") for width, heig
 
 
 def screens(link: str) -> list[tuple[str, int, int]]:
-    """Theme and size to look at a link; a sample takes one for each link, another for the next."""
+    """Theme and size for a link; a sample takes one for each link, a different one for the next."""
     return SCREENS if WHOLE else [SCREENS[LINKS.index(link) % len(SCREENS)]]

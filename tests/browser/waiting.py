@@ -1,4 +1,4 @@
-"""Waits of the browser tests: for conditions, never for so many seconds."""
+"""Waits of the browser tests: for conditions, never for a number of seconds."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PASSED = """count => new Promise(passed => {
   wait(count)
 })"""
 QUIET = "!oscillations.messages.asked && !oscillations.messages.outbox.length"
-"""All that was said is answered."""
+"""All messages are answered."""
 TURNED = """([slug, given]) => document.documentElement.dataset.ready === "true"
   && oscillations.page.spec.slug === slug
   && Object.entries(given).every(([name, value]) => oscillations.shown.settings[name].value === value)"""
@@ -27,12 +27,12 @@ UNFOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fol
 
 
 def unfold(page: Page) -> None:
-    """Opens what is folded away in the panel, so that every control can be reached."""
+    """Opens everything that is folded in the panel, so that every control can be reached."""
     page.evaluate(UNFOLD)
 
 
 def turned(page: Page, slug: str, given: Mapping[str, object]) -> None:
-    """The page shows a scene with these values, as its navigation opens one: in half the time of a link."""
+    """The page shows a scene with these values, opened by its navigation, in half the time of a link."""
     words = {name: stated(value) for name, value in given.items()}
     page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, words])
     page.wait_for_function(TURNED, arg=[slug, words])
@@ -45,22 +45,22 @@ def seek(page: Page, t: float) -> None:
 
 
 def redrawn(page: Page) -> None:
-    """All that is known is drawn."""
+    """All received data is drawn."""
     page.evaluate(FRAMES, 1)
 
 
 def played(page: Page, frames: int) -> None:
-    """So many frames of a motion have been drawn."""
+    """Wait until a number of frames of a motion have been drawn."""
     page.evaluate(FRAMES, frames)
 
 
 def passed(page: Page, frames: int = 3) -> None:
-    """The browser has had so many chances to draw, used or not."""
+    """The browser has had this many chances to draw."""
     page.evaluate(PASSED, frames)
 
 
 def clicked(page: Page, key: str = "PageDown") -> None:
-    """A press of a clicker, far enough from the one before to count as another."""
+    """A press of a clicker, long enough after the previous one to count as another."""
     page.wait_for_function("performance.now() > (globalThis.pressed ?? -1e9) + 420")
     page.keyboard.press(key)
     page.evaluate("() => { globalThis.pressed = performance.now() }")

@@ -1,4 +1,4 @@
-"""Safari's engine as Debian has it: WebKitGTK, driven by its WebDriver in a window under Xvfb."""
+"""Safari's engine in Debian: WebKitGTK, driven by its WebDriver in a window under Xvfb."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.browser.driven import LOOK, PATIENCE, Driven
 from tests.serving.server import free_port
 
 PYTHON = "/usr/bin/python3"
-"""The system's own, for which Debian has the bindings of GTK."""
+"""The system's Python, for which Debian has the bindings of GTK."""
 WINDOW = Path(__file__).with_name("webkit_window.py")
 BINDINGS = "import gi; gi.require_version('WebKit2', '4.1'); from gi.repository import WebKit2"
 COMMANDS = {
@@ -32,7 +32,7 @@ COMMANDS = {
 
 
 def find() -> str | None:
-    """The path of its driver, where the display and the bindings are installed too."""
+    """The path of its driver, if the display and the bindings are installed too."""
     driver = shutil.which("WebKitWebDriver")
     if not driver or not shutil.which("Xvfb") or not Path(PYTHON).exists():
         return None
@@ -71,7 +71,7 @@ class WebKit(Driven):
         return value
 
     def close(self) -> None:
-        """The driver's group of processes has the window and its helpers too."""
+        """The driver's group of processes includes the window and its helpers."""
         self._line.close()
         os.killpg(self._process.pid, signal.SIGTERM)
         self._process.wait(PATIENCE)
@@ -80,7 +80,7 @@ class WebKit(Driven):
 
 
 def _screen() -> tuple[subprocess.Popen[bytes], str]:
-    """A screen that nobody sees, and its name."""
+    """An invisible screen, and its name."""
     reading, writing = os.pipe()
     command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "2560x1440x24", "-nolisten", "tcp"]
     process = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)

@@ -11,7 +11,7 @@ from gi.repository import Gtk, WebKit2  # noqa: E402
 
 
 def show(context: WebKit2.WebContext) -> WebKit2.WebView:
-    """Return a view under the driver's control, in a window of its own."""
+    """Return a view under the driver's control, in its own window."""
     view = WebKit2.WebView(web_context=context, is_controlled_by_automation=True)
     window = Gtk.Window()
     window.set_default_size(1280, 720)
@@ -22,7 +22,7 @@ def show(context: WebKit2.WebContext) -> WebKit2.WebView:
 
 
 def main() -> None:
-    # Bars that take room, as with a mouse.
+    # Scrollbars that take room, as with a mouse.
     Gtk.Settings.get_default().set_property("gtk-overlay-scrolling", False)
     context = WebKit2.WebContext.new_ephemeral()
     context.set_automation_allowed(True)

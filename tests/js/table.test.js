@@ -1,12 +1,15 @@
 // Tables that students have: each separator, decimal signs, names or none, holes; and files that are no table.
 
 import assert from "node:assert/strict"
+import {execFileSync} from "node:child_process"
 import {readFileSync} from "node:fs"
 import {test} from "node:test"
 import {runInThisContext} from "node:vm"
 
 import {drawnRows, guessed, piecesOf, rowsOf} from "../../static/measured/record.js"
-import {tableOf} from "../../static/measured/table.js"
+import {tableOfRows} from "../../static/measured/recorder.js"
+import {tableOf, tablesOf, textOf} from "../../static/measured/table.js"
+import {isZip, unpacked} from "../../static/measured/zip.js"
 
 runInThisContext(readFileSync(new URL("../../components/serving/vendor/papaparse.min.js", import.meta.url), "utf8"))
 const parser = globalThis.Papa
@@ -116,4 +119,68 @@ test("a drawing keeps the lowest and the highest point of each step", () => {
     drawn,
     drawn.toSorted((a, b) => a - b),
   )
+})
+
+const bytesOf = text => new TextEncoder().encode(text)
+
+/** A zip file of texts or bytes by name, packed by Python. */
+function zip(files) {
+  const script = `
+import base64, io, json, sys, zipfile
+made = io.BytesIO()
+with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as out:
+    for name, text in json.load(sys.stdin).items():
+        out.writestr(name, text if len(text) != 1 else text * 2**23)
+sys.stdout.write(base64.b64encode(made.getvalue()).decode())`
+  return new Uint8Array(
+    Buffer.from(execFileSync("python3", ["-c", script], {input: JSON.stringify(files)}).toString(), "base64"),
+  )
+}
+
+test("the tables of a zip file are read, the others left out", async () => {
+  const rows10 = `"Time (s)","Linear Acceleration x (m/s^2)"\n${rows(10, i => `${i},${i * i}`)}`
+  const file = zip({
+    "Raw Data.csv": rows10,
+    "Settings.csv": "name,value\na,b\n",
+    "meta/time.csv": rows10,
+    "a.png": "xy",
+  })
+  assert.ok(isZip(file) && !isZip(bytesOf(rows10)))
+  const files = await unpacked(file)
+  assert.deepEqual(
+    files.map(({name}) => name),
+    ["Raw Data.csv", "Settings.csv"],
+  )
+  const tables = tablesOf(files, parser)
+  assert.deepEqual(
+    tables.map(({name, table}) => [name, table.lines.length]),
+    [["Raw Data.csv", 10]],
+  )
+})
+
+test("a zip file without tables, with too large ones, or a damaged one is refused with the reason", async () => {
+  const whole = zip({"a.csv": "1,2\n3,4\n"})
+  const cut = whole.slice()
+  cut.set([255, 255, 255, 255], 35)
+  for (const [file, reason] of [
+    [zip({"photo.jpg": "ab"}), /^it has no CSV file\. Export/],
+    [zip({"bomb.csv": "9"}), /^its tables have more than 5 MB/],
+    [cut, /^it is damaged or encrypted/],
+    [whole.slice(0, 60), /^it is damaged or encrypted/],
+  ])
+    await assert.rejects(unpacked(file), {message: reason})
+  assert.throws(() => tablesOf([{name: "a.csv", bytes: bytesOf("no\ntable\n")}], parser), {
+    message: /^a\.csv: Line 1: “no” has no two numbers/,
+  })
+})
+
+test("spreadsheets' UTF-16 is text too", () => {
+  const wide = new Uint8Array([0xff, 0xfe, ...[..."t;x"].flatMap(sign => [sign.charCodeAt(0), 0])])
+  assert.deepEqual([textOf(wide), textOf(bytesOf("t;x"))], ["t;x", "t;x"])
+})
+
+test("of a recording the axis with the largest motion is the first", () => {
+  const {names, columns} = tableOfRows(Array.from({length: 9}, (_, i) => [500 + 20 * i, 0.1, (-1) ** i, 9.8]))
+  assert.deepEqual(names, ["t (s)", "y (m/s²)", "x (m/s²)", "z (m/s²)"])
+  assert.deepEqual([columns[0][2], columns[1][3]], [0.04, -1])
 })

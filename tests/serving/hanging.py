@@ -7,15 +7,17 @@ import time
 
 from components.session import worker
 from components.session.exports import LinkExport
+from components.session.measured import Fitting
 from components.session.worker import Errand, Reading, Replied
 from components.walks import Walks
 from components.walks.links import Scenes
 
 
 def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
-    while (isinstance(asked, Reading) and asked.name == "endless") or isinstance(asked, LinkExport):
+    is_endless = asked.size > 1 if isinstance(asked, Fitting) else isinstance(asked, LinkExport)
+    while is_endless or (isinstance(asked, Reading) and asked.name == "endless"):
         pass
-    if isinstance(asked, Reading) and asked.name == "asleep":
+    if isinstance(asked, Fitting) or (isinstance(asked, Reading) and asked.name == "asleep"):
         time.sleep(60)
     return Replied(refused="read")
 

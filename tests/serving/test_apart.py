@@ -15,6 +15,7 @@ from components.serving.apart import (
     ALLOWANCE,
     BUSY,
     FILE_TOO_LONG,
+    FIT_TOO_LONG,
     GONE,
     LATE,
     OF_A_NETWORK,
@@ -25,6 +26,7 @@ from components.serving.apart import (
     ReadingProcess,
 )
 from components.session.exports import LinkExport
+from components.session.measured import Fitting
 from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Errand, Reading, Replied, Teaching
 from components.state.page_state import fitted
@@ -62,6 +64,43 @@ def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.M
         assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
         monkeypatch.setattr(apart, "PATIENCE", 0.2)
         assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
+    finally:
+        beside.close()
+
+
+def test_a_fit_that_takes_too_long_ends_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    beside = ReadingProcess("tests.serving.hanging")
+    monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
+    try:
+        assert beside.ask(Fitting([], [[]], 2, 0)).result(120).refused == FIT_TOO_LONG
+        monkeypatch.setattr(apart, "FIT_PATIENCE", 0.2)
+        assert beside.ask(Fitting([], [[]], 1, 0)).result(120).refused == LATE
+        assert beside.ask(READ).result(120).refused == "read"
+    finally:
+        beside.close()
+
+
+def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
+    beside = ReadingProcess("tests.serving.hanging")
+    session = Session(fitted(SCENES["damped"]().value))
+    session.apart = beside
+    sent: list[Packet] = []
+    session.send = sent.append
+    rows = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]]}
+    try:
+        endless = beside.ask(Reading("endless", MINE))
+        session.hear({**rows, "number": 1})
+        assert beside.pending == 2 and not sent
+        session.hear({**rows, "number": 1})
+        assert beside.pending == 2 and not sent, "a repeated message is answered once"
+        session.hear({"type": "cancel_fit", "number": 2})
+        session.hear({**rows, "size": 2, "number": 3})
+        assert [unpacked(one)["answer"] for one in sent] == [2]
+        assert endless.result(120).refused == WALK_TOO_LONG
+        beside.ask(READ).result(120)
+        answers = [unpacked(one) for one in sent]
+        assert [one["answer"] for one in answers] == [2, 3] and answers[1]["refused"] == FIT_TOO_LONG
     finally:
         beside.close()
 

@@ -87,6 +87,10 @@ class OscillatorScene(CaseScene):
             given={"N": 1.0, "a": 3.0, "ends": "fixed-free", "starts": "mass", "p": 1.0},
             taken={"m": "m", "k": "k", "h": "x_0", "v_0": "v_0"},
         ),
+        Onward(
+            label="Compare with your file", scene="damped", given={"view": "measured", "c": 0.0, "keep": "c"},
+            taken={name: name for name in ("m", "k", "x_0", "v_0")},
+        ),
     )  # fmt: skip
 
     case = OscillatorShown
