@@ -17,6 +17,7 @@ export class Clock {
     /** @type {number | "auto"} */
     this.choice = "auto"
     this.playing = playsByItself()
+    this.played = this.playing // in the last frame
     /** @type {number | null} */
     this.last = null
     this.dirty = true
@@ -121,6 +122,8 @@ export class Clock {
       this.dirty = true
     }
     this.last = now
+    this.dirty ||= this.playing !== this.played // a page that stops shows all numbers of this instant
+    this.played = this.playing
     if (!this.dirty) return
     this.dirty = false
     this.frames += 1

@@ -52,10 +52,15 @@ export function reword(part, text) {
   return true
 }
 
-/** @param {Element} target @param {Attributes} attributes */
+/**
+ * Sets the attributes that differ: an equal one would cost style and paint too.
+ * @param {Element} target @param {Attributes} attributes
+ */
 export function setAttributes(target, attributes) {
   for (const [key, value] of Object.entries(attributes)) {
-    if (value !== undefined && value !== null) target.setAttribute(key, String(value))
+    if (value === undefined || value === null) continue
+    const text = String(value)
+    if (target.getAttribute(key) !== text) target.setAttribute(key, text)
   }
 }
 

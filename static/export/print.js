@@ -25,6 +25,8 @@ export class Print {
     this.sheet?.remove()
     if (document.querySelector(".handout")) return
     const {page} = this
+    page.redraw()
+    page.draw(page.clock.t) // the numbers in texts are then of the same instant as the pictures
     const {stages, plots} = things(page)
     const under = stages.map(stage => plotsUnder(stage, page))
     const style = under.flat().length ? "wide" : ""

@@ -22,6 +22,8 @@ import {Transport} from "../controls/transport.js"
  *   pictured?: typeof import("./picker.js").pictured}} Extras
  */
 
+const BETWEEN_TEXTS = 80 // ms between changes of moving numbers while playing, because each costs layout
+
 /** @implements {PartHost} */
 export class Page {
   /** @type {Drawn} what is shown, from the first picture on */
@@ -47,6 +49,8 @@ export class Page {
   /** @type {Transport | import("./run_bar.js").RunBar} */ transport
   /** @type {Compare} */ compare
 
+  toldAt = -Infinity // ms, when the moving numbers were last written
+  timeText = "" // the instant, as it was written then
   isMeasuring = false // once the view of measured points has been seen
   left = false
   live = new Live()
@@ -147,6 +151,7 @@ export class Page {
 
   redraw() {
     this.measured = false
+    this.toldAt = -Infinity
     this.clock.dirty = true
   }
 
@@ -157,13 +162,17 @@ export class Page {
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
-    guarded(() => this.live.draw(named))
-    const timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
+    const now = performance.now()
+    if (!this.clock.playing || now - this.toldAt > BETWEEN_TEXTS) {
+      this.toldAt = now
+      this.timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
+      guarded(() => this.live.draw(named))
+    }
     if (!this.measured) this.stages.forEach(stage => guarded(() => stage.measure(this.plots)))
     this.measured = true
     guarded(() => this.compare.frame(t))
     this.stages.forEach(stage => guarded(() => stage.frame(named)))
-    this.plots.forEach(plot => guarded(() => plot.draw(named, t, timeText)))
+    this.plots.forEach(plot => guarded(() => plot.draw(named, t, this.timeText)))
   }
 
   /** Shows the first picture, except the figures, which come later. @param {Drawn} shown */

@@ -10,7 +10,9 @@ export function pictured({pictures}) {
   /** @param {page.ChoiceRow["options"][0]} option */
   const draw = ({value, label}) => {
     const picture = element("div", {class: "picture"})
-    stages.push(new Stage({shapes: pictures[value], label: ""}, picture))
+    const stage = new Stage({shapes: pictures[value], label: ""}, picture)
+    stage.skipUnseen()
+    stages.push(stage)
     return [picture, element("span", {}, label)]
   }
   return {stages, draw}

@@ -159,6 +159,11 @@ export class Stage {
   /** @type {(() => void) | undefined} called when there is more or less room */
   resized
 
+  /** @type {IntersectionObserver | undefined} */
+  eyes
+
+  isSeen = true
+
   /**
    * If `page` is given, its shapes can be dragged.
    * @param {Pick<page.StageBlock, "shapes" | "label">} block @param {HTMLElement} host
@@ -205,6 +210,15 @@ export class Stage {
     this.observer.observe(host)
   }
 
+  /** Moves its shapes only while it is on the screen: for small pictures in a row that scrolls. */
+  skipUnseen() {
+    this.eyes = new IntersectionObserver(seen => {
+      this.isSeen = seen.at(-1)?.isIntersecting ?? true
+      this.resized?.()
+    })
+    this.eyes.observe(this.host)
+  }
+
   /** Finds the plots next to it on a wide screen, whose lines continue on the stage. */
   #joins() {
     const joined = this.shapes.filter(({needs}) => needs.has("wide"))
@@ -227,6 +241,7 @@ export class Stage {
 
   leave() {
     this.observer.disconnect()
+    this.eyes?.disconnect()
   }
 
   /**
@@ -274,7 +289,7 @@ export class Stage {
 
   /** Once a frame: all shapes at the instant of `named`. @param {Named} named */
   frame(named) {
-    if (this.host.closest("[hidden]")) return
+    if (!this.isSeen || this.host.closest("[hidden]")) return
     // What is named is inherited: copying it for each of many stages takes a seventh of a frame's time.
     const all = Object.assign(Object.create(named), this.nowhere, this.plots, this.size, this.join)
     this.named = all

@@ -253,3 +253,44 @@ def test_reduced_motion_opens_paused(new_page: Callable[..., Page], open_scene: 
     page = open_scene(new_page(reduced_motion="reduce"), scene="coupled")
     expect(page.get_by_role("button", name="Play", exact=True)).to_be_visible()
     assert page.evaluate("oscillations.clock.playing") is False
+
+
+def test_moving_numbers_are_of_the_instant_when_the_page_stops(turning: Page) -> None:
+    """While it plays, they change a few times a second: each change lays out their line again."""
+    turned(turning, "oscillator", {})
+    told = turning.evaluate("""() => {
+      const {page} = oscillations, {clock} = page, told = [], now = performance.now()
+      const text = () => document.querySelector('.stage [data-value="x"], [data-value="x"]').textContent
+      performance.now = () => now
+      try {
+        clock.playing = true
+        page.redraw()
+        for (const t of [0, 0.3 * clock.end]) { page.draw(t); told.push(text()) }
+        clock.playing = false
+        page.draw(0.3 * clock.end)
+        told.push(text())
+      } finally { delete performance.now }
+      return told
+    }""")
+    assert told[0] == told[1] != told[2]
+
+
+def test_small_pictures_that_scroll_out_of_sight_rest(turning: Page) -> None:
+    turned(turning, "analogues", {})
+    turning.set_viewport_size({"width": 390, "height": 844})
+    turning.wait_for_function("oscillations.stages.some(stage => stage.eyes && !stage.isSeen)")
+    before = turning.evaluate("""() => {
+      const {page} = oscillations, away = page.stages.filter(stage => stage.eyes && !stage.isSeen)
+      const drawn = () => away.map(stage => stage.svg.innerHTML).join()
+      page.clock.playing = false
+      page.draw(0.1 * page.clock.end)
+      const before = drawn()
+      page.draw(0.3 * page.clock.end)
+      away.at(-1).host.scrollIntoView({inline: "center"})
+      globalThis.resting = away.at(-1)
+      globalThis.rested = resting.svg.innerHTML
+      return before === drawn()
+    }""")
+    assert before
+    turning.evaluate("oscillations.clock.seek(0.37 * oscillations.clock.end)")
+    turning.wait_for_function("resting.svg.innerHTML !== rested")

@@ -23,6 +23,10 @@ class FakeElement extends EventTarget {
   click() {}
   closest() {}
   focus() {}
+  getAttribute(name) {
+    return this[name]
+  }
+
   setAttribute(name, value) {
     this[name] = value
   }
