@@ -164,12 +164,12 @@ class Visitor:
         for event in content.get("events", []):
             if event.get("msg_type") == FROM_SERVER:
                 sheet, _, data = buffers.pop(0).partition(b"\n")
-                preset_dictionary = await self._dictionary(sheet.decode())
+                preset_dictionary = await self.dictionary(sheet.decode())
                 text = zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else [])).decompress(data)
                 told.append(json.loads(text.partition(b"\n")[0]))
         return told
 
-    async def _dictionary(self, sheet: str) -> bytes:
+    async def dictionary(self, sheet: str) -> bytes:
         """The preset dictionary of a scene."""
         if sheet and sheet not in USUAL:
             text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["preset_dictionary"]

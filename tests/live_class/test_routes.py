@@ -36,7 +36,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
         assert len(told["picture"]["data"]) < 5000
         text = text_of(
             {"sheet": told["picture"]["sheet"], "data": base64.b64decode(told["picture"]["data"])},
-            await visitor._usual(told["picture"]["sheet"]),
+            await visitor.dictionary(told["picture"]["sheet"]),
         )
         assert b'"k2":3.5' in text and b'"answer":null' in text
         await visitor.say({"type": "set", "values": {"k2": -1.0}})  # what is refused is nobody else's business

@@ -33,7 +33,7 @@ def test_there_are_four() -> None:
 def test_the_figures_are_stored(name: str, model: str) -> None:
     """They can be read without running anything."""
     stored = (ROOT / "docs" / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
-    assert rf'\"name\":\"{model}\"' in stored
+    assert rf"\"name\":\"{model}\"" in stored
     assert "sys.path" not in stored
 
 
