@@ -61,6 +61,10 @@ MUTANTS = (
         "tests/scenes/test_numbers.py",
     ),
     Mutant(
+        "no answer", "components/session/session.py", "reply = self._packed(before, answer, (SORRY,))", "raise",
+        "tests/page/test_faulty_handlers.py",
+    ),
+    Mutant(
         "cover", "components/state/covers.py",
         "for one in hidden for column in one.columns", "for one in () for column in ()",
         "tests/page/test_covers.py",
