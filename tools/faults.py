@@ -53,7 +53,7 @@ MUTANTS = (
     ),
     # what a page says and hides
     Mutant(
-        "width", "components/scenes/driven/case.py", "lambda c: 2 * c.zeta * c.one.omega_n,", "lambda c: c.width,",
+        "width", "components/scenes/driven/shown.py", "lambda c: 2 * c.zeta * c.one.omega_n,", "lambda c: c.width,",
         "tests/scenes/test_numbers.py",
     ),
     Mutant(

@@ -29,6 +29,8 @@ HANDLERS: dict[str, tuple[dict[str, Any], str]] = {
     "rows": ({"piece": 0, "of": 1, "t": TIMES, "columns": [TIMES]}, "components.session.worker.fitted"),
 }
 """What each kind of message says, and the function that fails when it comes."""
+NOTHING_FAILS = {"cancel_fit"}
+"""Its handler calls no function of another module."""
 
 
 class Working:
@@ -49,7 +51,7 @@ def fail(*given: object, **named: object) -> None:
 
 
 def test_every_message_has_a_handler_that_can_fail() -> None:
-    assert HANDLERS.keys() == {kind.__struct_config__.tag for kind in get_args(BrowserMessage)}
+    assert HANDLERS.keys() | NOTHING_FAILS == {kind.__struct_config__.tag for kind in get_args(BrowserMessage)}
 
 
 @pytest.mark.parametrize("kind", HANDLERS)
