@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
@@ -51,8 +52,25 @@ class Plane(NamedTuple):
     def y(self, pixels: Any) -> Any:
         return self.top + self.down * np.asarray(pixels)
 
+    def drawn(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return coordinates as lists of short numbers: rounded to a hundredth of a pixel."""
+        digits = (2 - math.floor(math.log10(abs(unit))) for unit in (self.right, self.down))
+        return tuple(np.round(one, n).tolist() for one, n in zip((self.x(x), self.y(y)), digits, strict=True))
+
     def pixels(self, x: float, y: float) -> tuple[float, float]:
         return (x - self.left) / self.right, (y - self.top) / self.down
+
+
+def update(source: ColumnDataSource, data: dict[str, list[Any]]) -> None:
+    """Give a source its columns; send only the rows that differ, unless their number changes."""
+    old = source.data
+    if any(len(old[name]) != len(column) for name, column in data.items()):
+        source.data = data
+        return
+    pairs = {name: enumerate(zip(column, old[name], strict=True)) for name, column in data.items()}
+    patches = {name: [(i, new) for i, (new, was) in rows if new != was] for name, rows in pairs.items()}
+    if patches := {name: rows for name, rows in patches.items() if rows}:
+        source.patch(patches)
 
 
 def draggable(grab: Grab | None) -> bool:
@@ -105,8 +123,7 @@ class ShapeGlyphs:
             except KeyError:
                 continue
         for of, rows in found.items():
-            if (data := _columns(of, rows)) != self.sources[of].data:
-                self.sources[of].data = data
+            update(self.sources[of], _columns(of, rows))
         self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}
         self._put_grips()
 
@@ -116,9 +133,9 @@ class ShapeGlyphs:
             self.grips.data = {name: list(column) for name, column in self._at.items()}
 
     def _placed(self, of: str, row: dict[str, Any], texts: Mapping[str, str]) -> dict[str, Any]:
-        x, y = self._plane.x(row["x"]), self._plane.y(row["y"])
+        x, y = self._plane.drawn(row["x"], row["y"])
         text = {"text": words(row["text"], texts)} if of == "texts" else {}
-        return row | {"x": x.tolist(), "y": y.tolist()} | text
+        return row | {"x": x, "y": y} | text
 
     def _dragged(self) -> None:
         """Set the values of the dot that a visitor has moved."""

@@ -33,7 +33,7 @@ from components.language.shapes import AnyShape
 from components.language.signals import Modal
 from components.layout.plots import figure_of
 from components.panel_face.colours import colours, diverging
-from components.panel_face.drawing import Plane, ShapeGlyphs
+from components.panel_face.drawing import Plane, ShapeGlyphs, update
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.motion import displacements
 from components.scene import Picture, Scene
@@ -242,7 +242,7 @@ class LiveFigure:
         moving = [(one, named.get(one.signal_x or "t"), named.get(one.signal)) for one in seen if one.signal]
         dots = [(one, x, y) for one, x, y in moving if x is not None and y is not None]
         columns = {"x": [x for _, x, _ in dots], "y": [y for _, _, y in dots]}
-        self.dots.data = {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]}
+        update(self.dots, {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]})
 
     def _fill(self, picture: Picture, x: Axis, y: Axis, hidden: list[str]) -> None:
         """Give all sources their columns; what lacks one, or is switched off, is not drawn."""

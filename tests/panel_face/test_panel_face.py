@@ -12,7 +12,7 @@ import numpy as np
 import panel as pn
 import pytest
 from bokeh.document import Document
-from bokeh.document.events import ColumnDataChangedEvent
+from bokeh.document.events import ColumnDataChangedEvent, ColumnsPatchedEvent
 from panel.io import notebook
 from pyviz_comms import Comm
 
@@ -370,3 +370,19 @@ def test_sliders_run_as_those_of_the_page() -> None:
     assert [slider_value(*case) for case in cases] == values
     found = [slider_place(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]
     assert found == pytest.approx(places, abs=1e-12)
+
+
+def test_a_frame_sends_little() -> None:
+    """A frame of the player changes only the rows of what moves: no curve, and a few thousand bytes."""
+    face, document = SCENES["oscillator"]().panel(), Document()
+    face.__panel__().server_doc(document)
+    events: list[Any] = []
+    face.player.value = 1
+    document.on_change(events.append)
+    face.player.value = 2
+    curves = {renderer.data_source for figure in face.figures.values() for renderer in figure.parts}
+    assert not curves & {getattr(event, "model", None) for event in events}
+    patched = [event for event in events if isinstance(event, ColumnsPatchedEvent)]
+    assert face.stages["stage"].drawing.sources["lines"] in {event.model for event in patched}
+    assert len(events) < 12
+    assert len(json.dumps([event.patches for event in patched])) < 2500
