@@ -25,5 +25,5 @@ def lag_axes(on: PlotFrame) -> list[Shape]:
         line(on.left, y, on.right, y, style="eq", tint="mute"),
         line(x, on.top, x, on.bottom, style="eq", tint="mute"),
         text(on.right - 4, y - 8, "lag 0", "end", tint="mute", style="halo"),
-        text(x + 8, on.bottom - 8, "lag 90°", "start", tint="mute", style="halo"),
+        text(x, on.bottom - 12, "lag 90°", "beside", tint="mute", style="halo"),
     ]

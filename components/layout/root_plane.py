@@ -17,6 +17,5 @@ def root_plane(sides: tuple[Number, Number, Number, Number], x0: Number, y0: Num
         rectangle(x0, top, right - x0, bottom - top, style="body", tint="k2fill"),
         line(left, y0, x0, y0, style="floor", tint="ink"),
         wall(x0, top, bottom - top, side="right"),
-        text(x0 + 14, y0 - 4, below_zero, "start", tint="mute"),
         *(text(left + 4, bottom - 8 - 16 * i, words, "start", tint="mute") for i, words in enumerate(legend)),
     ]

@@ -1,16 +1,19 @@
 // Curves of another picture, dotted, under the current ones. For the held picture also the moving shapes on the stage,
 // as outlines, the old positions of the sliders, and the ledger of numbers.
 
-import {element, long, marked, setAttributes, svg} from "../core/dom.js"
+import {element, long, marked, setAttributes, svg, textWidth, units} from "../core/dom.js"
 import {heldNumbers} from "./held_number.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../controls/scales.js"
 import {atInstant, evaluate} from "../core/signals.js"
+import {piecesOf} from "../scene/label_collisions.js"
+import {places} from "../scene/places.js"
 import {kindOf} from "../scene/stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
 const NEAR = 0.05 // pixels between what is the same
 const RING = 5.5 // radius around what is the same
+const SAME = "same start"
 
 /**
  * Columns drawn under the current ones, with their own axes and a name.
@@ -109,10 +112,10 @@ export class HeldName {
     over.append(this.name, this.same)
   }
 
-  /** @param {GhostLine[]} lines @param {string} name of their picture, or "" @param {boolean} isTime */
-  tell(lines, name, isTime) {
+  /** @param {GhostLine[]} lines @param {string} name of their picture, or "" @param {Canvas} plot */
+  tell(lines, name, plot) {
     const named = lines.find(line => line.named)
-    this.same.replaceChildren(...(name && isTime ? starts(lines) : []))
+    this.same.replaceChildren(...(name && plot.block.time ? starts(lines, plot) : []))
     this.end = name && named ? named.end : null
     this.name.textContent = this.end === null ? "" : name
     this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
@@ -160,7 +163,7 @@ export class PlotGhost extends HeldName {
       host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
     }
     const name = this.under?.name ?? ""
-    this.tell(lines, name, this.plot.block.time)
+    this.tell(lines, name, this.plot)
     this.#explain(this.end === null && lines.length ? name : "")
   }
 
@@ -217,16 +220,28 @@ const isOne = far => Math.abs(far) < NEAR
 
 /**
  * Draws a ring where a curve and the held one have the same start, so that equal parts are as visible as differences.
- * @param {GhostLine[]} lines
+ * @param {GhostLine[]} lines @param {Canvas} plot
  */
-function starts(lines) {
+function starts(lines, plot) {
   const places = lines.filter(({same, above}) => same && !above).map(({start}) => start)
   const apart = places.filter(
     ({x, y}, i) => !places.slice(0, i).some(one => Math.hypot(one.x - x, one.y - y) < 2 * RING),
   )
   const rings = apart.map(({x, y}) => svg("circle", {cx: x, cy: y, r: RING}))
-  const [first] = apart
-  return first ? [...rings, svg("text", {x: first.x + RING + 5, y: first.y - RING - 2}, "same start")] : []
+  return apart.length ? [...rings, named(apart[0], plot)] : []
+}
+
+/** The words at a ring, above or below it, where no curve crosses them if there is such a place. @param {Point} ring
+ * @param {Canvas} plot */
+function named({x, y}, plot) {
+  const {left: start, top: high, width, height} = plot.frame
+  const [left, size] = [x + RING + 5, units("t1")]
+  const right = left + textWidth(SAME)
+  const room = {left: start, right: start + width, top: high, bottom: high + height}
+  const wishes = [y - RING - 2, y + RING + size].map(foot => ({left, right, top: foot - size, bottom: foot}))
+  const [found] = places([{wishes, across: 4 * size, down: 4 * size, room}], piecesOf(plot))
+  const place = found ?? wishes[0]
+  return svg("text", {x: place.left, y: place.bottom}, SAME)
 }
 
 /** True if a curve oscillates so often that its dots would fill an area. @param {Float64Array} xs */

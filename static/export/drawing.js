@@ -97,7 +97,7 @@ export class Drawing {
   /** @param {import("../compare/ghosts.js").GhostLine[]} lines @param {string} name */
   #name(lines, name) {
     this.ghost = new HeldName(this.over)
-    this.ghost.tell(lines, name, this.block.time)
+    this.ghost.tell(lines, name, this)
   }
 
   #grid() {

@@ -39,7 +39,7 @@ export class Clear {
   /** @type {Box[]} of that plot */
   flags = []
 
-  frame = EVERYWHERE // of that plot, with the room over it and on its right
+  frame = EVERYWHERE // of that plot, with the room on its right, and over it if no flags are there
 
   /** @param {DrawnShape[]} shapes in the order of what matters most */
   constructor(shapes) {
@@ -81,9 +81,10 @@ export class Clear {
     this.standing = stand.map(text => aired(this.box(text)))
     if (under && this.labels.some(({beside}) => beside)) {
       const {left, top, height} = under.frame
-      this.frame = {left, right: picture.width / unitSize() + 2 * EDGE, top: 0, bottom: top + height}
       const flags = [...under.controls.querySelectorAll(".flag")].map(flag => flag.getBoundingClientRect())
       this.flags = flags.filter(({width}) => width).map(flag => within(flag, picture))
+      const right = picture.width / unitSize() + 2 * EDGE
+      this.frame = {left, right, top: this.flags.length ? top : 0, bottom: top + height}
       this.lines = under.view ? piecesOf(under) : []
     }
     const paper = surface(host)
@@ -185,7 +186,7 @@ const anchored = text => ({middle: 0.5, end: 1})[text.getAttribute("text-anchor"
 const aired = ({left, right, top, bottom}) => ({left: left - AIR / 2, right: right + AIR / 2, top, bottom})
 
 /** The lines of a plot inside its frame, and its points. @param {Canvas} plot @returns {Box[]} */
-function piecesOf(plot) {
+export function piecesOf(plot) {
   const {left, top, width, height} = plot.frame
   const isIn = (/** @type {Point} */ {x, y}) => x >= left && x <= left + width && y >= top && y <= top + height
   return plot.block.curves.flatMap(curve => {

@@ -69,6 +69,7 @@ class Editor {
       element("fieldset", {}, element("legend", {}, "Covered until the answer is shown"), ...boxes),
       labelled("Title of the answer", "title", "", true),
       labelled("Explanation", "explain", "", true),
+      labelled("Notes for yourself, which only the remote control shows", "notes"),
     ]
   }
 
@@ -125,7 +126,7 @@ class Editor {
   #read() {
     const {form} = this
     const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
-    const kind = text(form, "kind")
+    const [kind, notes] = [text(form, "kind"), text(form, "notes")]
     const {cover = [], ...asks} = KINDS[kind].read(form, this.plots)
     return {
       id: this.draft.nextId,
@@ -136,6 +137,7 @@ class Editor {
       question: text(form, "question"),
       ...asks,
       explain: text(form, "explain"),
+      ...(notes ? {notes} : {}),
     }
   }
 

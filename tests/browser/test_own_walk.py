@@ -124,7 +124,7 @@ def ask_each_kind(page: Page) -> Locator:
     dialog = page.get_by_role("dialog", name="Write a question")
     for part in ("Displacement of mass 2 against time", "Number: slow mode", "Text: No beat"):
         dialog.get_by_label(part).check()
-    choice = {"text-1": "Both", "text-2": "Neither"}
+    choice = {"text-1": "Both", "text-2": "Neither", "notes": "Show the real springs first."}
     asked(page, "Which one swings?", "choice", **choice)
     expect(dialog.locator(".problem")).to_contain_text("a wrong answer needs a reply")
     dialog.get_by_label("The answers keep this order").check()
@@ -189,6 +189,7 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     assert walk.steps[3].answer.quantities == ("x2_0 - 0.5",) and not walk.steps[3].answer.numbers
     assert isinstance(walk.steps[0], ChoiceStep) and walk.steps[0].fixed
+    assert [step.notes for step in walk.steps] == ["Show the real springs first.", "", "", ""]
     dialog.get_by_role("button", name="Close").click()
     drop(page, file.name, file.read_text(encoding="utf-8"))
     for place, answer in enumerate((choose, number, partial(sketch, drawn), point)):

@@ -94,7 +94,6 @@ class Places(Declared[Duty]):
     stroke, stroke_seen = _reading(A.X2, 1)
     alone, alone_seen = _reading(A.X1, 2, unless="detached")
     # The label is under its dot, clear of the names of the fixed points, except while the knob is there.
-    swing_aside = scalar(lambda d, a: 20.0 if d.c and d.swings[0] > 0.3 * A.X1(a).end else -9.0)
     fixed_seen = scalar(lambda d, a: d.c > 0)
     fixed_x = Family("PQ", lambda name: scalar(lambda d, a: _across(a, d.fixed[name][0]) if d.c else None), "{}_x")
     fixed_y = Family("PQ", lambda name: scalar(lambda d, a: _up(A.X1(a), d.fixed[name][1]) if d.c else None), "{}_y")

@@ -177,12 +177,11 @@ def _verdicts() -> list[Shape]:
 
 def swing_shapes() -> tuple[Shape, ...]:
     """The shapes over the plot of the swing: its goal, the range without resonances, readings and fixed points."""
-    over = 11, var(P.swing_aside)
     return (
         *_limit(SWING, P.limit1),
         *_bracket(),
-        *_reading(SWING, P.alone, P.alone_seen, f"{N.alone}", "alone", (-11, 5), tint="m1", style="hollow"),
-        *_reading(SWING, P.swing, P.swing_seen, f"{N.swing}", "with the absorber", over, tint="m1"),
+        *_reading(SWING, P.alone, P.alone_seen, f"{N.alone}", "alone", tint="m1", style="hollow"),
+        *_reading(SWING, P.swing, P.swing_seen, f"{N.swing}", "with the absorber", tint="m1"),
         *_fixed(),
     )
 
@@ -191,7 +190,7 @@ def stroke_shapes() -> tuple[Shape, ...]:
     """The shapes over the plot of the stroke: its goal and its reading."""
     return (
         *_limit(STROKE, P.limit2),
-        *_reading(STROKE, P.stroke, P.stroke_seen, f"{N.stroke}", "by the stroke", (11, -8), tint="m2"),
+        *_reading(STROKE, P.stroke, P.stroke_seen, f"{N.stroke}", "by the stroke", tint="m2"),
     )
 
 
@@ -213,7 +212,6 @@ def _reading(
     seen: Scalar[Duty],
     number: str,
     of: str,
-    aside: tuple[Number, Number],
     **look: str,
 ) -> list[Shape]:
     """The dot of a curve at the machine's speed (hollow without the absorber), with its number. Dragging it sets the
@@ -221,10 +219,9 @@ def _reading(
     """
     x, y = plot.x(var(P.omega)), plot.y(var(at))
     held = grab(f"Running speed, {of}", on_plot(plot, "x", "omega", P.omega, Axes.w), inside=plot)
-    anchor = "end" if "hollow" in look.get("style", "") else "start"
     return [
         circle(x, y, 7, show=seen, **look),
-        text(x + aside[0], y + aside[1], number, anchor, tint=look["tint"], style="t1 b halo", show=seen),
+        text(x, y, number, "beside", tint=look["tint"], style="t1 b halo", show=seen),
         circle(x, y, 0, show=P.omega_seen, grab=held),
     ]
 

@@ -169,8 +169,6 @@ class Hung(Declared[AnalogueCase]):
     size_angle = scalar(lambda c, a: math.degrees(abs(c.q_0)))
     late_now = scalar(lambda c, a: Axes.late(a).place(c.excess))
     rule_seen = scalar(lambda c, a: 1.0)
-    late_before = scalar(lambda c, a: abs(c.q_0) > 25 * DEGREE)
-    late_after = scalar(lambda c, a: abs(c.q_0) <= 25 * DEGREE)
     late = Family(LIMITS, lambda key: scalar(lambda c, a: round(ANGLES[key], 4)))
 
 

@@ -158,7 +158,6 @@ def over_lateness() -> tuple[Shape, ...]:
     lines = (
         line(LATE.x(0), y, x, y, style="level"),
         line(x, y, x, LATE.y(0), style="", tint="m1"),
-        text(x - 10, y - 8, f"+{N.late_percent} %", "end", style="t2 b halo", show=Hung.late_before),
-        text(x + 10, y - 8, f"+{N.late_percent} %", "start", style="t2 b halo", show=Hung.late_after),
+        text(x, y, f"+{N.late_percent} %", "beside", style="t2 b halo"),
     )
     return tuple(shown_by(Hung.rule_seen, *lines))

@@ -255,15 +255,15 @@ def stairs() -> list[Shape]:
             drops[i],
             line(here, level, there, level, style="eq", tint="ink"),
             arrow(there, level, there, low, tint="ink", style="thin", head=8),
-            text(there + 7, (level + low) * 0.5 + 4.5, f"{c.keep_x}", "start", style="b halo"),
+            text(there, (level + low) * 0.5, f"{c.keep_x}", "beside", style="b halo"),
         )
     shapes += [circle(*point, 3.5, tint="m1") for point in points]
     (x1, y1), (x2, y2) = points[:2]
     shapes += shown_by(
         drops[0],
-        text(x1 + 8, y1 - 11.5 * c.over + 4.5, "peak *x*_1", "start", tint="m1", style="t2 b halo"),
-        text(x2, y2 + 16 * c.over + 4.5, "*x*_2", tint="m1", style="t2 b halo"),
-        text(x1 + 28, y1 - 11.5 * c.over + 4.5, f"period *τ*_d {c.tau_d} s", "start", style="b halo"),
+        text(x1, y1, "peak *x*_1", "beside", tint="m1", style="t2 b halo"),
+        text(x2, y2, "*x*_2", "beside", tint="m1", style="t2 b halo"),
+        text((x1 + x2) * 0.5, y1, f"period *τ*_d {c.tau_d} s", "beside", style="b halo"),
     )
     return shapes + at_fastest(X, X.y(c.quickest.x))
 

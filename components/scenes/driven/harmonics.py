@@ -81,7 +81,7 @@ def harmonics(plot: Plot, *response: PlotItem) -> Block:
             line(x, plot.top, x, plot.bottom, style="thin", tint="F"),
             circle(x, plot.y(c.first_line), 0, grab=hand),
             text(
-                plot.x(c.strongest_at) + 8, plot.y(top) + 5, f"*n* = {c.n_strongest}", "start", tint="m1",
+                plot.x(c.strongest_at), plot.y(top), f"*n* = {c.n_strongest}", "beside", tint="m1",
                 style="t2 b halo",
             ),
         ],

@@ -356,7 +356,7 @@ def response() -> Block:
             text(own + 6, RESPONSE.top + 16, "*ω*_n", "start", tint="mute", style="halo"),
             upright(RESPONSE, x, "F"),
             circle(x, y, 0, grab=hand),
-            text(x - 9, y - 8, f"{c.M}", "end", tint="m1", style="t2 b halo"),
+            text(x, y, f"{c.M}", "beside", tint="m1", style="t2 b halo"),
         ],
         room=LEFT, grow=330, phone=10, height=212,
     )  # fmt: skip
@@ -378,7 +378,7 @@ def half_width() -> list[Shape]:
         *shown_by(
             c.view != "forces",  # there the polygon needs the room
             text(past + 10, y + 5, f"width Δ*ω* = {c.bandwidth} rad/s", "start", style="halo"),
-            text(past + 10, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
+            text(past + 26, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
         ),
         line(one, height, one + 60, height, style="level", tint="ink", inside=RESPONSE),
         circle(one + 60, height, 5, style="ghost", tint="T", grab=grab("Height at r = 1, Q", hand)),

@@ -205,6 +205,7 @@ def _plane() -> Block:
         heading=(
             term("", "none", "ink", formula=r"\text{roots } s"),
             phrase("paths", "line", "T", formula=f"their paths, as {Texts.grows}"),
+            phrase("", "dash", "mute", words="bounds of swinging roots"),
         ),
         room=Room(52, 10, top=8), square=True, shapes=tuple(_shapes()), grow=1, phone=9, height=330,
     )  # fmt: skip
@@ -230,7 +231,7 @@ def _shapes() -> list[Shape]:
         radius = PLANE.per_x * var(P.ring[mode])
         found.append(circle(X0, Y0, radius, tint=mode, style="outline dots", **cut))
         found += [circle(X0, Y0 + way * radius, 5, tint=mode, style="ring") for way in (-1, 1)]
-        found.append(text(X0 + 9, Y0 - radius - 8, f"*ω*_{{{sign}}}", "start", tint=mode, style="halo"))
+        found.append(text(X0, Y0 - radius, f"*ω*_{{{sign}}}", "beside", tint=mode, style="halo"))
     for i in BOTH:
         radius = PLANE.per_x * var(P.radius[i])
         found += shown_by(P.radius[i], circle(X0 - radius, Y0, radius, style="eq", **cut))
