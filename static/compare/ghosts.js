@@ -223,17 +223,17 @@ const isOne = far => Math.abs(far) < NEAR
  * @param {GhostLine[]} lines @param {Canvas} plot
  */
 function starts(lines, plot) {
-  const places = lines.filter(({same, above}) => same && !above).map(({start}) => start)
-  const apart = places.filter(
-    ({x, y}, i) => !places.slice(0, i).some(one => Math.hypot(one.x - x, one.y - y) < 2 * RING),
+  const points = lines.filter(({same, above}) => same && !above).map(({start}) => start)
+  const apart = points.filter(
+    ({x, y}, i) => !points.slice(0, i).some(one => Math.hypot(one.x - x, one.y - y) < 2 * RING),
   )
   const rings = apart.map(({x, y}) => svg("circle", {cx: x, cy: y, r: RING}))
-  return apart.length ? [...rings, named(apart[0], plot)] : []
+  return apart.length ? [...rings, sameStart(apart[0], plot)] : []
 }
 
 /** The words at a ring, above or below it, where no curve crosses them if there is such a place. @param {Point} ring
  * @param {Canvas} plot */
-function named({x, y}, plot) {
+function sameStart({x, y}, plot) {
   const {left: start, top: high, width, height} = plot.frame
   const [left, size] = [x + RING + 5, units("t1")]
   const right = left + textWidth(SAME)

@@ -76,43 +76,6 @@ def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> 
     arrived(page, "d31-03")
 
 
-@pytest.mark.parametrize("step", ["d34-19", "d34-20", "d34-21"])
-def test_on_a_phone_an_answer_without_a_stage_on_top_begins_with_its_picture(
-    step: str, walk: Callable[..., Page]
-) -> None:
-    page = walk(step, width=390, height=844)
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function(TAUGHT)
-    page.wait_for_function(
-        """() => [".block.plot", ".block.stage", ".transport", ".card"]
-          .map(kind => [...document.querySelectorAll(kind)].find(one => one.checkVisibility()))
-          .map(one => one.getBoundingClientRect().top)
-          .every((top, i, all) => !i || top > all[i - 1])"""
-    )
-
-
-def test_names_over_a_plot_are_above_the_own_curve(walk: Callable[..., Page]) -> None:
-    page = walk("d34-14", width=390, height=844)
-    pad = page.locator(".drawing")
-    pad.scroll_into_view_if_needed()
-    box = pad.bounding_box()
-    assert box
-    page.mouse.move(box["x"] + 15, box["y"] + 20)
-    page.mouse.down()
-    page.mouse.move(box["x"] + box["width"] - 15, box["y"] + 20, steps=20)
-    page.mouse.up()
-    show(page)
-    page.add_style_tag(content="* { pointer-events: auto !important }")
-    uppermost = """() => {
-      const flag = [...document.querySelectorAll(".plot-area .flag")].find(flag => flag.checkVisibility())
-      flag.scrollIntoView({block: "center"})
-      const {left, top, width, height} = flag.getBoundingClientRect()
-      const found = document.elementsFromPoint(left + width / 2, top + height - 3)
-      return found.findIndex(one => flag.contains(one)) < found.findIndex(one => one.closest(".drawing"))
-    }"""
-    assert page.evaluate(uppermost)
-
-
 def test_a_picture_that_was_on_its_way_does_not_take_the_answer_back(walk: Callable[..., Page]) -> None:
     page = walk("d31-03")
     page.locator(".answers button").first.click()

@@ -101,7 +101,7 @@ def _swing_plot() -> Block:
         marks=tuple(mark(at, tint=tint, html=rich(flag), lift=35, flag="one") for at, _, tint, flag in FREQUENCIES),
         shapes=swing_shapes(),
         phone=10,
-        height=218,
+        height=212,
     )
 
 
