@@ -198,6 +198,13 @@ def test_a_tab_shows_its_view_and_follows_the_scene() -> None:
     assert face.tabs.active == 1 and shown() == {"stage", "x", "roots"}
 
 
+NEEDED: dict[tuple[str, str], dict[str, Any]] = {
+    ("coupled", "X_slow"): {"given_by": "modes"},
+    ("forced", "omega"): {"c1": 0.5, "c2": 0.5},
+}
+"""Values with which a dot that can be dragged is there."""
+
+
 def drawn(one: LiveFigure | LiveStage, of: str, column: str = "x") -> list[Any]:
     """A column of the areas, lines, points or texts that a stage or plot draws with its shapes."""
     return list(one.drawing.sources[of].data[column])
@@ -247,13 +254,14 @@ def test_the_player_moves_the_stage_the_cursor_and_the_numbers() -> None:
         ("modes", "roots", "roots", "c1"),
         ("analogues", "roles", "stage", "theta_0"),
         ("phugoid", "period", "path", "excess"),
+        ("forced", "nyquist", "nyquist", "omega"),
         ("chain", "wave", "stage", "h"),
     ],
 )
 def test_a_dot_can_be_dragged(slug: str, view: str, part: str, name: str) -> None:
     """Each dot of a figure is moved by a fifth of the figure; one of them sets the parameter."""
     for sign in (1, -1):
-        scene = SCENES[slug](view=view, **({"given_by": "modes"} if name == "X_slow" else {}))
+        scene = SCENES[slug](view=view, **NEEDED.get((slug, name), {}))
         face = scene.panel()
         figure = (face.figures | face.stages)[part]
         before, grips = scene.values[name], figure.drawing.grips
