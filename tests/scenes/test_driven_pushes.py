@@ -248,7 +248,9 @@ def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices
     miss = np.abs(summed(scene, fine) - exact).max()
     assert scene.numbers["misses"].value == pytest.approx(miss, rel=0.02)
     share = miss / np.abs(exact).max()
-    assert scene.shown.forms["sums"] == ("follows" if share <= 0.05 else "coarse") or abs(share - 0.05) < 0.003
+    word = "follows" if share <= 0.05 else "coarse" if scene.numbers["slice_width"].value > 0.1 else "changes"
+    assert scene.shown.forms["sums"] == word or abs(share - 0.05) < 0.003
+    assert (push, word) not in {("step", "changes"), ("triangle", "changes")}, "these hardly change in a short slice"
     assert scene.numbers["slice_width"].value == pytest.approx(t[-1] / slices * math.sqrt(39.48) / (2 * math.pi))
     path, tails = scene.sources["outline"].data, scene.sources["tails"].data
     area = np.trapezoid(np.abs(path["slice"]), path["slice_t"])
@@ -256,6 +258,13 @@ def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices
     assert area == pytest.approx(np.abs(rest.force(middles)).mean() * t[-1])
     assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
     assert np.count_nonzero(tails["tail_t"] == t[-1]) <= 14
+
+
+def test_short_slices_miss_a_push_that_changes_in_them() -> None:
+    """A sine of eight times the natural frequency has a period of a slice."""
+    assert "changes within slices" in sentence(DRIVEN(view="convolution", omega=50.0, slices=61), "sums")
+    assert "changes within slices" in sentence(DRIVEN(view="convolution", push="square", slices=100), "sums")
+    assert "too long" in sentence(DRIVEN(view="convolution", slices=12), "sums")
 
 
 def test_impulses_are_slices_already() -> None:

@@ -55,6 +55,7 @@ def sentence() -> Block:
         c.sums,
         follows=f"**{width}: short enough to act as one impulse. The sum misses the motion by at most {c.misses} m.**",
         coarse=f"**{width}: too long to act as one impulse. The sum misses the motion by up to {c.misses} m.**",
+        changes=f"**{width}, but the push changes within slices. The sum misses the motion by up to {c.misses} m.**",
         impulses="**An impulse is a slice already: the motion is the sum of what the impulses leave.**",
         fast="**The motion is too fast for a line in this window. For a picture of the slices, choose a shorter one.**",
         other="**This view is about a force. Choose Force as the drive.**",

@@ -182,7 +182,7 @@ class DrivenShown(DrivenCase):
         "largest distance of the sum of the slices from the motion",
     )
     slice_width = value.optional(
-        lambda c: c.end / c.slices * c.one.omega_n / (2 * math.pi) if c.sliced else None,
+        lambda c: c.slice_share if c.sliced else None,
         "",
         "slice over a natural period",
     )

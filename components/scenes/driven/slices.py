@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 
 import numpy as np
@@ -16,6 +17,9 @@ MOST_TAILS, POINTS = 12, 700
 """The tails that are drawn, at most, and their points."""
 FOLLOWS = 0.05
 """Largest share of the motion by which a sum that follows it misses it."""
+
+SHORT = 0.1
+"""The share of a natural period up to which a slice is short."""
 
 
 class SlicedCase(PushedCase):
@@ -37,6 +41,11 @@ class SlicedCase(PushedCase):
             oscillator=self.one, force=self.moved.drive.at, end=self.end, count=int(self.slices),
             x_0=self.x_0, v_0=self.v_0,
         )  # fmt: skip
+
+    @property
+    def slice_share(self) -> float:
+        """The width of a slice over a natural period."""
+        return self.end / self.slices * self.one.omega_n / (2 * math.pi)
 
     @cached_property
     def compared(self) -> tuple[float, float] | None:
@@ -91,4 +100,4 @@ class SlicedCase(PushedCase):
         if not self.compared:
             return "impulses"
         miss, largest = self.compared
-        return "follows" if miss <= FOLLOWS * largest else "coarse"
+        return "follows" if miss <= FOLLOWS * largest else "coarse" if self.slice_share > SHORT else "changes"
