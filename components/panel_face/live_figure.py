@@ -44,6 +44,8 @@ FRAME = 560.0
 """The width of the frame of a plot in pixels, as the shapes over it count; Bokeh scales it to the page."""
 STAGE = 520.0
 """The width of a stage in pixels, as its shapes count."""
+HEAD = 12.0
+"""Pixels above a stage, for texts, which do not shrink with it on a phone."""
 LONGEST = 34
 """Characters of the words at an axis."""
 LAYOUT = {"wide": 0.0, "narrow": 1.0, "stacked": 1.0, "hall": 0.0, "desk": 1.0, "low": 0.0}
@@ -60,8 +62,8 @@ class LiveStage:
     def __init__(self, block: StageBlock, moved: SetByHand) -> None:
         self.block, self.height = block, float(block.height or 180)
         self.model = figure(
-            x_range=Range1d(0, STAGE), y_range=Range1d(self.height, 0), toolbar_location=None, tools="",
-            aspect_ratio=STAGE / self.height, sizing_mode="scale_width", max_width=760, min_border=0,
+            x_range=Range1d(0, STAGE), y_range=Range1d(self.height, -HEAD), toolbar_location=None, tools="",
+            aspect_ratio=STAGE / (self.height + HEAD), sizing_mode="scale_width", max_width=760, min_border=0,
             outline_line_color=None, background_fill_color=None, border_fill_color=None,
         )  # fmt: skip
         self.model.axis.visible = self.model.grid.visible = False
