@@ -12,7 +12,7 @@ from math import copysign, inf
 import numpy as np
 
 from physics.integrators.accuracy import System, entered
-from physics.integrators.fixed_steps import STEPPING, advance_of, begun, constants, right_hand_side
+from physics.integrators.fixed_steps import advance_of, begun, right_hand_side
 from physics.integrators.formulas import closed_form
 from physics.integrators.problem import Problem, Watch
 from physics.precision.exact import Array
@@ -63,11 +63,10 @@ def _exact(problem: Problem) -> Array:
 
 def _stepped(method: str, problem: Problem, bound: float) -> Array:
     """The displacement after each step, the spacing of the problem, up to the first that reaches the bound."""
-    h, state = begun(problem, 1)
-    fixed = constants(problem), STEPPING[method].numbers(problem, h), h
+    given, state = begun(method, problem, 1)
     advance, x = advance_of(method, right_hand_side(problem)), [state[0]]
     for n in range(problem.t.size - 1):
-        state = advance(*fixed, n, 1, *state)
+        state = advance(*given, n, 1, *state)
         if not abs(state[0]) < bound:
             return np.array([*x, copysign(bound, state[0])])
         x.append(state[0])

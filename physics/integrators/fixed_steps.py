@@ -9,11 +9,7 @@
 - Nystroem 4 and 6, for forces without x': E. J. Nystroem's method of order 4 with three evaluations and J. Albrecht's
   of order 6 with five (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.14); stable for
   h omega_+ < 2.58 and 3.04, where they damp;
-- implicit midpoint and Newmark with the average acceleration (order 2): stable at every step, their phase is not.
-  They take the drive in the middle of the step or at both ends; without one they are the same method;
-- Gauss 4, two stages at the nodes of Gauss (order 4): stable at every step.
-
-Implicit methods solve their linear equations once for all steps, as constant matrices allow.
+- implicit methods: physics.integrators.implicit_steps; exponential ones: physics.integrators.exponential_steps.
 
 A stepping function is plain arithmetic on plain floats: for two masses NumPy's cost of a call would be most of the
 time, and a compiler can take it unchanged (tests/bench/compiled.py).
@@ -23,14 +19,16 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
-from math import sin, sqrt, ulp
+from math import sin, ulp
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
+from physics.integrators.exponential_steps import EXPONENTIAL
+from physics.integrators.implicit_steps import IMPLICIT
 from physics.integrators.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
-from physics.precision.exact import Array
+from physics.integrators.stepping import Acceleration, Advance, Compiler, Constants, Stepping, StepState
 
 CUBE_ROOT_2 = 2 ** (1 / 3)
 YOSHIDA_4 = (1 / (2 - CUBE_ROOT_2), -CUBE_ROOT_2 / (2 - CUBE_ROOT_2), 1 / (2 - CUBE_ROOT_2))
@@ -45,36 +43,6 @@ YOSHIDA_6 = (
 )
 WEIGHTS = {"verlet": (1.0,), "yoshida4": YOSHIDA_4, "yoshida6": YOSHIDA_6}
 CHUNK = 1024  # steps between two looks at the clock
-
-Constants = tuple[float, ...]
-"""m1, m2, k1, k2, F_0, omega and c of a problem."""
-StepState = tuple[float, float, float, float, float, float]
-"""x1, x2, v1, v2, and their accelerations, for methods that reuse the last ones of the previous step."""
-
-
-Acceleration = Callable[[Constants, float, float, float, float], tuple[float, float]]
-"""The two accelerations of a chain: of its constants, a time, two displacements and the velocity of mass 1."""
-Advance = Callable[..., StepState]
-"""A stepping function: `advance(p, numbers, h, n, count, *state)` is the state after `count` steps of length h, of
-which the first is step n. `numbers` are what the method has computed of the problem for this h."""
-Compiler = Callable[[Any], Any]
-"""A maker of a faster function of a function of plain arithmetic."""
-
-
-@dataclass(frozen=True)
-class Stepping:
-    """A method: its order, how often it evaluates the right-hand side in a step, and its stepping function.
-
-    `advance` writes it around a right-hand side; `numbers` is what it is given of a problem and a step. Without
-    `friction` it is for forces that depend on the position alone; `solved` are linear equations solved in advance.
-    """
-
-    order: int
-    evaluations: int
-    advance: Callable[[Acceleration], Advance]
-    numbers: Callable[[Problem, float], Any]
-    friction: bool = True
-    solved: bool = False
 
 
 def interpreted(function: Any) -> Any:
@@ -91,10 +59,9 @@ def advance_of(method: str, side: Acceleration, compiler: Compiler = interpreted
 
 def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
     """A whole number of equal steps of a method of STEPPING from one output time to the next."""
-    h, state = begun(problem, steps)
-    side = right_hand_side(problem)
-    fixed = (constants(problem), STEPPING[method].numbers(problem, h), h)
-    advance, states = partial(advance_of(method, side), *fixed), np.empty((problem.t.size, 4))
+    given, state = begun(method, problem, steps)
+    h, side = given[2], right_hand_side(problem)
+    advance, states = partial(advance_of(method, side), *given), np.empty((problem.t.size, 4))
     states[0] = state[:4]
     for n in range(1, problem.t.size):
         state = _advanced(advance, state, int(steps), h, watch)
@@ -107,8 +74,11 @@ def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Traj
     return trajectory(states)
 
 
-def begun(problem: Problem, steps: float) -> tuple[float, StepState]:
-    """The step h and the state at the start; ValueError or StepTooSmallError where there is no such step."""
+def begun(method: str, problem: Problem, steps: float) -> tuple[tuple[Constants, Any, float], StepState]:
+    """Return the arguments of a stepping function, the step h last, and the state at the start.
+
+    ValueError or StepTooSmallError where there is no such step.
+    """
     if not (steps >= 1 and steps == int(steps)):
         raise ValueError(
             f"{steps!r} steps from one output time to the next are not possible: a whole number from 1 on is needed"
@@ -116,8 +86,11 @@ def begun(problem: Problem, steps: float) -> tuple[float, StepState]:
     h, end = problem.spacing / steps, float(problem.t[-1])
     if h < ulp(end):
         raise StepTooSmallError(f"step below spacing: h = {h:.3g} s, doubles at {end:.3g} s lie wider", 0.0)
-    x1, x2, v1, v2 = problem.start
-    return h, (x1, x2, v1, v2, *right_hand_side(problem)(constants(problem), 0.0, x1, x2, v1))
+    step, (x1, x2, v1, v2) = STEPPING[method], problem.start
+    p = constants(problem)
+    if step.splits:
+        p = (*p[:3], 0.0, *p[4:])
+    return (p, step.numbers(problem, h), h), (x1, x2, v1, v2, *right_hand_side(problem)(p, 0.0, x1, x2, v1))
 
 
 def exploded(problem: Problem, h: float, n: int) -> StoppedError:
@@ -303,84 +276,6 @@ def _halved(weights: tuple[float, ...]) -> tuple[tuple[float, float, float], ...
     return tuple((weight / 2, weight, weight / 2) for weight in weights)
 
 
-def _averaging(accelerate: Acceleration) -> Advance:
-    """x moves by h u and v becomes 2 u - v, with the mean velocity u from (1 + h c/2m + h^2 K/4M) u = v + h a/2.
-
-    a is the acceleration at the start of the step but for friction, under the mean of the drive at the nodes of the
-    step. Cramer's rule, its determinant without cancellation.
-    """
-
-    def averaged(
-        p: Constants, numbers: Any, h: float, n: int, count: int,
-        x1: float, x2: float, v1: float, v2: float, a1: float, a2: float,
-    ) -> StepState:  # fmt: skip
-        m1, m2, k1, k2, F_0, omega, _ = p
-        p11, p12, p21, p22, half, first, last = numbers
-        for i in range(n, n + count):
-            pull = k2 * (x2 - x1)
-            force = pull - k1 * x1
-            if F_0:
-                drive = sin(omega * (i + first) * h)
-                if last > first:
-                    drive = (drive + sin(omega * (i + last) * h)) / 2
-                force += F_0 * drive
-            r1, r2 = v1 + half * force / m1, v2 - half * pull / m2
-            u1, u2 = p11 * r1 + p12 * r2, p21 * r1 + p22 * r2
-            x1 += h * u1
-            x2 += h * u2
-            v1, v2 = 2 * u1 - v1, 2 * u2 - v2
-        return x1, x2, v1, v2, a1, a2
-
-    return averaged
-
-
-def _averaged_numbers(first: float, last: float, problem: Problem, h: float) -> Constants:
-    """The inverse matrix of the mean velocity, half a step, and the nodes of the drive."""
-    chain, half = problem.chain, h / 2
-    s1, s2, rub = half * half / chain.m1, half * half / chain.m2, half * problem.c / chain.m1
-    p, q, r, s = 1 + rub + s1 * (chain.k1 + chain.k2), s1 * chain.k2, s2 * chain.k2, 1 + s2 * chain.k2
-    determinant = (1 + rub + s1 * chain.k1) * s + s1 * chain.k2
-    return s / determinant, q / determinant, r / determinant, p / determinant, half, first, last
-
-
-GAUSS_NODES = (0.5 - sqrt(3) / 6, 0.5 + sqrt(3) / 6)
-GAUSS = np.array([[0.25, 0.25 - sqrt(3) / 6], [0.25 + sqrt(3) / 6, 0.25]])
-
-
-def _gauss(accelerate: Acceleration) -> Advance:
-    """The stages' accelerations are G times those at x + c_i h v: one small linear map gives both increments."""
-    first, second = GAUSS_NODES
-
-    def staged(
-        p: Constants, numbers: Any, h: float, n: int, count: int,
-        x1: float, x2: float, v1: float, v2: float, a1: float, a2: float,
-    ) -> StepState:  # fmt: skip
-        (p1, q1, r1, s1), (p2, q2, r2, s2), (p3, q3, r3, s3), (p4, q4, r4, s4) = numbers
-        for i in range(n, n + count):
-            w1, w2 = h * v1, h * v2
-            b1, b2 = accelerate(p, (i + first) * h, x1 + first * w1, x2 + first * w2, v1)
-            c1, c2 = accelerate(p, (i + second) * h, x1 + second * w1, x2 + second * w2, v1)
-            x1 += w1 + (p1 * b1 + q1 * b2 + r1 * c1 + s1 * c2)
-            x2 += w2 + (p2 * b1 + q2 * b2 + r2 * c1 + s2 * c2)
-            v1 += p3 * b1 + q3 * b2 + r3 * c1 + s3 * c2
-            v2 += p4 * b1 + q4 * b2 + r4 * c1 + s4 * c2
-        return x1, x2, v1, v2, a1, a2
-
-    return staged
-
-
-def _gauss_map(problem: Problem, h: float) -> tuple[tuple[float, ...], ...]:
-    """The map from the accelerations (a1, a2, b1, b2) of the stages at first to the gains of x - h v and v, (4, 4)."""
-    chain = problem.chain
-    stiffness = np.array([[-(chain.k1 + chain.k2), chain.k2], [chain.k2, -chain.k2]]) / [[chain.m1], [chain.m2]]
-    friction = np.diag([-problem.c / chain.m1, 0.0])
-    mean = np.full(2, 0.5)
-    stages = np.eye(4) - h * h * np.kron(GAUSS @ GAUSS, stiffness) - h * np.kron(GAUSS, friction)
-    gains = np.vstack([np.kron(h * h * mean @ GAUSS, np.eye(2)), np.kron(h * mean, np.eye(2))])
-    rows: Array = np.linalg.solve(stages.T, gains.T).T
-    return tuple(tuple(row) for row in rows.tolist())
-
-
 STEPPING: Mapping[str, Stepping] = MappingProxyType(
     {
         "euler": _explicit(TABLEAUX["euler"]),
@@ -389,9 +284,8 @@ STEPPING: Mapping[str, Stepping] = MappingProxyType(
         "yoshida4": _composition(4, _halved(YOSHIDA_4)),
         "yoshida6": _composition(6, _halved(YOSHIDA_6)),
         **{slug: _explicit(TABLEAUX[slug]) for slug in ("rk4", "nystrom4", "nystrom6")},
-        "midpoint": Stepping(2, 1, _averaging, partial(_averaged_numbers, 0.5, 0.5), solved=True),
-        "newmark": Stepping(2, 1, _averaging, partial(_averaged_numbers, 0.0, 1.0), solved=True),
-        "gauss4": Stepping(4, 2, _gauss, _gauss_map, solved=True),
+        **IMPLICIT,
+        **EXPONENTIAL,
     }
 )
 FIXED_STEP = tuple(STEPPING)

@@ -30,6 +30,7 @@ class Price:
     best: float
     end: str
     repeats: bool | None = None
+    compiled: bool = False
 
     @property
     def name(self) -> str:
@@ -73,6 +74,7 @@ def price(runs: Sequence[Run], wanted: float) -> Price:
     good = [run for run in runs if run.error is not None]
     errors = [max(run.error or 0.0, LEAST) for run in good]
     facts: dict[str, Any] = {"method": good[0].method, "best": min(errors), "end": runs[-1].end}
+    facts["compiled"] = good[0].compiled
     points = list(zip(errors, good, strict=True))
     offers = [offer for offer in map(_offer, [None, *points], points, repeat(wanted)) if offer]
     if not offers:

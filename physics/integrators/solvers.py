@@ -33,12 +33,16 @@ from physics.integrators.formulas import (
     naive_eigh,
     slide_formulas,
 )
+from physics.integrators.implicit_steps import RHO
 from physics.integrators.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
 from physics.precision.exact import Array
 
 Family = Literal["closed", "exact", "fixed", "adaptive"]
 Runner = Callable[[Problem, float, Watch], Trajectory]
 
+IN_PYTHON = ("rk23", "rk45", "dop853", "radau", "bdf")
+"""Solvers that choose their steps and are Python themselves: at best their right-hand side is compiled."""
+TOLERANCES = tuple(float(f"1e-{n}") for n in range(2, 14))
 FINEST = 2.0**40
 """Steps an output: nobody waits for more."""
 ATOL = 1e-3
@@ -65,6 +69,7 @@ class Method:
     friction: bool = True
     solved: bool = False
     compiled: bool = False
+    tolerances: tuple[float, ...] = TOLERANCES
 
     @cached_property
     def mark(self) -> str:
@@ -72,9 +77,9 @@ class Method:
         return self.name.partition(" (")[0]
 
     def settings(self) -> tuple[float, ...]:
-        """Coarse to fine: a tolerance in each decade, or as many steps as shrink the error by 10 each time."""
+        """Coarse to fine: the tolerances, one in each decade, or as many steps as shrink the error by 10 each time."""
         if self.family == "adaptive":
-            return tuple(float(f"1e-{n}") for n in range(2, 14))
+            return self.tolerances
         if self.family != "fixed":
             return (0,)
         ratio, steps, n = 10 ** (1 / self.order), [1.0], 0
@@ -85,19 +90,25 @@ class Method:
         return tuple(steps)
 
 
-def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch) -> Trajectory:
+RightHandSide = Callable[[float, Array], Array]
+"""A right-hand side y' of t and y = (x1, x2, v1, v2)."""
+Linear = Callable[[Problem], tuple[Array, RightHandSide]]
+"""A maker of the matrix of y' = A y + b sin(omega t), and of its right-hand side."""
+
+
+def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch, linear: Linear | None = None) -> Trajectory:
     """SciPy's solver of that name; atol is ATOL rtol of the displacements and velocities to be expected.
 
     Its steps are not kept: each is interpolated at the output times that it passes, and forgotten.
     """
     from scipy import integrate
 
-    A, rates = _linear(problem)
+    A, rates = (linear or _linear)(problem)
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         solver = getattr(integrate, method)(
             rates, 0.0, np.array(problem.start), problem.t[-1],
-            rtol=rtol, atol=_tolerances(problem, rtol), **_jacobian(method, A),
+            rtol=rtol, atol=_tolerances(problem, rtol), **_jacobian_option(method, A),
         )  # fmt: skip
         states, message = _stepped(solver, problem, watch)
     if solver.status == "failed":
@@ -136,14 +147,16 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
     return states, message
 
 
-def ode(name: str, problem: Problem, rtol: float, watch: Watch, **options: Any) -> Trajectory:
+def ode(
+    name: str, problem: Problem, rtol: float, watch: Watch, linear: Linear | None = None, **options: Any
+) -> Trajectory:
     """A solver of scipy.integrate.ode, asked for one output time after the other; tolerances as in solve_ivp.
 
     Its DOP853 takes a single atol, the least of them.
     """
     from scipy import integrate
 
-    _, rates = _linear(problem)
+    _, rates = (linear or _linear)(problem)
     atol = _tolerances(problem, rtol)
 
     def counted(t: float, y: Array) -> Array:
@@ -183,13 +196,19 @@ def _tolerances(problem: Problem, rtol: float) -> Array:
     return tolerances
 
 
-def _linear(problem: Problem) -> tuple[Array, Callable[[float, Array], Array]]:
-    """The matrix of y' = A y + b sin(omega t), y = (x1, x2, v1, v2), and its right-hand side."""
+def jacobian(problem: Problem) -> Array:
+    """The matrix A (4, 4) of y' = A y."""
     stiffness, mass = matrices(problem)
     A = np.zeros((4, 4))
     A[:2, 2:] = np.eye(2)
     A[2:, :2] = -stiffness / mass[:, None]
     A[2, 2] = -problem.c / mass[0]
+    return A
+
+
+def _linear(problem: Problem) -> tuple[Array, RightHandSide]:
+    """The matrix, and the right-hand side as Python runs it."""
+    A = jacobian(problem)
     push, omega, multiply = problem.F_0 / problem.chain.m1, problem.omega, A.dot
 
     def free(_: float, y: Array) -> Array:
@@ -204,11 +223,32 @@ def _linear(problem: Problem) -> tuple[Array, Callable[[float, Array], Array]]:
     return A, driven if problem.F_0 else free
 
 
-def _jacobian(method: str, A: Array) -> dict[str, Any]:
+def _jacobian_option(method: str, A: Array) -> dict[str, Any]:
     """The constant Jacobian, for a method that takes one."""
     if method in ("Radau", "BDF"):
         return {"jac": A}
     return {"jac": lambda t, y: A} if method == "LSODA" else {}
+
+
+NAMES = {
+    "euler": "Explicit Euler",
+    "semi": "Semi-implicit Euler",
+    "verlet": "Verlet (central difference)",
+    "midpoint": "Implicit midpoint",
+    "newmark": "Newmark (average acceleration)",
+    "rk4": "RK4",
+    "nystrom4": "Nyström 4",
+    "nystrom6": "Nyström 6",
+    "gauss4": "Gauss 4",
+    "ieuler": "Implicit Euler",
+    "sdirk2": "SDIRK 2",
+    "radau5": "Radau IIA 5",
+    "alpha": f"Generalized-α (ρ∞ = {RHO:g})",
+    "gautschi": "Gautschi",
+    "mollified": "Mollified impulse",
+    "yoshida4": "Yoshida 4",
+    "yoshida6": "Yoshida 6",
+}
 
 
 def _methods() -> dict[str, Method]:
@@ -219,22 +259,9 @@ def _methods() -> dict[str, Method]:
         Method("naive", "Modes by eigh, naive", "closed", naive_eigh, friction=False),
         Method("expm", "expm", "exact", matrix_exponential),
     )
-    names = {
-        "euler": "Explicit Euler",
-        "semi": "Semi-implicit Euler",
-        "verlet": "Verlet (central difference)",
-        "midpoint": "Implicit midpoint",
-        "newmark": "Newmark (average acceleration)",
-        "rk4": "RK4",
-        "nystrom4": "Nyström 4",
-        "nystrom6": "Nyström 6",
-        "gauss4": "Gauss 4",
-        "yoshida4": "Yoshida 4",
-        "yoshida6": "Yoshida 6",
-    }
     fixed = (
         Method(slug, name, "fixed", partial(run_fixed, slug), step.order, step.friction, step.solved)
-        for slug, name in names.items()
+        for slug, name in NAMES.items()
         for step in [STEPPING[slug]]
     )
     chosen = (

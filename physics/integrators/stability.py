@@ -8,37 +8,63 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import TwoMassChain
-from physics.integrators.fixed_steps import run_fixed
-from physics.integrators.problem import Problem, Watch
+from physics.integrators.fixed_steps import STEPPING, advance_of, begun, right_hand_side
+from physics.integrators.problem import Problem
 from physics.precision.exact import Array
 
 GROWS = 1e-9  # a growth a step below this is rounding
 REACH = 4.0  # no explicit method here is stable at this h omega
 ONE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=0.0)
+PAIR = TwoMassChain(m1=2.0, m2=2.0, k1=0.0, k2=1.0)
+"""Two masses on the coupling spring alone: they swing against each other with omega = 1 rad/s."""
+COUPLED = TwoMassChain(m1=1.0, m2=2.0, k1=1.0, k2=2.0)
 
 
 def amplification(method: str, h_omega: ArrayLike, slow: float | None = None) -> Array:
     """Growth of a free oscillation a step, against h omega (n,): up to 1 is stable, above 1 it explodes.
 
-    The spectral radius of one step's 2 x 2 matrix in (x, v/omega). With `slow` it is for two decays, against h
-    times the fast rate, of which the slow one is so large a part.
+    The spectral radius of one step's matrix in (x, v/omega), and in the acceleration where a method remembers it. With
+    `slow` it is for two decays, against h times the fast rate, of which the slow one is so large a part.
     """
     z = np.atleast_1d(np.asarray(h_omega, dtype=float))
-    starts = ((1.0, 0.0), (0.0, 1.0))
-    (p, r), (q, s) = (np.transpose([_stepped(method, h, start, slow) for h in z.tolist()]) for start in starts)
-    half_trace, determinant = (p + s) / 2, p * s - q * r
-    discriminant = half_trace**2 - determinant
-    real = np.abs(half_trace) + np.sqrt(np.maximum(discriminant, 0.0))
-    growth: Array = np.where(discriminant > 0, real, np.sqrt(np.abs(determinant)))
+    growth: Array = np.array([_radius(_of_mass_1(method, h, slow)) for h in z.tolist()])
     return growth
 
 
-def _stepped(method: str, h: float, start: tuple[float, float], slow: float | None) -> tuple[float, float]:
-    x_0, v_0 = start
+def _of_mass_1(method: str, h: float, slow: float | None) -> Array:
+    """The matrix of a step of x'' + x = 0, or with two decays; on the coupling spring where a method solves that."""
     chain, c = (ONE, 0.0) if slow is None else (replace(ONE, k1=slow), 1.0 + slow)
-    problem = Problem(chain=chain, x_0=(x_0, 0.0), v_0=(v_0, 0.0), c=c, t=np.array([0.0, h]))
-    result = run_fixed(method, problem, 1, Watch())
-    return float(result.x[0, 1]), float(result.v[0, 1])
+    step = step_matrix(
+        method, Problem(chain=chain, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c=c, t=np.array([0.0, h])), _size(method)
+    )
+    if STEPPING[method].splits:
+        step = step_matrix(method, Problem(chain=PAIR, x_0=(0.0, 0.0), v_0=(0.0, 0.0), t=np.array([0.0, h])))
+        step = step - np.roll(step, -1, axis=1)  # mass 2 moves against mass 1
+    return step[::2, ::2]
+
+
+def _radius(step: Array) -> float:
+    """The spectral radius of a matrix; of (2, 2) without rounding where the eigenvalues are a pair."""
+    if len(step) > 2:
+        return float(np.max(np.abs(np.linalg.eigvals(step))))
+    (p, q), (r, s) = step.tolist()
+    half_trace, determinant = (p + s) / 2, p * s - q * r
+    discriminant = half_trace**2 - determinant
+    return float(abs(half_trace) + np.sqrt(discriminant) if discriminant > 0 else np.sqrt(abs(determinant)))
+
+
+def step_matrix(method: str, problem: Problem, size: int = 4) -> Array:
+    """The matrix of one step without a drive, in (x1, x2, v1, v2); with size 6 also in the accelerations."""
+    side, columns = right_hand_side(problem), []
+    (given, _), advance = begun(method, problem, 1), advance_of(method, side)
+    for x1, x2, v1, v2, *a in np.eye(size).tolist():
+        start = (x1, x2, v1, v2, *(a or side(given[0], 0.0, x1, x2, v1)))
+        columns.append(advance(*given, 0, 1, *start)[:size])
+    return np.array(columns).T
+
+
+def _size(method: str) -> int:
+    return 6 if STEPPING[method].memory else 4
 
 
 @cache
@@ -75,17 +101,25 @@ def stable_steps(method: str, chain: TwoMassChain) -> float:
 
 
 def decay_factor(method: str, z: float) -> float:
-    """R(-z): the share of v that a step of h = z leaves of v' = -v.
+    """R(-z): the share of v that a step of h = z leaves of v' = -v, or the spectral radius where a method remembers.
 
     As z grows a method that is stable at every step leaves at most 1, one that is L-stable nothing.
     """
-    problem = Problem(
-        chain=replace(ONE, k1=0.0), x_0=(0.0, 0.0), v_0=(1.0, 0.0), c=1.0, t=np.array([0.0, z])
-    )  # fmt: skip
-    return float(run_fixed(method, problem, 1, Watch()).v[0, 1])
+    chain = replace(ONE, k1=0.0)
+    step = step_matrix(
+        method, Problem(chain=chain, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c=1.0, t=np.array([0.0, z])), _size(method)
+    )
+    decay = step[2::2, 2::2]
+    return _radius(decay) if len(decay) > 1 else float(decay[0, 0])
 
 
-def area(method: str, h_omega: float) -> float:
-    """The determinant of a step of x'' + omega^2 x = 0 in (x, v/omega): 1 for a symplectic method."""
-    (p, r), (q, s) = (_stepped(method, h_omega, start, None) for start in ((1.0, 0.0), (0.0, 1.0)))
-    return p * s - q * r
+def form_change(method: str, h_omega: float) -> float:
+    """The largest change in a step of the areas that dp and dx of both masses span: 0 for a symplectic method.
+
+    S^T J S - J, with J of the momenta m v, on a chain with both springs.
+    """
+    h = h_omega / COUPLED.modes().omega[1]
+    S = step_matrix(method, Problem(chain=COUPLED, x_0=(0.0, 0.0), v_0=(0.0, 0.0), t=np.array([0.0, h])))
+    mass, none = np.diag([COUPLED.m1, COUPLED.m2]), np.zeros((2, 2))
+    J = np.block([[none, mass], [-mass, none]])
+    return float(np.max(np.abs(S.T @ J @ S - J)))

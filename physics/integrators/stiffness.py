@@ -3,7 +3,7 @@
 - A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
   Ordinary Differential Equations II, IV.1).
 - It is highly oscillatory if accuracy limits the step because a fast oscillation, which nothing damps, carries part
-  of the motion: no method can step over it.
+  of the motion: only a method that solves it exactly can step over it.
 
 The measure is |lambda| h, with the fast rate |lambda| and the step h in s: the step of RK4 at the limit of
 stability, and at the limit of accuracy the step at which Gauss 4, of the same order but stable at every step,

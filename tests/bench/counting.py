@@ -1,8 +1,7 @@
-"""Counts of recorded runs, made without timing, so also on a busy machine.
+"""The spread of the evaluations of recorded runs with rounding, counted without timing: also on a busy machine.
 
-Jacobians, factorisations and solves; and for solvers that choose their steps the evaluations with a start that differs
-by one unit in its last place. That is the same motion to all that a solver can tell: counts that differ nevertheless
-differ from machine to machine too.
+Solvers that choose their steps get a start that differs by one unit in its last place. That is the same motion to all
+that a solver can tell: counts that differ nevertheless differ from machine to machine too.
 """
 
 from __future__ import annotations
@@ -15,25 +14,24 @@ from functools import cache
 from math import inf, nextafter
 
 from physics.integrators.accuracy import SYSTEMS, Run
-from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.problem import Problem, StoppedError, Watch
-from physics.integrators.race import counts
 from physics.integrators.solvers import METHODS
 from physics.reference.driven_chain import reference
 from tests.bench.record import Report, Spread
 
 ASKED = (1e-3, 1e-6, 1e-9)
+LONGEST = 2.0
+"""Seconds that a run took: longer ones are not repeated."""
 
 
 def counted(report: Report) -> Report:
-    """The report with these counts for all runs that have a result; times, errors and evaluations stay."""
+    """The report with the widest spread of each solver."""
     with ProcessPoolExecutor(2) as pool:
-        runs = dict(zip(report.runs, pool.map(_all_counted, report.runs.values()), strict=True))
         spreads = [one for many in pool.map(_spreads, report.runs.values()) for one in many]
     worst: dict[str, Spread] = {}
     for spread in spreads:
         worst[spread.method] = max(worst.get(spread.method, spread), spread, key=lambda one: one.share)
-    return replace(report, runs=runs, rounding=list(worst.values()))
+    return replace(report, rounding=list(worst.values()))
 
 
 @cache
@@ -43,25 +41,12 @@ def asked(system: str) -> Problem:
     return replace(problem, size=reference(problem).size)
 
 
-def _all_counted(runs: list[Run]) -> list[Run]:
-    return [_counted(run) for run in runs]
-
-
-def _counted(run: Run) -> Run:
-    if run.error is None:
-        return run
-    if run.family == "fixed":
-        solved = STEPPING[run.method].solved
-        return replace(run, factorisations=int(solved), solves=run.steps if solved else 0)
-    if run.family != "adaptive":
-        return run
-    found = counts(_watched(asked(run.system), run))
-    return replace(run, **{name: found[name] for name in ("jacobians", "factorisations", "solves")})
-
-
 def _spreads(runs: list[Run]) -> list[Spread]:
     """The evaluations of solvers at three tolerances, from the start and from the two next to it."""
-    chosen = [run for run in runs if run.family == "adaptive" and run.setting in ASKED and run.error]
+    chosen = [
+        run for run in runs if run.family == "adaptive" and not run.compiled and run.setting in ASKED and run.error
+    ]
+    chosen = [run for run in chosen if (run.time or 0.0) < LONGEST]
     return [
         Spread(run.method, run.system, run.setting, tuple(_watched(near, run).evaluations for near in neighbours(run)))
         for run in chosen

@@ -37,7 +37,7 @@ def _look(slug: str) -> dict[str, object]:
     place = family.index(slug)
     low, high = (0.45, 1.0) if FAMILIES[slug] in ("closed", "exact") else (0.0, 0.85)
     share = high - (high - low) * place / max(len(family) - 1, 1)
-    return {"color": matplotlib.colormaps[SHADES[FAMILIES[slug]]](share), "marker": MARKERS[place]}
+    return {"color": matplotlib.colormaps[SHADES[FAMILIES[slug]]](share), "marker": MARKERS[place % len(MARKERS)]}
 
 
 def draw_system(path: Path, system: System, runs: list[Run], caption: str) -> None:
@@ -144,7 +144,7 @@ def draw_digits(path: Path, digits: dict[str, dict[str, list[float]]], caption: 
     figure, places = plt.subplots(1, 3, figsize=(11, 4.5), layout="constrained", sharey=True)
     labels = {"ratio": "k2/k1", "detuning": "omega/omega_- - 1", "periods": "slow periods"}
     for axes, (sweep, curves) in zip(places, digits.items(), strict=True):
-        for slug in curves.keys() - {"x"}:
+        for slug in (slug for slug in curves if slug != "x"):
             look = {**_look(slug), "markersize": 4, "linewidth": 1}
             axes.loglog(curves["x"], _gaps(curves[slug]), label=METHODS[slug].name, **look)
         axes.set(xlabel=labels[sweep], ylim=(LEAST / 3, 1e3))

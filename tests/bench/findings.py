@@ -5,21 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from physics.integrators.accuracy import SYSTEMS, Run
+from physics.integrators.exponential_steps import EXPONENTIAL
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, grouped, in_doubles, prices
 from physics.integrators.solvers import METHODS
 from physics.integrators.stiffness import stiffness
 
+SWINGING = tuple(slug for slug, method in METHODS.items() if method.family in ("fixed", "adaptive"))
 Runs = Mapping[str, list[Run]]
 WANTED = (1e-3, 1e-6, 1e-9)
-EXPLICIT = (*(slug for slug, step in STEPPING.items() if not step.solved), "rk23", "rk45", "dop853", "fortran", "adams")
+EXPLICIT = (
+    *(slug for slug, step in STEPPING.items() if not step.solved and not step.splits),
+    "rk23",
+    "rk45",
+    "dop853",
+    "fortran",
+    "adams",
+)
 """VODE-Adams iterates to a fixed point: it is bound as explicit methods are."""
 IMPLICIT = (*(slug for slug, step in STEPPING.items() if step.solved), "radau", "bdf", "lsoda")
 
 
 def findings(runs: Runs) -> list[str]:
     """Sentences on the systems that were measured."""
-    found = [*_pays(runs), _closed(runs), _compiling(runs), *_stability(runs), *_ringing(runs), *_switching(runs)]
+    found = [*_pays(runs), _closed(runs), _compiling(runs), *_stability(runs)]
+    found += [*_oscillatory(runs), *_ringing(runs), *_switching(runs)]
     return [each for each in found if each]
 
 
@@ -47,32 +57,40 @@ def _pays(runs: Runs) -> Iterator[str]:
 
 
 def _named(runs: Runs, slug: str, best: Price, wanted: float) -> str:
-    """The cheapest method, its time, and its ratios to the closed form."""
-    priced = quoted(runs, slug, wanted, compiled=False)
-    doubles = in_doubles(priced)
+    """The cheapest method, its time, and its ratios to the closed form in the same language."""
+    units = _units(runs, slug, wanted, best.compiled)
     text = f"the cheapest steps are those of {best.name}, {1e3 * (best.time or 0.0):.3g} ms"
-    text += f", {(best.time or 0.0) / (priced['closed'].time or 1.0):.2g} times the closed form as the app runs it"
-    return text + (f" and {(best.time or 0.0) / (doubles.time or 1.0):.2g} times it in doubles" if doubles else "")
+    told = (f"{(best.time or 0.0) / (unit.time or 1.0):.2g} times the closed form {how}" for how, unit in units.items())
+    return ", ".join([text, " and ".join(told)])
+
+
+def _units(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+    """The closed form: as the app runs it, in Python only, and in doubles."""
+    priced = quoted(runs, slug, wanted, compiled)
+    units = {"as the app runs it": priced.get("closed"), "in doubles": in_doubles(priced)}
+    return {f"{how}{', compiled' if compiled else ''}": unit for how, unit in units.items() if unit}
 
 
 def _closed(runs: Runs) -> str:
-    """Where steps are cheaper than the closed form."""
-    found: dict[str, dict[str, list[str]]] = {"as the app runs it": {}, "in doubles": {}}
+    """Where steps are cheaper than the closed form, in the same language."""
+    kinds = ((False, "as the app runs it"), (False, "in doubles"), (True, "in doubles, compiled"))
+    cheaper: dict[str, dict[str, list[str]]] = {how: {} for _, how in kinds}
     for slug in runs:
         for wanted in WANTED:
-            priced = quoted(runs, slug, wanted, compiled=False)
-            times = [
-                price.time or 0.0 for kind in (False, True) for price in _stepping(runs, slug, wanted, kind).values()
-            ]
-            for told, unit in (("as the app runs it", priced.get("closed")), ("in doubles", in_doubles(priced))):
+            for compiled, how in kinds:
+                times = [price.time or 0.0 for price in _stepping(runs, slug, wanted, compiled).values()]
+                unit = _units(runs, slug, wanted, compiled).get(how)
                 if unit and times and min(times) < (unit.time or 0.0):
-                    found[told].setdefault(SYSTEMS[slug].name, []).append(f"{wanted:g}")
-    cheaper = {
+                    cheaper[how].setdefault(SYSTEMS[slug].name, []).append(f"{wanted:g}")
+    told = {
         how: "; ".join(f"{name} at {' and '.join(errors)}" for name, errors in where.items()) or "no system"
-        for how, where in found.items()
+        for how, where in cheaper.items()
     }
-    steps = "steps of some method, in Python or compiled,"
-    return " ".join(f"Cheaper than the closed form {how} are {steps} on {each}." for how, each in cheaper.items())
+    return " ".join(
+        f"Cheaper than the closed form {how} are steps of some method {'' if 'compiled' in how else 'in Python '}on "
+        f"{each}."
+        for how, each in told.items()
+    )
 
 
 def _compiling(runs: Runs) -> str:
@@ -81,10 +99,14 @@ def _compiling(runs: Runs) -> str:
     for slug in runs:
         for wanted in WANTED:
             python, compiled = (quoted(runs, slug, wanted, kind) for kind in (False, True))
-            ratios += [(python[name].time or 0.0) / (compiled[name].time or 1.0) for name in python.keys() & compiled]
+            ratios += [
+                (python[name].time or 0.0) / (compiled[name].time or 1.0)
+                for name in python.keys() & compiled
+                if name in STEPPING
+            ]
     if not ratios:
         return ""
-    return f"In Python the same steps take {min(ratios):.0f} to {max(ratios):.0f} times as long as compiled."
+    return f"In Python the same fixed steps take {min(ratios):.0f} to {max(ratios):.0f} times as long as compiled."
 
 
 def _stability(runs: Runs) -> Iterator[str]:
@@ -113,6 +135,27 @@ def _stability(runs: Runs) -> Iterator[str]:
                 yield f"{SYSTEMS[slug].name}, an error of {wanted:g}: no explicit method gets there in time."
 
 
+def _oscillatory(runs: Runs) -> Iterator[str]:
+    """The evaluations of exponential integrators where a fast swing carries part of the motion, next to all others."""
+    for slug in runs:
+        found = stiffness(SYSTEMS[slug], runs[slug])
+        if not found or found.kind != "highly oscillatory":
+            continue
+        for wanted in WANTED:
+            least = {name: count for name, count in _least_evaluations(runs, slug, wanted).items() if name in SWINGING}
+            told = f"{SYSTEMS[slug].name}, an error of {wanted:g}: "
+            exact = sorted((count, name) for name, count in least.items() if name in EXPONENTIAL)
+            others = sorted((count, name) for name, count in least.items() if name not in EXPONENTIAL)
+            if not exact and others:
+                yield f"{told}no exponential integrator gets there in time."
+            elif exact and others:
+                (one, first), (other, best) = exact[0], others[0]
+                yield (
+                    f"{told}{METHODS[first].name}, which solves the stiff spring exactly, needs {one:.2e} evaluations, "
+                    f"{METHODS[best].name}, the best of the others, {other:.2e}."
+                )
+
+
 def _least_evaluations(runs: Runs, slug: str, wanted: float) -> dict[str, float]:
     """The evaluations that an error takes with each method, the fewer of those in Python and compiled."""
     found: dict[str, float] = {}
@@ -125,7 +168,7 @@ def _least_evaluations(runs: Runs, slug: str, wanted: float) -> dict[str, float]
 
 def _ringing(runs: Runs) -> Iterator[str]:
     """Errors where the fast part should be gone at once: with one step an output, and with the first tolerances."""
-    for slug in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
+    for slug in (one for one in IMPLICIT if one != "lsoda"):
         good = [run for run in runs.get("dashpot", ()) if run.method == slug and not run.compiled and not run.failure]
         if good:
             run = good[0]
@@ -139,7 +182,7 @@ def _ringing(runs: Runs) -> Iterator[str]:
 def _switching(runs: Runs) -> Iterator[str]:
     """Where LSODA goes over to the formulas for stiff equations although nothing decays."""
     for slug, many in runs.items():
-        stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5]
+        stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5 and not run.compiled]
         if stiff and not SYSTEMS[slug].c:
             shares = ", ".join(f"rtol {run.setting:g}" for run in stiff)
             yield f"{SYSTEMS[slug].name}: LSODA takes most of its steps by BDF at {shares}: a kink of its line."

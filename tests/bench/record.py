@@ -43,6 +43,8 @@ class Report:
     costs: list[dict[str, Any]]
     rounding: list[Spread] = field(default_factory=list)
     """The widest spread of each solver."""
+    both_ways: list[dict[str, Any]] = field(default_factory=list)
+    """Times of a step by the right-hand side and as one matrix."""
 
 
 def record(folder: Path, report: Report) -> None:
@@ -52,18 +54,20 @@ def record(folder: Path, report: Report) -> None:
     for slug, many in report.runs.items():
         _write(folder / f"{slug}.json", {**told, "runs": [slim(run) for run in many]})
     _write(folder / "length.json", {**told, "runs": [slim(run) for run in report.length]})
-    _write(folder / "digits.json", {**told, **report.digits, "costs": report.costs, "rounding": report.rounding})
+    others = {"costs": report.costs, "rounding": report.rounding, "both_ways": report.both_ways}
+    _write(folder / "digits.json", {**told, **report.digits, **others})
 
 
 def recalled(folder: Path) -> Report:
     """The report that was recorded."""
     systems = {slug: _read(folder / f"{slug}.json") for slug in SYSTEMS}
     digits = _read(folder / "digits.json")
-    about, seconds, costs, rounding = (digits.pop(name) for name in ("about", "seconds", "costs", "rounding"))
+    names = ("about", "seconds", "costs", "rounding", "both_ways")
+    about, seconds, costs, rounding, both_ways = (digits.pop(name, []) for name in names)
     runs = {slug: [decoded_run(row) for row in data["runs"]] for slug, data in systems.items()}
     length = [decoded_run(row) for row in _read(folder / "length.json")["runs"]]
     spreads = [Spread(method, system, setting, tuple(many)) for method, system, setting, many in rounding]
-    return Report(about, seconds, runs, length, digits, costs, spreads)
+    return Report(about, seconds, runs, length, digits, costs, spreads, both_ways)
 
 
 def slim(run: Run) -> dict[str, Any]:

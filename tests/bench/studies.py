@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from statistics import median
 from typing import Any
 
@@ -10,9 +11,11 @@ import numpy as np
 from physics.coupled import TwoMassChain
 from physics.integrators.accuracy import SYSTEMS, Limits, Run, System
 from physics.integrators.fixed_steps import STEPPING as STEPS
+from physics.integrators.fixed_steps import advance_of, begun, interpreted, right_hand_side
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.race import Bench, bench_of, clock, yardstick
 from physics.integrators.solvers import METHODS
+from physics.integrators.stability import step_matrix
 from physics.precision.exact import Array
 from physics.reference.driven_chain import Reference, reference
 
@@ -22,6 +25,7 @@ EVALUATIONS_A_PERIOD = 2800  # whole steps from output to output with 1, 2, 4, 5
 PATIENCE = 10.0
 STEPPING = ("verlet", "newmark", "rk4", "gauss4", "nystrom6", "yoshida6")
 TOLERANCES = {"dop853": 1e-6, "lsoda": 1e-6, "rk45": 1e-6}
+AS_MATRIX, MANY, TURNS = ("verlet", "rk4", "nystrom6", "gauss4"), 20_000, 9
 WITHOUT = ("closed", "slides", "eigh", "naive")
 
 NEIGHBOURS = (1.0, 1.17, 1.41, 1.73)
@@ -111,6 +115,31 @@ def costs() -> list[dict[str, Any]]:
         found = [float(f"{1e3 * value:.4g}") for value in np.median(times, axis=0)]
         rows.append({"motion": name, **dict(zip(("digits", "closed", "eigh"), found, strict=True))})
     return rows
+
+
+def both_ways() -> list[dict[str, Any]]:
+    """Nanoseconds a step on the benign chain: by the right-hand side and as one matrix, in Python and compiled."""
+    from tests.bench.compiled import compiler, multiplied
+
+    problem, rows = SYSTEMS["benign"].problem(1, 100), []
+    for method in AS_MATRIX:
+        given, state = begun(method, problem, 1)
+        matrix = tuple(step_matrix(method, problem).ravel().tolist())
+        ways: dict[str, Callable[[], Any]] = {}
+        for kind, made in (("", interpreted), (", compiled", compiler)):
+            advance = advance_of(method, right_hand_side(problem), made)
+            ways[f"right-hand side{kind}"] = partial(advance, *given, 0, MANY, *state)
+            ways[f"one matrix{kind}"] = partial(made(multiplied), matrix, MANY, *state[:4])
+        times = np.array([[_lasts(way) for way in ways.values()] for _ in range(TURNS)])
+        found = [float(f"{1e9 * value / MANY:.3g}") for value in np.min(times[1:], axis=0)]  # the first one compiles
+        rows.append({"method": method, **dict(zip(ways, found, strict=True))})
+    return rows
+
+
+def _lasts(way: Callable[[], Any]) -> float:
+    start = clock()
+    way()
+    return clock() - start
 
 
 def _seconds(method: str, problem: Problem) -> float:

@@ -158,16 +158,26 @@ def test_a_picked_run_tells_what_was_asked_and_what_was_reached() -> None:
 
 
 def test_the_compiled_view_has_the_compiled_methods_and_those_without_steps() -> None:
-    scene = Accuracy(clock="compiled", hidden=[])
+    scene, python = (Accuracy(view="time", clock=clock, hidden=[]) for clock in ("compiled", "python"))
     drawn = {slug for slug in METHODS if scene.sources[f"rec_{slug}"].data}
-    assert drawn | {"euler"} == {slug for slug, method in METHODS.items() if method.family != "adaptive"} | {"euler"}
-    python = Accuracy(hidden=[])
+    assert drawn | {"euler"} == set(METHODS) | {"euler"}
+    assert not scene.shown.forms["in_units"] and python.shown.forms["in_units"]
+    names = {slug: cells for slug, cells in scene._case().rows}
+    assert names["eigh"][3] == "1", "compiled is compared with compiled"
+    assert names["dop853"][0] == "DOP853 °" and names["fortran"][0] == "DOP853 C" and names["rk4"][0] == "RK4"
     for slug in ("rk4", "gauss4", "nystrom6"):
         one, other = (each.sources[f"rec_{slug}"].data for each in (scene, python))
         assert one["time"][-1] != other["time"][-1] and one["error"][3] == other["error"][3]
     own = Accuracy(system="own", clock="compiled")
     assert not any(own.sources[f"rec_{slug}"].data for slug in METHODS)
     assert own.shown.forms["origin"] == "none"
+
+
+def test_three_tolerances_are_marked_along_the_line_of_each_solver() -> None:
+    scene = Accuracy(picked=["tol_dop853", "1"])
+    marked, line = (scene.sources[f"{kind}_dop853"].data for kind in ("tol", "rec"))
+    assert len(marked["time"]) == 3 and {*marked["time"]} < {*line["time"]}
+    assert scene.shown.values["picked"].startswith("DOP853, rtol 10⁻⁶, atol 10⁻⁹")
 
 
 def test_where_runs_are_stopped_is_said_of_both() -> None:
@@ -283,7 +293,7 @@ def test_what_the_run_bar_says() -> None:
     work = Measurement()
     told = work.progress(Accuracy())
     assert (told.done, told.text) == (0, f"Run measures {len(LIVE)} methods here.")
-    assert work.progress(Accuracy(system="dashpot")).text == "Run measures 12 methods here."
+    assert work.progress(Accuracy(system="dashpot")).text == "Run measures 13 methods here."
     told = work.progress(measured())
     assert (told.done, told.total, told.unit) == (3, 3, "methods measured here")
 

@@ -9,6 +9,7 @@ import pytest
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.recorded import recorded
 from physics.integrators.accuracy import PERIODS, SYSTEMS, Run
+from physics.integrators.exponential_steps import EXPONENTIAL
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, prices
 from physics.integrators.solvers import METHODS
@@ -17,6 +18,8 @@ from physics.integrators.stability import stable_count
 WANTED = (1e-3, 1e-6, 1e-9)
 both = pytest.mark.parametrize("compiled", [False, True], ids=["python", "compiled"])
 IMPLICIT = ("midpoint", "newmark", "gauss4")
+SOLVING = [slug for slug, step in STEPPING.items() if step.solved or step.splits]
+"""Methods that solve equations, or the coupling spring, exactly: no step of theirs is too long for stability."""
 
 
 def quoted(slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
@@ -62,8 +65,14 @@ def test_frequencies_close_to_each_other_are_no_harder(compiled: bool) -> None:
 def test_where_both_modes_swing_all_swings_are_stepped_through(compiled: bool) -> None:
     for slug, ratio in (("wide", 2000), ("light", 1000)):
         found = stepping(slug, 1e-3, compiled)
-        assert all(evaluations > PERIODS * ratio for evaluations in found.values())
+        stepped = {name: count for name, count in found.items() if name not in EXPONENTIAL}
+        assert all(evaluations > PERIODS * ratio for evaluations in stepped.values())
+        assert all(10 * found[name] < min(stepped.values()) for name in EXPONENTIAL), (
+            "the stiff spring is solved exactly"
+        )
         for run in (recorded(slug).compiled if compiled else recorded(slug).runs).every:
+            if run.method in EXPONENTIAL:
+                continue
             if run.error is not None and run.error < 0.5 and METHODS[run.method].family == "fixed":
                 assert run.mode_errors[0] < run.mode_errors[1], "the fast mode is lost first"
 
@@ -73,11 +82,11 @@ def test_an_explicit_method_follows_a_mode_at_rest() -> None:
     gauss = stepping("wider", 1e-6, False)["gauss4"]
     problem = SYSTEMS["wider"].problem()
     for slug, step in STEPPING.items():
-        if not step.solved and slug != "euler":
+        if not step.solved and not step.splits and slug != "euler":
             assert stable_count(slug, problem) * 1000 * step.evaluations > 1000 * gauss, slug
     for compiled in (False, True):
         found = stepping("wider", 1e-6, compiled)
-        assert all(found[slug] > 1000 * gauss for slug in found if slug in STEPPING and slug not in IMPLICIT)
+        assert all(found[slug] > 1000 * gauss for slug in found if slug in STEPPING and slug not in SOLVING)
 
 
 def coarsest(method: str, compiled: bool = False) -> Run:
@@ -99,7 +108,7 @@ def test_long_steps_of_newmark_ring_to_the_end_and_of_radau_and_bdf_not() -> Non
 @pytest.mark.parametrize("slug", SYSTEMS)
 def test_what_is_seen_at_first_has_the_best_of_each_kind(slug: str, compiled: bool) -> None:
     """By evaluations, within a quarter: what no machine changes. Explicit and implicit are two kinds; what costs ten
-    times the best of all wins nowhere."""
+    times the best of all wins nowhere, and one step of three evaluations an output is as good as any."""
     for wanted in WANTED:
         found = stepping(slug, wanted, compiled)
         found = {name: cost for name, cost in found.items() if cost < 10 * min(found.values())}
@@ -109,14 +118,15 @@ def test_what_is_seen_at_first_has_the_best_of_each_kind(slug: str, compiled: bo
                 if METHODS[name].family == family and METHODS[name].solved == implicit
             }  # fmt: skip
             seen = [cost for name, cost in kind.items() if name in LIVE]
-            assert not kind or (seen and min(seen) <= 1.25 * min(kind.values())), (wanted, kind)
+            assert not kind or (seen and min(seen) <= max(3000, 1.25 * min(kind.values()))), (wanted, kind)
 
 
 @pytest.mark.parametrize("slug", SYSTEMS)
 def test_both_kinds_have_the_same_errors(slug: str) -> None:
     known = recorded(slug)
     python = {(run.method, run.setting): run.error for run in known.runs.every if run.error is not None}
-    pairs = [(run, python.get((run.method, run.setting))) for run in known.compiled.every if run.error is not None]
+    fixed = [run for run in known.compiled.every if run.family == "fixed"]
+    pairs = [(run, python.get((run.method, run.setting))) for run in fixed if run.error is not None]
     assert sum(error is not None for _, error in pairs) > 5
     for run, error in pairs:
         assert error is None or run.error == pytest.approx(error, rel=1e-3, abs=1e-11), run

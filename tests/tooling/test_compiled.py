@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.solvers import METHODS
-from tests.bench.compiled import run_compiled
+from tests.bench.compiled import compiled_linear, run_compiled, run_modes, run_slides
 
 DRIVEN = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))
 RUBBED = SYSTEMS["dashpot"].problem()
@@ -19,7 +20,7 @@ RUBBED = SYSTEMS["dashpot"].problem()
 
 @pytest.mark.parametrize(
     ("method", "problem"),
-    [*((slug, DRIVEN) for slug in STEPPING), *((slug, RUBBED) for slug in ("rk4", "newmark"))],
+    [*((slug, DRIVEN) for slug in STEPPING), *((slug, RUBBED) for slug in ("rk4", "newmark", "radau5", "alpha"))],
     ids=lambda value: value if isinstance(value, str) else "rubbed" if value.c else "driven",
 )
 def test_both_kinds_give_the_same_numbers(method: str, problem: Problem) -> None:
@@ -34,3 +35,25 @@ def test_both_kinds_give_the_same_numbers(method: str, problem: Problem) -> None
         for run in (METHODS[method].run, lambda *asked: run_compiled(method, *asked)):
             with pytest.raises(StoppedError, match="unstable step: h omega_"):
                 run(replace(problem, t=100 * problem.t), 1, Watch(bound=1e3))
+
+
+@pytest.mark.parametrize("slug", ["benign", "wide", "dashpot", "near"])
+def test_the_closed_form_in_doubles_is_the_same_compiled(slug: str) -> None:
+    problem = SYSTEMS[slug].problem(5, 100)
+    for method, run in (("eigh", run_modes), ("slides", run_slides)):
+        if method == "slides" or not problem.c:
+            one, other = METHODS[method].run(problem, 0, Watch()), run(problem, 0, Watch())
+            np.testing.assert_allclose(other.x, one.x, rtol=0, atol=1e-9 * np.max(np.abs(one.x)))
+            np.testing.assert_allclose(other.v, one.v, rtol=0, atol=1e-9 * np.max(np.abs(one.v)))
+    with pytest.raises(StoppedError, match=r"D\(omega\) = 0"):
+        run_slides(SYSTEMS["resonance"].problem(5, 100), 0, Watch())
+
+
+@pytest.mark.parametrize("slug", ["benign", "near"])
+def test_solvers_find_the_same_motion_with_a_compiled_right_hand_side(slug: str) -> None:
+    problem = SYSTEMS[slug].problem(2, 40)
+    for method in ("rk45", "lsoda", "fortran"):
+        one, other = METHODS[method].run(problem, 1e-6, Watch()), partial(METHODS[method].run, linear=compiled_linear)
+        other = other(problem, 1e-6, watch := Watch())
+        assert watch.evaluations > 100
+        np.testing.assert_allclose(other.x, one.x, rtol=0, atol=1e-4)

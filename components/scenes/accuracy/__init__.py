@@ -114,7 +114,7 @@ class Accuracy(Scene):
         Group("Steps", (steps,), form=F.view["drift"]),
         Group("Run", (wanted, limit), form=F.races),
         Group("Time of the steps", (clock,), form=F.view["time"]),
-        Group("× closed form", (unit,), form=F.view["time"]),
+        Group("× closed form", (unit,), form=F.in_units),
         Group("Compared at", (equal,), form=F.view["growth"]),
         Group("", (cost,), form=F.cost),
     )

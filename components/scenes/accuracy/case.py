@@ -10,7 +10,7 @@ import numpy as np
 
 from components.scenes.accuracy.data import MORE, Known, compiled_only, picked_run
 from components.scenes.accuracy.measuring import LIVE
-from components.scenes.accuracy.prices import PriceRow, price_list, unreached
+from components.scenes.accuracy.prices import PriceRow, power, price_list, unreached
 from physics.integrators.accuracy import Run, System, entered
 from physics.integrators.drift import Drift, drifts, exact
 from physics.integrators.price import at_cost, at_error
@@ -57,12 +57,6 @@ class AccuracyCase:
         return picked_run(self.drawn, self.picked)
 
     @cached_property
-    def stiff(self) -> Run | None:
-        """The first run of LSODA that takes most of its steps by the formulas for stiff equations."""
-        runs = self.drawn.good("lsoda") if "lsoda" in self.methods else ()
-        return next((run for run in runs if run.stiff_share > 0.5), None)
-
-    @cached_property
     def ends(self) -> dict[str, Run]:
         """The run at the end of the line of each method, beside which its name stands."""
         return {slug: good[-1] for slug in self.methods if (good := self.drawn.good(slug))}
@@ -89,12 +83,19 @@ class AccuracyCase:
 
     @cached_property
     def rows(self) -> list[PriceRow]:
-        return price_list(self.drawn, self.methods, self.wanted, self.unit)
+        unit = "doubles" if self.clock == "compiled" else self.unit  # like with like
+        return price_list(self.drawn, self.methods, self.wanted, unit)
 
     @cached_property
     def unreached(self) -> str:
         """The sentence on the methods that do not reach the wanted error, or ""."""
         return unreached(self.drawn, self.methods, self.wanted)
+
+    @cached_property
+    def switched(self) -> str:
+        """The tolerances at which LSODA takes most of its steps by formulas for stiff equations, or ""."""
+        runs = self.drawn.good("lsoda") if "lsoda" in self.methods else ()
+        return ", ".join(power(run.setting) for run in runs if run.stiff_share > 0.5)
 
     @cached_property
     def racing(self) -> tuple[str, ...]:

@@ -20,8 +20,12 @@ from physics.integrators.solvers import ATOL, METHODS
 
 MORE = "more"
 """The group of the methods that are recorded only; switched off until asked for."""
-ALONE, BEHIND = "rec_", "old_"
-"""Sources of recorded runs begin with these: where nothing was measured here, and behind what was."""
+ALONE, BEHIND, ASKED = "rec_", "old_", "tol_"
+"""Sources of recorded runs begin with these: where nothing was measured here, and behind what was; and at last sources
+of the runs of solvers with the tolerances that are marked."""
+MARKED = (1e-3, 1e-6, 1e-9)
+"""The relative tolerances that are marked along the line of each solver."""
+ADAPTIVE = tuple(slug for slug, method in METHODS.items() if method.family == "adaptive")
 WRONG = 3.0
 """Larger errors are not drawn: nothing of the motion is right."""
 
@@ -68,6 +72,10 @@ class Known:
         """The runs of a method that can be drawn."""
         return (self.here if self.is_here(method) else self.before).good.get(method, ())
 
+    def marked(self, method: str) -> Sequence[Run]:
+        """The runs of a solver that are marked on its line."""
+        return [run for run in self.good(method) if run.setting in MARKED]
+
     def is_here(self, method: str) -> bool:
         return method in self.here.by_method
 
@@ -77,8 +85,9 @@ def _is_good(run: Run) -> bool:
 
 
 def compiled_only(measured: Known) -> Known:
-    """The methods that are compiled, and those without steps; nothing compiled is measured here."""
-    without = [slug for slug, method in METHODS.items() if method.family in ("closed", "exact")]
+    """Return the runs of compiled methods, and of methods without steps that were not; none is measured here."""
+    without = [slug for slug in METHODS if METHODS[slug].family in ("closed", "exact")]
+    without = [slug for slug in without if slug not in measured.compiled.by_method]
     here, before, scale = (
         Series(tuple(run for run in series.every if run.method in without))
         for series in (measured.here, measured.before, measured.scale)
@@ -94,7 +103,7 @@ def work(measured: Known) -> dict[str, Columns]:
         alone, behind = ({}, before or scale) if measured.is_here(slug) else (before, scale)
         for source, points in ((slug, here), (ALONE + slug, alone), (BEHIND + slug, behind)):
             columns[source] = points.get(slug, {})
-    return columns
+    return columns | {ASKED + slug: _points(measured.marked(slug)) for slug in ADAPTIVE}
 
 
 def _points(runs: Sequence[Run]) -> Columns:
@@ -147,6 +156,9 @@ def picked_run(measured: Known, picked: Sequence[str]) -> Run | None:
     if len(picked) != 2 or not picked[1].isdigit():
         return None
     source, place = picked[0], int(picked[1])
+    if source.startswith(ASKED):
+        marked = measured.marked(source.removeprefix(ASKED))
+        return marked[place] if place < len(marked) else None
     runs = measured.before if source.startswith((ALONE, BEHIND)) else measured.here
     good = runs.good.get(source.removeprefix(ALONE).removeprefix(BEHIND), ())
     return good[place] if place < len(good) else None

@@ -25,8 +25,8 @@ from physics.integrators.accuracy_worker import encoded_system
 KEPT = 64
 """The number of finished measurements that are remembered."""
 LIVE = (
-    "closed", "slides", "eigh", "expm", "verlet", "newmark", "rk4", "gauss4", "yoshida6", "nystrom6",
-    "dop853", "radau", "bdf", "lsoda", "fortran", "adams",
+    "closed", "slides", "eigh", "expm", "verlet", "newmark", "rk4", "gauss4", "radau5", "yoshida6",
+    "nystrom6", "gautschi", "dop853", "radau", "bdf", "lsoda", "fortran", "adams",
 )  # fmt: skip
 """The methods that are measured while a visitor looks on, the best of each kind: few enough for a minute."""
 WAITING = 8

@@ -18,7 +18,7 @@ from components.layout.stage import ON_NARROW, ON_WIDE, Looks, PlotFrame, circle
 from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar
 from components.scenes.accuracy.axes import Axes
 from components.scenes.accuracy.case import NAMED, AccuracyCase
-from components.scenes.accuracy.data import ALONE, BEHIND, MORE, Kept
+from components.scenes.accuracy.data import ADAPTIVE, ALONE, ASKED, BEHIND, MORE, Kept
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.words import Forms
 from components.scenes.accuracy.words import Numbers as N
@@ -39,6 +39,7 @@ KEYS = (
     phrase("closed", "none", "ink", formula="● none"),
     phrase(MORE, "line", "mute", formula=f"{len(METHODS) - len(LIVE)} more"),
 )
+
 
 scalar = Scalar[AccuracyCase]
 
@@ -68,9 +69,6 @@ class Places(Declared[AccuracyCase]):
     named = Family(NAMED, lambda slug: scalar(lambda c, a: slug in c.named), "{}_named")
     at = Family(NAMED, lambda slug: scalar(lambda c, a: _time(c.named.get(slug), a)), "{}_at")
     error = Family(NAMED, lambda slug: scalar(lambda c, a: _error(c.named.get(slug), a)), "{}_error")
-    stiff = scalar(lambda c, a: c.stiff is not None)
-    stiff_at = scalar(lambda c, a: _time(c.stiff, a))
-    stiff_error = scalar(lambda c, a: _error(c.stiff, a))
     picked = scalar(lambda c, a: c.run is not None)
     picked_named = scalar(lambda c, a: c.run is not None and c.run.method not in c.named)
     picked_at = scalar(lambda c, a: _time(c.run, a))
@@ -85,7 +83,7 @@ def work_plot() -> Block:
         x=Axes.time,
         y=Axes.error,
         title="Error of the motion against run time, one line a method",
-        curves=(*_recorded(), *_front()),
+        curves=(*_recorded(), *_front(), *_tolerances()),
         x_column=Axes.time,
         heading=(phrase("", "none", "ink", formula="**Error against run time**, steps"), *KEYS),
         handles=(Handle(parameter="wanted", label="Accepted error", tint="mute", axis="y"),),
@@ -96,7 +94,7 @@ def work_plot() -> Block:
         ),
         shapes=(*_meanings(), *_names(), *_ring()),
         pick="picked",
-        room=Room(54, 12),
+        room=Room(54, 84),
         phone=10,
         height=420,
     )
@@ -117,9 +115,16 @@ def _recorded() -> Iterable[Curve]:
             yield curve(Axes.error, source=source, group=group, tint=tint, width=width, marker=marker)
 
 
+def _tolerances() -> Iterable[Curve]:
+    for slug in ADAPTIVE:
+        group = "adaptive" if slug in LIVE else MORE
+        yield curve(Axes.error, source=ASKED + slug, group=group, tint="ink", width="none", marker="ring")
+
+
 def _names() -> Iterable[AnyShape]:
+    """The names at the ends of the lines; that of the closed form over the line of one rounding."""
     for slug in NAMED:
-        x, y = WORK.x(var(Places.at[slug])), WORK.y(var(Places.error[slug]))
+        x, y = WORK.x(var(Places.at[slug])), WORK.y(var(Places.error[slug])) - (14 if slug == "closed" else 0)
         look = {"anchor": "beside", "tint": LOOK[METHODS[slug].family]["tint"], "style": "halo"}
         yield text(x, y, METHODS[slug].mark, show=Places.named[slug], **look)
 
@@ -130,11 +135,9 @@ def _meanings() -> Iterable[AnyShape]:
     told: dict[str, Any] = {"tint": "mute", "style": "t1 halo"}
     methods = f"{len(LIVE)} methods"
     x, y = (WORK.left + WORK.right) / 2, (WORK.top + WORK.bottom) / 2
-    stiff = WORK.x(var(Places.stiff_at)), WORK.y(var(Places.stiff_error))
     return (
-        text(limit - 6, rounding - 6, "one rounding, 1.1·10⁻¹⁶", anchor="end", **told),
+        text(limit - 6, rounding + 14, "one rounding", anchor="end", **told),
         text(limit, WORK.top, f"runs here stop at {N.limit}", anchor="beside", **told),
-        text(*stiff, "most steps by BDF", anchor="beside", show=Places.stiff, **told),
         *shown_by(
             Places.empty,
             text(x, y, f"Press Run: {methods} on this motion, within a minute.", style="halo", show=ON_WIDE),

@@ -9,7 +9,7 @@ from components.quantities.formatting import short, three
 from components.scenes.accuracy.data import Known
 from physics.integrators.accuracy import Run
 from physics.integrators.price import Price, in_doubles, prices
-from physics.integrators.solvers import METHODS
+from physics.integrators.solvers import IN_PYTHON, METHODS
 
 PriceRow = tuple[str, tuple[str, ...]]
 """A method and its cells."""
@@ -28,6 +28,11 @@ def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str
     }
     quoted = (one for one in _quoted(measured, methods, wanted) if one.time is not None)
     return [(one.method, price_cells(one, units[measured.is_here(one.method)])) for one in quoted]
+
+
+def method_name(price: Price) -> str:
+    """The name, with a mark where only the right-hand side is compiled."""
+    return METHODS[price.method].mark + (" °" if price.compiled and price.method in IN_PYTHON else "")
 
 
 def _quoted(measured: Known, methods: Sequence[str], wanted: float) -> list[Price]:
@@ -70,7 +75,7 @@ def price_cells(price: Price, unit: float | None) -> tuple[str, ...]:
     """Name, evaluations, run time in ms, and its ratio to the closed form's where there is one."""
     time, unsteady = price.time or 0.0, "" if price.repeats is not False else " ±"
     ratio = short(time / unit) if unit else ""
-    name, evaluations = METHODS[price.method].mark, evaluations_text(price.method, price.evaluations)
+    name, evaluations = method_name(price), evaluations_text(price.method, price.evaluations)
     return name, evaluations, f"{three(1e3 * time)}{unsteady}", ratio
 
 

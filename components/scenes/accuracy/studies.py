@@ -36,6 +36,10 @@ ALIKE = {
     "nystrom4": "Nyström 4",
     "nystrom6": "Nyström 6",
     "midpoint": "Midpoint, Newmark, Gauss 4",
+    "radau5": "Radau IIA 5",
+    "alpha": "Generalized-α",
+    "sdirk2": "SDIRK 2",
+    "ieuler": "Implicit Euler",
 }
 """Methods that treat an oscillation alike in a step share a line, under the name of the first."""
 LASTING = (
@@ -189,8 +193,8 @@ class Digits(Declared[AccuracyCase]):
 def stability_view() -> Block:
     """Amplification a step, and how many steps stability asks for."""
     told = words(
-        "A step that is too long explodes. Above 1 an oscillation grows in every step; below 1, as with RK4, it loses "
-        "energy.",
+        "A step that is too long explodes. Above 1 an oscillation grows in every step; below 1, as with RK4 and "
+        "implicit Euler, it loses energy.",
         name="stability",
         style="plain",
         phone=16,
