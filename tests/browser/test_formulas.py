@@ -14,6 +14,10 @@ from tests.serving.server import Server
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 DERIVATIVES = (r"\dot{x}", r"\ddot{x}", r"\dot{\theta}", r"\ddot{x}_1")
 
+LARGER = f"""["mtext", "mi"].map(
+  name => parseFloat(getComputedStyle(document.querySelector(name)).fontSize) / {SIZE}
+)"""
+
 
 @pytest.fixture
 def shown(engine: Window, server: Server) -> Window:
@@ -32,3 +36,9 @@ def test_the_dots_of_a_derivative_are_close_above_its_letter(shown: Window, late
 def test_a_frequency_and_its_sign_are_one_symbol(shown: Window, sign: str, tmp_path: Path) -> None:
     inside, after, _ = Ink(shown, rf"\omega_{sign} = 1", tmp_path / "formula.png").gaps(axis=0)
     assert inside < 0.15 * SIZE < 0.4 * SIZE < after < 0.55 * SIZE
+
+
+def test_words_in_a_formula_are_as_large_as_the_text_around_it(shown: Window, tmp_path: Path) -> None:
+    """The letters of the formula itself are larger, because those of its font are small."""
+    Ink(shown, r"\text{slow} = x", tmp_path / "formula.png")
+    assert shown.evaluate(LARGER) == pytest.approx([1.05, 1.13], abs=0.005)
