@@ -66,7 +66,7 @@ FAULTS = r"""([least, leastIndex]) => {
     const holder = scroller(piece.owner)
     const frame = holder?.getBoundingClientRect() ?? {left: 0, right: innerWidth, top: -Infinity, bottom: Infinity}
     // What a list that scrolls along holds beyond its edge is not cut off.
-    const isList = holder?.matches(".tabs, .tiles, .chips, .roles, .words, .table, .choice, .head, .group")
+    const isList = holder?.matches(".tabs, .tiles, .chips, .mode-row, .roles, .words, .table, .choice, .head, .group")
     if (isList && wide(holder)) piece.gone = true
     else if (piece.boxes.some(box => isCut(box, frame))) faults.push(`cut: ${named(piece)}`)
     piece.boxes = piece.boxes.filter(({top, bottom}) => bottom > frame.top && top < frame.bottom)

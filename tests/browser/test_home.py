@@ -23,6 +23,10 @@ LEAVES = """() => [...document.querySelectorAll("body *")].filter(one => one.che
 SMALL = """() => [...document.querySelectorAll("a, button, input")].filter(one => one.checkVisibility())
   .filter(one => one.getBoundingClientRect().height < 24).map(one => one.outerHTML.slice(0, 80))"""
 
+READ = """() => [...document.querySelectorAll("h1, h2, a, button, input")].filter(one => one.checkVisibility())
+  .map(one => one.getBoundingClientRect()).map(({left, top, height}) => [Math.round(top + height / 2), left])"""
+"""How far down and right each part is, in the order in which a screen reader reads them."""
+
 
 @pytest.mark.parametrize("how", ["mouse", "keys"])
 def test_every_scene_is_there_and_opens(how: str, page: Page, server: Server) -> None:
@@ -49,6 +53,18 @@ def test_nothing_leaves_any_screen_and_all_can_be_hit(page: Page, server: Server
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), (width, height)
         assert page.evaluate(LEAVES) == [], (width, height)
         assert page.evaluate(SMALL) == [], (width, height)
+
+
+def test_on_a_phone_it_is_read_in_the_order_in_which_it_is_seen(page: Page, server: Server) -> None:
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(server.url)
+    read = page.evaluate(READ)
+    rows = sorted({round(y / 8) for y, _ in read})
+    assert len(rows) > 10
+    assert [y for y, _ in read] == pytest.approx(sorted(y for y, _ in read), abs=8)
+    for row in rows:
+        places = [x for y, x in read if round(y / 8) == row]
+        assert places == sorted(places)
 
 
 def test_each_picture_in_view_moves_and_no_other(page: Page, server: Server) -> None:

@@ -22,6 +22,10 @@ FITS = """() => {
 }"""
 """The last answer is above the buttons, which stay visible at the bottom of the screen."""
 
+READ = """() => [...document.querySelectorAll(".asked-line, h1, .block:is(.stage, .plot), .answers, .foot")]
+  .filter(one => one.checkVisibility()).map(one => one.getBoundingClientRect().top)"""
+"""The parts in the order in which a screen reader reads them: how far down each is."""
+
 
 @pytest.fixture
 def tour(new_page: Callable[..., Page], server: Server) -> Page:
@@ -45,6 +49,8 @@ def test_all_of_a_question_is_on_the_first_screen(tour: Page, size: tuple[int, i
         parts = (".asked-line", "h1", ".block:is(.stage, .plot):visible", ".answers button")
         places = [bottom(tour, part) for part in parts]
         assert places == sorted(places), (step.id, places)
+        read = tour.evaluate(READ)
+        assert read == sorted(read), (step.id, read)
         expect(tour.locator(".foot .ruler .here")).to_be_in_viewport(ratio=1)
         expect(tour.locator(".foot")).to_contain_text(f"{STEPS.index(step) + 1} of {len(STEPS)}")
         tour.get_by_role("button", name="Skip").click()
@@ -90,3 +96,22 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
     end.get_by_role("link", name="Calm a machine").click()
     tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
+
+
+LOWEST = """() => Math.min(
+  ...oscillations.plots.filter(({host}) => host.checkVisibility()).map(({frame}) => frame.height)
+)"""
+ON_SCREEN = """() => document.querySelector(".foot .filled").getBoundingClientRect().bottom <= innerHeight"""
+"""The button that continues, without scrolling."""
+
+
+def test_an_answer_on_a_small_phone_has_its_curve_and_the_way_on(tour: Page) -> None:
+    tour.set_viewport_size({"width": 320, "height": 568})
+    for step in STEPS:
+        tour.wait_for_function(AT, arg=step.id)
+        tour.locator(".answers button").first.tap()
+        tour.locator(".foot .filled").click()
+        expect(tour.get_by_role("heading", level=1)).to_have_text(step.title)
+        tour.wait_for_function(ON_SCREEN)
+        assert tour.evaluate(LOWEST) >= 28, step.id
+        tour.locator(".foot .filled").click()

@@ -9,10 +9,12 @@ from playwright.sync_api import Page
 
 from components.layout.views import View
 from components.scenes import SCENES
-from tests.browser.waiting import passed, redrawn
+from tests.browser.boxes import faults
+from tests.browser.waiting import passed, redrawn, seek
 
 pytestmark = pytest.mark.browser
 VIEWS = [pytest.param(slug, view, id=f"{slug}-{view.slug}") for slug, scene in SCENES.items() for view in scene.views]
+SCREENS = ((390, 844), (320, 568), (844, 390), (853, 480), (1250, 590), (1280, 720), (1920, 1080))
 IN_VIEWS = [slug for slug, scene in SCENES.items() if scene.views]
 BOTTOMS = """parts => {
   const found = [...oscillations.page.sheet.hosts].filter(([block]) => parts.includes(block.part))
@@ -59,6 +61,21 @@ def test_a_phones_first_screen_has_all_that_the_task_names(
     page.set_viewport_size({"width": 844, "height": 390})
     passed(page)
     assert page.evaluate(SIDE_BY_SIDE)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("slug", "view"), VIEWS)
+def test_nothing_overlaps_or_is_cut_in_any_view(
+    slug: str, view: View, new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(width=1280, height=720), scene=slug, view=view.slug)
+    found = []
+    for width, height in SCREENS:
+        page.set_viewport_size({"width": width, "height": height})
+        passed(page)
+        seek(page, 0.0)
+        found += [f"{width} x {height}: {fault}" for fault in faults(page)]
+    assert not found, "\n".join(found)
 
 
 @pytest.mark.parametrize("slug", IN_VIEWS)

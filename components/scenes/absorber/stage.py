@@ -109,14 +109,18 @@ def _alone() -> list[Shape]:
 def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Shape]:
     """The arrow from equilibrium to the mass; its number is where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, var(S.x[who])), f"m{i}"
-    alone = "alone: " if who == ALONE else ""
-    look = {"words": f"{alone}*x*_{i} = {S.x[who]} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
-    if i == 1:
-        names = [text(zero - WIDE * var(P.lead[who]) * W - 8, lift + 5, anchor="end", **look)]
+    number = f"*x*_{i} = {S.x[who]} {N.x_unit}"
+    look = {"tint": tint, "style": "t2 b halo"}
+    if i == 1:  # on a phone there is no room for more than the number
+        aside, said = zero - WIDE * var(P.lead[who]) * W - 8, "alone: " if who == ALONE else ""
+        names = [
+            text(aside, lift + 5, f"{said}{number}", "end", show=ON_WIDE, **look),
+            text(aside, lift + 5, number, "end", show=ON_NARROW, **look),
+        ]
     else:  # the verdict is on its right where there is room
         names = [
-            text(zero - 8, lift - 10, anchor="end", show=ON_WIDE, **look),
-            text(W, lift - 10, anchor="end", show=ON_NARROW, **look),
+            text(zero - 8, lift - 10, number, "end", show=ON_WIDE, **look),
+            text(W, lift - 10, number, "end", show=ON_NARROW, **look),
         ]
     return [line(x, top, x, lift, tint="mute", style="eq told"), arrow(zero, lift, x, lift, tint=tint), *names]
 
@@ -162,7 +166,7 @@ def _forces() -> list[Shape]:
 def _verdicts() -> list[Shape]:
     # Above everything that mass 2 does. On a phone there is no room: over the upper machine, next to its floor.
     above = FLOORS[0] - 0.5 * side(1) + 6 - NARROW * (0.5 * side(1) + 13) - HALL * 12
-    below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 3)
+    below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 14)
     told = "verdict b halo told"
     return [
         text(W, above, "Alone, it shakes", "end", style=told, show=P.alone_shakes),

@@ -46,7 +46,7 @@ def _standing(unit: str) -> dict[str, Axis]:
     """The axes that nothing but the unit of the periods changes."""
     return by_name({
         **dict.fromkeys((Axes.error, Axes.error_growth, Axes.energy_growth), ERROR),
-        Axes.drift_t: nice_axis(0.0, float(PERIODS), unit, 4, exact=True),
+        Axes.drift_t: nice_axis(0.0, float(PERIODS), unit, 2, exact=True),
         Axes.period: nice_axis(0.0, float(MARKS[-1]), unit, 5, exact=True),
         Axes.span: log_axis(5.0, 500.0, "slow periods"),
         Axes.span_time: log_axis(3e-5, 30.0, "s"),

@@ -7,6 +7,7 @@ from components.language.shapes import Turn
 from components.layout.grabs import begin
 from components.layout.stage import (
     NARROW,
+    ON_NARROW,
     ON_WIDE,
     WIDE,
     H,
@@ -86,7 +87,7 @@ def coordinates() -> list[Shape]:
 def pendulum() -> list[Shape]:
     """Pivot, arc, bob, and a ring at the bob's position in the small-angle approximation."""
     x, y, rod, radius = CENTRE, TOP + var(Hung.pivot) * HIGH, var(Hung.rod) * HIGH, 0.066 * HIGH
-    bob = (x + rod * var(S.angle_sine), y + rod * var(S.angle_cosine))
+    bob, weight = (x + rod * var(S.angle_sine), y + rod * var(S.angle_cosine)), "weight *m g*"
     rule = (x + rod * var(S.rule_sine), y + rod * var(S.rule_cosine))
     end, near, ends = var(Hung.theta_0), rod - 7, []
     turn = Turn(parameter="theta_0", moves=S.angle.name, size=DEGREE, x=x, y=y)
@@ -110,7 +111,8 @@ def pendulum() -> list[Shape]:
         arrow(*bob, bob[0], bob[1] + 0.17 * HIGH, tint="k", style="thick", head=17),
         circle(*bob, radius, style="body", tint="m1", grab=swing),
         text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
-        text(bob[0] + 12, bob[1] + 0.16 * HIGH, "weight *m g*", anchor="start", tint="k", style="t2 b halo"),
+        text(bob[0] + 12, bob[1] + 0.16 * HIGH, weight, "start", tint="k", style="t2 b halo", show=ON_WIDE),
+        text(bob[0], bob[1] + 0.17 * HIGH + 15, weight, tint="k", style="t2 b halo", show=ON_NARROW),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
     return shown_by(P.of["pendulum"], *found)

@@ -205,7 +205,8 @@ def shapes() -> list[AnyShape]:
         found.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [place(i, part) for i, part in zip(chain.BOTH, parts, strict=True)]
         found += DRAWN.masses(base, *places, small=True)
-        found.append(text(W, base - 5, f"{mode} part", "end", tint=mode, style="t0 halo", show=ON_NARROW))
+        above = base - 0.056 * chain.BODY  # a mass comes by under it
+        found.append(text(W, above, f"{mode} part", "end", tint=mode, style="t0 halo", show=ON_NARROW))
         for i, at in zip(chain.BOTH, places, strict=True):
             low = base - 0.026 * chain.BODY
             found += [arrow(chain.rest(i), low, at, low, tint=mode), *mode_hands(mode, i, at, base)]

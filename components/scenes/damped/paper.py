@@ -231,7 +231,7 @@ def block() -> list[Shape]:
             wide(2, 0.58 * W), wide(16, 0.28 * H), f"*x* = {c.x:+} {X.unit}", "start", tint="m1", style="t2 b halo",
         ),
         text(
-            2, foot + 26, "smooth table, seen from above", "start", tint="mute", style="halo", show=(ON_WIDE, AT_DESK),
+            2, foot + 26, "table, seen from above", "start", tint="mute", style="halo", show=(ON_WIDE, AT_DESK),
         ),
     ]  # fmt: skip
 

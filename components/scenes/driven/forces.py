@@ -35,7 +35,7 @@ def polygon() -> Block:
         *shown_by(p.idle, text(CENTER, BASE - 40, "no push", tint="mute", style="t2")),
     ]
     label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
-    return stage(*shapes, label=label, grow=230, phone=11, height=184, style="still", name="forces")
+    return stage(*shapes, label=label, grow=230, phone=11, height=184, style="still second", name="forces")
 
 
 def arrows(

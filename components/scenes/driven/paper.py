@@ -123,9 +123,10 @@ def displacement() -> Block:
         always_formula=f"growth {rate}",
         first_formula=f"growth at first {rate}",
     )
+    name = either(c.view == "formulas", yes="*x*", no="displacement *x*")  # the formulas need the room
     base = either(c.base_form, name="base *y*", name_formula=rf"$y = {c.Y} \sin({c.omega}\,t)$")
     return X.block(
-        curve(c.x, "sum", "m1", label="*x*", words="displacement *x*", fast="ringing", dot=True),
+        curve(c.x, "sum", "m1", label="*x*", words=name, fast="ringing", dot=True),
         curve(c.x_p, "line", "xp", words=steady, read="steady part", fast="band", dot=True),
         curve(c.y, "line", "xp", words=base, read="base", fast="band", dot=True),
         curve(c.x_c, "dash", "xc", words=transient, read="complementary part", fast="ringing", dot=True),

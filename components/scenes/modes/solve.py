@@ -186,7 +186,7 @@ def _mode_title(mode: str) -> list[Shape]:
     """The title of a mode over its chain, with its shape. On a phone the shape is under the arrows."""
     j = chain.MODES.index(mode)
     title, shape = f"{mode} mode, *ω*_{{{SIGNS[j]}}} = {N.omega[j]} rad/s", f"*X*_2/*X*_1 = {N.ratio[j]}"
-    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.49, ON_NARROW)
+    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.465, ON_NARROW)
     return [
         text(chain.WALL * W, (TOPS[mode] + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
         for words_, share, show in lines
