@@ -175,9 +175,14 @@ def with_long(report: Report, found: dict[str, list[Run]]) -> Report:
         stopped = (run for run in runs[slug] if run.failure and run.method in tried and not run.compiled)
         gone = keys | {_key(run) for run in stopped}
         runs[slug] = _in_order([*(run for run in runs[slug] if _key(run) not in gone), *many])
-    names = ", ".join(SYSTEMS[slug].name for slug in LONG)
-    told = f"{_now()}, up to {PATIENCE:g} s a run, once, on a busy machine: solvers that choose their steps on {names}"
+    names = "; ".join(f"{_marks(many)} on {SYSTEMS[slug].name}" for slug, many in found.items() if many)
+    told = f"{_now()}, up to {PATIENCE:g} s a run, once, on a busy machine: {names}"
     return replace(report, runs=runs, about={**report.about, "long": told})
+
+
+def _marks(runs: Iterable[Run]) -> str:
+    """The names of the methods of some runs."""
+    return ", ".join(dict.fromkeys(METHODS[run.method].mark for run in runs))
 
 
 def twice(first: Report, second: dict[str, list[Run]]) -> Report:
