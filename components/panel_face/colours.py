@@ -20,7 +20,7 @@ def colours() -> dict[str, str]:
 
 
 def diverging() -> list[str]:
-    """Return colours from the tint m2 over white to the tint m1."""
+    """Return colours from the tint m2 through white to the tint m1."""
     hues = [np.array([int(colours()[tint][i : i + 2], 16) for i in (1, 3, 5)]) for tint in ("m2", "m1")]
     shares = np.linspace(-1.0, 1.0, SHADES)
     mixed = [255 + abs(share) ** 0.7 * (hues[int(share > 0)] - 255) for share in shares]

@@ -48,7 +48,7 @@ class Windowed:
 
     @property
     def own_end(self) -> float:
-        """The end of the window in s if the frame has none."""
+        """The end of the time window in s that the picture chooses, for a frame without one."""
         return self.window or self.lasting
 
     @property

@@ -10,7 +10,7 @@ export function showWaiting(page, waiting) {
   for (const plot of page.plots) if (plot.shown) plot.handles.place()
 }
 
-/** Marks a handle, choice or field if one of its parameters waits. @param {Element} part @param {Waits} waiting */
+/** Marks a handle, choice or field with an unsent parameter. @param {Element} part @param {Waits} waiting */
 function mark(part, waiting) {
   const names = (part.getAttribute("data-grab") ?? part.getAttribute("data-name") ?? "").split(" ")
   const name = names.find(one => waiting.has(one))

@@ -1,4 +1,4 @@
-// The stages and plots that can be saved as pictures: visible and not hidden until an answer.
+// The stages and plots that can be saved as pictures: visible, and not hidden by an open question.
 
 import {isCovered} from "../compare/cover.js"
 

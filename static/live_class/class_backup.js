@@ -82,7 +82,7 @@ export class Copies {
     this.#wait()
   }
 
-  /** Copies the answers to one vote. */
+  /** Saves a copy of one vote's answers. */
   async #copy() {
     const {code, key} = this.room
     const [vote] = this.stale

@@ -2,7 +2,7 @@
 
 import {fetchJson} from "./requests.js"
 
-const FIRST = [3, 12] // requests, at least and at most
+const FIRST = [3, 12] // requests to estimate the clock offset, at least and at most
 const THEN = [1, 3]
 const LIMIT = 2000 // ms for one: what takes longer says little
 const CLOSE = 10 // ms: more requests need not better such a bound

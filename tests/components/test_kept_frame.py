@@ -1,4 +1,4 @@
-"""The frame after a change: axes, window, scale and speed stand; they grow where they must, and Fit fits."""
+"""The frame after a change: axes, window, scale and speed stay, or grow if they must; Fit fits them again."""
 
 from __future__ import annotations
 

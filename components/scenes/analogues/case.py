@@ -77,7 +77,7 @@ class AnalogueCase(Windowed):
 
     @cached_property
     def period(self) -> float:
-        """The energy. Raise ValueError if it leaves the range of doubles."""
+        """The period in s. Raises ValueError if it leaves the range of doubles."""
         period = self.pendulum.period(self.q_0) if self.pendulum else self.spring.period
         if math.isinf(period):
             raise ValueError(f"the period leaves {DOUBLES}")

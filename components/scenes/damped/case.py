@@ -191,7 +191,7 @@ def kept(decrement: float, least: float = ALL_BUT) -> str:
 
 
 def _home_thrice(case: DampedCase) -> float:
-    """The time in s until it is home with three times the damping, released at rest."""
+    """With three times the damping, released at rest: the time in s until the mass is back."""
     heavier = DampedOscillator(m=case.m, c=scaled(0, 3.0, case.c), k=case.k)
     return FreeDecay(oscillator=heavier, x_0=case.x_0, v_0=0.0).settled(HOME) or 0.0
 
