@@ -100,7 +100,7 @@ def test_a_start_beyond_the_top_is_refused(theta_0):
         Pendulum(l=1.0, g=1.0).period,
         lambda theta: Pendulum(l=1.0, g=1.0).motion(theta, [0.0]),
     ):
-        with pytest.raises(ValueError, match=r"an angle of .* below the top"):
+        with pytest.raises(ValueError, match=r"an angle (of .* below the top|in rad is a finite number)"):
             call(theta_0)
 
 

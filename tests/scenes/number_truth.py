@@ -147,7 +147,7 @@ def forced(scene: Any) -> Truth:
     found |= {"mark_still": mp.sqrt(k2 / m2), "works1": 0, "works2": 0, "work": 0}
     if not (c1 or c2):
         one, two = k1 + k2 - m1 * w**2, k2 - m2 * w**2
-        found["D"] = one * two - k2**2, abs(one * two) + k2**2
+        found["D"] = one * two - k2**2, (k1 + k2 + m1 * w**2) * (k2 + m2 * w**2) + k2**2
         if k2:
             near = min(_modes(scene), key=lambda mode: abs(mode[0] - w))
             M = m1 + m2 * near[1] ** 2
@@ -179,7 +179,7 @@ def modes(scene: Any) -> Truth:
     m1, m2, k1, k2, w, ratio = _of(scene, "m1", "m2", "k1", "k2", "omega", "ratio")
     found = _named(scene, ("omega_slow", "omega_fast"), ("ratio_slow", "ratio_fast"))
     one, two = k1 + k2 - m1 * w**2, k2 - m2 * w**2
-    found["D"] = one * two - k2**2, abs(one * two) + k2**2
+    found["D"] = one * two - k2**2, (k1 + k2 + m1 * w**2) * (k2 + m2 * w**2) + k2**2
     if k2:
         found |= {"row1": (one / k2, max(abs(one), k1 + k2) / k2), "gamma": (m1 / m2 - (k1 + k2) / k2) / 2}
         found["delta"] = mp.sqrt(found["gamma"] ** 2 + m1 / m2)

@@ -140,7 +140,8 @@ def swinging(one: DampedOscillator) -> float:
 
 def driven_fastest(scene: Any) -> float:
     size = {"force": scene.F_0, "base": scene.Y, "unbalance": scene.moment}[scene.kind]
-    return max(swinging(DampedOscillator(m=scene.m, c=scene.c, k=scene.k)), scene.omega if size else 0.0)
+    repeats = size and not (scene.kind == "force" and scene.push in ("step", "impulse"))
+    return max(swinging(DampedOscillator(m=scene.m, c=scene.c, k=scene.k)), scene.omega if repeats else 0.0)
 
 
 FASTEST: dict[str, Callable[[Any], float]] = {

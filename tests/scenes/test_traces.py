@@ -19,6 +19,8 @@ from tests.page.told import picture_wire
 
 NEAR = {"absorber": 1e-7}
 """Of the frame."""
+CORNERS = {"x_sliced": 5e-3}
+"""A sum of slices has a corner of its velocity at each slice, which samples cut."""
 TOLD, CLOSED = 1e-6, 1e-9
 """A motion that is told as a table of one period is the first much off, one by a formula the second."""
 
@@ -59,7 +61,7 @@ def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
             off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(
                 axis.place(axis.end) - axis.place(axis.start)
             )
-            assert off < near, (values, source, name, off)
+            assert off < CORNERS.get(name, near), (values, source, name, off)
             checked += 1
         for source, one in shown.traces.items():
             np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
