@@ -72,7 +72,7 @@ class DrivenScene(DashpotScene, CaseScene):
             kind="unbalance", omega=9.425,
         ),
         example(
-            "Third harmonic", "A square push, and three swings in each: harmonic 3 is at the peak, 0.135 m.", BELOW,
+            "Harmonic", "A square push, and three swings in each: harmonic 3 is at the peak, 0.135 m.", BELOW,
             push="square", omega=2.0944, c=1.0,
         ),
     )  # fmt: skip
