@@ -237,7 +237,7 @@ function sameStart({x, y}, plot) {
   const {left: start, top: high, width, height} = plot.frame
   const [left, size] = [x + RING + 5, units("t1")]
   const right = left + textWidth(SAME)
-  const room = {left: start, right: start + width, top: high, bottom: high + height}
+  const room = {left: start, right: start + width, top: high, bottom: high + height - size} // above the time's pill
   const wishes = [y - RING - 2, y + RING + size].map(foot => ({left, right, top: foot - size, bottom: foot}))
   const [found] = places([{wishes, across: 4 * size, down: 4 * size, room}], piecesOf(plot))
   const place = found ?? wishes[0]
