@@ -1,4 +1,4 @@
-r"""A motion as the sum of what the slices of a push leave: m x'' + c x' + k x = F(t) from rest.
+r"""A motion as the sum of the responses to slices of a push: m x'' + c x' + k x = F(t) from rest.
 
 A short slice of a push, from u to u + du, acts like an impulse F(u) du, which leaves the motion h(t - u) F(u) du. The
 motion is the sum of them all, the convolution x = integral of h(t - u) F(u) du. A slice of the width w at the middle of
@@ -69,7 +69,7 @@ class SlicedPush:
 
     @cached_property
     def x(self) -> ExactMotion:
-        """The sum in m of all that the slices and the start leave, in doubles."""
+        """The sum in m of the responses to the slices and of the free motion, in doubles."""
         steps, (x, v) = self._steps, self._sampled
         sliced = Elementary(
             symbol="x_sliced",
@@ -78,8 +78,7 @@ class SlicedPush:
             size=lambda: float(np.abs(x).max()),
             omega=self.oscillator.omega_d,
         )
-        free = FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0).x
-        return MotionPolynomial(((ONE, (sliced,)), (ONE, (free,)))) if self.x_0 or self.v_0 else sliced
+        return MotionPolynomial(((ONE, (sliced,)), (ONE, (self._free.x,)))) if self.x_0 or self.v_0 else sliced
 
     def miss(self, x: Array) -> float:
         """Return the largest distance in m of the sum from the motion from rest, given at `instants` (n,)."""
@@ -88,13 +87,17 @@ class SlicedPush:
     @property
     def reach(self) -> float:
         """The largest |x| in m of the sum."""
-        free = FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0).fadings[0].at(self.instants)
+        free = self._free.fadings[0].at(self.instants)
         return float(np.abs(self._sampled[0][: self._steps + 1] + free).max())
 
     @property
     def instants(self) -> Array:
-        """The times (n,) in s at which the sum is sampled, those of the slices among them."""
+        """The times (n,) in s at which the sum is sampled, including the middles of the slices."""
         return np.linspace(0.0, self.end, self._steps + 1)
+
+    @cached_property
+    def _free(self) -> FreeDecay:
+        return FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0)
 
     @property
     def _steps(self) -> int:

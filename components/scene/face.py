@@ -12,7 +12,6 @@ from bokeh.models import ColumnDataSource
 from param.parameterized import discard_events
 
 from components.quantities.parameters import AnyParameter, Values
-from components.scene.docstrings import documented
 from components.scene.picture import Picture
 from components.scene.scene import Scene
 
@@ -121,7 +120,7 @@ class SceneFace(param.Parameterized):
 def face_of(kind: type[Scene]) -> type[SceneFace]:
     """Return the class of the faces of a kind of scene, which has its parameters."""
     parameters = {name: _unbound(one) for name, one in kind.param.objects("existing").items() if name != "name"}
-    return type(f"{kind.__name__}Face", (SceneFace,), {"scene_kind": kind, "__doc__": documented(kind), **parameters})
+    return type(f"{kind.__name__}Face", (SceneFace,), {"scene_kind": kind, "__doc__": kind.__doc__, **parameters})
 
 
 def _unbound(parameter: AnyParameter) -> AnyParameter:

@@ -21,12 +21,12 @@ class SceneInfo(param.Parameterized):
 
     slug: ClassVar[str]
     title: ClassVar[str]
-    lecture: ClassVar[str] = ""
-    points: ClassVar[str] = ""
+    lecture: ClassVar[str]
+    points: ClassVar[str]
     """The part of the lecture that it is about."""
-    headline: ClassVar[str] = ""
+    headline: ClassVar[str]
     """The main statement of the scene, in a sentence."""
-    equations: ClassVar[tuple[str, ...]] = ()
+    equations: ClassVar[tuple[str, ...]]
     """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
     """The numbers that a screen reader announces when they change: the name of each, and its live numbers with unit."""
