@@ -1,10 +1,10 @@
 """Causes of the residuals of a damped sinusoid: forces and motions that the model lacks.
 
 The residuals are compared with products of slow polynomials and the fitted swing: in step with it its amplitude
-differs, a quarter of a cycle off its frequency. The curvature of the amplitude's difference tells two frictions apart:
-with the drag of air an amplitude falls more slowly than an exponential at the end, with dry friction faster. What no
-product explains is another mode, or nothing known here. The scatter is that of third differences of neighbouring rows,
-of which a smooth motion is no part.
+differs, a quarter of a cycle off its frequency. The curvature of the amplitude's difference shows the kind of friction:
+with the drag of air an amplitude falls more slowly than an exponential at the end, with dry friction faster. Residuals
+that no product explains come from another mode, or from an unknown cause. The scatter is estimated from third
+differences of neighbouring rows, in which a smooth motion vanishes.
 """
 
 from enum import StrEnum

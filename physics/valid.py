@@ -34,7 +34,7 @@ def shown(value: object) -> str:
 
 
 def keep_doubles(record: object, *names: str) -> None:
-    """Store the numbers of a frozen record as doubles. What is no number stays, for the check that refuses it."""
+    """Store the numbers of a frozen record as doubles. Other values stay as they are, and the check refuses them."""
     for name in names:
         if is_number(value := getattr(record, name)):
             object.__setattr__(record, name, float(value))

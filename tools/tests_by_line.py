@@ -42,8 +42,8 @@ class TestsByLine:
         (self.kept / "running.xml").rename(self.kept / "times.xml")
 
     def tests(self, file: str, line: int, seconds: float) -> list[str]:
-        """Return tests that take so many seconds together: those that run the line, then those that run its file, the
-        quickest first. What runs at import or is cached has no test of its own, so its file must do."""
+        """Return tests that take so many seconds together, the quickest first: tests that run the line, then tests that
+        run its file. For a line that runs at import or is cached, only the tests of its file are known."""
         lines = self._data.contexts_by_lineno(file)
         of_line, of_file = _named(lines.get(line, [])), _named(test for tests in lines.values() for test in tests)
         found, left = list[str](), seconds

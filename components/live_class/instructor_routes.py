@@ -48,9 +48,8 @@ class OpenClass(Opener):
 
     async def post(self) -> None:
         phrase, owner = self.context.settings.class_passphrase, ""
-        if not phrase or not is_key(
-            unquote(self.word), digest(phrase)
-        ):  # visitors who know the passphrase do not wait for those who do not
+        # A visitor who knows the passphrase does not wait for the others.
+        if not phrase or not is_key(unquote(self.word), digest(phrase)):
             owner = await self.admit()
             if phrase:
                 raise RefusedError(401, WRONG if self.word else ASKED)

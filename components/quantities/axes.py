@@ -131,7 +131,7 @@ class Axis(Struct, frozen=True, dict=True):  # replacing a Struct is ten times a
 
 
 ONE = Axis(-1.0, 1.0)
-"""Return the axis of pure numbers of order one: sines, cosines, shares."""
+"""The axis of pure numbers of order one: sines, cosines, shares."""
 
 
 def ordered(span: Range) -> Range:

@@ -173,8 +173,9 @@ class Admission:
 
 
 def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
-    """Return the visitor to drop for one of a network when the server is full: one who has been idle for long;
-    otherwise the quietest of another network that has more than its share.
+    """Return the visitor to drop for a new one of a network when the server is full.
+
+    It is a visitor who has been idle for long; otherwise the quietest one of another network that exceeds its share.
     """
     quietest = sorted(guests, key=lambda key: guests[key].heard)
     if quietest and now - guests[quietest[0]].heard >= IDLE:

@@ -61,7 +61,7 @@ def _averaged_numbers(first: float, last: float, problem: Problem, h: float) -> 
 
 
 def _collocated(order: int, nodes: tuple[float, ...], matrix: Array, weights: Array) -> Stepping:
-    """A Runge-Kutta method, its steps written out as one would by hand."""
+    """A Runge-Kutta method with unrolled steps."""
     source = _written(nodes)
 
     def advance(accelerate: Acceleration) -> Advance:
@@ -112,7 +112,7 @@ def _forces(problem: Problem) -> tuple[Array, Array]:
 
 
 RHO = 0.8
-"""What a step of generalized-alpha leaves of an oscillation that is far too fast for it."""
+"""The share of a much too fast oscillation that a step of generalized-alpha leaves."""
 ALPHA_M, ALPHA_F = (2 * RHO - 1) / (RHO + 1), RHO / (RHO + 1)
 GAMMA, BETA = 0.5 - ALPHA_M + ALPHA_F, (1 - ALPHA_M + ALPHA_F) ** 2 / 4
 

@@ -1,4 +1,4 @@
-"""The shape of a method with fixed steps: what it is given, and what it gives back."""
+"""The interface of a method with fixed steps: its arguments and its results."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -25,8 +25,8 @@ Compiler = Callable[[Any], Any]
 class Stepping:
     """A method: its order, how often it evaluates the right-hand side in a step, and its stepping function.
 
-    `advance` writes it around a right-hand side; `numbers` is what it is given of a problem and a step. Without
-    `friction` it is for forces that depend on the position alone; `solved` are linear equations solved in advance.
+    `advance` writes it around a right-hand side; `numbers` are its coefficients for a problem and a step. A method that
+    lacks `friction` is for forces that depend on the position only; `solved` are linear equations solved in advance.
     With `memory` the next step depends on the accelerations too. A method that `splits` solves the coupling spring
     exactly: the right-hand side it evaluates has k2 = 0.
     """

@@ -2,7 +2,7 @@
 
 - fixed steps: the stepping functions of physics.integrators.fixed_steps. A run is one loop over the outputs, compiled
   too; between blocks of it the clock is looked at;
-- solvers that choose their steps: their right-hand side, a function of its own for each motion;
+- solvers with adaptive steps: their right-hand side, one function for each motion;
 - the closed form in doubles: modes by eigh and the slide formulas, from the constants to the last output.
 
 What numba takes to compile is no part of a run: `compiled_methods` has all of it done.

@@ -20,13 +20,13 @@ from physics.reference.damped import free_part
 Truth = dict[str, Any]
 DIGITS = 150
 MOST_MASSES = 100
-"""Of a chain whose stiffness matrix is diagonalised."""
+"""The largest chain whose stiffness matrix is diagonalised."""
 NEAR = 1e-12
 POINTS, CUSP = 400, 0.05
 """Points of the quadrature of a flight, and the |C| below which it needs more."""
 ROUNDED = 1e-6
-"""The size, beside that of a sum, of a term that is within rounding errors of the sum: the tolerance is 1e-9."""
-"""A relative distance from a resonance; nearer, doubles do not tell the drive from it."""
+"""The relative size of a term that is within rounding errors of a sum: the tolerance is 1e-9."""
+"""The relative distance from a resonance below which doubles do not distinguish the drive from it."""
 
 
 def _of(scene: Any, *names: str) -> list[Any]:

@@ -1,4 +1,4 @@
-"""The view Convolution of the driven mass: the slices of a push, what they leave, and their sum."""
+"""The view Convolution of the driven mass: the slices of a push, the responses to them, and their sum."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def in_convolution() -> list[Block]:
 
 
 def tails() -> Block:
-    """Return the plot of the motion, of what each slice leaves, and of the sum."""
+    """Return the plot of the motion, of the responses to the slices, and of their sum."""
     paths = SUM.in_frame(c, "tails", lambda c, t, x: c.tail_path(), optional=True)
     return SUM.block(
         curve(c.x_sliced, "dash", "xp", words="sum", read="sum of the slices", dot=True),

@@ -41,7 +41,7 @@ def polygon() -> Block:
 def arrows(
     up: Number, across: Number, aside: Number, end: Number, first: tuple[str, str], third: tuple[str, str], way: int
 ) -> list[Shape]:
-    """The first arrow up, that of the dashpot across, the third one down."""
+    """The first arrow up, the arrow of the dashpot across, the third arrow down."""
     near, far = ("start", "end") if way < 0 else ("end", "start")
     return [
         arrow(CENTER, BASE, CENTER, up, tint=first[0], head=13),

@@ -17,7 +17,7 @@ from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 ALONE = 0.02
 """If spring and inertia leave less than this share of the dashpot's force, it holds the push alone."""
 AT_ROOT = 1e-3
-"""Distance of r from √2 within which all dashpots are alike, if three digits say so."""
+"""Distance of r from √2 within which the dashpot makes no difference, if the amplitude agrees in three digits."""
 
 
 def _size(case: DrivenCase) -> float:

@@ -1,4 +1,4 @@
-"""The push of the driven mass in slices, each of which acts like an impulse, and the sum of what they leave."""
+"""The push of the driven mass in slices, each of which acts like an impulse, and the sum of the responses."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class SlicedCase(PushedCase):
 
     @property
     def in_slices(self) -> bool:
-        """True if slices are drawn: those of a force, of a motion that is not too fast for a line."""
+        """True if slices are drawn: the drive is a force, and the motion is slow enough for a line."""
         return self.kind == "force" and self.is_driven and drawable(self.highest, self.times)
 
     @cached_property

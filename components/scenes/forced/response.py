@@ -140,7 +140,7 @@ def _units(case: AnyCase) -> tuple[float, float]:
 
 
 def _cuts(case: Undamped) -> list[tuple[float, int, bool]]:
-    """Where a branch begins: the frequency, the branch, and whether it is a pole. A free mass 2 does not count."""
+    """Return the frequency where each branch begins, the branch, and True for a pole. A free mass 2 does not count."""
     branches = {"minus": 1, "still": 2, "plus": 3}
     return [(case.marks[name], i, name != "still") for name, i in branches.items() if name in case.marks]
 
