@@ -1,4 +1,4 @@
-"""Dragging: the dragged shape follows within a frame, even if answers are late; letting go plays from the start."""
+"""Dragging: the dragged shape follows within two frames, even if answers are late; letting go plays from the start."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     hand.down(was["x"], was["y"])
     for dx, dy in WAYS:
         hand.move(was["x"] + dx, was["y"] + dy)
-        passed(page, 1)
+        passed(page, 2)
         far = off(grip.evaluate(PLACE), was["x"] + dx, was["y"] + dy)
         assert far < NEAR or was["bound"], grip.get_attribute("data-of")
     assert not was["begins"] or page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
@@ -281,13 +281,13 @@ def off(at: dict[str, Any], x: float, y: float) -> float:
 
 
 def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...]) -> None:
-    """Take a grip and drag it along `along`, which it must follow within a frame; the pointer stays pressed."""
+    """Take a grip and drag it along `along`, which it must follow within two frames; the pointer stays pressed."""
     x, y = middle(grip)
     page.mouse.move(x, y)
     page.mouse.down()
     for dx, dy in ways:
         page.mouse.move(x + dx, y + dy)
-        passed(page, 1)
+        passed(page, 2)
         at = middle(grip)
         assert "x" not in along or at[0] == pytest.approx(x + dx, abs=NEAR)
         assert "y" not in along or at[1] == pytest.approx(y + dy, abs=NEAR)
@@ -451,7 +451,7 @@ def test_the_dot_of_nyquist_goes_round_its_loop(desk: bool, new_page: Callable[.
     hand.down(was["x"], was["y"])
     for far in (20, 40, 60):
         hand.move(was["x"], was["y"] + far)
-        passed(page, 1)
+        passed(page, 2)
     page.wait_for_function(f"{omega} > 0.52 && {QUIET}")
     hand.up()
     page.wait_for_function(f"!oscillations.page.hand.grab && {QUIET}")

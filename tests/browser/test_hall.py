@@ -150,7 +150,7 @@ def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] / 2 + 60, box["y"] + box["height"] / 2, steps=4)
     expect(page.locator(".pointer")).to_be_visible()
-    passed(page, 1)
+    passed(page, 2)
     held = page.locator(".grip.held").bounding_box()
     assert held and abs(held["x"] - box["x"] - 60) < 2  # the hand is where the mouse is
     page.mouse.up()

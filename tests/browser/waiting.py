@@ -55,7 +55,9 @@ def played(page: Page, frames: int) -> None:
 
 
 def passed(page: Page, frames: int = 3) -> None:
-    """The browser has had this many chances to draw."""
+    """The browser has had this many chances to draw. Two are needed until the page has drawn an event, because a page
+    that waited for work may ask for its frame after the test has.
+    """
     page.evaluate(PASSED, frames)
 
 
