@@ -5,7 +5,7 @@ import {play} from "./core/moving.js"
 import {fetchJson} from "./live_class/requests.js"
 import {turnTheme} from "./shell/theme.js"
 
-/** Fetches all that a scene needs before it is pressed. @param {HTMLAnchorElement} link */
+/** Fetches the files of a scene when its picture is about to be pressed. @param {HTMLAnchorElement} link */
 function ahead({dataset}) {
   const {version} = document.documentElement.dataset
   for (const [rel, href] of [
@@ -17,7 +17,7 @@ function ahead({dataset}) {
   }
 }
 
-/** A code is asked about before the page is left. @param {HTMLFormElement} form */
+/** Checks with the server that a class has this code, before the page changes to it. @param {HTMLFormElement} form */
 function join(form) {
   const field = /** @type {HTMLInputElement} */ (form.querySelector("input"))
   const says = /** @type {HTMLElement} */ (form.querySelector("[role=alert]"))

@@ -37,7 +37,7 @@ const PARTS = {
 /** @type {Partial<Record<Name, Promise<unknown>>>} */
 const fetched = {}
 
-/** @type {Partial<Record<Name, unknown>>} the last action that needs a part */
+/** @type {Partial<Record<Name, unknown>>} the last action that waits for each part */
 const last = {}
 
 /** @type {() => void} removes the notice */
@@ -53,7 +53,7 @@ export function later(name) {
 }
 
 /**
- * Does something with a part when it is fetched. Of several calls before that, only the last one has an effect.
+ * Calls `act` with a part as soon as it is fetched. Of several calls before that, only the last one has an effect.
  * @template {Name} Key @param {Key} name @param {(part: Awaited<ReturnType<Parts[Key]>>) => void} act
  */
 export async function using(name, act) {

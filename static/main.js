@@ -34,7 +34,7 @@ export class Lecture {
   /** @type {Promise<unknown>} */
   turning = Promise.resolve()
 
-  /** @type {Promise<void> | undefined} until the first try to connect has ended */
+  /** @type {Promise<void> | undefined} resolves when the first try to connect has ended */
   connected
 
   /** @type {Hall} */ hall
@@ -108,7 +108,7 @@ export class Lecture {
 
   /** Opens a state, which resets every control. @type {Messages["send"]} */
   #go(message, about) {
-    this.page?.controls.release() // the visitor may choose a link before the first page is ready
+    this.page?.controls.release() // there is no page yet if the visitor follows a link early
     this.messages.send(message, about)
     this.#wait()
   }
@@ -133,7 +133,7 @@ export class Lecture {
     page.speak()
   }
 
-  /** The state and the unsent values, for the page that replaces this one. */
+  /** The state and the unsent values, for the page after a reload. */
   get left() {
     return {...this.messages.state, waiting: this.messages.left}
   }
@@ -213,7 +213,7 @@ export class Lecture {
   async #show(shown, asked) {
     guarded(() => this.hall.stand(shown.state))
     if (shown.scene === this.page?.spec.slug) {
-      guarded(() => this.#wait()) // before the change, because it is overwritten, and after it for the earlier picture
+      guarded(() => this.#wait()) // the picture overwrites the marks, so mark unsent values before and after
       this.page.apply(shown, asked)
       guarded(() => this.hall.shown(this.page))
       guarded(() => this.#wait())
@@ -280,7 +280,8 @@ export class Lecture {
   }
 
   /**
-   * Updates the address. A turn is a new entry of the history; a value only changes the current entry.
+   * Updates the address. Another scene, step or view (`turn`) adds a history entry; a value only changes the current
+   * entry.
    * @param {Drawn} shown @param {boolean} turn
    */
   #write(shown, turn) {

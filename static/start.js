@@ -2,5 +2,5 @@
 
 import {begin} from "./main.js"
 
-// A page that follows a class does not contain a picture.
+// A page that follows a class contains no first picture.
 if (document.getElementById("opening")) begin()

@@ -6,8 +6,8 @@ import {later, using} from "../later.js"
 import {toSI} from "../core/ruler.js"
 import {evaluate, roots} from "../core/signals.js"
 
-const LINGER = 1500 // ms for which earlier curves stay after the end of a drag
-const LAST = 500 // ms after a key until it is taken for the last one
+const LINGER = 1500 // ms for which the earlier curves stay visible after a drag
+const LAST = 500 // ms without another key press, after which a change by keys counts as finished
 
 export class Compare {
   /** @type {import("./ghosts.js").Ghosts | undefined} */
@@ -19,12 +19,12 @@ export class Compare {
   /** @type {Drawn | null} the picture from before a drag */
   beforeDrag = null
 
-  /** @type {string} the press that changes it */
+  /** @type {string} id of the press of a pointer or key that changes the picture */
   press = ""
 
   pressed = false
 
-  /** @type {Named | null} the frozen instant and signals, until a prediction is revealed */
+  /** @type {Named | null} the frozen time and signals, while the visitor predicts */
   still = null
 
   /** @type {number | undefined} */
@@ -33,9 +33,9 @@ export class Compare {
   /** @type {number | undefined} set until the server knows that the drag or key press has ended */
   leaving
 
-  undoGroup = "" // the fit of the frame after a drag belongs to the same group
+  undoGroup = "" // one undo takes back the drag and the fit of the frame after it
 
-  /** @type {string[]} the axes that a handle has been moved along since the last time that a hand let go */
+  /** @type {string[]} the axes along which handles were moved during this drag */
   along = []
 
   /** @type {Drawn | null} */
@@ -53,19 +53,19 @@ export class Compare {
       addEventListener(name, event => this.#released(event), how)
   }
 
-  /** Holds the picture that is drawn now, or releases the one held. */
+  /** Button Hold: keeps the current picture for comparison, or drops the one that was kept. */
   toggle() {
     this.page.host.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
   }
 
-  /** Lets the visitor choose parts to cover; if something is covered, uncovers everything. */
+  /** Button Predict: lets the visitor choose parts to cover. If some are covered, it uncovers them all. */
   #predict() {
     const {host, shown} = this.page
     if (shown.state.covered.length) return host.change(() => ({covered: []}))
     using("compare/predict", ({choose}) => choose(this.page, this.predict))
   }
 
-  /** One more part of the page waits for a prediction. @param {string} cover */
+  /** Covers one more part of the page, until the visitor has predicted it. @param {string} cover */
   cover(cover) {
     this.page.host.change(({covered}) => ({covered: [...covered, cover]}))
   }
@@ -77,7 +77,7 @@ export class Compare {
   }
 
   /**
-   * Remembers the current curves at the first change of a press of a pointer or key.
+   * Remembers the current curves when a pointer or key makes its first change.
    * @param {string} press @param {string} undoGroup @param {page.BrowserMessage} message
    */
   set(press, undoGroup, message) {
@@ -85,7 +85,7 @@ export class Compare {
     const goesOn = press === this.press || (this.beforeDrag && press.startsWith("key") && this.press.startsWith("key"))
     if (!goesOn || !this.beforeDrag) this.beforeDrag = this.page.shown
     this.press = press
-    this.undoGroup = "holding" in message ? "" : undoGroup // a grip reports its end itself
+    this.undoGroup = "holding" in message ? "" : undoGroup // a grip reports the end of its drag itself
     clearTimeout(this.ending)
     clearTimeout(this.leaving)
     if (!this.pressed) this.#released()
@@ -100,7 +100,10 @@ export class Compare {
     this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
   }
 
-  /** Ends a change by a slider or key; a refit of the frame then belongs to the same undo step. */
+  /**
+   * Tells the server that the change by a slider or key has ended. The server may then fit the frame again; undo takes
+   * back both.
+   */
   #letGo() {
     const {undoGroup} = this
     if (undoGroup)
@@ -108,7 +111,7 @@ export class Compare {
     Object.assign(this, {undoGroup: "", press: "", along: []})
   }
 
-  /** Keeps this picture under the next one, which is drawn in its frame. */
+  /** Shows the curves of this picture under the next picture, in the same frame. */
   keep() {
     this.beforeDrag = this.page.shown
     this.press = ""
@@ -121,7 +124,8 @@ export class Compare {
   }
 
   /**
-   * Freezes the drawing as soon as there is something to predict; a revealed part plays from its start.
+   * Freezes the drawing while the visitor has to predict a change. When the change is revealed, the clock restarts from
+   * 0.
    * @param {Drawn} shown
    */
   stand({state, view: {signals, scalars}}) {
@@ -129,14 +133,14 @@ export class Compare {
     const isAsked = Boolean(state.before)
     if (isAsked) clock.playing = false
     if (isAsked === Boolean(this.still)) return
-    // Everything except the sentence with the reason, which is read aloud.
+    // Disable every control except the note with the reason, which screen readers read out.
     for (const part of transport.element.children) part.toggleAttribute("inert", isAsked && part !== transport.note)
     const {t} = clock
     this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.grab?.named ?? {})), t} : null
     if (!isAsked) clock.restart()
   }
 
-  /** The numbers of an instant as they are drawn, while a hand may move some of them. @param {number} t */
+  /** The drawn numbers at time `t`; a drag in progress replaces some of them. @param {number} t */
   named(t) {
     const {hand, shown} = this.page
     const {signals, scalars} = shown.view
@@ -150,7 +154,7 @@ export class Compare {
     const {held, state} = shown
     if (asked && !asked.undoGroup) this.beforeDrag = null
     if (hasLetGo(asked?.message)) this.ending = setTimeout(() => this.#forget(), LINGER)
-    if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
+    if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // keep them for now
     this.last = shown
     const isHeld = Boolean(state.held)
     this.hold.textContent = isHeld ? "Release" : "Hold"
@@ -184,11 +188,11 @@ export class Compare {
     return JSON.stringify(earlier) !== JSON.stringify(parameters)
   }
 
-  /** Draws the picture held, or else the one from before a drag. */
+  /** Draws the compared picture, or else the one from before a drag. */
   #draw() {
     const {shown} = this.page
     const {held, view, state} = shown
-    const name = state.step && this.#differs() ? "before" : "" // a step names the curves of its question
+    const name = state.step && this.#differs() ? "before" : "" // in a step of a walk, label the curves of the question
     /** @type {import("./ghosts.js").Under | null} */
     let under = null
     if (held) under = {columns: held.columns, axes: view.axes, name: name || "held"}
@@ -198,7 +202,7 @@ export class Compare {
     this.ghosts?.update(under, held)
   }
 
-  /** Once a frame. @param {number} t */
+  /** Called in each animation frame. @param {number} t */
   frame(t) {
     this.ghosts?.frame(t)
   }

@@ -1,19 +1,19 @@
-// A cover in place of a plot or a number that waits for a prediction: the numbers under it have not been sent.
+// Covers for plots and numbers that the visitor has to predict. The server does not send the numbers under them.
 
 import {chip, element, long} from "../core/dom.js"
 
 const FIGURE_SPACE = "\u2007"
 
-const LONGEST = 16 // signs of what passes for a number: a sentence keeps no width, which could not be broken
+const LONGEST = 16 // characters; a longer text becomes a single "?", because a blank cannot wrap
 
-/** A number that is covered keeps its width. @param {Element} number */
+/** Replaces a number by "?", padded to its width. @param {Element} number */
 export function coverNumber(number) {
   const {length} = number.textContent ?? ""
   const side = FIGURE_SPACE.repeat(length > LONGEST ? 0 : Math.floor(Math.max(length - 1, 0) / 2))
   number.textContent = `${side}?${side}`
 }
 
-/** The parts of a drawing that reveal the answer while the stage is covered: sketch.css hides them on the page. */
+/** Parts of a drawing that would reveal the answer while the stage is covered. On the page, sketch.css hides them. */
 export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
 
 const NAMED = new Set(["text", "circle", "wave"])

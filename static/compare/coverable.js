@@ -1,8 +1,8 @@
-// The parts of a page that can be covered, each by the name that it has on the screen.
+// The parts of a page that a visitor can cover, each with the name that the screen shows for it.
 
 import {plain} from "../core/plain.js"
 
-const LONGEST = 48 // number of characters from which a text is a sentence
+const LONGEST = 48 // a text with at least so many characters is a sentence
 
 /**
  * A part that can be covered: its name in covers and its name in a list.
@@ -25,7 +25,7 @@ export function parts({plots, spec, stages}) {
 }
 
 /**
- * The sentences and formulas that come and go, each by how it begins.
+ * The sentences and formulas that depend on the parameters, each listed by its first words.
  * @param {PartHost} page @returns {Coverable[]}
  */
 export const sentences = ({sheet}) =>

@@ -1,4 +1,5 @@
-// Curves of another picture, dotted, under the current ones. For the held picture also the moving shapes on the stage,
+// Curves of another picture, dotted, under the current ones. For the compared picture also the moving shapes on the
+// stage,
 // as outlines, the old positions of the sliders, and the ledger of numbers.
 
 import {element, long, marked, setAttributes, svg, textWidth, units} from "../core/dom.js"
@@ -10,9 +11,9 @@ import {piecesOf} from "../scene/label_collisions.js"
 import {places} from "../scene/places.js"
 import {kindOf} from "../scene/stage.js"
 
-const FAR = 1e4 // pixels beyond which no curve is followed
-const NEAR = 0.05 // pixels between what is the same
-const RING = 5.5 // radius around what is the same
+const FAR = 1e4 // pixels from the frame at which curves are cut off
+const NEAR = 0.05 // pixels; points closer than this are the same
+const RING = 5.5 // radius in pixels of the ring around a common start
 const SAME = "same start"
 
 /**
@@ -27,7 +28,7 @@ export class Ghosts {
   /** @type {Kept | null} */
   held = null
 
-  name = "" // of what is drawn under the current curves
+  name = "" // of the picture under the current curves
 
   /** @param {PartHost} page */
   constructor(page) {
@@ -53,7 +54,7 @@ export class Ghosts {
     this.page.redraw()
   }
 
-  /** Once a frame. @param {number} t */
+  /** Called in each animation frame. @param {number} t */
   frame(t) {
     if (!this.held) return
     const named = evaluate(this.held.signals, this.held.scalars, t)
@@ -80,7 +81,7 @@ function table(rows) {
   return element("table", {}, head, ...lines)
 }
 
-/** The old position of a slider. */
+/** A mark on a slider at its value in the compared picture. */
 class Thumb {
   /** @param {import("../controls/slider.js").Slider} slider */
   constructor(slider) {
@@ -100,12 +101,12 @@ class Thumb {
   }
 }
 
-/** Labels the held lines of a plot, and draws a ring if they start at the same point as the current ones. */
+/** The label of the compared curves in a plot, and a ring where they start at the same point as the current ones. */
 export class HeldName {
   /** @type {number | null} the preferred height of the label */
   end = null
 
-  /** @param {SVGElement} over what is drawn over the plot */
+  /** @param {SVGElement} over the layer over the plot */
   constructor(over) {
     this.name = svg("text", {class: "curve-label held-name"})
     this.same = svg("g", {class: "same"})
@@ -135,7 +136,7 @@ export class PlotGhost extends HeldName {
     super(plot.over)
     this.plot = plot
     this.lines = svg("svg", {class: "ghosts", "aria-hidden": "true"})
-    this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // of what is filled, which hides what is under it
+    this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // over the fills
     plot.host.prepend(this.lines)
     plot.figure.element.after(this.edges)
     plot.ghost = this
@@ -148,7 +149,7 @@ export class PlotGhost extends HeldName {
     if (!isPlaced) this.plot.still()
   }
 
-  /** Avoids the names of nearby curves. */
+  /** Places the label so that it does not overlap names of nearby curves. */
   place() {
     const {left, top, width, height} = this.plot.frame
     const lines = this.under ? linesOf(this.plot, this.under) : []
@@ -167,7 +168,7 @@ export class PlotGhost extends HeldName {
     this.#explain(this.end === null && lines.length ? name : "")
   }
 
-  /** Adds the dotted lines to the legend, if no curve carries their name. @param {string} name */
+  /** Adds the dotted lines to the legend if no curve has room for their name. @param {string} name */
   #explain(name) {
     if (name === this.legend?.textContent) return
     this.legend?.remove()
@@ -177,7 +178,7 @@ export class PlotGhost extends HeldName {
 }
 
 /**
- * The paths of all curves of a plot that columns hold, and of the edges of its bands.
+ * The paths of all curves of a plot for which there are columns, and of the edges of its bands.
  * @param {Canvas} plot @param {Under} under @returns {GhostLine[]}
  */
 export function linesOf(plot, {columns, axes}) {
@@ -219,7 +220,7 @@ export function linesOf(plot, {columns, axes}) {
 const isOne = far => Math.abs(far) < NEAR
 
 /**
- * Draws a ring where a curve and the held one have the same start, so that equal parts are as visible as differences.
+ * Rings where a curve and its compared curve start at the same point.
  * @param {GhostLine[]} lines @param {Canvas} plot
  */
 function starts(lines, plot) {
@@ -231,13 +232,13 @@ function starts(lines, plot) {
   return apart.length ? [...rings, sameStart(apart[0], plot)] : []
 }
 
-/** The words at a ring, above or below it, where no curve crosses them if there is such a place. @param {Point} ring
+/** The label of a ring: above or below it, preferably where no curve crosses it. @param {Point} ring
  * @param {Canvas} plot */
 function sameStart({x, y}, plot) {
   const {left: start, top: high, width, height} = plot.frame
   const [left, size] = [x + RING + 5, units("t1")]
   const right = left + textWidth(SAME)
-  const room = {left: start, right: start + width, top: high, bottom: high + height - size} // above the time's pill
+  const room = {left: start, right: start + width, top: high, bottom: high + height - size} // above the time
   const wishes = [y - RING - 2, y + RING + size].map(foot => ({left, right, top: foot - size, bottom: foot}))
   const [found] = places([{wishes, across: 4 * size, down: 4 * size, room}], piecesOf(plot))
   const place = found ?? wishes[0]
@@ -275,7 +276,10 @@ function path(points) {
   return d
 }
 
-/** The moving shapes of a stage: shapes that begin a motion when dragged, and others marked `held`. */
+/**
+ * Outlines of a stage's moving shapes in the compared picture: shapes that start a motion when dragged, and shapes
+ * marked `held`.
+ */
 export class StageGhost {
   /** @param {import("../scene/stage.js").Stage} stage */
   constructor(stage) {

@@ -1,16 +1,15 @@
-// The held picture's number, next to each label of a stage with a live number.
+// The number of the compared picture, next to each stage label that has a live number.
 
 import {setAttributes, svg} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
 import {moved} from "../scene/places.js"
 
-const GAP = 9 // units between a label and the number held
+const GAP = 9 // units between a label and the compared number
 
 export class HeldNumber {
   /**
    * @param {import("../scene/stage.js").Stage} stage @param {SVGTextElement} label
-   * @param {page.TextRun[]} words its number,
-   * with the words after it @param {string} tint
+   * @param {page.TextRun[]} words the label's number and the words after it @param {string} tint
    */
   constructor(stage, label, [{text: name}, ...rest], tint) {
     this.stage = stage
@@ -25,8 +24,8 @@ export class HeldNumber {
   }
 
   /**
-   * Skips equal numbers.
-   * @param {Named} named the quantities held @param {Drawn["view"]} view @param {string} prefix
+   * Shows the compared number, unless it equals the current one.
+   * @param {Named} named the quantities of the compared picture @param {Drawn["view"]} view @param {string} prefix
    */
   frame(named, view, prefix) {
     const {label, name, rest} = this
@@ -41,7 +40,7 @@ export class HeldNumber {
     this.text.textContent = `${prefix} ${held}${after}`
   }
 
-  /** To the right of the label, or above or below it if there is no room. */
+  /** Possible positions: to the right of the label, or above or below it if there is no room. */
   #wishes() {
     const {clear, size} = this.stage
     const {left, right, top, bottom} = clear.box(this.label)
@@ -49,12 +48,14 @@ export class HeldNumber {
     const beside = clear.box(this.text)
     const line = bottom - top + 3
     const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)
-    const edge = size.narrow ? clear.room.right : size.W // a stage on a phone has plots below it, not at its side
+    const edge = size.narrow ? clear.room.right : size.W // on a phone the plots are below the stage, not next to it
     return beside.right <= edge ? [beside, below] : [below]
   }
 }
 
-/** For each label of a stage with a moving number. @param {import("../scene/stage.js").Stage} stage */
+/**
+ * One compared number for each label of a stage with a moving number. @param {import("../scene/stage.js").Stage} stage
+ */
 export function heldNumbers(stage) {
   return stage.shapes.flatMap(({spec, parts: [label]}) => {
     if (spec.kind !== "text" || !(label instanceof SVGTextElement)) return []

@@ -1,4 +1,4 @@
-// The list of what a visitor can cover until a prediction has been made: the next change, a plot, a number.
+// The list of parts that a visitor can cover before predicting them: the next change, a plot, a number.
 
 import {button, element} from "../core/dom.js"
 import {parts} from "./coverable.js"
@@ -54,7 +54,7 @@ class CoverMenu {
     if (target instanceof Node && !this.element.contains(target) && !this.opener.contains(target)) this.close(false)
   }
 
-  /** @param {boolean} back the focus */
+  /** @param {boolean} back true to return the focus to the button */
   close(back) {
     this.gone.abort()
     this.element.remove()

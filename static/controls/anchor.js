@@ -2,17 +2,17 @@
 
 import {steady} from "./held.js"
 
-const STEP = 12 // pixels between the points at which a part is searched
+const STEP = 12 // pixels between the points at which a part is looked for
 
 let free = () => {}
 let isHeld = false
 let isDue = false
 
-/** Keeps the topmost visible part at its position, from scroll to scroll. */
+/** Keeps the topmost visible part at its position between two scrolls. */
 export function anchor() {
   if (CSS.supports("overflow-anchor", "auto")) return
   addEventListener("scroll", renew, {passive: true})
-  addEventListener("pointerdown", () => hold(true), true) // during a press the part under it stays
+  addEventListener("pointerdown", () => hold(true), true) // during a press, the pressed part stays in place instead
   for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => hold(false), true)
 }
 

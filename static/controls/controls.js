@@ -10,7 +10,7 @@ const TYPING = "Type a digit to open the field; Enter sets the number, Escape ca
 /**
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
  * @typedef {typeof import("../scene/picker.js").pictured} Pictured
- * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
+ * @typedef {(sets: Record<string, page.Value>) => void} Take applies a preset
  * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here">} PanelAnswer
  * @typedef {PanelAnswer & {view: Pick<page.PagePicture, "forms">}} PanelState
  */
@@ -46,7 +46,7 @@ class Presets {
     return (this.taken?.name === preset && this.taken.watch) || ""
   }
 
-  /** Marks a preset as chosen, but waiting, if all its values wait to be sent. @param {Waits} waiting */
+  /** Marks a preset as chosen, but not yet sent, if all its values wait to be sent. @param {Waits} waiting */
   wait(waiting) {
     const late = this.presets.map(({sets}) => isWithin(Object.entries(sets), waiting))
     for (const [i, one] of this.buttons.entries()) {
@@ -113,7 +113,10 @@ export class Controls {
   /** @type {ReturnType<typeof buildChoice>[]} */
   choices = []
 
-  /** @type {Map<string, {row: HTMLElement, place: Comment, form: string}>} the rows, and place and form of each */
+  /**
+   * @type {Map<string, {row: HTMLElement, place: Comment, form: string}>} the rows, each with its position and the form
+   * in which it is shown
+   */
   rows = new Map()
 
   /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
@@ -128,7 +131,7 @@ export class Controls {
   /** @type {string | undefined} the view whose controls are first */
   view
 
-  /** @type {boolean[]} of each group, whether all of its controls are elsewhere */
+  /** @type {boolean[]} for each group: true if all of its controls are among the view's key controls */
   bare = []
 
   /** @type {{span: HTMLElement, hint: string, names: string[]}[]} hints next to the titles of groups */
@@ -146,7 +149,7 @@ export class Controls {
     this.keys = element("section", {class: "group keys-of-view", hidden: ""}, this.keysTitle)
     this.send = send
     this.pictured = pictured
-    // Help is only for the control in focus.
+    // Show help only for the focused control.
     this.says = element("p", {class: "says", id: "controls-says"})
     this.sections = spec.groups.map(group => this.#section(group))
     this.presets = new Presets(spec, take)
@@ -156,7 +159,7 @@ export class Controls {
     host.append(...this.sections, this.says)
   }
 
-  /** Another state resets every control: typed and rejected texts disappear. */
+  /** Resets every control for another state: typed and rejected texts disappear. */
   release() {
     for (const slider of this.sliders.values()) slider.release()
   }
@@ -184,7 +187,7 @@ export class Controls {
     return span
   }
 
-  /** Shows values that are not answered yet as they were set. @param {Waits} waiting */
+  /** Shows values that the server has not answered yet as the visitor set them. @param {Waits} waiting */
   wait(waiting) {
     this.presets.wait(waiting)
     for (const [name, slider] of this.sliders) slider.wait(waiting.get(name))
@@ -248,7 +251,7 @@ export class Controls {
   }
 
   /**
-   * While the focus is in `part`, the help is of this parameter: in its slider, or in a handle that does the same.
+   * Shows the help of this parameter while the focus is in `part`: its slider, or a handle that sets it.
    * @param {HTMLElement} part @param {string} name
    */
   help(part, name) {
@@ -292,7 +295,7 @@ export class Controls {
     }
     for (const fold of this.folds) {
       const wanted = fold.names.some(name => settings[name].changed)
-      // A fold that the visitor closes stays closed until there is a new reason to open it.
+      // A folded group that the visitor has closed opens again only for a new reason.
       if (wanted && !fold.wanted) fold.rows.open = true
       fold.wanted = wanted
     }

@@ -2,8 +2,8 @@
 
 import {MINUS, short} from "../core/numbers.js"
 
-const MOST = 12 // digits that are tried
-const USUAL = 7 // characters of a field that is not laid out yet
+const MOST = 12 // digits with which shortening begins
+const USUAL = 7 // characters assumed for a field without a layout yet
 
 /** @param {HTMLInputElement} field */
 export function fitting(field) {

@@ -11,7 +11,7 @@ import {polynomial} from "../core/signals.js"
 const FINGER = 44 // pixels, the smallest target for a finger
 const STEP = 4 // pixels that an arrow key moves; with Shift it is one
 const LEAP = 40 // pixels that Page Up and Page Down move
-const REACH = 60 // pixels, the shortest move of a finger over a whole range that has an end
+const REACH = 60 // pixels that a finger moves at least to cross a limited range
 
 /** Directions of the arrow keys on the screen, to the right and up. @type {Record<string, [number, number]>} */
 const KEYS = {
@@ -28,7 +28,7 @@ const ENDS = {Home: 0, End: 1}
 /** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
 
 export class Grips {
-  /** @type {Map<object, Grip>} by the shape */
+  /** @type {Map<object, Grip>} the grip of each shape */
   grips = new Map()
 
   /** @type {Named} */
@@ -68,7 +68,8 @@ export class Grips {
   }
 
   /**
-   * Puts the grip over its shape, in every frame. `hold` is its position and size, or null if the shape is not drawn.
+   * Called in each animation frame: puts the grip over its shape. `hold` is its position and size, or null if the shape
+   * is not drawn.
    * @param {object} shape @param {[number, number, number] | null | undefined} hold @param {Named} all
    */
   place(shape, hold, all) {
@@ -139,7 +140,10 @@ export class Grips {
     if (event.button) return
     event.preventDefault()
     event.stopPropagation()
-    /** Measured at every move, because lines above can move the stage. @param {PointerEvent} event */
+    /**
+     * The pointer's position on the stage. Measured at each move, because text lines above can move the stage. @param
+     * {PointerEvent} event
+     */
     const at = ({clientX, clientY}) => {
       const {left, top} = this.element.getBoundingClientRect()
       return {x: (clientX - left) / unitSize(), y: (clientY - top) / unitSize()}
@@ -171,7 +175,7 @@ export class Grips {
       this.page.hand.grab?.move({x: grip.x, y: grip.y}, this.all)
   }
 
-  /** Moves the shape to the pointer, but not out of the paper or the frame of a plot. @param {Point} at */
+  /** Moves the shape to the pointer, but keeps it inside the page or the frame of a plot. @param {Point} at */
   #move({x, y}) {
     const {grab} = this.page.hand
     const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
@@ -212,14 +216,14 @@ export class Grips {
     hand.grab?.rest()
   }
 
-  /** @param {Grip} grip @param {boolean} [isPointer] that lets go */
+  /** @param {Grip} grip @param {boolean} [isPointer] true if a pointer, not a key, releases the shape */
   #let(grip, isPointer = false) {
     if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all, isPointer)
   }
 }
 
 /**
- * Conversion between the height of a finger and the height of the dragged shape.
+ * Converts between the height of the finger and the height of the dragged shape, which can differ.
  * @typedef {{finger: (y: number) => number, thing: (y: number) => number}} Lever
  * @type {Lever}
  */
@@ -249,7 +253,8 @@ const needed = grab =>
 const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)
 
 /**
- * The direction of a key. A shape with one way moves along it with each key; up and right are the same.
+ * The point to which a key moves a shape. If the shape moves along one line only, up and right go forward, down and
+ * left back.
  * @param {Grip} grip @param {[number, number]} way @param {number} far @param {Named} all
  */
 function stepped({grab, x, y}, [across, up], far, all) {

@@ -10,10 +10,10 @@ const GROWTH_STEPS = 30
 const STILL = 40 // pixels a second; a slower pointer counts as resting
 
 export class Hand {
-  /** @type {Grab | null} what is held */
+  /** @type {Grab | null} the drag in progress */
   grab = null
 
-  /** @type {Named} what is at the pointer and would be taken */
+  /** @type {Named} the values at the pointer, which a press would start to drag */
   pointed = {}
 
   /** @param {PartHost} page */
@@ -47,25 +47,25 @@ export class Hand {
 
 /** The drag of one shape, from the press to the last answer after the release. */
 class Grab {
-  /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
+  /** @type {Named} SI values drawn instead of the picture's numbers, by name */
   moved = {}
 
-  /** @type {Named} the last values that were drawn and not rejected */
+  /** @type {Named} the last values that the server accepted */
   good = {}
 
-  /** @type {Named} values that are frozen until the first answer */
+  /** @type {Named} values that stay fixed until the first answer */
   frozen = {}
 
-  /** @type {Named} what the motion has begun with */
+  /** @type {Named} initial conditions that the drag has sent */
   begun = {}
 
   /** @type {{at: Point, when: number}[]} */
   trail = []
 
   refusal = ""
-  first = 0 // the number of its first message
+  first = 0 // number of the first message of this drag
   leaving = false
-  plays = false // whether the clock was playing before
+  plays = false // true if the clock was playing before the drag
 
   /** @param {page.Grab} spec @param {PartHost} page */
   constructor(spec, page) {
@@ -113,7 +113,7 @@ class Grab {
   }
 
   /**
-   * Sends the values for a position of the pointer on a stage, whose named quantities are `all`.
+   * Sends the values for a position of the pointer on a stage. `all`: the quantities of the stage by name.
    * @param {Point} at @param {Named} all
    */
   move(at, all) {
@@ -130,7 +130,7 @@ class Grab {
     this.page.clock.dirty = true
   }
 
-  /** Sets the first value to this; the others do not change. @param {number} value */
+  /** Sets the first parameter to this value; the others do not change. @param {number} value */
   setTo(value) {
     const way = this.spec.ways.find(one => one.parameter)
     if (!way) return
@@ -153,7 +153,7 @@ class Grab {
     this.#send(this.#flick(all), false, isPointer ? this.spec.ways.filter(isOnPlot) : [])
   }
 
-  /** The values after a flick; if there was none, only the frame may grow. @param {Named} all */
+  /** The values that a throw sets; none if the pointer rested before the release. @param {Named} all */
   #flick(all) {
     const {spec, trail, page} = this
     const last = trail[trail.length - 1]
@@ -178,7 +178,7 @@ class Grab {
   }
 
   /**
-   * The amplitude or phase of a sine that starts at a place with a velocity; none if its frequency is 0.
+   * The amplitude or phase of a sine with this initial position and velocity; none if its frequency is 0.
    * @param {page.Swung} way @param {number} place @param {number} velocity
    */
   #swung({parameter, of, turn}, place, velocity) {
@@ -189,7 +189,10 @@ class Grab {
     return {[parameter]: digits(of === "phase" ? Math.atan2(place, lag) : Math.hypot(place, lag))}
   }
 
-  /** @param {Record<string, number>} values @param {boolean} [holding] @param {page.AnyWay[]} [ways] whose axes stay */
+  /**
+   * @param {Record<string, number>} values @param {boolean} [holding] @param {page.AnyWay[]} [ways] rules whose axes
+   * are not fitted again
+   */
   #send(values, holding = true, ways = this.spec.ways) {
     const along = [...new Set(ways.map(({axis}) => axis).filter(Boolean))]
     this.page.send({type: "set", values, holding, along})
@@ -206,7 +209,7 @@ class Grab {
     return this.leaving && this.page.host.messages.rests
   }
 
-  /** Plays the motion that has been begun. */
+  /** Plays the motion that the drag has started. */
   end() {
     const {clock, compare} = this.page
     if (this.spec.begins && !compare.still)
@@ -216,8 +219,8 @@ class Grab {
 
 /**
  * The value at the position of the pointer: `si` in SI as drawn; `value` as it is set; `pixel`, the change per pixel,
- * or null if every digit counts; `goes`, the velocity of a throw, if that is not the change of the value; `at`, the
- * position on a curve to which the drag is limited, for the rules after it.
+ * or null if every digit counts; `goes`, the velocity of a throw, if it is not the change of the value; `at`, the
+ * position on a curve to which the drag is limited, which the following rules use.
  * @typedef {{si: number, value: number, pixel: number | null, goes?: number, at?: Point}} Placed
  */
 

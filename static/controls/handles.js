@@ -5,9 +5,9 @@ import {focusByHand, whileHeld, whilePressed} from "./held.js"
 import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 
-const LONGEST = 7 // characters of a number that a handle shows as typed
-const HEIGHT = 24 // of a pill
-const STEPS = 200 // presses of an arrow key that cross an axis
+const LONGEST = 7 // characters; a handle rounds a longer number
+const HEIGHT = 24 // of a handle, in units
+const STEPS = 200 // arrow key presses from one end of an axis to the other
 /** @type {Record<string, number>} */
 const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}
 
@@ -136,7 +136,7 @@ export class Handles {
     const {style, classList} = pill.element
     const x = axis === this.plot.y ? left - 6 : this.plot.px(inside)
     const y = axis === this.plot.y ? this.plot.py(inside) - HEIGHT / 2 : top + height + 3
-    style.translate = `${long(x)} ${long(y)}` // unlike `left` and `top`, costs no layout in every frame
+    style.translate = `${long(x)} ${long(y)}` // unlike `left` and `top`, `transform` needs no new layout in each frame
     classList.toggle("outside", inside !== value)
     const shown = this.#text(pill, text, inside)
     reword(pill.element, shown)
@@ -146,7 +146,10 @@ export class Handles {
     pill.element.setAttribute("aria-valuemax", String(axis.end))
   }
 
-  /** The unit after the number of a handle: of its parameter, or of the axis if it shows another number. */
+  /**
+   * The unit after the number of a handle: the unit of its parameter, or of the axis if the handle shows another
+   * number.
+   */
   #unit(/** @type {Pill} */ pill) {
     const {handle} = pill
     if (!handle) return ""

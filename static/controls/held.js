@@ -1,14 +1,14 @@
-// A pointer that drags: followed until it is released; the page does not scroll under it.
+// Follows a pointer that drags until it is released. The page does not scroll meanwhile.
 
 export const SIDEWAYS = 8 // px that a finger moves sideways before it drags instead of scrolling
-const BY_HAND = "by-hand" // the class of an element with the focus from a pointer: no focus ring until a key is pressed
+const BY_HAND = "by-hand" // class of an element focused by a pointer; it has no focus ring until a key is pressed
 
 /**
- * Gives a part the focus for keys, with no focus ring.
+ * Focuses a part, so that it receives keys, without a focus ring.
  * @param {HTMLElement} part
  */
 export function focusByHand(part) {
-  part.focus({preventScroll: true}) // the help for it can move the page
+  part.focus({preventScroll: true}) // the help text that appears can move the page
   if (part.classList.contains(BY_HAND)) return
   const ended = new AbortController()
   const end = () => {
@@ -41,7 +41,7 @@ export function unlessScrolled(host, event, act) {
 }
 
 /**
- * Follows a pointer from a press until it is released; a press that is over already, a tap, is followed by its end.
+ * Follows a pointer from the press until the release. For a tap, which has ended already, it calls `end` at once.
  * @param {HTMLElement} host @param {PointerEvent} event @param {(event: PointerEvent) => void} move
  * @param {() => void} end
  */
@@ -60,7 +60,7 @@ export function whileHeld(host, move, end) {
   const free = steady(host.offsetParent ?? host)
   host.addEventListener("pointermove", move)
   const stop = (/** @type {PointerEvent} */ {target}) => {
-    if (target !== host) return // a part in it that a finger was on before
+    if (target !== host) return // the capture was lost by an element inside `host`, where the touch began
     host.removeEventListener("pointermove", move)
     host.removeEventListener("lostpointercapture", stop)
     free()
@@ -71,7 +71,7 @@ export function whileHeld(host, move, end) {
 
 /**
  * Keeps a part at its position in the window by scrolling when lines appear or disappear above it.
- * @param {Element} part @returns {() => void} ends it
+ * @param {Element} part @returns {() => void} function that stops this
  */
 export function steady(part) {
   const top = () => part.getBoundingClientRect().top

@@ -20,7 +20,7 @@ const OPEN = `${LIES}, .card .follows[open]`
 const OFF = "single-keys"
 const BOUNCE = 400 // ms within which a second press of a clicker counts as the first
 
-/** @param {LectureHost} lecture @param {() => void} act on a clock that is not held by a question */
+/** @param {LectureHost} lecture @param {() => void} act runs if no question stops the clock */
 function timed({page}, act) {
   if (!page.compare.still && !page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
 }
@@ -119,13 +119,13 @@ export function listen(lecture) {
 }
 
 /**
- * Page Down and Page Up are for a walk; if there is none, for the element in focus.
+ * Handles a key. Page Down and Page Up go to the walk, or to the focused element if there is no walk.
  * @param {KeyboardEvent} event @param {LectureHost} lecture
  */
 function hear(event, lecture) {
   const black = document.querySelector(".blank")
   if (black) {
-    // The key that brings the screen back does nothing else.
+    // The key that ends a blank screen does nothing else.
     black.remove()
     event.preventDefault()
     return event.stopImmediatePropagation()

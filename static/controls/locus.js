@@ -6,19 +6,20 @@ import {polynomial, valueAt} from "../core/signals.js"
 const STRIDE = 8 // pixels: the longest step along the curve
 const SHORT = 0.4 // the longest step of a frequency, relative to the distance to the nearest pole
 const STRIDES = 200
-const AROUND = 2.5 // largest distance along the curve, relative to that of the pointer: as on a half circle, and more
+const AROUND = 2.5 // longest move along the curve, relative to the pointer's; at most pi/2 on a half circle
 const NEAR = 0.01 // pixels
-const LEAST = 1e-3 // the least frequency: at 0 nothing is driven
+const LEAST = 1e-3 // lowest frequency in the drag, because at 0 there is no oscillation
 const HALVINGS = 30
 const SHARE = 1e-6 // share of a step over which a slope is measured
 
 /**
- * A curve on the screen: the point at a frequency, and the longest step from there that leaves out no loop.
+ * A curve on the screen: `at` returns the point at a frequency, `longest` the longest step from there that does not
+ * jump over a loop.
  * @typedef {{at: (w: number) => Point, longest: (w: number) => number}} Locus
  */
 
 /**
- * The curve along which a way of dragging moves. @param {page.Locus} way @param {Named} all @returns {Locus}
+ * The curve along which this rule drags the dot. @param {page.Locus} way @param {Named} all @returns {Locus}
  */
 function locusOf(way, all) {
   const [x, y, right, down] = [way.x, way.y, way.right, way.down].map(one => polynomial(one, all))
@@ -69,9 +70,9 @@ function stride(locus, w, length) {
 }
 
 /**
- * The frequency at the point of the curve that is nearest to the pointer, the change per pixel, and the point. Only
- * the part of the curve around the current frequency that the pointer can have followed counts, so that no loop is left
- * for one that crosses it.
+ * The frequency at the point of the curve that is nearest to the pointer, the change per pixel, and the point. Only the
+ * part of the curve near the current frequency is searched, so that the dot does not jump to another loop that crosses
+ * this one.
  * @param {page.Locus} way @param {Point} hand @param {Named} all
  */
 export function onLocus(way, hand, all) {

@@ -59,7 +59,7 @@ export function atTwoDigits(value, direction, soft) {
 }
 
 /**
- * A value ten times as large or small; on a linear scale, a tenth of the slider away.
+ * The value after Page Up or Page Down: ten times as large or small; on a linear scale, a tenth of the slider away.
  * @param {page.SliderRow["scale"]} scale @param {number} value @param {1 | -1} direction @param {[number, number]} soft
  */
 export function leapt(scale, value, direction, [low, high]) {

@@ -28,7 +28,7 @@ export function problemElement(id) {
 
 // One slider with its typed field.
 export class Slider {
-  /** @type {page.Setting} the last one from the server */
+  /** @type {page.Setting} the last setting from the server */
   state
 
   /** @type {{value: number | null, since: number} | null} sent but not answered; its value is null for a typed text */
@@ -42,7 +42,7 @@ export class Slider {
   unsent = false // true if a text is typed and not sent yet
   isPressed = false // true while a pointer drags it
 
-  /** @type {() => void} lets the page move again under a pointer that holds nothing */
+  /** @type {() => void} ends the fixing of the page's position during a press */
   free = () => {}
 
   typed = ""
@@ -77,7 +77,7 @@ export class Slider {
     this.unit = element("span", {class: "unit", "aria-hidden": "true"}, unit)
     this.label = element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol))
     const number = element("span", {class: "num"}, this.field, this.unit)
-    const words = spec.label.replace(/^[^,]*, /, "") // without the symbol, which is the label
+    const words = spec.label.replace(/^[^,]*, /, "") // without the symbol, which the label shows
     const called = element("span", {class: "called", "aria-hidden": "true"}, words)
     this.element = element("div", {class: "control"}, this.label, this.slider, called, number, this.problem)
     this.size = 1 // the shown unit, divided by the quantity's own unit

@@ -9,7 +9,7 @@ const ALONG = {ArrowUp: 1, ArrowDown: -1, ArrowRight: 1, ArrowLeft: -1}
 /** @type {Record<string, 1 | -1>} */
 const LEAPS = {PageUp: 1, PageDown: -1}
 
-// A swipe that starts on a slider scrolls the page, so the slider moves only after a sideways move.
+// A vertical swipe that starts on a slider scrolls the page. So the slider moves only after a sideways move.
 export class Finger {
   /** @type {{x: number, y: number, stood: string, sideways: boolean} | null} */
   swipe = null
@@ -30,7 +30,7 @@ export class Finger {
     })
   }
 
-  /** True if the last move was only a touch; the slider is then reset. */
+  /** True if the last move was only a touch; the slider then goes back to its value. */
   onlyTouched() {
     if (!this.swipe || this.swipe.sideways) return false
     this.slider.value = this.swipe.stood

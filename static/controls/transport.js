@@ -40,7 +40,7 @@ function speedText(factor) {
   return `played ${grouped(times)} times ${factor < 1 ? "slower" : "faster"}`
 }
 
-/** The button Fit, visible while the frame is not the fitted one. Its place stays reserved. */
+/** The button Fit, visible if the axes are not fitted to the picture. Its space stays reserved. */
 export class Fit {
   /** @param {PartHost} page */
   constructor(page) {
@@ -111,7 +111,7 @@ export class Transport {
     const {settings, errors} = shown
     this.fit.update(shown)
     const axis = axes[time]
-    // If nothing moves, there is nothing to play.
+    // Disable the buttons if nothing moves.
     this.element.classList.toggle("idle", !axis)
     this.notes = [this.page.compare.says(shown.state), this.page.controls.presets.watch(shown.preset), ...notes]
     const error = errors.window

@@ -1,4 +1,4 @@
-// Values that are not sent yet: each is shown as it was set, with a dotted line.
+// Shows values that are not sent yet, with a dotted line.
 
 /** @param {PartHost} page @param {Waits} waiting */
 export function showWaiting(page, waiting) {

@@ -8,16 +8,16 @@ export class Clock {
   /** @param {(t: number) => void} draw shows an instant */
   constructor(draw) {
     this.draw = draw
-    this.t = 0 // in the unit of the time axis
+    this.t = 0 // the current time, in the unit of the time axis
     this.end = 1
-    this.unit = 1 // seconds in that unit
+    this.unit = 1 // length of that unit in seconds
     this.places = 2 // decimals of the time in messages
     this.pace = 1 // simulated seconds per real second at the speed Auto
-    this.limit = Infinity // the highest speed at which the fastest motion is still visible
+    this.limit = Infinity // highest speed at which the fastest motion can still be seen
     /** @type {number | "auto"} */
     this.choice = "auto"
     this.playing = playsByItself()
-    this.played = this.playing // in the last frame
+    this.played = this.playing // true if the clock was playing in the last frame
     /** @type {number | null} */
     this.last = null
     this.dirty = true
@@ -25,7 +25,7 @@ export class Clock {
     this.frames = 0
     /** @type {(() => void)[]} */
     this.listeners = []
-    /** @type {(() => number) | null} the instant of another clock that this one follows */
+    /** @type {(() => number) | null} time of another clock, which this one follows */
     this.lead = null
     requestAnimationFrame(now => this.tick(now))
   }
@@ -76,7 +76,7 @@ export class Clock {
     this.touch()
   }
 
-  /** Moves the instant by 1/24 of the simulated time that takes 6 s at the speed Auto. @param {1 | -1} direction */
+  /** Moves the time by 1/24 of what the speed Auto plays in 6 s. @param {1 | -1} direction */
   step(direction) {
     this.playing = false
     this.seek(
@@ -122,7 +122,7 @@ export class Clock {
       this.dirty = true
     }
     this.last = now
-    this.dirty ||= this.playing !== this.played // a page that stops shows all numbers of this instant
+    this.dirty ||= this.playing !== this.played // draw once more after a stop, with all numbers of this time
     this.played = this.playing
     if (!this.dirty) return
     this.dirty = false

@@ -1,12 +1,12 @@
-// The motion of one damped mass, left alone and driven: exact at critical damping, at resonance and without damping.
+// The free and driven motion of one damped mass; exact at critical damping, at resonance and without damping.
 
-const EARLY = 2 // rad, up to which the power series has every digit
+const EARLY = 2 // rad; up to here the power series is exact to the last digit
 const TERMS = 34
 const SERIES = 20
 
 /** @typedef {[number, number]} Complex */
 
-/** The phase, or 0 if it is larger than all doubles and therefore unknown. @param {number} phase */
+/** The phase, or 0 if it overflowed and is therefore unknown. @param {number} phase */
 export const circled = phase => (Number.isFinite(phase) ? phase : 0)
 
 /** exp(re + i im). @param {number} re @param {number} im @returns {Complex} */
@@ -30,7 +30,7 @@ function over(a, [c, d]) {
 }
 
 /**
- * The free motion from 0 with velocity 1, but with no decay factor: t at critical damping.
+ * The free motion from 0 with initial velocity 1, without its decay factor; at critical damping it is t.
  * @param {number} apart @param {number} swing @param {number} t
  */
 function grown(apart, swing, t) {
@@ -53,7 +53,8 @@ export function driven(signal, t) {
 }
 
 /**
- * The motion from rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t). One of four formulas is used that loses no digits.
+ * The motion from rest, E'' + 2 a E' + omega_n^2 E = exp(i omega t). Chooses among four formulas the one that loses no
+ * digits here.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function fromRest(signal, t) {
@@ -84,7 +85,8 @@ function byPowers({omega, omega_n: own, slow, apart}, t) {
 }
 
 /**
- * The second divided difference of exp(s t) at i omega and the two roots: it is the difference of two first ones.
+ * The second divided difference of exp(s t) at i omega and the two roots: the difference of two first divided
+ * differences.
  * @param {page.DrivenMass} signal @param {number} t
  */
 function byParts({omega, slow, apart, swing, detuning}, t) {

@@ -45,15 +45,15 @@ export const chip = (name, act, look = {}) => button({class: "chip", ...look}, a
  */
 export function reword(part, text) {
   if (part.textContent === text) return false
-  const first = part.firstChild // 3 is the type of a text
-  // Reuses the text node, because a new node would cost more layout in every frame.
+  const first = part.firstChild // nodeType 3 is a text node
+  // Reuse the text node, because a new node would need more layout in each frame.
   if (first?.nodeType === 3 && !first.nextSibling) first.nodeValue = text
   else part.textContent = text
   return true
 }
 
 /**
- * Sets the attributes that differ: an equal one would cost style and paint too.
+ * Sets only the attributes that differ, because the browser recomputes styles even for an equal value.
  * @param {Element} target @param {Attributes} attributes
  */
 export function setAttributes(target, attributes) {
@@ -86,7 +86,10 @@ const tokens = new Map()
 /** @type {Map<string, (style: CSSStyleDeclaration) => string>} */
 const asked = new Map()
 
-/** The value of a custom property of the style sheets. Each is looked up once per task, because nothing changes it. */
+/**
+ * The value of a custom property of the style sheets. Looked up once per task of the event loop, because it cannot
+ * change meanwhile.
+ */
 export const colour = (/** @type {string} */ name) =>
   once(`--${name}`, style => style.getPropertyValue(`--${name}`).trim())
 

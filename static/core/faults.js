@@ -2,7 +2,7 @@
 
 import {inWords, note} from "./notes.js"
 
-/** @type {Set<string>} logged faults, because the same fault can occur in every frame */
+/** @type {Set<string>} faults logged so far, because the same fault can occur in each frame */
 const logged = new Set()
 
 let wasReported = false
@@ -33,7 +33,7 @@ export function guarded(act) {
 
 /** Reports uncaught faults, for example in the action of a button; the browser logs these already. */
 export function watch() {
-  // An event that has no error is a notice of the browser, for example about a delayed ResizeObserver.
+  // An event without an error is a notice of the browser, for example about a delayed ResizeObserver.
   addEventListener("error", ({error}) => error && tell(error))
   addEventListener("unhandledrejection", ({reason}) => tell(reason))
 }

@@ -4,11 +4,14 @@ import {circled} from "./damped.js"
 
 /** @typedef {Pick<page.Modal, "ends" | "omega" | "sizes" | "phases" | "line">} Modes */
 
-/** @type {Map<string, Float64Array>} the last shapes, by ends and count */
+/** @type {Map<string, Float64Array>} the mode shapes computed last, by boundary condition and number of masses */
 const known = new Map()
 const MOST_KNOWN = 4
 
-/** The orthonormal shapes: number j N + p of mode j at mass p, both from 0. @param {Modes} modes */
+/**
+ * The orthonormal mode shapes in one array: entry j N + p is mode j at mass p, both counted from 0. @param {Modes}
+ * modes
+ */
 export function shapesOf({ends, omega: {length: count}}) {
   const key = `${ends} ${count}`
   const found = known.get(key)

@@ -2,7 +2,7 @@
 
 import {button, element} from "./dom.js"
 
-/** A fault in words. @param {unknown} reason */
+/** The text of an exception. @param {unknown} reason */
 export const inWords = reason => (reason instanceof Error ? reason.message : String(reason))
 
 /**
@@ -13,11 +13,11 @@ export function note(sentence, ...parts) {
   const close = button({"aria-label": "Close"}, () => status.remove(), "×")
   const status = element("div", {class: "remark", role: "status"}, close)
   document.body.append(status)
-  status.prepend(element("span", {}, sentence), ...parts) // announced, since the status exists already
+  status.prepend(element("span", {}, sentence), ...parts) // announced, because the status element exists already
   return () => status.remove()
 }
 
-/** A notice over a scene, until it is closed: why a request was refused. */
+/** Shows a notice over the scene until it is closed, for example why a request was refused. */
 export class Notice {
   element = element("div", {class: "notice", role: "alert", hidden: ""})
 

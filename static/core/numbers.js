@@ -1,6 +1,6 @@
 // Formats numbers for people. The texts are the same as those of components/quantities/formatting.py.
 
-/** A key that begins a number. */
+/** Matches keys that can begin a number. */
 export const BEGINS_NUMBER = /^[\d.,+\u2212-]$/
 
 export const MINUS = "−"

@@ -1,9 +1,12 @@
 // Conversion between coordinates of an axis and values in SI units.
 
-/** The axis of a quantity that no axis shows: its values are in SI units. @type {page.Ruler} */
+/** An axis for quantities that are on no plot: values in SI units, unchanged. @type {page.Ruler} */
 export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
-/** Columns are sent as integers up to this one, over three heights of the frame: components/state/encoding.py. */
+/**
+ * The server sends columns as integers from 0 to this one, over three heights of the frame
+ * (components/state/encoding.py).
+ */
 export const COLUMN_STEPS = 2 ** 16 - 1
 
 /** One step of these integers in the unit of the axis. @param {page.Ruler} ruler */
@@ -23,11 +26,11 @@ export function toPlace({log, power, exponent, factor}, value) {
 }
 
 /**
- * Both axes with the same scale in a box; one of them then shows a wider range.
+ * Gives both axes of a box the same scale, by widening the range of one of them.
  * @param {page.Ruler} x @param {page.Ruler} y @param {{width: number, height: number}} box
  */
 export function toOneScale(x, y, {width, height}) {
-  const unit = 10 ** (x.exponent - y.exponent) // the unit of x in units of y
+  const unit = 10 ** (x.exponent - y.exponent) // the unit of x, measured in units of y
   const scale = Math.max((unit * (x.end - x.start)) / width, (y.end - y.start) / height)
   return [widened(x, (scale * width) / unit), widened(y, scale * height)]
 }

@@ -3,7 +3,7 @@
 import {circled, damped, driven} from "./damped.js"
 import {modal} from "./modal.js"
 
-const SERIES = 1 // below this largest angle the power series has every digit, and the closed forms cancel
+const SERIES = 1 // rad; below it the power series is exact to the last digit, but the closed forms lose digits
 const TERMS = 9
 
 /** @param {number} phase */
@@ -28,7 +28,7 @@ function response(w, n, t) {
 }
 
 /**
- * The response from rest as a power series: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all
+ * The response from rest, as a power series: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all
  * products of k factors, each (w t)² or (n t)².
  * @param {number} w @param {number} n @param {number} t
  */
@@ -151,7 +151,7 @@ function spokenOf(signal) {
 const MADE = new Set(["derived", "sine", "cosine", "modal"]) // signals that depend on others, or that set many names
 
 /**
- * The named signals at many instants, in columns. Only the signals that they depend on are evaluated too.
+ * The named signals at many instants, in columns. Of the other signals, only those that they need are evaluated.
  * @param {Record<string, page.AnySignal>} signals @param {Named} scalars @param {Float64Array} times
  * @param {Set<string>} names
  */
@@ -184,7 +184,7 @@ export function roots(signals, named) {
 }
 
 /**
- * All signals at the instant t, in the order given, over the scalars; `instead` are numbers in place of some.
+ * Scalars and all signals at time t. Numbers in `instead` replace signals of the same name.
  * @param {Record<string, page.AnySignal>} signals @param {Named} scalars @param {number} t @param {Named} [instead]
  * @returns {Named}
  */

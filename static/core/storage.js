@@ -8,7 +8,7 @@ const NOTHING = "This browser stores nothing for this page: your choices and ans
 let wasReported = false
 
 class Shelf {
-  /** @param {() => Storage} find a function, because even access to the storage can throw */
+  /** @param {() => Storage} find returns the storage; a function, because even access to it can throw */
   constructor(find) {
     this.find = find
   }
@@ -73,4 +73,4 @@ export const tabStorage = new Shelf(() => /** @type {Storage} */ (own ?? session
 // Names in a tab's storage that several modules use.
 export const LED = "class-room" // that the tab leads a class
 export const LEFT = "class-left" // the code of the class that a follower has left to look around
-export const SOUGHT = "class-sought" // the case that they look for
+export const SOUGHT = "class-sought" // the case that the excursion is about

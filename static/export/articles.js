@@ -13,7 +13,7 @@ const NARROWEST = 320 // units of a plot next to a stage
 const LOW = 120 // units of the frame of a plot
 const DRAWN_ON = {wide: 560, high: 165} // units of a plot on which students draw, and of its frame
 const ROW = 945 // units of two pictures side by side on a page: their labels then have 7 pt
-const LONGEST = 20_000 // ms until a step must be visible
+const LONGEST = 20_000 // ms within which a step must be visible
 
 /**
  * The articles as HTML. `begins` is called with the place of each step.
@@ -29,7 +29,7 @@ export async function articles(walk, isAnswered, begins) {
 }
 
 /**
- * Adds the question or the answer of each step, from step `i` to the last.
+ * Adds the question, or the explanation, of each step from step `i` on.
  * @param {Walk} walk @param {number} i @param {boolean} isAnswered @param {(i: number) => HTMLElement} begin
  * @returns {Promise<void>}
  */

@@ -22,8 +22,8 @@ let clips = 0
 /** @implements {Canvas} */
 export class Drawing {
   /**
-   * `host` is an element of the page with the size of the plot and its margins; `frame` is inside it. If `alone`, the
-   * drawing has the numbers that the page shows only at a neighbouring plot.
+   * `host`: an element of the page with the size of the plot and its margins. `frame`: the rectangle of the axes in it.
+   * `alone`: also draw axis numbers that the page shows only at a neighbouring plot.
    * @param {import("../scene/plots.js").Plot} plot @param {HTMLElement} host
    * @param {Frame} frame @param {boolean} [alone]
    */
@@ -153,7 +153,7 @@ export class Drawing {
     this.inside.append(svg("g", {class: tint}, ...(width === "none" ? [] : [line]), ...dots))
   }
 
-  /** The points and lines that a stage of the page draws over this plot only, and that do not move. */
+  /** Fixed points and lines that a stage draws over this plot only. */
   #ofStages() {
     const own = `${this.block.name}.`
     const isOwn = (/** @type {Set<string>} */ needs) =>

@@ -51,7 +51,7 @@ async function gone({sheet: {name, steps}, seed, walks: {own, texts}}, isAnswere
     const page = () => frame.contentWindow?.oscillations
     await until(() => page()?.connection?.wire)
     const {classes, walks} = page()
-    classes.code = seed // everybody gets the numbers of the file, and the options in the order of this page
+    classes.code = seed // use the numbers of the file, and the order of options on this page
     const refused = own.has(name) ? await walks.check(name, texts[name]) : ""
     if (refused) throw new Error(refused)
     return await walks.onPaper(name, isAnswered, begins)

@@ -3,7 +3,7 @@
 
 import {element, unitSize} from "../core/dom.js"
 
-const HIGH = 950 // units of a page: A4 and Letter have as much, upright, between margins of 12 mm
+const HIGH = 950 // units, the space on a page that fits both A4 and Letter, upright, with margins of 12 mm
 const LARGEST = 1.6 // times the size at which labels are 7 pt
 const FINER = 0.1
 
@@ -38,7 +38,7 @@ const high = part => part.getBoundingClientRect().height / unitSize()
  * @param {number[]} heights @param {number} most of a page @returns {[number, number][]}
  */
 export function packed(heights, most) {
-  /** @type {{pages: [number, number][], waste: number}[]} of all from each on */
+  /** @type {{pages: [number, number][], waste: number}[]} the best distribution of the steps from each index on */
   const best = []
   best[heights.length] = {pages: [], waste: 0}
   for (let from = heights.length - 1; from >= 0; from--) {

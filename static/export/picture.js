@@ -8,10 +8,10 @@ import {isSeen} from "./things.js"
 import {plain} from "../core/plain.js"
 
 const WIDE = 560 // width of a picture; the text has the size of the page's
-const HIGH = 300 // of the frame of a plot
+const HIGH = 300 // height of the frame of a plot
 const EDGE = 14
 const LINE = 20
-const UNIT = 4 // at most so many characters at the end of a formula can be a unit
+const UNIT = 4 // a unit at the end of a formula has at most so many characters
 /** Properties of drawn elements, with their default values. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
@@ -132,7 +132,7 @@ export function plotPicture(plot, captioned = true, wide = WIDE, high = (HIGH * 
   easel.write(`${block.title}.`, "t1 b title")
   const terms = legend(plot)
   if (terms.length) easel.list(terms)
-  else if (block.marks.length) easel.y += LINE // for flags over the frame
+  else if (block.marks.length) easel.y += LINE // room for flags above the frame
   const frame = frameFor(plot, wide, high)
   const host = element("div", {class: "easel-part"})
   host.style.width = long(wide)

@@ -26,7 +26,7 @@ export class Print {
     if (document.querySelector(".handout")) return
     const {page} = this
     page.redraw()
-    page.draw(page.clock.t) // the numbers in texts are then of the same instant as the pictures
+    page.draw(page.clock.t) // so that the numbers in texts and the pictures show the same time
     const {stages, plots} = things(page)
     const under = stages.map(stage => plotsUnder(stage, page))
     const style = under.flat().length ? "wide" : ""

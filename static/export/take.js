@@ -12,7 +12,7 @@ import {things} from "./things.js"
  */
 
 /**
- * A plot or stage that can be saved: its name in a file and on a button, functions that draw and describe it.
+ * A plot or stage that can be saved: its names for the file and the button, and functions that draw and describe it.
  * @typedef {{subject: Plot | Stage, file: string, name: string, draw: () => import("./picture.js").Picture,
  *   says: () => string, table: (() => HTMLElement) | null}} Thing
  */

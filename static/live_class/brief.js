@@ -1,4 +1,4 @@
-// The instructor's brief on a remote control: the question, the number of answers, the split with the right one, notes.
+// Contents of the instructor's remote control: the question, the number of answers, the count of each option, notes.
 
 import {element, marked} from "../core/dom.js"
 import {orderOf} from "../questions/order.js"
@@ -7,8 +7,8 @@ import {grouped} from "../questions/word_groups.js"
 import {haveAnswered} from "./counts.js"
 import {sureness} from "./sureness.js"
 
-const FEW = 5 // with fewer answers there is no advice
-const [LOW, HIGH] = [0.3, 0.7] // shares of right answers between which a discussion helps
+const FEW = 5 // answers needed for an advice
+const [LOW, HIGH] = [0.3, 0.7] // a discussion helps if the share of right answers is in this range
 
 /** True if everyone who is here has answered. @param {page.RemoteView | null} view */
 export function haveAllAnswered(view) {
@@ -16,7 +16,7 @@ export function haveAllAnswered(view) {
 }
 
 /**
- * @param {page.RemoteView} view @param {string} code of the class, whose order the answers have
+ * @param {page.RemoteView} view @param {string} code of the class, which decides the order of the options
  * @param {import("../questions/word_groups.js").Moderate} moderate
  */
 export function brief(view, code, moderate) {

@@ -1,4 +1,4 @@
-// Copies of a class in its instructor's browser, to restore it on a server that has lost it.
+// Copies of a class's data in the instructor's browser, from which a restarted server can restore the class.
 
 import {LED, browserStorage, tabStorage} from "../core/storage.js"
 import {Refusal, fetchJson, pause} from "./requests.js"
@@ -6,10 +6,10 @@ import {Refusal, fetchJson, pause} from "./requests.js"
 const ROOM = "class-room"
 const GIVEN = "class-given"
 const WALK = "class-walk"
-const BREAK = 20 * 60000 // ms: a class that nobody leads for longer is over on any server
-const COPYING = 5000 // ms until new answers are copied
-const LONGEST = 40000 // characters of an order
-const AGAIN = 1000 // ms until it is sent again
+const BREAK = 20 * 60000 // ms; every server ends a class that nobody has led for so long
+const COPYING = 5000 // ms between two copies of new answers
+const LONGEST = 40000 // largest length of an order in characters
+const AGAIN = 1000 // ms until an order is sent again
 
 /**
  * A room, its remote control, the current question, the last vote on each question and the last one with a shown
@@ -17,8 +17,8 @@ const AGAIN = 1000 // ms until it is sent again
  * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean,
  *   sure: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
- *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room a lost one is not completely restored
- * @typedef {Record<string, page.Voted>} Ballot by voter
+ *   shown?: Record<string, number>, seen?: number, isLost?: boolean}} Room; `isLost` until it is completely restored
+ * @typedef {Record<string, page.Voted>} Ballot the answer of each voter
  */
 
 export class Copies {
@@ -28,13 +28,13 @@ export class Copies {
   /** @type {number | undefined} */
   timer
 
-  isBehind = false // copies of earlier answers are missing, so they are fetched without pauses
+  isBehind = false // true while copies of earlier answers are missing; they are then fetched without pauses
 
   /** @param {Room} room */
   constructor(room) {
     this.room = room
     browserStorage.forget(...copies().filter(name => name.split(" ")[1] !== room.code))
-    /** @type {Map<string, Ballot>} by vote, as step and number */
+    /** @type {Map<string, Ballot>} by vote: the step and the number of the vote */
     this.answers = copied(GIVEN, room.code, name => browserStorage.value(name) ?? {})
     /** @type {Map<string, string>} texts of walks from files that were asked, by name */
     this.walks = copied(WALK, room.code, name => browserStorage.text(name) ?? "")
@@ -66,7 +66,7 @@ export class Copies {
     if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), this.isBehind ? 0 : COPYING)
   }
 
-  /** Copies the answers from before this computer led the class. */
+  /** Copies the answers that the class gave before this computer led it. */
   async #copyAll() {
     const {code, key} = this.room
     /** @type {page.StepSummary[]} */
@@ -91,7 +91,7 @@ export class Copies {
     const answers = await fetchJson(path, {word: key}).catch(() => null)
     if (answers) {
       this.answers.set(vote, answers)
-      browserStorage.keep(copyOf(GIVEN, code, vote), answers) // if there are too many, only this page has them
+      browserStorage.keep(copyOf(GIVEN, code, vote), answers) // if the storage is full, only this page has them
     } else this.stale.add(vote)
     this.isBehind &&= Boolean(answers) && this.stale.size > 0
     this.timer = undefined
@@ -134,7 +134,10 @@ export class Copies {
     this.save({isLost: false})
   }
 
-  /** Gives an order; a final refusal does not stop later ones. @param {page.Order} order @returns {Promise<void>} */
+  /**
+   * Sends an order to the server. A final refusal does not stop later orders. @param {page.Order} order @returns
+   * {Promise<void>}
+   */
   async #order(order) {
     const {code, key} = this.room
     try {
@@ -175,7 +178,7 @@ export class Copies {
 }
 
 /**
- * Takes the lead of a class, with a word from the computer that leads it.
+ * Makes this computer lead a class. `word` is a secret that the computer shows that led it before.
  * @param {string} code @param {string} word
  */
 export async function takeOver(code, word) {
@@ -183,7 +186,7 @@ export async function takeOver(code, word) {
   const {query, walks, ...room} = await fetchJson(`${code}/word`, {method: "PUT", body: {word}})
   for (const [name, text] of Object.entries(walks)) browserStorage.keep(copyOf(WALK, room.code, name), text)
   browserStorage.keepOrSay(ROOM, room)
-  tabStorage.keep(LED, "open") // the next page of this tab returns to it
+  tabStorage.keep(LED, "open") // the next page of this tab returns to the class
   location.replace(`./?${query}`)
 }
 
@@ -194,7 +197,7 @@ const copies = () => browserStorage.names().filter(name => name.startsWith(GIVEN
 const copyOf = (kind, code, of) => `${kind} ${code} ${of}`
 
 /**
- * The copies of one kind of a class, by vote or walk.
+ * All copies of one kind that belong to a class, by vote or walk.
  * @template Value @param {string} kind @param {string} code @param {(name: string) => Value} read
  */
 function copied(kind, code, read) {
@@ -206,7 +209,7 @@ function copied(kind, code, read) {
 /** @param {{walk: string, step: string, vote: number}} put */
 const voteOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
 
-/** Answers in parcels that an order can carry. @param {Ballot} answers @returns {Ballot[]} */
+/** Splits answers into parts that fit into one order. @param {Ballot} answers @returns {Ballot[]} */
 function parcels(answers) {
   /** @type {Ballot[]} */
   const all = []

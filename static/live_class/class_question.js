@@ -10,11 +10,11 @@ import {Sureness} from "./sureness.js"
 const UNTIL_SHOWN = "You can change it until the answer is shown."
 const UNTIL_CLOSED = "You can change it until the vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
-const SPREAD = 1500 // ms over which the requests of all phones are spread
+const SPREAD = 1500 // ms; each phone waits a random part of it, so that their requests do not come at once
 const TOO_LATE = "Your answer to an earlier question came too late."
 const ANSWERED = "This question has been answered. It takes no more answers."
 const CLOSED = "The vote is closed."
-const PATIENCE = 3000 // ms until the reply to one's own answer follows later
+const PATIENCE = 3000 // ms that the lesson waits for the reply to this phone's answer
 
 export class ClassQuestion {
   /** @type {page.PutTo | null} */
@@ -26,7 +26,7 @@ export class ClassQuestion {
   /** @type {Card | null} */
   card = null
 
-  /** @type {number | undefined} until the answer on the card is sent */
+  /** @type {number | undefined} set while the answer on the card waits to be sent */
   timer
 
   /** @param {import("./follow.js").Following} following */
@@ -48,10 +48,10 @@ export class ClassQuestion {
     else this.#resend()
     this.#say()
     if (this.card && question.lesson) await this.#teach(question.lesson)
-    if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson) // restored answers change it
+    if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson)
   }
 
-  /** Says whether the question takes answers, and whether the class has this phone's. */
+  /** Shows whether the question takes answers and whether the class has this phone's answer. */
   #say() {
     const {card, question} = this
     if (!card || !question) return
@@ -108,7 +108,7 @@ export class ClassQuestion {
     return this.card && this.delivery.answer(this.name)
   }
 
-  /** A picture of another scene has no card yet. @param {Drawn} shown */
+  /** Called for each picture. A picture of another scene has no card yet. @param {Drawn} shown */
   shown(shown) {
     if (this.card && this.card.page === this.following.page) this.card.update(shown)
     else if (this.question?.step) this.show(this.question)
@@ -118,7 +118,7 @@ export class ClassQuestion {
     const question = /** @type {page.PutTo} */ (this.question)
     this.#leave()
     const {page, shown} = this.following
-    // Its plot may not be there before the picture that belongs to it.
+    // The plot of the question exists only after the picture of its scene has arrived.
     if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
     this.laid = question
     this.card = new Card(this.#walk(question.card, question.place), page)
@@ -131,10 +131,13 @@ export class ClassQuestion {
       this.#say()
     }
     this.#restore()
-    page.redraw() // plots have made way for it
+    page.redraw() // the plots became smaller for the card
   }
 
-  /** A phone goes nowhere by itself. @param {page.StepCard} step @param {string} where @returns {WalkHost} */
+  /**
+   * A walk of one step. The phone cannot turn its pages; the instructor does. @param {page.StepCard} step @param
+   * {string} where @returns {WalkHost}
+   */
   #walk(step, where) {
     const [sheet, answers] = [{steps: [step]}, {of: () => null}]
     const {code: seed} = this.following
@@ -177,7 +180,7 @@ export class ClassQuestion {
     this.timer = undefined
   }
 
-  /** The stream is back: so is the server. */
+  /** Called when the server can be reached again. */
   wake() {
     this.delivery.wake()
   }
@@ -187,7 +190,7 @@ export class ClassQuestion {
     this.delivery.close()
   }
 
-  /** A restarted server may have lost the answer. */
+  /** Sends the answer again to a restarted server, which may have lost it. */
   async #resend() {
     const {card, delivery} = this
     if (!this.given || delivery.isTaken(this.name)) return
@@ -196,7 +199,7 @@ export class ClassQuestion {
     if (card === this.card && !closed && !lesson) delivery.resend(this.name)
   }
 
-  /** Shows the answer that was given before: the page was loaded again, or the question comes back. */
+  /** Shows this phone's earlier answer after a reload, or when the same question is asked again. */
   #restore() {
     const {given} = this
     this.sureness.setTo(given?.sure ?? 0)
@@ -215,12 +218,12 @@ export class ClassQuestion {
     this.#say()
     const own = this.#ownLesson(card)
     const first = await Promise.race([own, pause(PATIENCE)])
-    if (card !== this.card) return // the lecture has gone on
+    if (card !== this.card) return // the lecture is at another question by now
     this.#show(card, first ?? lesson)
     if (!first) own.then(late => this.#teachLate(card, late))
   }
 
-  /** A reply that took long: the card is laid again for it. @param {Card} card @param {page.Lesson | null} lesson */
+  /** Shows a late reply on a new card. @param {Card} card @param {page.Lesson | null} lesson */
   async #teachLate(card, lesson) {
     if (!lesson || card !== this.card) return
     await this.#lay()
@@ -230,7 +233,9 @@ export class ClassQuestion {
     this.#say()
   }
 
-  /** Shows the lesson with the split, without things to try. @param {Card} card @param {page.Lesson} lesson */
+  /**
+   * Shows the lesson with the counts of the class, without links to try. @param {Card} card @param {page.Lesson} lesson
+   */
   #show(card, lesson) {
     card.teach({...lesson, next: ""})
     this.#split(card, lesson)
@@ -244,7 +249,7 @@ export class ClassQuestion {
     this.layer.update(tallyOf(split), lesson)
   }
 
-  /** @type {import("../questions/question.js").Tallied | null} the split on the card */
+  /** @type {import("../questions/question.js").Tallied | null} the counts of the class on the card */
   layer = null
 
   /**

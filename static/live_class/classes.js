@@ -8,9 +8,9 @@ export class Classes {
   /** @type {import("./teach.js").Teach | null} the class that this page leads */
   led = null
 
-  code = "" // of the class that this page leads or has led, for the order of its answers
+  code = "" // of the class that this page leads or has led; it decides the order of options
 
-  askedStep = "" // the step that the lecture asks while this page looks around
+  askedStep = "" // the question of the lecture while this page looks around outside the class
 
   /** @param {LectureHost} lecture */
   constructor(lecture) {
@@ -23,7 +23,10 @@ export class Classes {
     })
   }
 
-  /** Opens a class, or comes back to the one that this browser leads; shows its code where there is one. */
+  /**
+   * Opens a class, or returns to the one that this browser leads. If this page leads one already, shows or hides its
+   * code.
+   */
   async begin() {
     if (this.led) return this.led.joinScreen.toggle()
     if (this.opening) return
@@ -56,14 +59,14 @@ export class Classes {
     else this.lecture.page.notice.tell("A countdown needs a vote of a live class: press T.")
   }
 
-  /** True if this page has the numbers of a class: it leads one, has led one, or is about to return to its own. */
+  /** True if questions have the numbers of a class: this page leads one, has led one, or is about to return to one. */
   get hasNumbers() {
     return Boolean(this.code || tabStorage.text(LED))
   }
 
-  opening = false // one class, however often the key is pressed
+  opening = false // true while a class is being opened, so that a second press opens no other one
 
-  /** Another connection: its session learns of the class too. */
+  /** Called for each new connection, whose session must know of the class. */
   connected() {
     if (this.led) this.led.lead()
     else if (!this.asked) this.#kept()
@@ -72,7 +75,7 @@ export class Classes {
 
   asked = false
 
-  /** Continues the class of this tab; the tab of a follower who looks around gets a way back. */
+  /** Returns to the class that this tab leads, or offers a follower who looks around the way back to the class. */
   async #kept() {
     if (tabStorage.text(LED)) await this.begin()
     const left = tabStorage.text(LEFT)

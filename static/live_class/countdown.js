@@ -3,12 +3,12 @@
 import {element} from "../core/dom.js"
 
 const TICK = 200 // ms
-export const [FIRST, MORE] = [30, 15] // seconds, of the first press and of each after it
+export const [FIRST, MORE] = [30, 15] // seconds that the first press and each further press add
 
 export class Countdown {
   element = element("p", {class: "countdown", role: "timer"})
 
-  until = 0 // the server's time, in ms; 0 without a countdown
+  until = 0 // end of the countdown in ms of the server's clock; 0 without a countdown
 
   /** @param {{now: number}} timing */
   constructor(timing) {
@@ -17,7 +17,7 @@ export class Countdown {
     this.#tick()
   }
 
-  /** Counts for a question that takes answers. @param {page.PutTo | null | undefined} question */
+  /** Shows the countdown of a question that takes answers. @param {page.PutTo | null | undefined} question */
   show(question) {
     this.until = question?.step && !question.lesson && !question.closed ? question.until : 0
     this.#tick()

@@ -1,14 +1,14 @@
-// The delivery of a phone's answers: each is kept, and sent until the class has it or refuses it.
+// Delivers a phone's answers: stores each one, and sends it until the class accepts or refuses it.
 
 import {amend, mine} from "./my_answers.js"
 import {fetchJson, insist, isMissing, isRefused} from "./requests.js"
 
-/** The stream finds out whether a missing class is over. @param {unknown} reason */
+/** A class that is not found may be restored soon; the stream decides when it is over. @param {unknown} reason */
 const isFinal = reason => isRefused(reason) && !isMissing(reason)
 
 /**
  * @typedef {{readonly code: string, readonly token: string, readonly server: string}} Follower
- * `server` is the server process that was heard last
+ * `server` identifies the current server process
  */
 
 export class Delivery {
@@ -18,7 +18,9 @@ export class Delivery {
   /** @type {Map<string, page.Given>} answers that the class has, by question */
   sent
 
-  /** @type {Map<string, string>} the server that took each answer: a restarted one may have lost it */
+  /**
+   * @type {Map<string, string>} the server process that accepted each answer, because a restarted one may have lost it
+   */
   takenBy = new Map()
 
   /** @type {Map<string, string>} why an answer does not count, by question */
@@ -55,12 +57,12 @@ export class Delivery {
     return this.unsent.get(question) ?? this.sent.get(question) ?? null
   }
 
-  /** Whether the class has the newest answer to a question. @param {string} question */
+  /** True if the class has the newest answer to a question. @param {string} question */
   isSent(question) {
     return this.sent.has(question) && this.answer(question) === this.sent.get(question)
   }
 
-  /** Whether the server that was heard last took the answer to a question. @param {string} question */
+  /** True if the current server process accepted the answer to a question. @param {string} question */
   isTaken(question) {
     return this.takenBy.get(question) === this.follower.server
   }
@@ -73,7 +75,7 @@ export class Delivery {
     this.#deliver()
   }
 
-  /** The server is back: what is unsent is sent at once. */
+  /** Sends unsent answers at once, because the server can be reached again. */
   wake() {
     this.retry.abort()
     this.retry = new AbortController()
@@ -84,7 +86,7 @@ export class Delivery {
     this.wake()
   }
 
-  /** One answer after the other: none overtakes a newer one. @returns {Promise<void>} */
+  /** Sends one answer after the other, so that an old one cannot replace a newer one. @returns {Promise<void>} */
   async #deliver() {
     const [question] = this.unsent.keys()
     if (this.isSending || question === undefined || this.isOver) return
@@ -116,11 +118,14 @@ export class Delivery {
   /** @param {string} question @param {Error} reason */
   #drop(question, {message}) {
     const {tried} = this
-    const isNews = tried !== this.sent.get(question) // an answer that is sent again may be there already
+    const isNews = tried !== this.sent.get(question) // the class may already have an answer that is sent again
     if (this.#settle(question, tried) && isNews) this.refused.set(question, message)
   }
 
-  /** Whether it is the newest: a newer one stays unsent. @param {string} question @param {page.Given} [answer] */
+  /**
+   * Marks an answer as handled. Returns false if there is a newer one, which stays unsent. @param {string} question
+   * @param {page.Given} [answer]
+   */
   #settle(question, answer) {
     if (this.unsent.get(question) !== answer) return false
     this.unsent.delete(question)

@@ -4,7 +4,7 @@ import {bare} from "../core/plain.js"
 
 const LARGEST = 5e6 // characters of a file
 const NEEDED = ["walk", "step", "vote", "answer"]
-const FIRST = "1" // vote: later ones follow a discussion
+const FIRST = "1" // number of the vote that is read; later votes follow a discussion
 
 /** Answers by question, "d31/d31-03". @typedef {Map<string, string[]>} Earlier */
 
@@ -53,7 +53,7 @@ export function countedOf(answers, step) {
   return step.plot || !numbers.length ? null : {...nothing, answered: numbers.length, numbers}
 }
 
-/** A text without signs and spaces, in which the table and the page may differ. @param {string} text */
+/** A text without signs and spaces, because the table and the page may differ in them. @param {string} text */
 const letters = text => text.normalize("NFKC").replaceAll(/[^\p{L}\p{N}]/gu, "")
 
 /** The cells of a CSV by rows. @param {string} text */
@@ -64,7 +64,7 @@ function table(text) {
   const whole = text.replace(/^\ufeff/, "")
   while (cells.lastIndex < whole.length) {
     const match = cells.exec(whole)
-    if (!match) break // an unclosed quote
+    if (!match) break // for a quote that is not closed
     rows[rows.length - 1].push(match[1]?.replaceAll('""', '"') ?? match[2])
     if (match[3] !== ",") rows.push([])
   }

@@ -1,4 +1,4 @@
-// The end of a class: what it deletes, and the answers as CSV before that.
+// The dialog that ends a class: says what is deleted, and offers to save the answers as CSV first.
 
 import {button, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
@@ -20,7 +20,7 @@ export class Ending {
     this.tell = tell
   }
 
-  /** Ask whether to end the class; throw a Refusal if the server cannot say what that deletes. */
+  /** Asks whether to end the class. Throws a Refusal if the server does not say how much that would delete. */
   async open() {
     if (this.dialog || this.isOpening) return
     this.isOpening = true
@@ -43,7 +43,7 @@ export class Ending {
     buttons[0].focus()
   }
 
-  /** A press on a remote control: the first asks, the second ends the class. */
+  /** A press of End on a remote control: the first press opens the dialog, the second ends the class. */
   press() {
     if (this.dialog) this.end()
     else this.open().catch(reason => this.tell(inWords(reason)))
@@ -55,7 +55,7 @@ export class Ending {
     this.end()
   }
 
-  /** Whether it was open. */
+  /** Closes the dialog; returns true if it was open. */
   close() {
     const {dialog} = this
     this.dialog = null
@@ -63,7 +63,7 @@ export class Ending {
     return dialog !== null
   }
 
-  /** @param {HTMLElement} status @param {HTMLElement} end the button that comes next */
+  /** @param {HTMLElement} status @param {HTMLElement} end the button that is focused next */
   async #save(status, end) {
     status.textContent = ""
     try {

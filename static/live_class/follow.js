@@ -16,9 +16,9 @@ import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
 const PATIENCE = 10000 // ms for a sheet
-const RENEWED = "class-renewed" // when a page of another version was last reloaded
-const PAUSE = 10000 // ms until it may be once more
-const AGAIN = 500 // ms until it is fetched again
+const RENEWED = "class-renewed" // name in the storage: time of the last reload for a new version
+const PAUSE = 10000 // ms from that reload to the next
+const AGAIN = 500 // ms until a failed request is repeated
 const OVER = "The class is over. Thank you for coming."
 
 /** @implements {PageHost} */
@@ -37,7 +37,7 @@ export class Following {
   /** @type {Promise<unknown>} */
   turning = Promise.resolve()
 
-  // Here nothing is set.
+  // A follower cannot change parameters, so these do nothing.
   hall = {on: false, ending: ""}
   messages = {send() {}, last: 0, rests: true}
   send() {}
@@ -62,14 +62,14 @@ export class Following {
     })
   }
 
-  /** @param {boolean} is @param {string} [why] not */
+  /** @param {boolean} is @param {string} [why] the reason if not */
   #connected(is, why) {
     const isBack = is && this.bar.away
     this.bar.connected(is, why)
     if (isBack) this.asked.wake()
   }
 
-  /** The server that was heard last. */
+  /** The id of the current server process. */
   get server() {
     return this.news.number?.split(".")[0] ?? ""
   }
@@ -84,7 +84,7 @@ export class Following {
   /** @param {Partial<page.News>} news */
   #hear(news) {
     if (news.ended) return this.#over(OVER)
-    if (news.question) this.news.answered = 0 // until they are counted
+    if (news.question) this.news.answered = 0 // until the new answers are counted
     Object.assign(this.news, news)
     this.bar.update()
     this.asked.count()
@@ -98,7 +98,7 @@ export class Following {
     this.turning = this.turning.then(act).catch(error => console.warn(error))
   }
 
-  /** Draws a picture, unless a newer one has overtaken it. @param {page.SentPicture} picture */
+  /** Draws a picture, unless a newer one has arrived. @param {page.SentPicture} picture */
   async #show(picture) {
     if (picture !== this.news.picture) return
     const sheet = await this.sheets.fetch(picture.sheet).catch(() => null)
@@ -133,13 +133,16 @@ export class Following {
     document.documentElement.dataset.ready = "true"
   }
 
-  /** Opens a case that a reply mentions on a separate page. @param {page.State} state */
+  /** Leaves the class for a page with the case that a reply mentions. @param {page.State} state */
   open(state) {
     this.bar.leave({...state, step: "", covered: []})
     location.assign(`./?scene=${state.scene}`)
   }
 
-  /** The instructor's clock; who asked for less motion sees where it was set to. */
+  /**
+   * Follows the instructor's clock. If the browser asks for reduced motion, time changes only when the instructor moves
+   * it.
+   */
   #run() {
     const {clock} = this.news
     if (!clock || !this.page) return
@@ -165,12 +168,15 @@ export class Following {
   }
 }
 
-/** The server has another version of this page. For a while there may be servers of both: no haste to ask again. */
+/**
+ * Reloads the page because the server has another version. During an upgrade both versions may answer, so it reloads at
+ * most every 10 s.
+ */
 function outdated() {
   const last = Number(tabStorage.text(RENEWED))
   setTimeout(
     () => {
-      // A browser that keeps nothing would load without end.
+      // Without storage, the page would reload again and again.
       if (tabStorage.keep(RENEWED, Date.now())) location.reload()
     },
     last + PAUSE - Date.now(),
@@ -199,7 +205,7 @@ async function begin() {
   }
 }
 
-/** @param {unknown} reason why the class is not there yet */
+/** @param {unknown} reason why the class cannot be joined yet */
 function say(reason) {
   const heading = document.querySelector(".class-wait h1")
   if (heading) heading.textContent = `${inWords(reason)} Trying again.`

@@ -1,4 +1,4 @@
-// The bars around a follower's picture: the place in the lecture, the connection, and the way to look around.
+// The bars around a follower's picture: the position in the lecture, the connection, and a link to look around alone.
 
 import {element} from "../core/dom.js"
 import {Countdown} from "./countdown.js"
@@ -26,7 +26,7 @@ export class FollowBar {
     )
   }
 
-  /** @param {boolean} is @param {string} why not, where the server says so */
+  /** @param {boolean} is @param {string} why the server's reason if not */
   connected(is, why = "") {
     if (this.away === !is && this.why === why) return
     this.away = !is
@@ -53,7 +53,10 @@ export class FollowBar {
     if (shown) this.own.href = `./?${shown.query}`
   }
 
-  /** The page that opens knows the way back, and what it is to show. @param {page.State} [sought] */
+  /**
+   * Leaves the class to look around. The page that opens offers the way back and shows the state `sought`. @param
+   * {page.State} [sought]
+   */
   leave(sought) {
     tabStorage.keep(LEFT, this.following.code)
     if (sought) tabStorage.keep(SOUGHT, sought)

@@ -1,4 +1,5 @@
-// The join badge in a corner of the hall's screen: the address, the code, a QR code for the first rows, who is here.
+// The join badge in a corner of the hall's screen: the address, the code, a QR code for the first rows, and the number
+// of followers.
 
 import {button, element, marked} from "../core/dom.js"
 
@@ -30,7 +31,7 @@ export class JoinBadge {
   }
 }
 
-/** As it is typed. @param {string} address */
+/** The address as students type it, without http. @param {string} address */
 export function place(address) {
   const {host, pathname} = new URL(address)
   return `${host}${pathname}`.replace(/\/$/, "")

@@ -1,4 +1,5 @@
-// The join screen: the code and its QR over the whole page, for the last row, and all else that leads a class.
+// The join screen: the code and its QR code over the whole page, readable from the last row, and the other controls of
+// the class.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
@@ -12,10 +13,10 @@ export class JoinScreen {
   /** @type {HTMLDialogElement | null} */
   dialog = null
 
-  /** @type {HTMLElement | null} how many are here */
+  /** @type {HTMLElement | null} the number of followers */
   here = null
 
-  /** The digits of remote controls that wait to be let in. @type {string[]} */
+  /** The digits that remote controls show that wait for permission. @type {string[]} */
   remotes = []
 
   asking = element("div", {class: "class-asking", role: "status"}) // whether they are
@@ -89,7 +90,7 @@ export class JoinScreen {
     this.status.textContent = sentence
   }
 
-  /** Does something, or says why not. @param {() => unknown} act */
+  /** Runs an action, or shows why it fails. @param {() => unknown} act */
   async #try(act) {
     try {
       this.#say("done", "")
@@ -99,7 +100,7 @@ export class JoinScreen {
     }
   }
 
-  /** The CSV of an earlier class is chosen; its votes then stand beside those of this one. */
+  /** Reads the chosen CSV of an earlier class, whose votes are then shown behind the current ones. */
   #earlier() {
     const field = element("input", {type: "file", accept: ".csv,text/csv"})
     field.addEventListener("change", () => this.#try(() => this.#take(field.files?.[0])))
@@ -115,7 +116,7 @@ export class JoinScreen {
     this.#say("done", `Its votes on ${votes.earlier.size} question${votes.earlier.size === 1 ? "" : "s"} are outlined.`)
   }
 
-  /** A word with which another computer leads the class. */
+  /** Shows a word with which another computer can take over the class. */
   async #handOver() {
     const {copies, lecture, room} = this.teach
     const {code, key} = room
@@ -129,17 +130,17 @@ export class JoinScreen {
       element("b", {class: "at"}, place(address)),
       element("span", {}, "It then leads the class, and this one does not."),
     )
-    this.dialog?.querySelector(".class-square")?.replaceChildren() // phones have nothing to do here
+    this.dialog?.querySelector(".class-square")?.replaceChildren() // this code is not for phones
     this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }
 
-  /** A code that lets one phone in, within a minute. */
+  /** A code with which one phone can become the remote control, within a minute. */
   async #remote() {
     const {dialog} = this
     const {code, key} = this.teach.room
     const ticket = await fetchJson(`${code}/tickets`, {method: "POST", word: key})
     const square = this.dialog?.querySelector(".class-square")
-    if (!square || dialog !== this.dialog) return // it was closed meanwhile
+    if (!square || dialog !== this.dialog) return // the screen was closed meanwhile
     square.innerHTML = ticket.square
     square.setAttribute("aria-label", "QR code of the remote control")
     const words = element("div", {class: "class-words"}, element("b", {class: "at"}, "A remote control"))
@@ -147,7 +148,10 @@ export class JoinScreen {
     this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }
 
-  /** Phones wait that show these digits: of a new one this is asked at once. @param {string[]} digits all that wait */
+  /**
+   * Asks whether to let in the phones that show these digits; opens the screen for a new one. @param {string[]} digits
+   * all that wait
+   */
   wait(digits) {
     const isNew = digits.some(each => !this.remotes.includes(each))
     this.remotes = digits

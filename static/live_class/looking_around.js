@@ -1,11 +1,11 @@
-// The excursion of a follower, who looks around alone: the bar that leads back to the lecture, and says when it asks.
+// The bar for a follower who looks around outside the class. It leads back, and says when the lecture asks a question.
 
 import {element} from "../core/dom.js"
 import {LEFT, tabStorage} from "../core/storage.js"
 import {forget, mine} from "./my_answers.js"
 import {Stream} from "./stream.js"
 
-/** @param {string} code @param {(step: string) => void} asks called with the step the lecture asks now, if any */
+/** @param {string} code @param {(step: string) => void} asks called with the current question of the lecture, if any */
 export function ownWay(code, asks) {
   const token = mine(code)?.token
   if (!token) return

@@ -1,4 +1,4 @@
-// The part of a phone in a class: its token, and its answers, sent and unsent. It is kept until the class is over.
+// Data that a phone stores about a class: its token and its answers, sent and unsent. Deleted when the class is over.
 
 import {browserStorage} from "../core/storage.js"
 import {fetchJson, insist, isMissing, isRefused} from "./requests.js"
@@ -10,7 +10,7 @@ import {fetchJson, insist, isMissing, isRefused} from "./requests.js"
  */
 
 const OF_A_CLASS = /^class-[0-9A-Z]{4}$/
-const DOUBT = 30000 // ms for which a scanned code may be unknown: a restarted server gets its classes back by then
+const DOUBT = 30000 // ms for which a scanned code may be unknown: a restarted server first restores its classes
 
 /** @param {string} code */
 const name = code => `class-${code}`
@@ -22,15 +22,15 @@ export function mine(code) {
   return token ? {token, answers, unsent} : null
 }
 
-/** Start to keep a class; earlier classes are forgotten. @param {string} code @param {string} token */
+/** Starts to store a class, and deletes earlier ones. @param {string} code @param {string} token */
 function enter(code, token) {
   browserStorage.forget(...browserStorage.names().filter(key => OF_A_CLASS.test(key)))
   keep(code, {token, answers: {}, unsent: {}})
 }
 
 /**
- * The code and the token of a class: the token that this browser keeps, or a new one. A wrong code is refused at once;
- * one from a QR code is asked for again for half a minute.
+ * The code and the token of a class: the token that this browser keeps, or a new one. A wrong typed code fails at once;
+ * a code from a QR code is tried for half a minute.
  * @param {string} typed @param {string} word of the QR code, "" if the code was typed
  * @param {(reason: unknown) => void} failed called after each failed try
  */
@@ -42,7 +42,7 @@ export async function entered(typed, word, failed) {
   const isFinal = (/** @type {unknown} */ reason) => isRefused(reason) && !(isMissing(reason) && Date.now() < doubts)
   const request = () => fetchJson(`${encodeURIComponent(code)}/token`, {method: "POST", word})
   const found = await insist(request, {failed, isFinal})
-  if (known().token) return known() // another tab of this phone has joined meanwhile: both are one follower
+  if (known().token) return known() // if another tab of this phone has joined meanwhile, both count as one follower
   enter(found.code, found.token)
   return found
 }

@@ -5,7 +5,7 @@ import {ALOUD, shownBy, stepText, walkText} from "../walks/draft.js"
 const LETTERS = ["A", "B", "C", "D"]
 
 /**
- * Leaves the current step and puts the vote; resolves with a reason if that is not possible, else "".
+ * Leaves the current step and starts the vote. Resolves with "", or with the reason why that is not possible.
  * @param {LectureHost} lecture @returns {Promise<string>}
  */
 export async function poll({walks, messages, kept}) {
@@ -17,7 +17,9 @@ export async function poll({walks, messages, kept}) {
   return walks.run(ALOUD, before + stepText(stepOn(shownBy(answer.query), covered, place + 1)), place)
 }
 
-/** @param {string} state that is shown, as a link @param {string[]} cover @param {number} number of the vote */
+/**
+ * @param {string} state of the page, as a link @param {string[]} cover hidden parts @param {number} number of the vote
+ */
 const stepOn = (state, cover, number) => ({
   id: `vote-${number}`,
   kind: "choice",

@@ -1,5 +1,5 @@
-// A phone as the instructor's remote control: let in by the first screen, it then shows the question, how the class
-// answers it, and what the next press does.
+// A phone as the instructor's remote control. After the instructor's screen has let it in, it shows the question, the
+// answers of the class, and what the next press does.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
@@ -9,8 +9,8 @@ import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
 import {Refusal, fetchJson, insist, isMissing} from "./requests.js"
 
-const DOUBTS = 30 // looks until a missing class counts as over, because its server may be restarting
-const ASKING = 1000 // ms between requests for its contents
+const DOUBTS = 30 // requests until a class that is not found counts as over, because its server may be restarting
+const ASKING = 1000 // ms between requests
 const BUZZ = 200 // ms of vibration when everyone has answered
 const DEEDS = /** @type {[string, page.Deed][]} */ ([
   ["How it follows", "derive"], ["Show the answer", "show"], ["Vote again", "again"], ["How sure?", "sure"],
@@ -34,7 +34,7 @@ export async function control(code, ticket) {
 }
 
 /**
- * Returns the key of this remote control, which a reloaded page still has.
+ * The key of this remote control. It is stored, so that a reloaded page keeps it.
  * @param {string} code @param {string} ticket @param {(why: string) => void} say @returns {Promise<page.Paired>}
  */
 async function pairedWith(code, ticket, say) {
@@ -64,7 +64,7 @@ class Remote {
   over = false
   doubts = 0
 
-  /** @type {page.RemoteView | null} what it shows */
+  /** @type {page.RemoteView | null} the data that are shown */
   view = null
 
   async look() {
@@ -92,7 +92,7 @@ class Remote {
   }
 
   body = this.#body()
-  isPressed = false // while a finger is on it, nothing moves
+  isPressed = false // do not update while a finger presses a button
 
   #body() {
     const body = element("div", {class: "remote-body"})
@@ -112,14 +112,14 @@ class Remote {
     this.body.replaceChildren(...brief(this.view, this.code, moderate))
   }
 
-  /** The buttons stay in the document: a press on one that is replaced meanwhile would be lost. */
+  /** The buttons stay in the document, because a press on a button that is replaced meanwhile would be lost. */
   buttons = DEEDS.map(([name, deed]) => ({
     name,
     deed,
     element: button({class: deed === "next" ? "act filled" : "act"}, () => this.#press(deed), name),
   }))
 
-  /** Offers what the instructor's screen can do now. */
+  /** Shows the buttons for what the instructor's screen can do now. */
   #ready() {
     const {next = "", blank = false, deeds = []} = this.view?.screen ?? {}
     for (const {name, deed, element: pressed} of this.buttons) {
@@ -130,7 +130,9 @@ class Remote {
     }
   }
 
-  /** Labels of buttons with a new effect. @param {boolean} isBlank @returns {Partial<Record<page.Deed, string>>} */
+  /**
+   * Labels of buttons whose effect has changed. @param {boolean} isBlank @returns {Partial<Record<page.Deed, string>>}
+   */
   #words(isBlank) {
     const counts = this.countdown.left > 0
     const closes = this.view?.question.closes
@@ -157,7 +159,7 @@ class Remote {
     else this.#do({deed})
   }
 
-  /** The first screen asks as well, and says what is deleted. */
+  /** Asks before the class ends. The instructor's screen asks too, and says what is deleted. */
   #confirm() {
     this.#do({deed: "end"})
     const back = () => {
@@ -175,7 +177,7 @@ class Remote {
     this.host.append(element("div", {class: "remote-deeds"}, cancel, end))
   }
 
-  /** The steps of the walk by their titles, in the place of the buttons: a press goes there. */
+  /** Replaces the buttons by the list of the walk's steps; a press opens the step. */
   async #list() {
     const {code, paired} = this
     /** @type {page.Listed[] | undefined} */
@@ -206,7 +208,7 @@ class Remote {
   /** @param {unknown} reason */
   #failed(reason) {
     const status = reason instanceof Refusal && reason.isSaid ? reason.status : 0
-    const isOver = isMissing(reason) // it was ended: there is nothing to wait for
+    const isOver = isMissing(reason) // this remote control ended the class, so nothing is left to wait for
     this.over ||= isOver || (status === 403 && this.doubts++ >= DOUBTS)
     const why = isOver ? inWords(reason) : "This phone is no longer the remote control of a class."
     if (this.over) this.host.replaceChildren(element("h1", {}, why))

@@ -1,4 +1,4 @@
-// Requests to a live class over HTTP, and its refusals.
+// HTTP requests to a live class, and the reasons with which it refuses them.
 
 import {inWords} from "../core/notes.js"
 
@@ -7,7 +7,9 @@ const SHORTEST = 300 // ms until the second try; each pause is twice the one bef
 const LONGEST = 8000
 const PASSING = new Set([408, 425, 429])
 
-/** A refusal in a sentence. `status` is 0 if the server does not answer; `isSaid` if the sentence is the server's. */
+/**
+ * A refusal in a sentence. `status` is 0 if the server does not answer; `isSaid` if the sentence comes from the server.
+ */
 export class Refusal extends Error {
   /** @param {string} sentence @param {number} status @param {boolean} [isSaid] */
   constructor(sentence, status, isSaid = false) {
@@ -16,14 +18,14 @@ export class Refusal extends Error {
     this.isSaid = isSaid
   }
 
-  /** Whether another try may succeed. An error page of a proxy says nothing about the class. */
+  /** True if another try may succeed. An error page of a proxy says nothing about the class. */
   get passes() {
     return !this.isSaid || this.status >= 500 || PASSING.has(this.status)
   }
 }
 
 /**
- * One question to the server; what it answers, or null where it has nothing to say.
+ * Sends one request; returns the answer, or null if it has no content.
  * @typedef {{method?: string, body?: unknown, word?: string, signal?: AbortSignal}} How
  * @param {string} path below class/ @param {How} [how]
  */
@@ -58,13 +60,16 @@ export async function insist(request, how = {}, tries = 0) {
   return insist(request, how, tries + 1)
 }
 
-/** Whether the class refuses for good. @param {unknown} reason */
+/** True if another try cannot succeed. @param {unknown} reason */
 export const isRefused = reason => reason instanceof Refusal && !reason.passes
 
-/** Whether the server does not know the class, as a restarted one does not. @param {unknown} reason */
+/** True if the server does not know the class, for example after a restart. @param {unknown} reason */
 export const isMissing = reason => reason instanceof Refusal && reason.isSaid && reason.status === 404
 
-/** The pause after a number of failures, in ms. Clients that failed together come back apart. @param {number} tries */
+/**
+ * The pause after a number of failures, in ms. It is random, so that clients that failed at the same time do not return
+ * at the same time. @param {number} tries
+ */
 export const pauseAfter = tries => Math.min(SHORTEST * 2 ** tries, LONGEST) * (0.5 + Math.random())
 
 /** @param {string} path @param {How} how */
@@ -87,7 +92,7 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
 }
 
 /**
- * Until the time is over, or a signal ends it.
+ * Waits for a time, or until the signal aborts.
  * @param {number} ms @param {AbortSignal} [signal] @returns {Promise<void>}
  */
 export const pause = (ms, signal) =>

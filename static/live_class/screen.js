@@ -1,10 +1,10 @@
 // The instructor's screen, described for a remote control: what the next press does, and which buttons do something.
 
 /**
- * Its description.
+ * The description of the screen.
  * @param {LectureHost["walks"]} walks
- * @param {{canRepeat: boolean, asksSure: boolean, isOpen: boolean, counts: boolean, joins: boolean}} is the question
- *   can be put again, asks how sure the class is, takes answers, counts down; the join screen is open
+ * @param {{canRepeat: boolean, asksSure: boolean, isOpen: boolean, counts: boolean, joins: boolean}} is true if the
+ * question can be asked again, asks how sure the class is, takes answers, counts down; and if the join screen is open
  * @returns {page.DescribeScreen}
  */
 export function describedScreen(walks, {canRepeat, asksSure, isOpen, counts, joins}) {

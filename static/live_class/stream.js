@@ -1,23 +1,24 @@
-// The stream of updates of a live class: reopened if it breaks, and replaced by polling if nothing comes through.
+// The stream of updates of a live class: reopened if it breaks, and replaced by polling if a proxy holds it back.
 
 import {Refusal, fetchJson, asked, pause, pauseAfter} from "./requests.js"
 
 const PATIENCE = 3000 // ms without data until an attempt is given up
-const HASTE = 150 // the same for the first try of a page that wakes, whose old connections may be dead
-const SLOWING = 1.5 // times as long for each try after it
-const HASTY = 6 // tries of a page that wakes
+const HASTE = 150 // the same for the first try of a page that becomes visible again, whose old connections may be dead
+const SLOWING = 1.5 // factor for each further try
+const HASTY = 6 // number of such short tries
 const BUSY = 250 // extra ms, so that a busy page can read data that has arrived
-const CONNECTIONS = 6 // that a browser keeps to one server
+const CONNECTIONS = 6 // number of connections that a browser keeps to one server
 const SILENCE = 25000 // ms after which a stream is reopened: the server sends something every 15 s
-const ASKING = 1000 // ms between questions
+const ASKING = 1000 // ms between requests during polling
 const TRIAL = 60000 // ms until a stream is tried again during polling
-const SLEEP = 1e8 // ms, more than a day: until the page is seen again
+const SLEEP = 1e8 // ms, more than a day: the pause of a hidden page
 const DOUBT = 30000 // ms until a missing class counts as over, because its server may be restarting
 const NOW = "at once" // the reason to end an attempt and start the next without a pause
 
 /**
- * A state: the kind of request, a stream of events or one for the news until now; the longest silence; if dead
- * connections are used up meanwhile; the next state if nothing comes, and if there is a pause before it.
+ * A state of the connection. `by`: the kind of request, a stream of events or one request for the news until now.
+ * `patience`: the longest silence in ms. `probes`: true to use up dead connections meanwhile. `late`: the next state if
+ * nothing comes. `rests`: true for a pause before the next request.
  * @typedef {{by: "events" | "now", patience: number, probes?: boolean, late: string, rests?: boolean}} StreamState
  * @type {Record<string, StreamState>}
  */
@@ -46,9 +47,9 @@ function woken(by) {
  */
 export class Stream {
   state = "events"
-  number = "" // of the last state that was received
-  heardAt = 0 // by the time of day, which continues while a phone sleeps
-  knockAt = 0 // when a stream is tried during polling
+  number = "" // number of the last news that were received
+  heardAt = 0 // time of the last data, by the time of day, which continues while a phone sleeps
+  knockAt = 0 // time at which polling tries a stream next
   tries = 0 // failed tries since the last data
   missedAt = 0 // when the server first reported that there is no such class
   over = false
@@ -75,7 +76,10 @@ export class Stream {
     return STATES[this.state].by
   }
 
-  /** Tries again at once: the server is known to be up, or the page wakes with a stream that may be dead. */
+  /**
+   * Tries again at once, because the server can be reached, or because the page becomes visible with a stream that may
+   * be dead.
+   */
   wake() {
     this.tries = 0
     this.missedAt = 0
@@ -153,7 +157,7 @@ export class Stream {
     return ASKING
   }
 
-  /** Ends the attempt if nothing comes in time. @returns {() => void} to be called when data come */
+  /** Ends the attempt if nothing comes in time. @returns {() => void} function to call when data come */
   #expect() {
     const {control} = this
     const {patience, probes, late, rests} = STATES[this.state]
@@ -174,7 +178,7 @@ export class Stream {
     }
   }
 
-  /** Tries a stream now and then during polling, which costs the server more. */
+  /** Tries a stream now and then during polling, because polling costs the server more. */
   async #knock() {
     this.knockAt = Date.now() + TRIAL
     const control = new AbortController()
@@ -187,7 +191,7 @@ export class Stream {
         this.wake()
       })
     } catch {
-      // Streams do not come through yet.
+      // Streams are still held back.
     }
     clearTimeout(timer)
   }
@@ -222,14 +226,14 @@ export class Stream {
 
 /**
  * Uses up the connections that died while the phone slept, with one request for each that the browser keeps.
- * @param {AbortSignal} signal when something has come, or nothing will
+ * @param {AbortSignal} signal aborts when data have come, or none will
  */
 function probe(signal) {
   for (let i = 1; i < CONNECTIONS; i++) fetchJson("time", {signal}).catch(() => {})
 }
 
 /**
- * Each event of a stream, until it ends.
+ * Calls `event` with each event of a stream until it ends.
  * @param {Response} answer @param {(text: string) => void} event @returns {Promise<void>}
  */
 function heard(answer, event) {

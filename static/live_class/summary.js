@@ -1,4 +1,4 @@
-// The summary of a class on one screen, or on one sheet of paper: each question, and how many were right.
+// The summary of a class on one screen, or on one sheet of paper: each question with the number of right answers.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {fetchJson} from "./requests.js"
@@ -21,7 +21,7 @@ export async function summary({code, key}) {
   dialog.showModal()
 }
 
-/** The step at which the largest share was wrong in the last vote. @param {page.StepSummary[]} steps */
+/** The step with the largest share of wrong answers in its last vote. @param {page.StepSummary[]} steps */
 export function headline(steps) {
   if (!steps.length) return "Nobody has answered a question yet."
   const shares = steps.map(step => wrongOf(step) / last(step).answered)

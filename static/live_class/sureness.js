@@ -5,7 +5,7 @@ import {chip, element} from "../core/dom.js"
 const LEVELS = ["I guessed", "Fairly sure", "Certain"]
 const COUNTED = ["guessed", "fairly sure", "certain"]
 
-/** Three buttons under the question of a phone. */
+/** The three buttons under the question on a phone. */
 export class Sureness {
   level = 0 // from 1 on
 

@@ -15,11 +15,11 @@ import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
 
-const LOOK = 50 // ms between looks at the clock
-const OFF = 0.04 // s by which followers may be off before they get the clock again
+const LOOK = 50 // ms between two checks of the clock
+const OFF = 0.04 // s; the clock is sent again if followers are off by more
 const AGAIN = 1000 // ms until an order is sent again
 const PASSED = "led by another computer"
-const SAVING = 60000 // ms between notes that the class continues
+const SAVING = 60000 // ms between two notes in the storage that the class continues
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 
@@ -33,7 +33,7 @@ export class Teach {
   /** @type {string} the name of the followers' question */
   askedStep = ""
 
-  /** @type {page.WalkSheet | undefined} its walk; a file that is read again gives a new one */
+  /** @type {page.WalkSheet | undefined} the walk of that question; reading a file again gives a new one */
   sheet
 
   away = false
@@ -55,7 +55,7 @@ export class Teach {
     this.joinScreen = new JoinScreen(this)
     this.badge = new JoinBadge(room, () => this.joinScreen.toggle())
     this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.joinScreen.toggle())
-    // The class was passed on to another computer.
+    // Remove the badge of an earlier class, which another computer leads now.
     for (const old of document.querySelectorAll("button.class-code, .class-corner")) old.remove()
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code
@@ -134,7 +134,7 @@ export class Teach {
     const {walk} = walks
     if (isFirst && walk) this.walked(walk)
     if (isFirst) walks.lead(this.copies.walks, this.news.question)
-    // By another window of the instructor's.
+    // Another window of the instructor has shown the answer.
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
     if (news.question && this.isTakenBack(walk)) this.votes.open()
@@ -165,7 +165,7 @@ export class Teach {
     else if (deed === "derive" && walk?.lesson) this.#derive(walk)
   }
 
-  /** The formulas, with the explanation. @param {Walk} walk */
+  /** Shows the formulas of the explanation. @param {Walk} walk */
   #derive(walk) {
     if (this.votes.isOpen) this.votes.close()
     walk.card?.derive()
@@ -184,7 +184,7 @@ export class Teach {
    */
   async #sent(order) {
     const {code, key} = this.room
-    if (this.isOver || (order.type === "clock" && order !== this.sentClock)) return false // a newer clock is on its way
+    if (this.isOver || (order.type === "clock" && order !== this.sentClock)) return false // a newer clock will be sent
     try {
       await fetchJson(`${code}/lead`, {method: "POST", body: order, word: key})
       return true
@@ -204,7 +204,7 @@ export class Teach {
     return false
   }
 
-  /** Sends the clock if followers would see another instant than this page. */
+  /** Sends the clock if followers would show another time than this page. */
   #look() {
     this.badge.stand(this.lecture.page.root)
     this.#describe()
@@ -259,8 +259,8 @@ export class Teach {
     if (nameOf(walk) !== this.askedStep || (walk && walk.sheet !== this.sheet)) this.#arrive(walk)
     else if (walk?.card && this.votes.card !== walk.card) {
       this.votes.begin(walk)
-      if (walk.lesson && this.shown) this.votes.open() // its card is new
-      else if (this.shown) this.#askClass(walk) // its answer was taken back
+      if (walk.lesson && this.shown) this.votes.open() // the card was built again, so show the votes on it
+      else if (this.shown) this.#askClass(walk) // the answer was hidden again, so ask again
     }
     if (walk?.lesson && !this.shown) {
       this.shown = true
@@ -272,7 +272,7 @@ export class Teach {
 
   shown = false
 
-  /** Called for another step; shows its answer if the class has seen that. @param {Walk | null} walk */
+  /** Called when the walk is at another step. Shows the answer if the class has seen it. @param {Walk | null} walk */
   async #arrive(walk) {
     const isShown = this.#isShown(walk)
     const isTakenBack = this.isTakenBack(walk)
@@ -310,7 +310,7 @@ export class Teach {
       this.copies.take(name, text)
     }
     if (askedStep !== this.askedStep) return
-    // Restore the earlier state of the question.
+    // Restores the earlier state of the question.
     const [vote, answered] = [this.copies.last(askedStep), this.copies.isAnswered(askedStep)]
     this.order({type: "put", walk: name, step: step.id, vote, answered})
   }

@@ -3,19 +3,19 @@
 import {fetchJson} from "./requests.js"
 
 const FIRST = [3, 12] // requests to estimate the clock offset, at least and at most
-const THEN = [1, 3]
-const LIMIT = 2000 // ms for one: what takes longer says little
-const CLOSE = 10 // ms: more requests need not better such a bound
-const AGAIN = 60000 // ms until it is measured again
-const DRIFT = 1e-4 // of the time since: clocks of phones run fast or slow by a fifth of that
+const THEN = [1, 3] // the same for each later estimate
+const LIMIT = 2000 // ms for one request; a slower one would be too inaccurate
+const CLOSE = 10 // ms; a smaller bound needs no further requests
+const AGAIN = 60000 // ms until the next estimate
+const DRIFT = 1e-4 // assumed relative drift of the clock; phones drift by about a fifth of it
 
 export class Timing {
   offset = 0 // ms to be added to this browser's clock
-  within = Infinity // ms by which that was off at most
-  at = 0 // when it was measured, by this browser's clock
-  apart = 0 // the time of day minus this browser's clock at that time
+  within = Infinity // bound of the error of `offset` in ms, when it was measured
+  at = 0 // time of the measurement, by this browser's clock
+  apart = 0 // time of day minus this browser's clock, at the measurement
 
-  /** @param {() => void} [changed] called when the bound is another */
+  /** @param {() => void} [changed] called when the bound has changed */
   constructor(changed = () => {}) {
     this.changed = changed
     this.measured = this.measure(FIRST)
@@ -23,7 +23,7 @@ export class Timing {
     document.addEventListener("visibilitychange", () => document.hidden || this.#wake())
   }
 
-  /** ms by which the server's time may be off. */
+  /** Bound of the error of `now`, in ms. */
   get bound() {
     return this.within + DRIFT * (clock() - this.at)
   }
@@ -42,7 +42,10 @@ export class Timing {
     this.measured = this.measure(FIRST)
   }
 
-  /** Measures once. The server read its clock within the round trip, so its middle is off by at most half of it. */
+  /**
+   * Measures with one request. The server read its clock during the round trip, so the middle of the trip is off by at
+   * most half of it.
+   */
   async measure([least, most] = THEN) {
     const sent = clock()
     const server = await fetchJson("time", {signal: AbortSignal.timeout(LIMIT)}).catch(() => null)

@@ -13,7 +13,7 @@ export class Votes {
   /** @type {page.Tally | null} */
   tally = null
 
-  /** @type {import("../walks/card.js").Card | null} the card that shows them */
+  /** @type {import("../walks/card.js").Card | null} the card that shows the votes */
   card = null
 
   /** @type {import("../questions/question.js").Tallied | null} */
@@ -118,7 +118,7 @@ export class Votes {
     const turn = tally && tally.vote > 1 && !walk.lesson ? `Vote ${tally.vote}: ` : ""
     const answered = tally?.now.answered ?? 0
     const drawn = tally?.now.sketches.length ?? 0
-    const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
+    const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would merge
     const words = `${turn}${haveAnswered(answered, here)}${this.isOpen ? some + before : ""}`
     this.status.textContent = tally ? words : "" // a missing count is not 0
     const isTakenBack = this.teach.isTakenBack(walk)

@@ -1,4 +1,4 @@
-// The points of a record over the curve of a plot, and below it their distances from this curve.
+// Measured points over the curve of a plot and, below the plot, the residuals: their distances from the curve.
 
 import {element, inUnits, reword, setAttributes, svg, textWidth, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
@@ -11,7 +11,7 @@ const GAP = 4
 const LANE = {top: 6, bottom: 6}
 
 /**
- * Displacements in m at times in s; `scatter` is 0 before a fit.
+ * Displacements in m at times in s. `scatter`: standard deviation of the residuals; 0 before a fit.
  * @typedef {{t: Float64Array, x: Float64Array, scatter: number}} DrawnPoints
  */
 
@@ -43,7 +43,7 @@ export class Points {
     setAttributes(this.path, {d: this.#line(this.plot)})
   }
 
-  /** The points for a drawing of the plot. @param {Canvas} canvas */
+  /** The points for a saved picture of the plot. @param {Canvas} canvas */
   drawing(canvas) {
     return svg("path", {class: "measured-points", d: this.#line(canvas)})
   }
@@ -171,8 +171,9 @@ export function residualsOf(plot, {t, x}) {
 }
 
 /**
- * The points as they are drawn: displacements without the fitted offset and drift. A velocity or an acceleration is
- * drawn at the fitted displacement, with its residual over the same power of the natural frequency, of two their mean.
+ * The points as they are drawn: displacements without the fitted offset and drift. A measured velocity or acceleration
+ * becomes a displacement: the fitted one, plus the residual divided by the same power of the natural frequency (of two
+ * frequencies, their geometric mean).
  * @param {{rows: import("./record.js").Rows | null, fit: page.Fitted | null} | null} file
  * @returns {DrawnPoints[] | null}
  */

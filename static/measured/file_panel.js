@@ -1,4 +1,4 @@
-// The file of a measurement, its columns, and the numbers of its fit.
+// The panel for a measurement: its file, the chosen columns, and the numbers of the fit.
 
 import {chip, element, marked, reword} from "../core/dom.js"
 import {VALUES, TIMES, unitIn} from "./record.js"
@@ -61,7 +61,7 @@ export class FilePanel {
     return element("div", {class: "measured-empty"}, input, choose, ...record, ...ready, hint)
   }
 
-  /** The button that records with this phone, and stops. */
+  /** The button that starts and stops a recording with this phone. */
   #recorder() {
     const record = chip(RECORD, () => {
       if (this.recording) return this.#leaveRecording(record)
@@ -102,7 +102,7 @@ export class FilePanel {
     reword(record, RECORD)
   }
 
-  /** Ends what goes on when the scene is left. */
+  /** Ends a running recording when the scene is left. */
   leave() {
     this.recording?.leave()
   }

@@ -10,7 +10,7 @@ import {isZip, unpacked} from "./zip.js"
 import {save} from "../export/save.js"
 import {inWords} from "../core/notes.js"
 
-const AGAIN = 2000 // ms until a fit is requested again for which the server had no time
+const AGAIN = 2000 // ms until a fit is requested again if the server was busy
 const MOST_TRIES = 15
 const FITTING = "Computing the fit. It may have to wait for those of other visitors."
 const HEADS = ["point - offset [m]", "curve [m]", "residual [m]"]
@@ -18,14 +18,13 @@ const BUSY = "The fit could not be computed now. Press “Fit again” in a mome
 const CANCELLED = "The fit is cancelled. “Fit again” computes it."
 
 /**
- * A file: its tables, the place of the chosen one and this one, the chosen columns, and the rows and the fit if there
- * are any.
+ * A file: its tables, the index of the chosen table, this table, the chosen columns, and the rows and the fit, or null.
  * @typedef {{name: string, tables: import("./table.js").NamedTable[], place: number,
  *   table: import("./table.js").Table, choice: import("./record.js").ColumnChoice,
  *   rows: import("./record.js").Rows | null, fit: page.Fitted | null}} Opened
  */
 
-/** @type {Opened | null} the file of this tab, which other scenes and connections keep */
+/** @type {Opened | null} the file of this tab; it stays open when the scene or the connection changes */
 let opened = null
 
 /**
@@ -81,7 +80,7 @@ export class MeasuredView {
       const file = event.dataTransfer?.files[0]
       if (!file || !this.isSeen || file.name.endsWith(".toml")) return
       event.preventDefault()
-      event.stopPropagation() // a walk's file goes to the menu
+      event.stopPropagation() // the menu opens files of walks
       this.open(file)
     })
     this.pasted = (/** @type {ClipboardEvent} */ event) => {
@@ -162,8 +161,8 @@ export class MeasuredView {
   }
 
   /**
-   * Sends a piece of the rows and then what the server needs next, until it has fitted a motion. A new session, or a
-   * server without time, begins again.
+   * Sends a piece of the rows and then what the server needs next, until it has fitted a motion. If the session is new
+   * or the server is busy, it starts again with the first piece.
    * @param {Opened} file @param {page.SendRows[]} pieces @param {number} [piece] @param {number} [tries]
    * @returns {Promise<void>}
    */
@@ -196,7 +195,7 @@ export class MeasuredView {
     const {messages} = this.page.host
     if (!this.isFitting || !opened) return
     this.isFitting = false
-    opened = {...opened} // answers to the file before are late
+    opened = {...opened} // answers to the old object are then ignored
     messages.abandon?.("rows")
     messages.send({type: "cancel_fit"})
   }
@@ -249,7 +248,7 @@ export class MeasuredView {
   }
 }
 
-/** The place of the table with the most rows. @param {import("./table.js").NamedTable[]} tables */
+/** The index of the table with the most rows. @param {import("./table.js").NamedTable[]} tables */
 function longest(tables) {
   const counts = tables.map(({table}) => table.lines.length)
   return counts.indexOf(Math.max(...counts))

@@ -1,5 +1,5 @@
-// A record: times, and for each mass its displacements, velocities or accelerations in SI units, from columns of a
-// table; and its pieces for the server.
+// A record, made from columns of a table: times, and for each mass its displacements, velocities or accelerations in SI
+// units; and its pieces for the server.
 
 const MOST_SENT = 20_000
 const PIECE = 1250 // rows: components/language/messages.py
@@ -11,7 +11,7 @@ const MOTION = /^\W*(x|y|z|pos|disp|dist|height|left|right)/i
 export const TIMES = {s: 1, ms: 1e-3, min: 60}
 /** @type {Record<string, number>} */
 export const VALUES = {m: 1, cm: 1e-2, mm: 1e-3, "m/s": 1, "m/s²": 1, g: 9.80665}
-/** The order of the derivative, by its unit. @type {Record<string, number>} */
+/** The order of the derivative of the displacement, by unit. @type {Record<string, number>} */
 const DERIVATIVES = {"m/s": 1, "m/s²": 2, g: 2}
 
 /** A chosen column and its unit, "" for a unit that is not known. @typedef {{place: number, unit: string}} Column */
@@ -24,7 +24,7 @@ const DERIVATIVES = {"m/s": 1, "m/s²": 2, g: 2}
 /** @typedef {import("./table.js").Table} Table */
 
 /**
- * A first choice of columns, by their names, or else by what they hold.
+ * A first choice of columns, by their names, or else by their numbers.
  * @param {Table} table @param {number} count of motions @returns {ColumnChoice}
  */
 export function guessed({names, columns}, count) {
@@ -49,7 +49,7 @@ export function unitIn(name, known) {
 }
 
 /**
- * The rows of the chosen columns, without those that lack a number.
+ * The rows of the chosen columns, without rows in which a number is missing.
  * @param {Table} table @param {ColumnChoice} choice @returns {Rows}
  */
 export function rowsOf({columns, lines}, {time, motions}) {

@@ -1,8 +1,8 @@
 // The phone as its own sensor: its accelerations for up to 30 s, after a countdown.
 
-const LEAD = 5 // s until it records
+const LEAD = 5 // s of the countdown
 const LONGEST = 30 // s
-const SILENT = 2 // s without an acceleration until the reason is shown
+const SILENT = 2 // s without data until a reason is shown
 const NAMES = ["x (m/s²)", "y (m/s²)", "z (m/s²)"]
 const REFUSED =
   "This browser gives the page no accelerations. Allow motion sensors for it in the browser's settings, or record " +
@@ -22,7 +22,7 @@ export class Recorder {
   /** @type {number[][]} time in ms and the accelerations along three axes */
   rows = []
 
-  begun = 0 // s until the first row is recorded
+  begun = 0 // s since the countdown began
 
   /** @param {Listener} listener */
   constructor(listener) {
@@ -36,7 +36,7 @@ export class Recorder {
     return this.begun >= LEAD
   }
 
-  /** iOS asks its user, in the event of a press only. */
+  /** Requests permission. iOS allows this only during the event of a press. */
   async #allow() {
     const sensor = /** @type {{requestPermission?: () => Promise<string>}} */ (
       /** @type {unknown} */ (DeviceMotionEvent)

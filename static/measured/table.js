@@ -83,14 +83,17 @@ function linesOf(text) {
   return lines
 }
 
-/** The first row of numbers; one with a hole may come before the first whole one. @param {number[][]} rows */
+/**
+ * The index of the first row of numbers. Rows in which some numbers are missing may come before the first complete one.
+ * @param {number[][]} rows
+ */
 function firstRow(rows) {
   const counts = rows.map(row => row.filter(Number.isFinite).length)
   const whole = counts.findIndex(count => count > 1)
   return whole < 0 ? -1 : counts.findLastIndex((count, i) => i < whole && !count) + 1
 }
 
-/** The number of the first line with something in it. @param {string[]} lines */
+/** The number of the first line that is not empty. @param {string[]} lines */
 const filled = lines => lines.findIndex(line => line.trim()) + 1
 
 /** The separator that most lines have; a comma only if nothing else separates. @param {string[]} lines */
@@ -99,7 +102,7 @@ function delimiterOf(lines) {
   return SEPARATORS.find(sign => looked.filter(line => line.includes(sign)).length > looked.length / 2) ?? ","
 }
 
-/** @param {string} cell @param {string} delimiter with another than a comma, a comma is a decimal sign */
+/** @param {string} cell @param {string} delimiter unless it is a comma, a comma in the cell is a decimal sign */
 function numberOf(cell, delimiter) {
   const text = cell.trim().replace("\u2212", "-")
   const number = text ? Number(delimiter === "," ? text : text.replace(",", ".")) : NaN
@@ -121,5 +124,5 @@ function refuseWords(rows, numbers, first, kept) {
 const namesOf = (cells, width) =>
   Array.from({length: width}, (_, i) => (cells.length <= width && cells[i]?.trim().slice(0, 60)) || `Column ${i + 1}`)
 
-/** The start of a foreign text. @param {string} text */
+/** The start of a text from the file, for error messages. @param {string} text */
 const excerpt = text => (text.length > 40 ? `${text.slice(0, 39)}…` : text)

@@ -2,12 +2,12 @@
 
 import {MOST_BYTES} from "./table.js"
 
-const START = 0x04034b50 // "PK", as of any zip file
+const START = 0x04034b50 // "PK", with which any zip file begins
 const END = 0x06054b50
 const ENTRY = 0x02014b50
 const STORED = 0
 const DEFLATED = 8
-const LONGEST_END = 65_557 // bytes, with the longest comment
+const LONGEST_END = 65_557 // bytes that the directory's end record can take, with the longest comment
 const MOST_TABLES = 50
 const TABLES = /^(?!meta\/|__MACOSX\/).*\.(csv|tsv|txt)$/i
 const NO_TABLES = "it has no CSV file. Export the measurement as CSV."

@@ -1,7 +1,7 @@
 // The address of a page: a link with its complete state, if it is not too long for the server.
 
 const REST = 350 // ms between two writes on average: Safari allows 100 in 30 s
-const AHEAD = 10 // changes written at once, for a reload right after a change
+const AHEAD = 10 // changes that are written at once, so that a reload right after them keeps them
 const LONGEST = 8000 // maximum length of a query, as in components/serving/pages.py
 
 /** @param {string} query */
@@ -11,9 +11,9 @@ export const isTooLong = query => query.length > LONGEST
 export const plainLink = scene => `?scene=${scene}`
 
 /**
- * The address of a state, and what the entry of the browser's history keeps of it: where the address cannot say it all,
- * the page that is loaded from it opens the state (`begin` in main.js).
- * `ending` says how it is shown.
+ * The address of a state, and the state to store in the browser's history entry. If the address would be too long, it
+ * names only the scene, and a page that is loaded from it opens the stored state (`begin` in main.js). `ending`:
+ * parameters of the address that are not part of the state.
  * @param {{query: string, state: page.State}} shown @param {string} ending
  */
 export const written = ({query, state}, ending) =>
@@ -32,8 +32,8 @@ export class Address {
   #timer
 
   constructor() {
-    addEventListener("pagehide", () => this.settle()) // for the back button; a reload has read the address before this
-    addEventListener("popstate", () => (this.#late = null)) // it was meant for the previous entry
+    addEventListener("pagehide", () => this.settle()) // for the back button; too late for a reload
+    addEventListener("popstate", () => (this.#late = null)) // the pending write was meant for the previous entry
   }
 
   /**

@@ -8,7 +8,7 @@ const FINE = 2 ** 24 - 1
 const ORDER = 4
 const LINE_FEED = 10
 
-/** @param {ArrayBuffer} data @param {string} presetDictionary the sheet's @returns {Promise<ServerMessage>} */
+/** @param {ArrayBuffer} data @param {string} presetDictionary from the sheet @returns {Promise<ServerMessage>} */
 export async function unpacked(data, presetDictionary) {
   const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(presetDictionary))
   const end = bytes.indexOf(LINE_FEED)
@@ -53,7 +53,7 @@ function fillPart(part, axes, numbers) {
     for (const [name, [axis, count]] of Object.entries(source)) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
-      const height = high - low // the steps divide three heights of the frame
+      const height = high - low // integers count steps over three heights of the frame
       source[name] = numbers.take(count, low - height, high + height, COLUMN_STEPS)
     }
   }
@@ -87,7 +87,7 @@ class Numbers {
   }
 
   /**
-   * Reads the next run, which is sent in steps from low to high.
+   * Reads the next run of numbers: integers from 0 to `steps` stand for `low` to `high`.
    * @param {number} count @param {number} low @param {number} high @param {number} steps
    */
   take(count, low, high, steps) {

@@ -1,4 +1,4 @@
-// The connection to the server. If it is lost, it says so and reconnects with a new token and the current state.
+// The connection to the server. If it breaks, the page says so and reconnects with a new token and the current state.
 
 import {bokeh} from "./bokeh.js"
 import {Status} from "./status.js"
@@ -6,8 +6,8 @@ import {connect} from "./wire.js"
 
 const FIRST = 1000 // ms, the pause after the first failed try; each later one is twice as long
 const LONGEST = 30000
-const STEADY = 10000 // ms after which a lost connection is restored without a pause
-const PATIENCE = 15000 // ms for a try
+const STEADY = 10000 // ms; if a connection that lasted this long breaks, the first try follows at once
+const PATIENCE = 15000 // ms until a try counts as failed
 
 /**
  * `link` returns the address from which the page is fetched again. `changed` is called when the
@@ -21,11 +21,11 @@ export class Connection {
 
   isOutdated = false
   trying = false
-  tries = -1 // failed tries since the last steady connection
+  tries = -1 // failed tries since the last connection that lasted
   refused = 0 // attempts in which the page was loaded but the socket failed
   since = 0
   token = "" // the last signed token of this page, by which the server recognises it
-  ticket = "" // its place in the line while all places are taken
+  ticket = "" // proof of its place in the line while the server is full
 
   /** @type {number | undefined} */
   timer
@@ -95,8 +95,10 @@ export class Connection {
     this.options.changed()
   }
 
-  /** Reconnects at once after a steady connection, else after growing random pauses, so that visitors do not come
-   * together. */
+  /**
+   * Reconnects at once if the last connection lasted, else after growing random pauses, so that visitors do not all
+   * come at once.
+   */
   #pause() {
     const pause = this.tries ? Math.min(FIRST * 2 ** (this.tries - 1), LONGEST) * (0.5 + Math.random()) : 0
     this.status.wait(pause)

@@ -3,9 +3,9 @@
 
 const PATIENCE = 5000 // ms without an answer until a message is repeated, and until the connection counts as lost
 const PROBE = 2500 // the same for a page that becomes visible again
-const AGAIN = 1000 // ms until a message for which the server had no time is repeated
-const JOBS = new Set(["about", "csv", "rows"]) // done by a worker process that may still be starting
-const LONGER = 4 // factor of the patience for jobs
+const AGAIN = 1000 // ms until a message is repeated that the server was too busy to answer
+const JOBS = new Set(["about", "csv", "rows"]) // messages for the worker process, which may still be starting
+const LONGER = 4 // factor on the waiting time for these messages
 
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
@@ -19,10 +19,10 @@ const LONGER = 4 // factor of the patience for jobs
  */
 
 export class Messages {
-  /** @type {Waiting[]} what waits */
+  /** @type {Waiting[]} messages that are not sent yet */
   outbox = []
 
-  /** @type {Asked | null} what is in flight */
+  /** @type {Asked | null} the message that is sent but not answered */
   asked = null
 
   /** @type {import("./wire.js").Wire | null} */
@@ -31,7 +31,7 @@ export class Messages {
   /** @type {page.State} the last state that the server sent */
   state
 
-  behind = true // until the messages that waited for a connection are answered
+  behind = true // true until the messages that waited for a connection are answered
 
   /** The messages that a new session gets first. @returns {page.BrowserMessage[]} */
   greeting = () => []
@@ -64,8 +64,8 @@ export class Messages {
   }
 
   /**
-   * Takes a connection to the original session, or to a new one. A new session is put into the current state before the
-   * message that was in flight is repeated.
+   * Takes a connection to the same session or to a new one. A new session gets the current state before the unanswered
+   * message is sent again.
    * @param {import("./wire.js").Wire} wire @param {boolean} anew for a new session
    */
   attach(wire, anew) {
@@ -81,7 +81,7 @@ export class Messages {
     this.behind = Boolean(this.asked)
   }
 
-  /** The wire is gone. */
+  /** Called when the connection is lost. */
   detach() {
     clearTimeout(this.reminder)
     this.wire = null
@@ -134,13 +134,13 @@ export class Messages {
   #supersede(names) {
     for (let i = this.outbox.length - 1; i >= 0; i--) {
       const {message} = this.outbox[i]
-      if (!namesIn(message).length) return // it may depend on the messages before it
+      if (!namesIn(message).length) return // this message may depend on the messages before it
       for (const name of names) delete valuesOf(message)?.[name]
       if (namesIn(message).every(name => names.includes(name))) this.outbox.splice(i, 1)
     }
   }
 
-  /** The number of the last message, also if it has not been sent yet. */
+  /** The number of the last message, sent or not. */
   get last() {
     return this.number + this.outbox.length
   }
@@ -207,7 +207,7 @@ export class Messages {
     this.#sendWithReminder(() => this.#sendWithReminder(() => this.overdue()))
   }
 
-  // A lost message is repeated. The server applies each number only once.
+  // Sends a message again that may be lost. The server applies each number only once.
   #sendWithReminder(/** @type {() => void} */ otherwise) {
     const {asked} = this
     if (asked) this.wire?.send(asked.message)
@@ -219,7 +219,7 @@ export class Messages {
   receive(packet) {
     const {lostConnections} = this
     const unpacked = this.unpack(packet)
-    // Ignore packets of a lost connection; the next one repeats them.
+    // Ignore packets of a lost connection, because the server repeats them on the next one.
     const current = () => lostConnections === this.lostConnections
     this.heard = this.heard
       .then(() => unpacked)
@@ -240,7 +240,7 @@ export class Messages {
     if (message.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
     if (asked.anew && "is_busy" in message && message.is_busy) {
-      this.reminder = setTimeout(() => this.#say(), AGAIN) // later messages depend on it
+      this.reminder = setTimeout(() => this.#say(), AGAIN) // later messages depend on this state
       return
     }
     this.asked = null

@@ -2,15 +2,15 @@
 
 import {chip, element, reword, svg} from "../core/dom.js"
 
-const MOMENT = 4000 // ms for which the message of success stays
+const MOMENT = 4000 // ms for which the message about a restored connection stays
 const LOST = "Your changes wait for the server."
 const REFUSED = "A proxy or firewall blocks WebSockets to the server; your changes wait until it lets them through."
 
 export class Status {
   due = 0
   refused = false
-  waiting = "" // what waits, in words
-  isOutdated = false // the page is about to be replaced
+  waiting = "" // the unsent changes, in words
+  isOutdated = false // true if the page is about to reload
 
   /** @type {number | undefined} */
   countdown

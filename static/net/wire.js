@@ -1,13 +1,13 @@
-// The connection: Bokeh's, with a model in its document whose events are the messages.
+// The connection over Bokeh's WebSocket. A model in Bokeh's document carries the messages as events.
 
 import {bokeh} from "./bokeh.js"
 
 /** @typedef {{send: (message: page.BrowserMessage) => void, close: () => void}} Wire */
 
 const LINE_FEED = 10
-const FROM_SERVER = "from_server" // the type of a message of the server
+const FROM_SERVER = "from_server" // event type of messages from the server
 
-/** @type {boolean} whether Bokeh knows the model */
+/** @type {boolean} true once the model is registered with Bokeh */
 let defined = false
 
 /** The browser half of components/session/panel_bridge.py. */
@@ -49,7 +49,7 @@ export async function connect(token, receive, lost) {
   const hear = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
   shared.on_message(FROM_SERVER, hear)
   shared.on_event("connection_lost", lost)
-  shared.notify_idle(wire) // Panel sends nothing before it has received this
+  shared.notify_idle(wire) // Panel sends nothing before it has received this event
   return {send: message => wire.send(message), close: () => close(session, hear)}
 }
 

@@ -5,7 +5,7 @@ import {box, text} from "./fields.js"
 import {orderOf} from "./order.js"
 import {Question, SUCH, mark} from "./question.js"
 
-const OFFERED = [1, 2, 3, 4] // answers that can be written
+const OFFERED = [1, 2, 3, 4] // number of options that the editor offers
 
 export class Choice extends Question {
   static label = "Choice"
@@ -55,7 +55,7 @@ export class Choice extends Question {
     this.changed()
   }
 
-  /** Shows the reply to an answer, and the case of which it speaks. @param {number} i */
+  /** Shows the reply to an answer, and the case that it mentions. @param {number} i */
   #taught(i) {
     const {row, where} = this.rows[i]
     const {host} = this.page
@@ -116,7 +116,7 @@ class Bars {
   /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
   update({now, before}, lesson) {
     this.leave()
-    // Shares can be compared even if the two votes have different numbers of phones.
+    // Uses shares of the answers, so that two votes can be compared if different numbers of phones took part.
     const sizes = [now, before].map(
       counted => counted?.options.map(count => count / Math.max(1, counted.answered)) ?? [],
     )
@@ -133,7 +133,7 @@ class Bars {
   }
 
   headline() {
-    return "" // the bars say it
+    return "" // the bars show the result
   }
 
   leave() {
@@ -141,7 +141,7 @@ class Bars {
   }
 }
 
-/** The right one needs no reply. @param {number} n */
+/** The right option needs no reply. @param {number} n */
 const optionRow = n =>
   element(
     "div",

@@ -1,4 +1,5 @@
-// The numbers of a class as dots: for a point on the axis itself, for a typed number on a separate line.
+// The numbers that a class answered, as dots: on the axis of the plot if a point was asked for, else on a separate
+// line.
 
 import {short, withUnit} from "../core/numbers.js"
 import {inUnits, setAttributes, svg, unitSize} from "../core/dom.js"
@@ -6,9 +7,9 @@ import {inUnits, setAttributes, svg, unitSize} from "../core/dom.js"
 const R = 3.5
 const WIDTH = 280
 const HEIGHT = 96
-const GAP = 8 // between two labels
-const LEAD = 12 // of a line from a bar to its label
-const TOP = 18 // above it the truth is named
+const GAP = 8 // units between two labels
+const LEAD = 12 // length of the line from a column to its label
+const TOP = 18 // space above the dots for the label of the right value
 
 export class Dots {
   /** @param {import("./question.js").Question} question */
@@ -27,7 +28,9 @@ export class Dots {
   /** @type {page.Tally | null} */
   tally = null
 
-  /** @type {readonly number[]} the right numbers, as soon as they are shown; on an axis the question marks them */
+  /**
+   * @type {readonly number[]} the right numbers once they are shown; empty on an axis, where the question marks them
+   */
   truths = []
 
   /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
@@ -158,7 +161,7 @@ export function fitting(labels) {
 }
 
 /**
- * Labels in one row, none over another, each as near its value as the others let it.
+ * Places labels in one row, without overlaps, each as near to its value as possible.
  * @param {Measured[]} labels @param {(value: number) => number} at
  */
 export function beside(labels, at) {
@@ -180,7 +183,8 @@ const label = (x, y, words, anchor, name = "") => svg("text", {x, y, class: `t0 
 const middleOf = sorted => sorted[Math.floor(sorted.length / 2)]
 
 /**
- * The least and the greatest number that a line shows: the middle four fifths, what is near them, and the truth.
+ * The range of numbers that the line shows: the middle four fifths of the answers, those near them, and the right
+ * values.
  * @param {readonly number[]} numbers @param {readonly number[]} truths @returns {[number, number]}
  */
 export function reach(numbers, truths) {

@@ -1,17 +1,17 @@
-// Features that a sketch of a drawn curve should have: its start, and where it turns, from the curve itself.
+// Finds the features that a sketch of a curve should have: its start and its turning points, from the drawn curve.
 
 import {motionOf, turned} from "../scene/describe.js"
 
-const MOST = 3 // turning points that are asked for
-const ALONG = [0.08, 0.05, 0.03] // how far off still counts, of the width of the frame: as much as there is room for
-const HIGH = 0.15 // and of its height
-const AROUND = 2.5 // a turning point is looked for so many times as far: components/walks/features.py
-const STANDS_OUT = 0.12 // of the height, over what is around it
+const MOST = 3 // largest number of turning points
+const ALONG = [0.08, 0.05, 0.03] // tolerances, relative to the width of the frame; the largest that fits is used
+const HIGH = 0.15 // tolerance, relative to the height of the frame
+const AROUND = 2.5 // a turning point is looked for within so many tolerances, as in components/walks/features.py
+const STANDS_OUT = 0.12 // least height of a peak over the curve around it, relative to the height of the frame
 
 /** The value at a coordinate of an axis. @param {page.Ruler} ruler @param {number} place */
 function number({log, exponent, start, end}, place) {
   if (log) return Number((10 ** place).toPrecision(4))
-  const least = 1e-9 * Math.abs(end - start) // what is less than that is 0
+  const least = 1e-9 * Math.abs(end - start) // smaller values count as 0
   return Math.abs(place) < least ? 0 : Number((place * 10 ** exponent).toPrecision(4))
 }
 
@@ -43,7 +43,7 @@ export function features(plot, curve) {
 }
 
 /**
- * The next height that is another: next to where a curve turns two may be drawn as high.
+ * The next different height, because two points next to a turning point may be drawn at the same height.
  * @param {ArrayLike<number>} ys @param {number} i
  */
 const after = (ys, i) => Array.prototype.find.call(ys, (height, j) => j > i && height !== ys[i]) ?? ys[i]

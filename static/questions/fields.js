@@ -1,4 +1,4 @@
-// Fields of the form in which a question is written.
+// Fields of the form with which instructors write a question.
 
 import {element} from "../core/dom.js"
 
@@ -17,7 +17,7 @@ export function chooser(label, name, options) {
 /** @param {HTMLFormElement} form @param {string} name */
 export const text = (form, name) => String(new FormData(form).get(name) ?? "").trim()
 
-/** A box to tick. @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
+/** A check box. @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
 export function box(name, value, label, isSet = false) {
   const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
   return element("label", {class: "ask-box"}, input, ` ${label}`)

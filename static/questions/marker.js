@@ -1,4 +1,4 @@
-// A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
+// The marker with which a visitor marks a value on an axis: press the axis, drag the marker, or use the arrow keys.
 
 import {short, withUnit} from "../core/numbers.js"
 import {element, long, setAttributes, unitSize} from "../core/dom.js"
@@ -6,10 +6,10 @@ import {focusByHand} from "../controls/held.js"
 import {clamp} from "../core/ruler.js"
 import {EVERYWHERE, places} from "../scene/places.js"
 
-const STEPS = 100 // arrow keys from end to end
+const STEPS = 100 // arrow key presses from one end to the other
 
 export class Marker {
-  /** @type {number | null} the place marked */
+  /** @type {number | null} the marked value */
   value = null
 
   /** @type {number[]} */
@@ -99,15 +99,18 @@ export class Marker {
     setAttributes(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#placeAt(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
-    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's listener
+    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // runs after the clock's listener
   }
 
-  /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */
+  /**
+   * Moves the marker along its line so that it does not cover the plot's handles, flags and numbers, which are visible
+   * again.
+   */
   #clear() {
     const {left, top, height} = this.plot.frame
     const isX = this.which === "x"
     const low = isX ? top + height : left
-    this.pill.style.setProperty("--low", long(low)) // from its position on the axis
+    this.pill.style.setProperty("--low", long(low)) // shift from its position on the axis
     const own = this.pill.getBoundingClientRect()
     const standing = this.plot.host.querySelectorAll(".handles > *, text")
     const others = [...standing].map(one => one.getBoundingClientRect()).filter(({width}) => width)
@@ -128,18 +131,18 @@ export class Marker {
     part.style.setProperty("--high", long(this.which === "x" ? top : left + width))
   }
 
-  /** Shows the right places next to the marked one. @param {number[]} truths */
+  /** Shows the right values next to the marked one. @param {number[]} truths */
   teach(truths) {
     this.truths = truths
     this.layer.classList.add("taught")
     this.pill.disabled = true
-    this.pill.hidden = this.value === null // nothing was marked
+    this.pill.hidden = this.value === null // the visitor marked nothing
     const lines = truths.map(truth => element("i", {class: "line-mark true"}, this.#named(truth)))
     this.layer.append(...lines)
     this.place()
   }
 
-  /** The number at a line, where there are several: the card has the only one. @param {number} truth */
+  /** The number at a line, if there are several; a single one is on the card. @param {number} truth */
   #named(truth) {
     return this.truths.length > 1 ? element("b", {}, withUnit(this.#number(truth), this.unit)) : ""
   }

@@ -29,7 +29,7 @@ export class Numeric extends Question {
     button({class: "chip sign", "aria-label": "Change the sign"}, () => this.#turn(), "±"),
   )
 
-  /** A phone's keyboard of numbers may have no minus. */
+  /** The number keyboard of a phone may have no minus sign. */
   #turn() {
     const {value} = this.field
     if (this.field.readOnly) return
@@ -70,7 +70,7 @@ export class Numeric extends Question {
   /** @param {page.Lesson} lesson */
   teach({right}) {
     this.field.readOnly = true
-    this.element.hidden = right === null // nothing was answered
+    this.element.hidden = right === null // the visitor gave no answer
     this.yours.textContent = right === null ? "" : "your answer"
     if (right !== null) this.yours.after(mark(right))
   }

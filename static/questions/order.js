@@ -1,10 +1,10 @@
-// The order in which the answers of a choice are shown: one for a class, one for each visitor alone. An answer is sent
-// by its place in the walk's file, whatever its place on a screen.
+// The order in which the options of a choice are shown: the same for a whole class, another for each visitor without a
+// class. Messages use the option's index in the walk's file, not its position on the screen.
 
-const [BASIS, PRIME, MIX] = [0x811c9dc5, 0x01000193, 0x85ebca6b] // FNV-1a, and a step of MurmurHash3
+const [BASIS, PRIME, MIX] = [0x811c9dc5, 0x01000193, 0x85ebca6b] // hash functions: FNV-1a, and a step of MurmurHash3
 
 /**
- * The places in the file, in the order shown.
+ * Indices of the options in the file, in the order in which they are shown.
  * @param {{id: string, options: unknown[], fixed: boolean}} step @param {string} seed
  */
 export function orderOf({id, options, fixed}, seed) {
@@ -14,7 +14,7 @@ export function orderOf({id, options, fixed}, seed) {
   return places.toSorted((a, b) => rank[a] - rank[b] || a - b)
 }
 
-/** A number of 32 bits. @param {string} text */
+/** A hash of a text, 32 bits. @param {string} text */
 export function hash(text) {
   let found = BASIS
   for (const byte of new TextEncoder().encode(text)) found = Math.imul(found ^ byte, PRIME) >>> 0

@@ -1,5 +1,5 @@
-// Empty axes to draw on, with mouse, pen, finger or keys. There is one height for each abscissa, so drawing over a part
-// replaces it. A stroke outside the frame follows its edge; gaps stay gaps.
+// Empty axes to draw on, with mouse, pen, finger or keys. There is one height for each x, so drawing over a part
+// replaces it. A stroke outside the frame follows its edge. Gaps between strokes are kept.
 
 import {element, inUnits, long, setAttributes, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
@@ -7,9 +7,9 @@ import {focusByHand} from "../controls/held.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
-const COLUMNS = 200 // across the frame
-const SLACK = 12 // units around the frame in which a hand is felt
-const STEP = 0.02 // of the frame, by an arrow key with Shift
+const COLUMNS = 200 // columns across the frame
+const SLACK = 12 // units around the frame in which a press counts too
+const STEP = 0.02 // share of the frame that an arrow key with Shift moves
 const SENT = 101 // heights of a curve in a message: components/language/messages.py
 
 export class Pad {
@@ -158,7 +158,10 @@ export class Pad {
     return points
   }
 
-  /** The curves as they are sent: heights in thousandths of the frame that all share, evenly from left to right. */
+  /**
+   * The curves as they are sent: heights at evenly spaced x, in thousandths of the frame, which is the same for all
+   * phones.
+   */
   get sent() {
     const {start, end} = this.up
     const {y} = this.plot
@@ -187,7 +190,7 @@ export class Pad {
     this.place()
   }
 
-  /** The columns of a curve that was sent; between two heights it is straight. @param {(number | null)[]} sent */
+  /** The columns of a curve that was sent, by linear interpolation. @param {(number | null)[]} sent */
   #heights(sent) {
     const {start, end} = this.up
     const [first, last] = [this.#column(0), this.#column(1)]
@@ -201,7 +204,7 @@ export class Pad {
     })
   }
 
-  /** The ink where the axes now are. */
+  /** Places the ink over the axes after a change of their position. */
   place() {
     const box = this.plot.frame
     const old = this.earlier.map(heights => svg("path", {class: "old", d: this.#path(this.#points(heights))}))
@@ -214,7 +217,7 @@ export class Pad {
     for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
   }
 
-  /** Numbers at an axis that are otherwise under another plot, because the pad may be visible alone. */
+  /** Draws numbers at an axis that usually are under another plot, because the pad may be visible alone. */
   #numbers() {
     const {figure, abscissae, frame} = this.plot
     const y = frame.top + frame.height - 4
@@ -235,7 +238,7 @@ export class Pad {
     return [path, svg("text", {class: "t0", ...place}, words)]
   }
 
-  /** Gaps stay gaps. @param {[number, number][]} points */
+  /** A path that keeps gaps. @param {[number, number][]} points */
   #path(points) {
     const wide = (1.5 * Math.abs(this.span.end - this.span.start)) / COLUMNS
     return points
@@ -257,7 +260,7 @@ export class Pad {
 
   taught = false
 
-  /** Shows the true curve below, and marks the findings. @param {page.Finding[]} findings */
+  /** Shows the true curve under the sketch, and marks right and wrong features. @param {page.Finding[]} findings */
   teach(findings) {
     this.taught = true
     this.findings = findings

@@ -1,4 +1,4 @@
-// The question for a place to mark on an axis of a plot; a class's answers are dots on that axis.
+// The question that asks for a point on an axis of a plot. A class's answers are dots on that axis.
 
 import {element} from "../core/dom.js"
 import {withUnit} from "../core/numbers.js"
@@ -50,7 +50,7 @@ export class AxisPlace extends Question {
   /** @param {page.Lesson} lesson */
   teach({right, places}) {
     if (right !== null) this.shown.append(" ", mark(right))
-    else this.shown.textContent = "" // how to mark is of no use any more
+    else this.shown.textContent = "" // remove the hint on how to mark
     this.marker.teach(places)
   }
 

@@ -1,11 +1,12 @@
-// A question of any kind, and what cards, classes, handouts and 'Write a question' ask of it: kinds.js has all kinds.
+// The base class of all kinds of question, with the methods that cards, classes, handouts and 'Write a question' use.
+// kinds.js lists the kinds.
 
 import {element, svg} from "../core/dom.js"
 
 /**
  * @typedef {import("../scene/plots.js").Plot} Plot
  * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
- * @typedef {Record<string, Toml>} Fields of a step, as a walk's file names them
+ * @typedef {Record<string, Toml>} Fields of a step, by their names in a walk's file
  */
 
 /**
@@ -15,7 +16,7 @@ import {element, svg} from "../core/dom.js"
  *   headline: (tally: page.Tally) => string, leave: () => void}} Tallied
  */
 
-/** Opens a case that a reply mentions. */
+/** Label of the button that opens a case that a reply mentions. */
 export const SUCH = "Show such a case"
 
 /** A disc with a tick, or a ring with a cross. @param {boolean} right */
@@ -31,16 +32,19 @@ export function mark(right) {
 export const plotOf = (plots, name) => /** @type {Plot} */ (plots.find(({block}) => block.name === name))
 
 export class Question {
-  /** Its kind, where a question is written. */
+  /** The name of the kind in the editor. */
   static label = ""
 
-  /** The fields that it then asks the instructor to fill in. @type {(plots: Plot[]) => HTMLElement[]} */
+  /** The fields that the editor shows for this kind. @type {(plots: Plot[]) => HTMLElement[]} */
   static fields
 
-  /** Its fields in a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) => Fields & {cover?: string[]}} */
+  /**
+   * The filled-in fields, as they are written into a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) =>
+   * Fields & {cover?: string[]}}
+   */
   static read
 
-  /** @type {() => void} called when the answer is another */
+  /** @type {() => void} called when the answer changes */
   changed = () => {}
 
   element = element("div")
@@ -52,7 +56,7 @@ export class Question {
     this.step = step
     this.walk = walk
     this.page = page
-    this.plot = plotOf(page.plots, step.plot) // that is marked or drawn on, if one is
+    this.plot = plotOf(page.plots, step.plot) // the plot on which the visitor marks or draws, if any
   }
 
   /** The answer, in words. @returns {string} */
@@ -60,7 +64,7 @@ export class Question {
     return ""
   }
 
-  /** An option by its place on the screen. @param {number} _place */
+  /** Chooses an option by its position on the screen. @param {number} _place */
   choose(_place) {}
 
   /** The answer for the message, or null. @returns {Answer | null} */
@@ -68,7 +72,7 @@ export class Question {
     return null
   }
 
-  /** Takes up an answer that was sent before. @param {Answer} _given */
+  /** Shows an answer that was sent before. @param {Answer} _given */
   restore(_given) {}
 
   /** @param {page.Lesson} _lesson */

@@ -22,7 +22,10 @@ export class Sketch extends Question {
     return [curve, rows]
   }
 
-  /** Its plot is covered: it would be traced. @param {HTMLFormElement} form @param {Plot[]} plots */
+  /**
+   * The plot of the sketch is covered, because its curve could be traced. @param {HTMLFormElement} form @param {Plot[]}
+   * plots
+   */
   static read(form, plots) {
     const [name, y] = text(form, "curve").split(".")
     const must = seen(plots, `${name}.${y}`).map((one, i) =>
@@ -109,7 +112,7 @@ const curvesOf = plot =>
     .filter(curve => plot.view.columns[curve.source]?.[curve.y]?.length)
     .map(({y, read}) => ({value: `${plot.block.name}.${y}`, label: `${plot.block.brief}: ${read || y}`}))
 
-/** The features of a curve, as the form names it. @param {Plot[]} plots @param {string} [named] */
+/** The features of the curve that is chosen in the form. @param {Plot[]} plots @param {string} [named] */
 function seen(plots, named = "") {
   const [name, y] = named.split(".")
   const plot = plotOf(plots, name)

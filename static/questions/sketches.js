@@ -5,13 +5,13 @@ import {bare} from "../core/plain.js"
 import {toPlace, toSI} from "../core/ruler.js"
 
 const FAINT = 0.1
-const PASSED = 0.03 // sketches that the pressed chip leaves out
+const PASSED = 0.03 // opacity of sketches without the chosen feature
 
 export class Sketches {
   /** @type {page.Tally | null} */
   tally = null
 
-  /** @type {number} the feature that is lit, -1 for all */
+  /** @type {number} index of the chosen feature, whose sketches are dark; -1 for all */
   lit = -1
 
   band = false
@@ -100,7 +100,10 @@ export class Sketches {
     if (this.band) this.#middle(ink)
   }
 
-  /** A place of the frame that all share. @param {number} i @param {number} count @param {number} height */
+  /**
+   * A point in the frame, which is the same for all phones. @param {number} i @param {number} count @param {number}
+   * height
+   */
   #point(i, count, height) {
     const [across, up] = /** @type {[page.Ruler, page.Ruler]} */ (this.step.frame)
     const {plot} = this
@@ -108,7 +111,7 @@ export class Sketches {
     return /** @type {[number, number]} */ ([plot.px(toPlace(plot.x, x)), plot.py(toPlace(plot.y, y))])
   }
 
-  /** Gaps stay gaps. @param {CanvasRenderingContext2D} ink @param {(number | null)[]} heights */
+  /** Draws a sketch, with its gaps. @param {CanvasRenderingContext2D} ink @param {(number | null)[]} heights */
   #line(ink, heights) {
     ink.beginPath()
     let down = false
@@ -119,7 +122,9 @@ export class Sketches {
     ink.stroke()
   }
 
-  /** Between the first and the third quarter of the heights at each place. @param {CanvasRenderingContext2D} ink */
+  /**
+   * Fills the area between the lower and upper quartile of the heights at each x. @param {CanvasRenderingContext2D} ink
+   */
   #middle(ink) {
     const [name] = this.step.curves
     const sketches = this.tally?.now.sketches.flatMap(({curves}) => (curves[name] ? [curves[name]] : [])) ?? []

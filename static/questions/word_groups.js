@@ -1,11 +1,11 @@
-// Equal answers in words, in a row of a list.
+// A row of a list: equal answers in words, with their count.
 
 import {button, element} from "../core/dom.js"
 
 /** @typedef {(text: string, shows: boolean) => void} Moderate shows an answer to the hall, or removes it */
 
 /**
- * A row, with buttons that show them to the hall and remove them.
+ * The row of a group of equal answers, with a button that shows them to the hall or removes them.
  * @param {page.WordGroup} group @param {Moderate} [moderate]
  */
 export function grouped({text, count, shown}, moderate) {

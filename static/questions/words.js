@@ -1,4 +1,4 @@
-// The question for a few words; the hall sees only the answers of a class that the instructor shows.
+// The question that is answered in a few words. The hall sees only the answers that the instructor shows.
 
 import {element} from "../core/dom.js"
 import {Question} from "./question.js"
@@ -56,7 +56,7 @@ export class Words extends Question {
   }
 }
 
-/** The shown answers in a hall, else all of them, with buttons to show and remove each. */
+/** In hall mode the shown answers, else all answers, each with a button to show or remove it. */
 class Shown {
   /** @param {Words} question */
   constructor({page, element: field}) {
@@ -77,7 +77,7 @@ class Shown {
   }
 
   headline() {
-    return "" // the words say it
+    return "" // the words show the result
   }
 
   leave() {

@@ -1,5 +1,5 @@
-// "About these numbers", closed until it is opened: the errors of the drawn numbers, from components/scene/about.py.
-// While it is open, they are requested again shortly after a change.
+// The section "About these numbers": the errors of the drawn numbers, computed by components/scene/about.py. While it
+// is open, it requests them again shortly after each change.
 
 import {element, marked} from "../core/dom.js"
 
@@ -56,7 +56,7 @@ export class About {
     this.arriving = false
   }
 
-  // Scroll the unfolded part to the top of the panel, as far as the panel scrolls.
+  // Scrolls the opened section to the top of the panel, as far as the panel scrolls.
   #reveal() {
     const panel = this.element.parentElement
     if (!panel) return
@@ -82,7 +82,7 @@ function points(rows) {
   return element("table", {}, head, ...lines)
 }
 
-/** Texts one under the other; the part in which they differ is paler. @param {page.AboutPoint} point */
+/** Two texts, one under the other. The part in which they differ is paler. @param {page.AboutPoint} point */
 function numbers({drawn, true: exact}) {
   let same = 0
   while (same < drawn.length && drawn[same] === exact[same]) same++

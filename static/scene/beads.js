@@ -4,7 +4,7 @@ import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {atInstant} from "../core/signals.js"
 import {zigzag} from "./zigzag.js"
 
-const SIDE = 54 // the side of a lone mass, in pixels; n + 1 masses share its area
+const SIDE = 54 // the side of a single mass, in pixels; of n masses, each has 1/(n + 1) of its area
 const WIDEST = 0.75 // of a spacing
 const REACH = 24 // pixels: the largest distance at which a pointer takes a mass
 
@@ -20,7 +20,10 @@ function places(s, all) {
   })
 }
 
-/** The springs: teeth up to 12 masses, then a line. @param {Point[]} ends @param {number} count @param {number} half */
+/**
+ * The springs: zigzags for up to 12 masses, straight lines for more. @param {Point[]} ends @param {number} count @param
+ * {number} half
+ */
 function springs(ends, count, half) {
   if (count > 12) return `M${ends.map(({x, y}) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`
   const pairs = ends.slice(1).map((end, i) => [ends[i], end])
@@ -82,7 +85,7 @@ export function pointed(stage, page) {
   }
   const press = (/** @type {PointerEvent} */ event) => {
     point(event)
-    page.draw(clock.t) // the grip is where the pointer is before it is pressed
+    page.draw(clock.t) // move the grip before the pointer is pressed
     if (!(event.target instanceof Element && event.target.closest(".grip"))) grips.press(event)
   }
   host.addEventListener("pointermove", point)

@@ -8,23 +8,24 @@ import {indexed, plain} from "../core/plain.js"
 import {stepOf} from "../core/ruler.js"
 
 const BEYOND = "outside the frame"
-const HALVINGS = 40 // share of the distance between two points within which a curve turns
+const HALVINGS = 40 // steps of the search for a turning point between two drawn points
 const MOST_PIECES = 3 // the most pieces of a curve that are described one by one
-const ROWS = 25 // the rows of a table: enough to follow a curve by ear
+const ROWS = 25 // rows of a table, enough to follow a curve with a screen reader
 
 /** @typedef {import("./plots.js").Plot} Plot */
 /**
- * A curve: its points within the window, all of its pieces, and the number of its lines.
+ * A curve for the description: its points within the time window, all its connected pieces, and how many lines have
+ * this name.
  * @typedef {{name: string, xs: number[], ys: number[], pieces: Piece[], lines: number,
  *   motion: ((t: number) => number) | null}} Trace
  */
 /**
- * A connected piece of a curve; if it is cut to the frame, it says if it continues above or below at its ends.
+ * A connected piece of a curve. `cutStart`, `cutEnd`: the edge of the frame cuts off that end.
  * @typedef {{xs: number[], ys: number[], cutStart?: boolean, cutEnd?: boolean}} Piece
  */
 
 /**
- * A place of an axis as a number with its unit.
+ * A coordinate of an axis as a number with its unit.
  * @param {page.Ruler} ruler @param {number} place
  */
 export const measured = (ruler, place) => withUnit(digits(ruler, place), ruler.unit)
@@ -40,7 +41,7 @@ function digits(ruler, place) {
 }
 
 /**
- * True if a coordinate is in the frame; points far outside are not sent.
+ * True if a coordinate is in the frame.
  * @param {page.Ruler} ruler @param {number} place
  */
 function isWithin({start, end}, place) {
@@ -103,7 +104,7 @@ export function traces(plot) {
 }
 
 /**
- * The motion of a curve over time: its signal at an instant, if it has one.
+ * The function of time that a curve shows; null if it has no signal.
  * @param {page.Curve} curve @param {Plot} plot
  */
 export function motionOf({signal, signal_x: across}, {block, view}) {
@@ -161,7 +162,10 @@ function connected(xs, ys) {
   return found
 }
 
-/** Adds pieces; the first one may continue the last known piece. @param {Piece[]} known @param {Piece[]} more */
+/**
+ * Appends pieces, and joins the first of them to the last known piece if they meet. @param {Piece[]} known @param
+ * {Piece[]} more
+ */
 function join(known, more) {
   const [last, next] = [known.at(-1), more[0]]
   const goesOn = last && next && last.xs.at(-1) === next.xs[0] && last.ys.at(-1) === next.ys[0]
@@ -199,11 +203,11 @@ function inside({xs, ys}, x, y) {
   return found
 }
 
-/** The number at a share of the way. @param {number[]} all @param {number} i @param {number} share */
+/** Linear interpolation between entries i - 1 and i. @param {number[]} all @param {number} i @param {number} share */
 const between = (all, i, share) => (share === 1 ? all[i] : all[i - 1] + share * (all[i] - all[i - 1]))
 
 /**
- * True if a line to an end outside the frame is cut at a height, its upper or lower edge.
+ * True if a line that ends outside the frame leaves it at this height, through the upper or lower edge.
  * @param {page.Ruler} y @param {number} end @param {number} height
  */
 function isCut(y, end, height) {
@@ -218,8 +222,8 @@ function edges({start, end}, share = 1e-3) {
 }
 
 /**
- * The shares of the distance between two points at which a line enters the frame and leaves it; the first is larger
- * where it stays outside (Y.-D. Liang and B. A. Barsky, ACM Trans. Graph. 3 (1984) 1).
+ * The shares of the distance between two points at which a line enters the frame and leaves it; the first is larger if
+ * the line stays outside (Y.-D. Liang and B. A. Barsky, ACM Trans. Graph. 3 (1984) 1).
  * @param {number[]} one @param {number[]} two @param {page.Ruler} x @param {page.Ruler} y
  */
 function cut(one, two, x, y) {
@@ -239,7 +243,7 @@ function cut(one, two, x, y) {
 }
 
 /**
- * The way of a curve within the frame: one sentence for each of its pieces, or where they are many its extremes.
+ * The course of a curve within the frame: one phrase for each piece, or only its extremes if there are many pieces.
  * @param {Pick<Trace, "name" | "pieces" | "lines" | "motion">} trace @param {page.Ruler} x @param {page.Ruler} y
  */
 export function course({name, pieces, lines, motion}, x, y) {
@@ -255,7 +259,7 @@ export function course({name, pieces, lines, motion}, x, y) {
 }
 
 /**
- * The way of one of several pieces, with its place.
+ * The course of one of several pieces, with its range of x.
  * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
  */
 function placed(one, motion, x, y) {
@@ -278,7 +282,7 @@ function isAlone({cutStart, cutEnd}, pieces, x) {
 }
 
 /**
- * Lowest and highest points of pieces; if a piece is cut, they are outside the frame.
+ * The lowest and highest point of all pieces; "outside the frame" if the frame cuts them off.
  * @param {Piece[]} seen @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
  */
 function extent(seen, motion, x, y) {
@@ -304,7 +308,7 @@ function extreme(one, motion, sign) {
 }
 
 /**
- * The way of one piece: from, to, its lowest and highest point.
+ * The course of one piece: its first and last value, and its lowest and highest point.
  * @param {Piece} one @param {Trace["motion"]} motion @param {page.Ruler} x @param {page.Ruler} y
  * @param {boolean} isWhole
  */
@@ -325,7 +329,9 @@ function way(one, motion, x, y, isWhole) {
   return `from ${from} to ${to}, ${extent([one], motion, x, y)}`
 }
 
-/** Curves too fast for a line, or too fast at first. @param {Plot} plot */
+/**
+ * Curves that are drawn as bands, because their motion is too fast for a line, or too fast at first. @param {Plot} plot
+ */
 function bands(plot) {
   const {block, view, hidden} = plot
   const {x, y} = axes(plot)
@@ -352,7 +358,7 @@ function layers(plot) {
 }
 
 /**
- * A few points of each curve and those at which a motion turns lowest and highest, in the units of the axes.
+ * A table with some points of each curve and with the extremes of each motion, in the units of the axes.
  * @param {Plot} plot
  */
 export function table(plot) {
@@ -382,7 +388,7 @@ export function table(plot) {
 /** @param {string} name @param {page.Ruler} ruler */
 const unit = (name, {unit: sign}) => (sign ? `${name}, ${sign}` : name)
 
-/** Coordinates evenly spread over those of the longest curve. @param {Trace[]} all */
+/** Some x of the curve with most points, evenly spread over its points. @param {Trace[]} all */
 function spread(all) {
   const {xs} = all.toSorted((a, b) => b.xs.length - a.xs.length)[0] ?? {xs: []}
   const step = Math.max((xs.length - 1) / (ROWS - 1), 1)
@@ -397,7 +403,7 @@ function turns(trace) {
 }
 
 /**
- * The value of a curve at one of its points, or of its motion at any time; otherwise none.
+ * The value of a curve at `place`, if it has a point there or a motion; else "".
  * @param {Trace} trace @param {number} place @param {page.Ruler} y
  */
 function near({xs, ys, motion}, place, y) {

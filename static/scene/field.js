@@ -7,7 +7,7 @@ import {displaced} from "../core/modal.js"
 import {clamp} from "../core/ruler.js"
 
 const ROWS = 240
-const MOST = 30_000 // points of the picture, each a sum over all modes
+const MOST = 30_000 // largest number of points of the picture, because each is a sum over all modes
 const SHADE = 0.7 // exponent of the shade, so that small ripples are visible
 
 export class Field {
@@ -44,7 +44,7 @@ export class Field {
     const hues = ["m1", "m2"].map(rgb)
     const {start, end} = plot.y
     /** @type {page.Modal} */
-    const still = {...signal, line: [signal.line[0], 0]} // a drift is left out, as on the stage
+    const still = {...signal, line: [signal.line[0], 0]} // the drift of a free chain is not drawn, as on the stage
     for (let row = 0, at = 0; row < rows; row++) {
       for (const x of displaced(still, end + ((start - end) * (row + 0.5)) / rows)) {
         picture.data.set(hues[x > 0 ? 0 : 1], at)

@@ -1,8 +1,9 @@
-// A Bokeh figure: mounted in the page, filled with the columns of a message, coloured as the quantities now are.
+// A Bokeh figure: puts it into the page, fills it with the columns of a message, and gives curves the colours of their
+// quantities.
 
 import {colour, element, unitSize, units} from "../core/dom.js"
 
-/** The token that says how wide a line is. @type {Partial<Record<page.Curve["width"], string>>} */
+/** The style token with the width of a line. @type {Partial<Record<page.Curve["width"], string>>} */
 const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
 const LENGTHS = ["line_dash", "size"]
 
@@ -27,14 +28,17 @@ export class Figure {
     })
   }
 
-  /** The models, without a view yet: what is set on them now is drawn once, when they are mounted. */
+  /** Creates the models without a view. Properties that are set now are drawn only once, when the figure is mounted. */
   make() {
     const {Document} = Bokeh.require("document")
     this.document = Document.from_json(this.block.figure)
     this.model = this.document.roots()[0]
     const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
     this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
-    /** @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} as drawn at a unit of one pixel */
+    /**
+     * @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} lengths of the models at one pixel per
+     * unit
+     */
     this.drawn = [...this.model.renderers.map((/** @type {BokehModel} */ {glyph}) => glyph), ...this.model.center].map(
       model => ({
         model,
@@ -56,11 +60,11 @@ export class Figure {
     this.lack?.remove()
     this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
     const [view] = this.manager
-    view.canvas_view.events_el.removeAttribute("tabindex") // keys have no effect on the figure itself
+    view.canvas_view.events_el.removeAttribute("tabindex") // keys do nothing on a figure, so Tab skips it
     if (this.left) this.leave()
   }
 
-  /** The room around the frame, in whole pixels. */
+  /** The margins of the frame, in whole pixels. */
   get room() {
     const {left, right, top} = this.block.room
     const bottom = this.numbered ? Math.max(NUMBERS, this.block.room.bottom) : this.block.room.bottom
@@ -164,7 +168,10 @@ export class Figure {
     }
   }
 
-  /** The part of the block that a renderer draws, by its name, "curves.0". @param {BokehModel} renderer */
+  /**
+   * The curve or region of the block that a renderer draws. Its name is its place in the block, such as "curves.0".
+   * @param {BokehModel} renderer
+   */
   #drawn(renderer) {
     const [list, index] = renderer.name.split(".")
     return list === "curves" ? this.block.curves[Number(index)] : this.block.regions[Number(index)]
@@ -172,7 +179,7 @@ export class Figure {
 }
 
 /**
- * Fills up columns that the picture lacks to the common length; their renderers are not drawn.
+ * Fills columns that the picture lacks, because Bokeh needs columns of equal length. Their renderers are hidden.
  * @param {BokehModel} source @param {Record<string, Float64Array>} given
  */
 function fill(source, given) {
@@ -180,7 +187,7 @@ function fill(source, given) {
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
 
-/** A length as Bokeh stores it, without its wrapper. @param {BokehModel} length */
+/** The value of a length property, without Bokeh's wrapper. @param {BokehModel} length */
 const bare = length => (length?.value !== undefined ? length.value : length)
 
 /** @param {number | number[]} length */

@@ -8,24 +8,25 @@ import {EVERYWHERE, meet, moved, places} from "./places.js"
  * @typedef {import("./places.js").Box} Box in units
  * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} DrawnShape
  * @typedef {{text: SVGTextElement, group: SVGElement, fixed: boolean, beside?: boolean, wishes?: () => Box[]}} Label
- * a text; its own position has priority if `fixed`; the preferred boxes, if not at its own position
+ * a text on a stage. `fixed`: it is not moved. `beside`: it belongs next to a point of a plot. `wishes`: preferred
+ * boxes, if not its own position
  */
 
 const AIR = 2 // units between neighbouring texts
 const FAR = 2.5 // the most lines by which a text may move
-const EDGE = 4 // units to the edges of the paper, and units by which a text may leave the picture
+const EDGE = 4 // units that stay free at the edges of the page, and by which a text may exceed the picture
 const NEAR = 0.001 // units: a smaller shift counts as none
 const POINT = 9 // units from a point to its text
-const DROP = 0.37 // fraction of its line height that centres it on the point
-const OUT = 2.5 // units from the height of a point to its text
-const STEPS = [0, 1, -1, 2, -2] // lines by which it moves if it cannot avoid everything
-const PIECE = 8 // half the width of a line, in units, which a text avoids
-const MOST = 500 // the most pieces between two points, even if one is far outside
-const OFF = 3 // units between a text and such a piece
+const DROP = 0.37 // share of the line height by which a text is lowered to be centred on its point
+const OUT = 2.5 // largest shift from the height of the point, in lines
+const STEPS = [0, 1, -1, 2, -2] // shifts to try, in lines, if the text cannot avoid everything
+const PIECE = 8 // units between two points with which a curve is represented
+const MOST = 500 // most such points between two neighbouring points of a column
+const OFF = 3 // units from such a point that texts avoid
 const BASE = 0.2 // share of a text's size below its base line
 
 export class Clear {
-  /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
+  /** @type {Map<string, {width: number, size: number}>} sizes by style and text; all digits have the same width */
   #sizes = new Map()
 
   room = {left: -Infinity, right: Infinity, bottom: Infinity}
@@ -33,15 +34,15 @@ export class Clear {
   /** @type {Box[]} */
   standing = []
 
-  /** @type {Box[]} of the plot under the texts: its lines in pieces */
+  /** @type {Box[]} boxes along the curves of the plot under the texts */
   lines = []
 
-  /** @type {Box[]} of that plot */
+  /** @type {Box[]} boxes of the flags of that plot */
   flags = []
 
-  frame = EVERYWHERE // of that plot, with the room on its right, and over it if no flags are there
+  frame = EVERYWHERE // the frame of that plot, with the space on its right, and the space above it if it has no flags
 
-  /** @param {DrawnShape[]} shapes in the order of what matters most */
+  /** @param {DrawnShape[]} shapes the most important first */
   constructor(shapes) {
     this.dots = shapes.filter(({spec}) => spec.kind === "circle")
     /** @type {Label[]} */
@@ -72,7 +73,7 @@ export class Clear {
   }
 
   /**
-   * The free area for texts after a change of the page: on the paper, without the labels of `under`, a plot of the same
+   * The free area for texts after a change of the page: the page, without the labels of `under`, a plot of the same
    * size.
    * @param {Element} host @param {DOMRect} picture @param {Canvas} [under]
    */
@@ -93,7 +94,7 @@ export class Clear {
     this.room = {left, right, bottom: picture.height / unitSize()}
   }
 
-  /** Runs once per frame. A text that has a box keeps it. */
+  /** Called in each animation frame: moves or hides texts that overlap. */
   place() {
     const shown = this.labels.filter(({group}) => group.style.display === "")
     const boxed = shown.filter(({fixed, text}) => fixed && text.style.display === "")
@@ -137,8 +138,8 @@ export class Clear {
   }
 
   /**
-   * The room of a text. One in the picture is not moved out of it: a heading is above, the transport below. One drawn
-   * over plots below it may be, and one wider than the paper stays.
+   * The area in which a text may move. A text in the picture stays in it, because a heading is above and the transport
+   * below. A text drawn over plots below the picture may move down, and a text wider than the page keeps its x.
    * @param {Box} box
    */
   #roomOf(box) {
@@ -212,7 +213,7 @@ const within = (box, {left, top}) => ({
 /** @param {Point} point @param {number} far @returns {Box} */
 const around = ({x, y}, far) => ({left: x - far, right: x + far, top: y - far, bottom: y + far})
 
-/** Points on the way from one to another, with that one. @param {Point} from @param {Point} to */
+/** Evenly spaced points between two points, including the second one. @param {Point} from @param {Point} to */
 function between(from, to) {
   const count = Math.min(Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / PIECE), MOST) || 1
   return Array.from({length: count}, (_, i) => {

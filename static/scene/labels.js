@@ -7,11 +7,11 @@ import {everyWhich, inLine, places} from "./places.js"
 const LINE = 1.1 // distance of lines, relative to the size of the text
 const OVERHANG = 6 // units by which a number with its unit may exceed the left margin, before the unit goes below it
 
-const PILL = 24 // units of the height of a pill
+const PILL = 24 // units: the height of a handle
 const LEAST = 20 // units: the least thickness of a band at its name
 const ALIKE = 0.02 // a band that is thicker by less than this share counts as equally thick
 const HALF = 7 // units: half the height of a line of a band's name
-const WIDER = 1.2 // the size of its bold type relative to small text
+const WIDER = 1.2 // width of its bold type, relative to small text
 const LIFT = 44 // units from a flag to the frame; stacked flags are higher
 
 export class Labels {
@@ -59,7 +59,7 @@ export class Labels {
     const [size, more] = [units("t0"), LINE * units("t0")]
     const feet = ticks.map(tick => {
       const y = this.plot.py(tick)
-      return Math.min(y + 4.5, Math.max(y - 3, top + height - 2)) // keep numbers below the lower edge separate
+      return Math.min(y + 4.5, Math.max(y - 3, top + height - 2)) // keep two numbers near the lower edge apart
     })
     const spans = feet.map((foot, i) => {
       const under = (lines[i].length - 1) * more
@@ -103,7 +103,9 @@ export class Labels {
     return low?.length ? [(low[low.length - 1] + high[high.length - 1]) / 2] : undefined
   }
 
-  /** The position for the name of a band: where the band is thickest, and thick enough. @param {page.Region} band */
+  /**
+   * The position for the name of a band: where the band is thickest; none if it is too thin. @param {page.Region} band
+   */
   #thickest({source, x, high: upper, low: lower, label}) {
     const {[upper]: high, [lower]: low, [x]: xs} = this.plot.view.columns[source] ?? {}
     const count = Math.min(high?.length ?? 0, low?.length ?? 0)
@@ -147,7 +149,7 @@ export class Flags {
     return {mark, line, flag, at: 0}
   }
 
-  // The message that a pressed flag sends.
+  // The message that a press on a flag sends.
   /** @param {page.Mark} mark @returns {page.BrowserMessage} */
   #asked({act, set: name, exactly, at, axis}) {
     if (act) return {type: "act", name: act}

@@ -11,7 +11,7 @@ export class Live {
   /** @type {Drawn["view"] | undefined} */
   view
 
-  /** Finds the numbers of a part that was added to the page. @param {Element} part */
+  /** Finds the live numbers in a part that was added to the page. @param {Element} part */
   find(part) {
     for (const one of part.querySelectorAll("[data-value]")) {
       const name = one.getAttribute("data-value") ?? ""
@@ -37,7 +37,7 @@ export class Live {
     for (const name of view.left_out) this.#of(name).forEach(coverNumber)
   }
 
-  /** Once a frame. @param {Named} named */
+  /** Called in each animation frame. @param {Named} named */
   draw(named) {
     for (const [name, [places, signed]] of Object.entries(this.view?.live ?? {}))
       this.tell(name, fixed(named[name], places, signed))

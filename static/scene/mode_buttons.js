@@ -1,4 +1,5 @@
-// Buttons with the shapes of a chain's modes: green if a mode takes part in the motion (only the strongest of many).
+// Buttons with the shapes of a chain's modes: green if the mode takes part in the motion. If many do, only the
+// strongest are green.
 // Each button starts only its mode.
 
 import {element, svg} from "../core/dom.js"
@@ -7,8 +8,8 @@ import {three} from "../core/numbers.js"
 
 const MOST = 8
 const HALL = 4
-const TAKES_PART = 0.002 // least share of the energy
-const DOTTED = 12 // the most masses for which a shape has a dot each
+const TAKES_PART = 0.002 // least share of the energy of a mode that takes part
+const DOTTED = 12 // with more masses, a shape has no dots
 const [WIDE, HIGH, NUMBER] = [66, 40, 12] // NUMBER: the width of the number, left of the shape
 
 export class ModeButtons {
@@ -72,7 +73,7 @@ export class ModeButtons {
   }
 }
 
-/** The share of each mode in the energy without a drift. @param {page.Modal} signal */
+/** The share of each mode in the energy, not counting the drift of a free chain. @param {page.Modal} signal */
 function energies({omega, sizes}) {
   const found = omega.map((w, j) => (w * sizes[j]) ** 2)
   const all = found.reduce((sum, one) => sum + one, 0) || 1

@@ -1,5 +1,5 @@
-// The paper and the panel of one scene, built from its sheet. Every picture goes to all parts in order; the clock
-// updates the moving ones.
+// The page of one scene, with its control panel, built from its sheet. Each new picture goes to all parts in order; the
+// clock updates the moving parts.
 
 import {bokeh} from "../net/bokeh.js"
 import {Controls, isPicker} from "../controls/controls.js"
@@ -26,7 +26,7 @@ const BETWEEN_TEXTS = 80 // ms between changes of moving numbers while playing, 
 
 /** @implements {PartHost} */
 export class Page {
-  /** @type {Drawn} what is shown, from the first picture on */
+  /** @type {Drawn} the current picture, set from the first one on */
   shown
 
   /** @type {import("./about.js").About | undefined} */
@@ -41,7 +41,7 @@ export class Page {
   /** @type {Waits} values that wait to be sent */
   waiting = new Map()
 
-  /** @type {Promise<void> | null} until every plot that is seen has its figure */
+  /** @type {Promise<void> | null} resolves when every visible plot has its figure */
   joining = null
 
   /** @type {Hand} */ hand
@@ -50,8 +50,8 @@ export class Page {
   /** @type {Compare} */ compare
 
   toldAt = -Infinity // ms, when the moving numbers were last written
-  timeText = "" // the instant, as it was written then
-  isMeasuring = false // once the view of measured points has been seen
+  timeText = "" // the text of the time that was written then
+  isMeasuring = false // set once the view of measured points has been shown
   left = false
   live = new Live()
   notice = new Notice()
@@ -90,7 +90,7 @@ export class Page {
   /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
     const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice, tools} = this
-    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before any part moves
+    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before other parts change the layout
     return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice, tools]
   }
 
@@ -121,7 +121,7 @@ export class Page {
   /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} [asked] the message that it answers */
   apply(shown, asked = null) {
     this.shown = shown
-    unitSize() // also reads everything that the style sheets decide, before anything is written
+    unitSize() // also reads all computed styles before anything is written
     for (const part of this.parts) guarded(() => part.update?.(shown, asked))
     this.redraw()
     this.#measure()
@@ -131,7 +131,7 @@ export class Page {
   }
 
   /**
-   * Handles `Kept`, the answer if the picture does not change: only the parts that wait for it get it.
+   * Handles `Kept`, the answer for an unchanged picture: only parts that wait for an answer get it.
    * @param {Drawn["answer"]} answer @param {import("../net/messages.js").Asked | null} asked
    */
   keep(answer, asked) {
@@ -158,7 +158,7 @@ export class Page {
   /** @param {number} at an instant; ignored if nothing moves */
   draw(at) {
     if (!this.shown) return
-    unitSize() // as above: a read after the numbers are written would lay out the page twice in a frame
+    unitSize() // as above, because reading after writing would compute the layout twice in a frame
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
@@ -183,10 +183,10 @@ export class Page {
     this.draw(this.clock.t)
   }
 
-  /** Lays out everything that is drawn in pixels. */
+  /** Updates the layout of everything that is drawn in pixels. */
   place() {
     this.stages.forEach(stage => stage.place())
-    const rooms = this.plots.map(plot => plot.room) // all are read before anything is written
+    const rooms = this.plots.map(plot => plot.room) // read all sizes before anything is written
     this.plots.forEach((plot, i) => plot.place(rooms[i]))
     this.redraw()
   }

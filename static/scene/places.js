@@ -4,7 +4,7 @@ import {clamp} from "../core/ruler.js"
 
 /**
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box
- * @typedef {{at: number, size: number}} Extent the middle of something on a line, and how long it is
+ * @typedef {{at: number, size: number}} Extent middle and length of an interval on a line
  */
 /**
  * A text: its preferred boxes, best first; its largest shift from there, sideways and up or
@@ -16,8 +16,8 @@ const TOUCH = 0.01 // a smaller overlap counts as none
 export const EVERYWHERE = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
 
 /**
- * Places one text after the other: clear of everything fixed and of earlier texts, moved as little as possible; null if
- * there is no place for it.
+ * Places one text after the other: avoiding all fixed boxes and earlier texts, with the smallest shift; null if there
+ * is no place for it.
  * @param {Text[]} texts @param {Box[]} [fixed] @returns {(Box | null)[]}
  */
 export function places(texts, fixed = []) {
@@ -78,7 +78,7 @@ function shortest(box, others, wide, [least, most], limit) {
 }
 
 /**
- * The smallest step in range that is in none of these gaps, or null.
+ * The smallest shift in range that is in none of these intervals, or null.
  * @param {[number, number][]} gaps @param {[number, number]} reach
  */
 function step(gaps, [least, most]) {
@@ -105,13 +105,13 @@ export const moved = (box, across, down) =>
     : box
 
 /**
- * The shift that brings a box into a room.
+ * The smallest shift that brings an interval into a range.
  * @param {number} low @param {number} high @param {number} least @param {number} most
  */
 const inward = (low, high, least, most) => Math.max(Math.min(0, most - high), least - low)
 
 /**
- * The distances by which a span may move back and forth in its room.
+ * The distances by which an interval may move back and forth within its range, at most `far`.
  * @param {number} low @param {number} high @param {number} least @param {number} most @param {number} far
  * @returns {[number, number]}
  */
@@ -121,14 +121,14 @@ const reach = (low, high, least, most, far) => [
 ]
 
 /**
- * The middles of spans, in their order along the line, moved as little as can be (by least squares) until none touches
- * the next; as far as there is room none leaves it, else at its start.
+ * Places intervals in a row without overlaps, with the smallest shifts (least squares), between `least` and `most`. If
+ * they do not fit, the row begins at `least`. Returns their middles.
  * @param {Extent[]} spans @param {number} [least] @param {number} [most]
  */
 export function inLine(spans, least = -Infinity, most = Infinity) {
   const order = spans.map((_, i) => i).toSorted((i, j) => spans[i].at - spans[j].at)
   let length = 0
-  /** @type {{sum: number, count: number}[]} of spans that touch: the starts of the line that they wish for */
+  /** @type {{sum: number, count: number}[]} of spans that touch: the sum of the starts of the row that they prefer */
   const groups = []
   const ends = order.map(i => (length += spans[i].size))
   for (const [place, i] of order.entries()) {
@@ -151,8 +151,7 @@ export function inLine(spans, least = -Infinity, most = Infinity) {
 /** @param {Extent} one @param {Extent} next */
 const touch = (one, next) => Math.abs(next.at - one.at) < (one.size + next.size) / 2
 
-/** The smallest n such that every n-th span, counted from the last, is clear of the next one. @param {Extent[]} spans
- */
+/** The least n such that every n-th span, counted from the last, does not touch the next. @param {Extent[]} spans */
 export function everyWhich(spans) {
   const last = spans.length - 1
   let which = 1

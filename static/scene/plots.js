@@ -12,12 +12,12 @@ import {Reading, isOnControl} from "./reading.js"
 import {PLAIN, toOneScale} from "../core/ruler.js"
 import {unlessScrolled} from "../controls/held.js"
 
-const REACH = 16 // units from a press to the point that it selects
+const REACH = 16 // largest distance in units from a press to the point that it selects
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
 
 /** @implements {PlotHost} */
 export class Plot {
-  /** @type {Drawn} what is shown, from the first answer on */
+  /** @type {Drawn} the current picture, set from the first answer on */
   shown
 
   /** @type {Drawn["view"]} */
@@ -183,8 +183,8 @@ export class Plot {
     this.figure.setLabels(this.abscissae)
   }
 
-  // If numbers would touch, only every second one or fewer are drawn, always with the last, which carries the unit.
-  // Numbers that a handle would cut are not drawn either.
+  // If numbers would touch, draw only every n-th one, counted from the last, which has the unit.
+  // Numbers that a handle would cover are not drawn either.
   get abscissae() {
     const {ticks, labels} = this.x
     const last = ticks.length - 1
@@ -276,7 +276,7 @@ export class Plot {
   }
 
   /**
-   * Runs once per frame: moves cursor and dots to the current instant.
+   * Called in each animation frame: moves cursor and dots to the current time.
    * @param {Named} named @param {number} t @param {string} timeText
    */
   draw(named, t, timeText) {
@@ -303,7 +303,7 @@ export class Plot {
 }
 
 /**
- * The frame and the axes of a plot as named quantities, seen from (-dx, -dy).
+ * The frame and the axes of a plot as named quantities, in coordinates shifted by (dx, dy).
  * @param {Pick<Canvas, "frame" | "x" | "y" | "px" | "py">} plot @param {string} name
  * @param {number} [dx] @param {number} [dy] @returns {Named}
  */
@@ -325,7 +325,7 @@ export function geometry(plot, name, dx = 0, dy = 0) {
 export const turned = ruler => ({...ruler, start: ruler.end, end: ruler.start})
 
 /**
- * Also false if x or y is NaN, because the picture has no such signal.
+ * True if a point is in the frame. False for NaN, which means that the picture has no such signal.
  * @param {Frame} frame @param {number} x @param {number} y @param {number} wide @param {number} high
  */
 function isWithin({left, top, width, height}, x, y, wide, high) {

@@ -1,4 +1,4 @@
-// The numbers at the pointer, over a plot.
+// Shows the coordinates and curve values at the pointer over a plot.
 
 import {element, long, setAttributes, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
@@ -95,7 +95,9 @@ export class Reading {
 /** True if the pointer is on a part of the overlay that has its own action. @param {PointerEvent} event */
 export const isOnControl = ({target}) => target instanceof Element && Boolean(target.closest(PRESSED))
 
-/** The last point before x, at most the last but one. @param {Float64Array} xs in order @param {number} x */
+/**
+ * The index of the last point before x, at most the last but one. @param {Float64Array} xs in order @param {number} x
+ */
 function before(xs, x) {
   let low = 0
   let high = xs.length - 1
@@ -108,7 +110,8 @@ function before(xs, x) {
 }
 
 /**
- * The number of known digits, at most three. Numbers are multiples of the step; 0 means that all digits are known.
+ * The number of known digits, at most three. Numbers are rounded to multiples of `step`; 0 means that all digits are
+ * known.
  * @param {number} value @param {number} step
  */
 export function honest(value, step) {

@@ -1,4 +1,4 @@
-// The bar of a scene that measures, in the transport's place: run or cancel, progress, skip.
+// The bar of a scene that measures run times, in place of the transport: run or cancel, progress, skip.
 
 import {button, chip, element} from "../core/dom.js"
 import {Fit, icon} from "../controls/transport.js"

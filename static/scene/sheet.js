@@ -99,7 +99,9 @@ export class Sheet {
     this.stages.push(stage)
   }
 
-  /** The formula is the legend and the switch: a click on a term takes its curve away. @param {page.PlotBlock} block */
+  /**
+   * The formula is the legend and the switch: a click on a term hides or shows its curve. @param {page.PlotBlock} block
+   */
   #heading(block) {
     const terms = block.heading.map(term => this.#term(term, block))
     return element("div", {class: "head"}, ...terms)
@@ -135,7 +137,7 @@ export class Sheet {
   #item(item, tag = "div") {
     const holder = element(tag, {class: "item"})
     const variants = Object.entries(item.variants).map(([name, html], i) => {
-      const text = marked("div", i ? {hidden: ""} : {}, html) // of what is covered at first, one keeps the place
+      const text = marked("div", i ? {hidden: ""} : {}, html) // show one variant at first
       holder.append(text)
       return {name, text}
     })
@@ -154,7 +156,7 @@ export class Sheet {
     for (const cells of block.rows) {
       const [name, ...rest] = cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))
       setAttributes(name, {scope: "row"})
-      // A formula alone is no name for every screen reader: its letters are.
+      // Give rows a name in letters, because some screen readers do not read a formula as a name.
       for (const formula of name.querySelectorAll("math")) {
         formula.before(element("span", {class: "heard"}, formula.textContent ?? ""))
         setAttributes(formula, {"aria-hidden": "true"})
@@ -165,7 +167,8 @@ export class Sheet {
   }
 
   /**
-   * Hides what neither the view nor the step's own list of parts shows, and says whether anything of it is left.
+   * Hides blocks that belong neither to the view nor to the step's list of parts. Returns true if a part of `block` is
+   * left.
    * @param {page.Block} block @param {Drawn} shown @returns {boolean}
    */
   #stand(block, shown) {
@@ -207,7 +210,7 @@ export class Sheet {
       const wanted = forms[name] ?? ""
       const isPending = !holder.hidden && covered.includes(`form:${name}`)
       holder.classList.toggle("waits", isPending)
-      if (isPending) continue // its place is kept
+      if (isPending) continue // the empty row keeps its space
       holder.hidden = wanted === ""
       for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }

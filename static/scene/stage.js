@@ -8,7 +8,7 @@ import {Grips} from "../controls/grips.js"
 import {atInstant} from "../core/signals.js"
 import {zigzag} from "./zigzag.js"
 
-/** A line moved along itself by its gap. @param {AtInstant<page.Arrow>} line */
+/** A line, shifted along its direction by its gap. @param {AtInstant<page.Arrow>} line */
 function ahead({x1, y1, x2, y2, gap}) {
   const length = Math.hypot(x2 - x1, y2 - y1) || 1
   const dx = ((x2 - x1) / length) * gap
@@ -141,10 +141,10 @@ const KINDS = {
 export const kindOf = shape => /** @type {Kind} */ (KINDS[shape.kind])
 
 export class Stage {
-  /** @type {Canvas | undefined} a plot of the same size whose texts are placed already */
+  /** @type {Canvas | undefined} a plot under this stage, of the same size, whose texts are placed already */
   under
 
-  /** @type {Named} whether lines of plots go on in it */
+  /** @type {Named} `wide` is 1 if lines of plots continue on this stage */
   join = {}
 
   /** @type {Set<string>} the plots next to it */
@@ -153,10 +153,10 @@ export class Stage {
   /** @type {Named} */
   nowhere = {}
 
-  /** @type {Named | undefined} all that the last frame was drawn of */
+  /** @type {Named | undefined} all quantities of the last drawn frame */
   named
 
-  /** @type {(() => void) | undefined} called when there is more or less room */
+  /** @type {(() => void) | undefined} called when the size has changed */
   resized
 
   /** @type {IntersectionObserver | undefined} */
@@ -194,7 +194,7 @@ export class Stage {
         moving.flatMap(([, {terms}]) => terms.flatMap((/** @type {page.Product} */ term) => term[1])),
       )
       const places = [...needs].filter(name => name.includes("."))
-      const plots = new Set(places.map(name => name.split(".")[0])) // the plot under it
+      const plots = new Set(places.map(name => name.split(".")[0])) // the plots whose coordinates it uses
       return {spec, kind, parts, group, moving, needs, places, plots, covered: false}
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
@@ -210,7 +210,7 @@ export class Stage {
     this.observer.observe(host)
   }
 
-  /** Moves its shapes only while it is on the screen: for small pictures in a row that scrolls. */
+  /** Updates its shapes only while it is on the screen. For small pictures in a row that scrolls. */
   skipUnseen() {
     this.eyes = new IntersectionObserver(seen => {
       this.isSeen = seen.at(-1)?.isIntersecting ?? true
@@ -223,11 +223,11 @@ export class Stage {
   #joins() {
     const joined = this.shapes.filter(({needs}) => needs.has("wide"))
     this.beside = new Set(joined.flatMap(({plots}) => [...plots]))
-    // The values of their coordinates while they are elsewhere or hidden.
+    // Coordinates to use while those plots are elsewhere or hidden.
     this.nowhere = Object.fromEntries(joined.flatMap(({places}) => places.map(name => [name, 0])))
   }
 
-  /** Takes the place that there is. */
+  /** Adapts to the current size. */
   place() {
     const box = this.svg.getBoundingClientRect()
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
@@ -287,10 +287,10 @@ export class Stage {
     for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
   }
 
-  /** Once a frame: all shapes at the instant of `named`. @param {Named} named */
+  /** Called in each animation frame: draws all shapes for the quantities `named`. @param {Named} named */
   frame(named) {
     if (!this.isSeen || this.host.closest("[hidden]")) return
-    // What is named is inherited: copying it for each of many stages takes a seventh of a frame's time.
+    // Inherit `named`, because copying it for each of many stages would take a seventh of a frame's time.
     const all = Object.assign(Object.create(named), this.nowhere, this.plots, this.size, this.join)
     this.named = all
     for (const shape of this.shapes) {

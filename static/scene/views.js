@@ -4,7 +4,9 @@ import {button, element, intoView, marked, setAttributes} from "../core/dom.js"
 
 export const PAPER = "view" // the id of what a tab shows
 
-/** @type {Record<string, (at: number, count: number) => number>} by the key, which tab comes next */
+/**
+ * @type {Record<string, (at: number, count: number) => number>} for each key, the index of the tab to which it moves
+ */
 const MOVES = {
   ArrowLeft: at => at - 1,
   ArrowRight: at => at + 1,
@@ -12,7 +14,7 @@ const MOVES = {
   End: (_, count) => count - 1,
 }
 
-/** The word of the view that is shown, "" of a scene without views. @param {Drawn["settings"]} settings */
+/** The value of the parameter `view`; "" in a scene without views. @param {Drawn["settings"]} settings */
 export const viewOf = settings => String(settings.view?.value ?? "")
 
 /** @implements {Part} */
@@ -57,12 +59,12 @@ export class Views {
     this.moves = true
   }
 
-  /** The tab that was pressed waits for the server. @param {Waits} waiting */
+  /** Marks the pressed tab until the server has answered. @param {Waits} waiting */
   wait(waiting) {
     for (const tab of this.tabs) tab.classList.toggle("waits", tab.dataset.view === waiting.get("view"))
   }
 
-  /** A question has the page for itself, and so have the parts that a step lists. @param {Drawn} shown */
+  /** Hides the tabs and the task during a question, and while a step lists the parts to show. @param {Drawn} shown */
   update({settings, state}) {
     const now = viewOf(settings)
     const asks = Boolean(state.step) && state.covered.length > 0

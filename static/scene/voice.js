@@ -4,7 +4,7 @@ import {isCovered} from "../compare/cover.js"
 import {element} from "../core/dom.js"
 import {description, spoken} from "./describe.js"
 
-const MOMENT = 700 // ms without a further change: a drag is spoken of when it ends
+const MOMENT = 700 // ms without a further change, so that a drag is announced when it ends
 
 export class Voice {
   /** @type {number | undefined} */
@@ -44,7 +44,7 @@ export class Voice {
     this.lastNumbers = now
   }
 
-  /** The numbers to announce, by name, without hidden ones: those of the scene and of the visible plots. */
+  /** The numbers to announce, by name: those of the scene and of the visible plots, without hidden ones. */
   #numbers() {
     const {plots, shown, spec} = this.page
     const visible = plots.filter(plot => !plot.absent && !isCovered(plot))

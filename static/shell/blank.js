@@ -1,6 +1,6 @@
 // A black screen over the whole page, until a key or press, so that students look at the lecturer.
 
-/** Makes the screen black, or shows the page again. */
+/** Makes the screen black, or shows the page again if it is black. */
 export function blank() {
   const there = document.querySelector(".blank")
   if (there) return there.remove()

@@ -10,10 +10,13 @@ const WALK = "data-in-walk"
 const root = document.documentElement
 
 export class Hall {
-  /** @type {HTMLElement | undefined} the hint that the next key opens full screen */
+  /** @type {HTMLElement | undefined} the hint that the next key press will open full screen */
   offer
 
-  /** @type {BroadcastChannel | undefined} from a window with the contents, since hall mode was first on */
+  /**
+   * @type {BroadcastChannel | undefined} receives messages from a separate window with the contents; open since hall
+   * mode was first on
+   */
   steps
 
   /** @param {LectureHost} lecture */
@@ -69,13 +72,13 @@ export class Hall {
     this.lecture.page.place()
   }
 
-  /** Opens full screen. It stays when the scene or step changes, because the page is not loaded again. */
+  /** Opens full screen. It lasts when the scene or step changes, because the page is not loaded again. */
   async full() {
     if (document.fullscreenElement) await document.exitFullscreen()
     else await root.requestFullscreen?.().catch(() => {})
   }
 
-  /** Opens full screen again after a reload, at the next key or press, because browsers need one. */
+  /** Opens full screen again after a reload, at the next key or press, because browsers allow it only then. */
   #offer() {
     this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
     document.body.append(this.offer)

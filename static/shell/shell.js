@@ -25,7 +25,10 @@ export class Shell {
     if (parent !== window) using("shell/framed", ({framed}) => framed(lecture))
   }
 
-  /** A click changes the scene within the session; other clicks are the browser's own. @param {HTMLElement} link */
+  /**
+   * A click changes the scene within the session; the browser handles other clicks, for example those that open a new
+   * tab. @param {HTMLElement} link
+   */
   #lead(link) {
     const {scene = "", sheet = ""} = link.dataset
     for (const event of ["pointerenter", "focus", "click"]) {
@@ -67,13 +70,13 @@ export class Shell {
       else link.removeAttribute("aria-current")
     }
     for (const group of this.groups) group.turned()
-    // In a frame nothing takes the focus from the page around it.
+    // In a frame, do not take the focus from the page around it.
     if (!moved || !document.hasFocus()) return
     scrollTo(0, 0)
     this.lecture.page.root.querySelector("h1")?.focus({preventScroll: true})
   }
 
-  /** Continues the tab order from there. @param {Event} event */
+  /** Moves the focus to the content, so that the Tab key continues from there. @param {Event} event */
   #skip(event) {
     event.preventDefault()
     const link = /** @type {HTMLElement} */ (event.currentTarget)
@@ -89,7 +92,7 @@ export class Shell {
 }
 
 /**
- * An element that the page is served with.
+ * An element that the HTML from the server contains.
  * @template {Element} Kind
  * @param {string} selector @param {{new (): Kind}} kind @returns {Kind}
  */

@@ -42,7 +42,7 @@ export class Tools {
   }
 
   /**
-   * A button for saving on a plot or a stage, for the pointer only; with the keyboard, use the button among the tools.
+   * A button for saving on a plot or a stage, for the pointer only; keyboard users have the button among the tools.
    * @param {HTMLElement | null} host @param {Subject} subject @param {string} name
    */
   #takeable(host, subject, name) {

@@ -13,10 +13,10 @@ const MOST = 200 // states kept per scene
  */
 
 export class Undo {
-  /** @type {Map<string, Story>} by scene */
+  /** @type {Map<string, Story>} the states of each scene */
   stories = new Map()
 
-  /** @type {Story | undefined} of the scene that is shown */
+  /** @type {Story | undefined} the states of the current scene */
   story
 
   gesture = 0
@@ -73,7 +73,7 @@ export class Undo {
   }
 
   /**
-   * Records a state from the server, with the data of the message that it answers.
+   * Records a state from the server. `asked`: data of the message that it answers.
    * @param {page.State} state @param {{way?: Direction, undoGroup?: string}} asked
    */
   record(state, {way, undoGroup = ""}) {
@@ -81,7 +81,7 @@ export class Undo {
     this.stories.set(state.scene, story)
     this.story = story
     if (isSame(story.now, state)) {
-      if (way) story[way].pop() // the state was refused, so it would be refused again
+      if (way) story[way].pop() // drop a state that the server refused, because it would refuse it again
     } else if (way) {
       story[way].pop()
       story[way === "past" ? "future" : "past"].push(story.now)

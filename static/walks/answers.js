@@ -5,8 +5,9 @@ import {browserStorage, tabStorage} from "../core/storage.js"
 import {bare} from "../core/plain.js"
 
 /**
- * @typedef {{said: string, right: boolean, title: page.Html}} KeptAnswer of a step: the answer in words
- * @typedef {{step: string, given: Partial<page.Given>}} Answered to a step of a walk, "d34/d34-07"
+ * @typedef {{said: string, right: boolean, title: page.Html}} KeptAnswer an answer, in words, whether it was right, and
+ * the title of its step
+ * @typedef {{step: string, given: Partial<page.Given>}} Answered the answer to a step of a walk, such as "d34/d34-07"
  */
 
 const KEY = "walk-answers"

@@ -1,4 +1,4 @@
-// The card of a step, which replaces the panel: a text, the question, the answer, the explanation, things to try.
+// The card of a step, which replaces the panel: a text, the question, the answer, the explanation, links to try.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
@@ -8,7 +8,7 @@ import {claim, showQuestion} from "./headline.js"
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 export const FOLLOWS = "How it follows"
 const CHOSEN = ".seg, .tiles, .window" // controls other than sliders
-const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // parts that do not work before the answer
+const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // parts that are disabled before the answer
 const GRABBED = ".grip, .handles [data-grab]" // parts that can be dragged
 
 export class Card {
@@ -45,7 +45,7 @@ export class Card {
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
     page.root.classList.toggle("tour", walk.isTour)
-    // On a phone the card is between the plots, so the drawings over them move with it.
+    // On a phone the card is between the plots, so drawings over the plots must follow changes of its height.
     this.observer = new ResizeObserver(() => page.redraw())
     this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
@@ -79,7 +79,7 @@ export class Card {
     this.ready()
   }
 
-  /** Writes on the filled button what the next press does. */
+  /** Labels the filled button with what the next press does. */
   ready() {
     const {words, needsAnswer} = this.walk.press
     this.skip.hidden = !needsAnswer
@@ -120,7 +120,7 @@ export class Card {
     if (this.walk.isTour) this.judgement.scrollIntoView({block: "nearest"})
   }
 
-  /** Opens the formulas of the step over the paper, or closes them. */
+  /** Opens the formulas of the step, or closes them. */
   derive() {
     if (this.fold) this.fold.open = !this.fold.open
   }
@@ -144,8 +144,8 @@ export class Card {
   }
 
   /**
-   * The equations of the slide: closed at first, later as the visitor left them. If there is room, they open over the
-   * paper. In hall mode they stay closed, so that the plots are visible.
+   * The equations of the slide: closed at first, later open or closed as the visitor left them. If there is room, they
+   * open over the page. In hall mode they stay closed, so that the plots are visible.
    * @param {page.Html[]} follows
    */
   #derivation(follows) {
@@ -177,7 +177,7 @@ export class Card {
     return [this.#opener(), parts]
   }
 
-  /** In a hall there is no room for things to try next to the explanation, so they replace the answers. */
+  /** A button for hall mode: there the links to try do not fit next to the explanation, so they replace the options. */
   #opener() {
     const toggle = () => opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
     const opener = button({class: "chip opens-tries", "aria-expanded": "false"}, toggle, "Try")

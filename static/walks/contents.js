@@ -17,7 +17,8 @@ export class Contents {
     this.element.addEventListener("click", event => {
       if (event.target === this.element) this.close()
     })
-    // At the top Page Up closes it, at the end Page Down, except after the last step of a walk.
+    // Page Up closes the dialog if it is scrolled to the top; Page Down closes it at the end, except after the last
+    // step.
     this.element.addEventListener("keydown", ({key}) => {
       const {scrollTop, scrollHeight, clientHeight} = this.element
       const isAtFoot = scrollTop + clientHeight > scrollHeight - 1

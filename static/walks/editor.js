@@ -16,7 +16,7 @@ const NAME = "asked"
 export const openEditor = walks => new Editor(walks).open()
 
 class Editor {
-  /** @type {string[]} what is covered already and is not offered here */
+  /** @type {string[]} parts that are covered already and have no check box here */
   covered = []
 
   draft = new Draft()
@@ -61,7 +61,7 @@ class Editor {
     const covers = [...parts(this.page), ...sentences(this.page)]
     const {covered} = this.page.shown.state
     const boxes = covers.map(part => box("cover", part.cover, part.text, covered.includes(part.cover)))
-    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // covers without a box stay
+    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name))
     return [
       labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
       this.kind,
@@ -100,7 +100,7 @@ class Editor {
     return element("li", {}, element("span", {}, String(step.question)), remove)
   }
 
-  /** @param {number} [i] one of them, or all */
+  /** @param {number} [i] the index of one step; all if it is missing */
   #remove(i) {
     if (i === undefined) this.draft.steps = []
     else this.draft.steps.splice(i, 1)

@@ -42,7 +42,7 @@ export class Finish {
     return answered.length ? `${right} of your ${answered.length} answers ${right === 1 ? "was" : "were"} right.` : ""
   }
 
-  /** Each step with its result in a word: its claim, or the question if it was skipped. */
+  /** Each step with its result: its claim, or its question if it was skipped. */
   #results() {
     const rows = this.walk.sheet.steps.map(step => {
       const kept = this.walk.answers.of(step.id)

@@ -6,7 +6,7 @@ import {later} from "../later.js"
 import {STEPS, lead} from "./steps.js"
 
 const VISITED = "visited"
-const ASK = "#ask" // the hash of a window for writing a question
+const ASK = "#ask" // hash in the address of a window that opens the editor of questions
 
 export class Menu {
   /** @type {Map<string, string>} the addresses of the sheets by name */

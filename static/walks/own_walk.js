@@ -5,7 +5,7 @@ const SENT = 60_000 // bytes of the message with the file
 
 /** Runs a walk from a file, or shows why it cannot. @param {LectureHost["walks"]} walks @param {File} file */
 export async function run(walks, file) {
-  walks.lecture.page.notice.hide() // a notice about an earlier file
+  walks.lecture.page.notice.hide() // close the notice about an earlier file
   const refusal = await read(file).then(
     text => walks.run(nameOf(file.name), text),
     (/** @type {Error} */ error) => error.message,

@@ -2,8 +2,8 @@
 
 /* oxlint-disable unicorn/require-post-message-target-origin -- a channel is one origin's */
 
-const NAME = "steps-of-the-lecture" // the channel between windows of one browser
-export const STEPS = "#steps" // the hash of such a window
+const NAME = "steps-of-the-lecture" // channel for messages between windows of one browser
+export const STEPS = "#steps" // hash in the address of the window with the contents
 
 /**
  * On the page in the hall: reports its walks from files, and opens the chosen step.
@@ -20,7 +20,10 @@ export function follow(lecture) {
   return channel
 }
 
-/** Makes this window the one with the contents, which sends the other. @param {LectureHost["walks"]} walks */
+/**
+ * Makes this the window with the contents. Choosing a step here opens it in the other window. @param
+ * {LectureHost["walks"]} walks
+ */
 export function lead(walks) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", async ({data}) => {

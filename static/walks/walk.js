@@ -1,4 +1,4 @@
-// A guided walk: from step to step, from the question to its explanation.
+// A guided walk: shows its steps one by one, first the question, then the explanation.
 
 import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
 import {ANSWER_FIRST, Card, FOLLOWS} from "./card.js"
@@ -15,13 +15,13 @@ const ASKED_NOW =
 
 /** @implements {WalkHost} */
 export class Walk {
-  /** @type {number} of the step */
+  /** @type {number} index of the step */
   place = -1
 
-  /** @type {page.Lesson | null} what the step teaches, once it has been answered */
+  /** @type {page.Lesson | null} the explanation of the step, after the answer */
   lesson = null
 
-  isRevealing = false // until the picture without covers arrives; an earlier one must not hide the answer
+  isRevealing = false // true until the picture without covers arrives; earlier ones must not hide the answer
 
   /** @type {Card | null} */
   card = null
@@ -189,8 +189,8 @@ export class Walk {
   }
 
   /**
-   * The next press of the filled button or of Page Down: in a class the votes, the answer with the votes, the
-   * explanation, then the next step. Alone there are no votes.
+   * The next action of the filled button or Page Down: in a class it shows the votes, the answer, the explanation, then
+   * the next step. Outside a class there are no votes.
    * @returns {Press}
    */
   get press() {
@@ -253,7 +253,10 @@ export class Walk {
     if (answer.type === "taught") this.#taught(answer)
   }
 
-  /** Sends an answer, and again if the session did not know the walk's file. @param {page.GiveAnswer} message */
+  /**
+   * Sends an answer. If the session does not know the walk's file, sends the file and then the answer again. @param
+   * {page.GiveAnswer} message
+   */
   async #answerTo(message) {
     const {name} = this.sheet
     const {own, texts} = this.walks
@@ -268,7 +271,10 @@ export class Walk {
     else this.open(true)
   }
 
-  /** Takes the last press back: the formulas, the explanation in a class, the answer, then the step. */
+  /**
+   * Undoes the last press: closes the formulas, in a class hides the explanation, hides the answer, or returns to the
+   * previous step.
+   */
   back() {
     const {led} = this.lecture.classes
     if (!this.lesson) this.go(this.#towards(-1))

@@ -7,12 +7,12 @@ import {tabStorage} from "../core/storage.js"
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const OWN = "own-walks"
-const PATIENCE = 4000 // ms that a picture waits for the card of its step
+const PATIENCE = 4000 // ms that a picture waits at most for the card of its step
 const AGAIN = 1000 // ms until a request is repeated if the server is busy
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
-  /** @type {Walk | null} the one that is walked */
+  /** @type {Walk | null} the current walk */
   walk = null
 
   /**
@@ -21,7 +21,7 @@ export class Walks {
    */
   left = null
 
-  /** @type {Promise<void> | null} until the step in the address is shown, if its walk is from a file */
+  /** @type {Promise<void> | null} resolves when the step in the address is shown, if its walk is from a file */
   coming = null
 
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
@@ -72,7 +72,7 @@ export class Walks {
     this.enter(name, place)
   }
 
-  /** True if it is this walk; after another choice of a file it is a different one. @param {string} name */
+  /** True if this walk is the current one. A file that is opened again gives another walk. @param {string} name */
   #isWalked(name) {
     return this.walk?.sheet.name === name && this.walk.sheet === (this.own.get(name) ?? this.walk.sheet)
   }
@@ -105,7 +105,7 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
-      if (!this.walk?.isAloud) this.left = null // a vote leads back to it
+      if (!this.walk?.isAloud) this.left = null // after a vote, return to this step
     } else {
       this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()
@@ -212,7 +212,7 @@ export class Walks {
   /** @param {string} name @param {string} id */
   async #comeTo(name, id) {
     const {steps} = await this.sheet(name)
-    this.lecture.page.notice.hide() // the notice that there is no such walk
+    this.lecture.page.notice.hide() // close the notice that the walk is missing
     const place = steps.findIndex(step => step.id === id)
     await this.enter(name, Math.max(place, 0))
   }
