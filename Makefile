@@ -16,6 +16,8 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-s
 	--no-emit-index-url --no-strip-extras --custom-compile-command "make lock"
 # Each of two processes starts with half of the tests; the faster one takes tests from the other.
 BOTH_CORES := -n 2 --dist worksteal
+# A test with a page that fails runs once more, because a busy machine can delay a frame; the summary lists it as RERUN.
+ONCE_MORE := --reruns 1 -raR
 # Pages wait for frames and timers: three at a time keep two cores busy.
 THREE_PAGES := -n 3 --dist worksteal
 BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
@@ -34,12 +36,12 @@ test rest test-all scene fast: export PYTHONDONTWRITEBYTECODE =
 # Two runs, because Playwright leaves an event loop running in its process, which disturbs other tests.
 test: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"
-	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) -m "browser and not slow"
+	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) $(ONCE_MORE) -m "browser and not slow"
 
 # The slow tests: every scene instead of a sample, deployment, real timers.
 rest: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow"
-	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and slow"
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) $(ONCE_MORE) -m "browser and slow"
 
 # Installs Safari's engine and Firefox from Debian. Without them make rest skips their tests, and says so.
 browsers: $(VENV)/test.stamp
