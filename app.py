@@ -37,7 +37,7 @@ from components.walks.cards import walk_file
 from components.walks.registry import all_walks
 
 pn.config.browser_info = False
-# The page has its own themes; Panel would decode any `theme` of the link.
+# The page has its own themes. Without this line, Panel would read any `theme` of a link.
 pn.config.theme = "default"  # type: ignore[misc]
 
 
@@ -47,7 +47,7 @@ FIGURES = {
         lambda: sum(scene.work.pending() for scene in SCENES.values() if scene.work),
     )
 }
-"""Functions that look up the scenes' figures for /metrics, by name, with a description."""
+"""Values for /metrics that come from scenes: by name, a description and a function that returns the value."""
 
 
 SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
@@ -64,8 +64,9 @@ def visited(query: Query, walks: Walks) -> Session:
 
 
 class Lectured(NamedTuple):
-    """The parts that the server is given: the function that opens a page, the files of all walks by their address, the
-    question bank of a live class, and the start page."""
+    """The parts from which a server is made: the function that opens a page, the files of all walks by their address,
+    the
+    questions for live classes, and the start page."""
 
     open_page: Callable[..., None]
     files: dict[str, bytes]
@@ -74,7 +75,7 @@ class Lectured(NamedTuple):
 
 
 def walked(folders: Iterable[Path]) -> Lectured:
-    """Return the parts of a server that has the lecture's walks and those in folders."""
+    """Return the parts of a server with the built-in walks and the walks in these folders."""
     walks = all_walks(folders, SCENES)
     files = [walk_file(walk, SCENES) for walk in walks.values()]
     listed = [
@@ -92,8 +93,8 @@ def open_page(
     lead: Callable[[str, str], Publish] | None = None,
     apart: Apart | None = None,
 ) -> None:
-    """Fill the document of a new session, the current one. `lead` sends its pictures to a live class, `apart` checks
-    walks from files."""
+    """Fill `document`, the Bokeh document of a new session. `lead` connects the session to a live class; `apart` is the
+    worker process."""
     session = visited(pn.state.session_args, walks)
     kind = session.now.kind
     document.title = kind.headline
@@ -122,8 +123,9 @@ Start it in this folder by `make run`, or by `python -m components.serving --sho
 
 
 def scene_page(query: Query) -> pn.template.FastListTemplate:
-    """The page of `panel serve`: a menu of the scenes, and the one that a link asks for with its values. Its address
-    follows the values."""
+    """The page of `panel serve`: a menu of the scenes, and the scene of the link with its values. The address of the
+    page
+    follows changes of the values."""
     link = read_query(query, SCENES).as_opened(SCENES)
     kind, problems = SCENES[link.slug], list(link.problems)
     scene = face_of(kind)()
@@ -154,16 +156,16 @@ def scene_page(query: Query) -> pn.template.FastListTemplate:
 
 
 def state_of(scene: SceneFace) -> State:
-    """The state that a link of `panel serve` has: the values that are not at their defaults."""
+    """The state for a link of `panel serve`: the values that are not at their defaults."""
     values: dict[str, Any] = dict(scene.value.off_default())
     return State(scene=scene.scene_kind.slug, parameters=values)
 
 
 def math_font() -> str:
-    """The font of formulas, within the style sheet, since `panel serve` has no files of ours."""
+    """The font of formulas, embedded into the style sheet, because `panel serve` does not serve our files."""
     font = b64encode((STATIC / "fonts" / "stix-two-math.woff").read_bytes()).decode()
     return f'@font-face {{ font-family: "Lecture Math"; src: url("data:font/woff;base64,{font}") format("woff"); }}'
 
 
-if __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs
+if __name__.startswith("bokeh_app_"):  # `panel serve` runs this file under such a name
     scene_page(pn.state.session_args).servable()

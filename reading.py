@@ -11,10 +11,11 @@ from components.walks.registry import all_walks
 from physics.integrators.accuracy_worker import restrain
 
 NICENESS = 5
-"""On a busy machine the server has three times the time of this process, for which visitors wait too."""
+"""On a busy machine the server then gets about three times as much time as this process, for which visitors wait
+too."""
 
 if __name__ == "__main__":
     walks = all_walks(map(Path, sys.argv[1:]), SCENES)
-    prepare(walks, SCENES)  # at once, since somebody waits: with low priority it may take minutes
+    prepare(walks, SCENES)  # at low priority this may take minutes
     restrain(NICENESS)
     work(walks, SCENES, sys.stdin.buffer, sys.stdout.buffer)

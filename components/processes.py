@@ -12,7 +12,7 @@ ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THRE
 
 
 def started(module: str, *arguments: str) -> subprocess.Popen[bytes]:
-    """A module that runs as a program, whose standard input and output are pipes."""
+    """Start a module as a program, with pipes for its standard input and output."""
     return subprocess.Popen(
         [sys.executable, "-m", module, *arguments],
         stdin=subprocess.PIPE,

@@ -11,7 +11,7 @@ declare namespace page {
   /** A sketched curve: its heights; null in gaps. */
   type Sketched = (Height | null)[]
 
-  /** A column of one piece of a measured record. */
+  /** One column of a piece of a measured record. */
   type RowNumbers = number[]
 
   /** An answer to a step of a walk: the index of an option, a number or a few words as text, a place on the axis, or
@@ -62,7 +62,7 @@ declare namespace page {
     name: SaidName
   }
 
-  /** Sets a choice by its word, or a list by its words. */
+  /** Sets a choice by the word of its option, or a list by its words. */
   interface Choose extends FromBrowser {
     type: "choose"
     name: SaidName
@@ -75,7 +75,7 @@ declare namespace page {
     order: "start" | "cancel" | "skip"
   }
 
-  /** Puts the session into a state. If `carried`, another scene takes over the parameters that it shares with earlier
+  /** Opens a state in this session. If `carried`, another scene takes over the parameters that it shares with earlier
    * scenes. If `keeps`, the current frame stays, so that two pictures of one scene can be compared. */
   interface Open extends FromBrowser {
     type: "open"
@@ -303,7 +303,7 @@ declare namespace page {
     panel: Panel
   }
 
-  /** A quantity in SI (None: the scene's own choice), the word of a choice, or a list of words. */
+  /** A value in a state: a quantity in SI (None if the scene chooses it), the word of a choice, or a list of words. */
   type Value = number | string | string[] | null
 
   /** A frame for a picture: the ranges of its axes by name, its time window in s, the scale of its stage, and its
@@ -384,15 +384,15 @@ declare namespace page {
     trials: WalkTrial[]
   }
 
-  /** The verdict on one answer of a choice: its sentence, and the state of a case of which that speaks, if any. */
+  /** The comment on one option of a choice, and the state of the case that it mentions, if any. */
   interface Verdict {
     right: boolean
     reply: Html
     where: State | null
   }
 
-  /** A feature that a sketch has or misses: its name, what is said of it, and where in the plot it is, in places of
-   * its axes. */
+  /** A feature that a sketch has or misses: its name, a comment, and its position in coordinates of the plot's
+   * axes. */
   interface Finding {
     has: boolean
     name: Html
@@ -438,9 +438,8 @@ declare namespace page {
     at: number
   }
 
-  /** Puts the question of a step to the class.
-   *
-   * `vote` is the number of the vote: one more than before, or the last one if the question comes back. If `answered`,
+  /** Asks the class the question of a step. `vote` is the number of the vote: one more for a new vote, the same as
+   * last time if the instructor returns to the question. If `answered`,
    * the class has seen the answer and the vote takes no more answers. */
   interface PutQuestion extends Ordered {
     type: "put"
@@ -450,7 +449,7 @@ declare namespace page {
     answered: boolean
   }
 
-  /** Adds a walk from the instructor's own file, so that its questions can be put. */
+  /** Adds a walk from the instructor's own file, so that its questions can be asked. */
   interface HandWalk extends Ordered {
     type: "walk"
     name: SaidName
@@ -462,7 +461,7 @@ declare namespace page {
     type: "show"
   }
 
-  /** Closes the vote: no more answers until the question is put to another vote. No answer is shown. */
+  /** Closes the vote without showing the answer: the question takes no more answers until the next vote on it. */
   interface CloseVote extends Ordered {
     type: "close"
   }
@@ -480,7 +479,7 @@ declare namespace page {
     closes: boolean
   }
 
-  /** Shows the hall an answer in words, and all that are equal to it, or removes them. */
+  /** Shows the hall an answer in words, with all answers equal to it, or removes them. */
   interface Moderate extends Ordered {
     type: "moderate"
     text: string
@@ -505,7 +504,7 @@ declare namespace page {
     answers: Record<string, Voted>
   }
 
-  /** Describes the instructor's screen for a remote control: the label of the next press, the other active buttons,
+  /** Describes the instructor's screen for a remote control: the label of the button Next, the other active buttons,
    * and whether the screen is blank. */
   interface DescribeScreen extends Ordered {
     type: "screen"
@@ -690,7 +689,8 @@ declare namespace page {
     key: string
   }
 
-  /** Requests a word with which another computer leads the class from now on, with the page of this link. `shown` has
+  /** Requests a word with which another computer can take over the class; it then opens the page of this link. `shown`
+   * has
    * the number of the vote whose answer the class has seen, by question. */
   interface HandOver {
     query: string
@@ -711,7 +711,7 @@ declare namespace page {
     control: string
   }
 
-  /** The digits that the instructor has seen on the phone. */
+  /** Admits a remote control by the digits that the instructor has seen on the phone. */
   interface Confirmed {
     digits: string
   }
@@ -724,7 +724,7 @@ declare namespace page {
     text: string
   }
 
-  /** A step in the contents of a remote control, by its title. */
+  /** A step in the list of steps of a remote control. */
   interface Listed {
     step: string
     title: Html
@@ -744,7 +744,7 @@ declare namespace page {
     log: boolean
   }
 
-  /** Simulated over real seconds: what the speed Auto plays at, and the fastest at which the motion can be seen. */
+  /** Simulated seconds per real second: at the speed Auto, and the highest at which the motion can still be seen. */
   interface Pace {
     auto: number
     limit: number | null
@@ -753,7 +753,7 @@ declare namespace page {
   /** The format of a moving number: its decimals, and if its sign is always shown. */
   type Digits = [decimals: number, signed: boolean]
 
-  /** The progress of a measurement: so many of a total, counted in `unit`. */
+  /** The progress of a measurement: `done` of `total`, counted in `unit`. */
   interface Progress {
     state: "idle" | "waiting" | "running" | "done"
     done: number
@@ -920,8 +920,8 @@ declare namespace page {
    *
    * `part` is the block's name in links and walks: stage, plot:x, words:why, table. A block without `views` is in all of
    * them. `grow` and `basis` divide the height (in a column) or the width (in a row). `phone` is its position from top
-   * to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`, and
-   * only with or only without the large type of a `hall`, if that is set. */
+   * to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`.
+   * `hall`, if set, shows it only with (or only without) the large type of hall mode. */
   interface Part {
     part: string
     views: string[]
@@ -948,7 +948,7 @@ declare namespace page {
     gap: number
   }
 
-  /** The animated picture; `label` describes it for screen readers. If it fills a row alone, it is at most `widest`
+  /** The animated drawing of a scene; `label` describes it for screen readers. Alone in a row, it is at most `widest`
    * times as wide as high. */
   interface StageBlock extends Part {
     kind: "stage"
@@ -984,10 +984,10 @@ declare namespace page {
     options: Option[]
   }
 
-  /** Buttons with the shapes of the modes of the modal signal `of`; of many modes, only the strongest.
+  /** Buttons with the mode shapes of the modal signal `of`; if there are many modes, only of the strongest.
    *
-   * Each button sets the parameter `name` to the number of its mode, and the values in `sets`. The picture's text
-   * `chosen` is the number of the mode that moves alone, if one does. */
+   * Each button sets the parameter `name` to the number of its mode, and the values in `sets`. If only one mode moves,
+   * the picture's text `chosen` is its number. */
   interface ModesBlock extends Part {
     kind: "modes"
     name: string
@@ -1012,8 +1012,8 @@ declare namespace page {
    * `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
    * `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
    * list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-   * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
-   * column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour.
+   * placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one column
+   * each, with time downwards and colours for displacements; the scalar `full` is the displacement with the full colour.
    * `says` maps names to texts with {live numbers} that a screen reader reads with the title and after a change. */
   interface PlotBlock extends Part {
     kind: "plot"
@@ -1052,10 +1052,11 @@ declare namespace page {
     bottom: number
   }
 
-  /** A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
+  /** A line: column `y` of `source` over its column `x`, in the colour of the quantity `tint`.
    *
    * `signal` moves a dot along it (with `signal_x` as its abscissa if that is not time). `label` is at its right end and
-   * in the tooltip, `read` only in the tooltip. `group` is the name that switches it off. `marker` marks its points;
+   * in the tooltip, `read` only in the tooltip. Curves of one `group` are switched on and off together. `marker` marks
+   * its points;
    * with width "none" only the markers are drawn. In a group drawn as a band, its label is at the band's middle. */
   interface Curve {
     source: string
@@ -1085,7 +1086,7 @@ declare namespace page {
     read: string
   }
 
-  /** A pill on an axis that sets a parameter, no lower than `least`.
+  /** A handle on an axis that sets a parameter, to at least `least`.
    *
    * It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
    * of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the
@@ -1139,11 +1140,11 @@ declare namespace page {
 
   type Side = "left" | "right" | "top" | "bottom"
 
-  /** A rule that computes the value of `parameter` from the position of the hand; one unit is `size` in SI, "" sets
-   * nothing.
+  /** A rule for dragging: computes the value of `parameter` ("" for none) from the position of the pointer ("the
+   * hand"). `size` is the unit of the parameter in SI.
    *
    * `moves` is the signal or scalar, on `axis` ("" for none), that follows the hand at once, before the server answers.
-   * A flick adds its velocity to the initial value of the parameter `rate`. */
+   * A throw adds its velocity to the initial value of the parameter `rate`. */
   interface Way {
     parameter: string
     moves: string
@@ -1152,8 +1153,8 @@ declare namespace page {
     rate: string
   }
 
-  /** A way along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right or down. A
-   * hand can move it from `least` to `most`, both in SI. */
+  /** A rule for a drag along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right
+   * or down. The drag is limited to `least` to `most`, both in SI. */
   interface Stretch extends Way {
     across: "x" | "y"
     zero: Number
@@ -1162,34 +1163,35 @@ declare namespace page {
     most: number | null
   }
 
-  /** A way whose value is the position of the hand. */
+  /** Sets the parameter to the value at the position of the hand. */
   interface Along extends Stretch {
     kind: "along"
   }
 
-  /** A way that sets one of two parts of a value: `share` times the position of the hand, and the signal `rest`. */
+  /** Sets the parameter to `share` times the position of the hand, plus the signal `rest`. */
   interface Share extends Stretch {
     kind: "share"
     share: Number
     rest: string
   }
 
-  /** A way that sets the value of `over`, divided by the position of the hand. */
+  /** Sets the parameter to the value of `over`, divided by the position of the hand. */
   interface Quotient extends Stretch {
     kind: "quotient"
     over: string
   }
 
-  /** A way to drag a root of s^2 + 2 z s + 1, which sets z. With p, its distance to the left of the imaginary axis, z
+  /** Sets z by dragging a root of s^2 + 2 z s + 1. With p, its distance to the left of the imaginary axis, z
    * is p on the circle, and (p + 1/p)/2 on the real axis: for p > 1, or if `real`. */
   interface Root extends Stretch {
     kind: "root"
     real: boolean
   }
 
-  /** A way for an oscillation: the position of the hand, times `counted`, is a turning point of a sine. The value is
-   * its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A flick gives it a
-   * velocity; `turn` is the signal of the sine's argument. */
+  /** A rule for a shape that oscillates: the position of the hand, times `counted`, becomes a turning point of a sine.
+   * The value is
+   * its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A throw gives it a
+   * velocity; `turn` is the signal with the argument of the sine. */
   interface Swung extends Stretch {
     kind: "swung"
     of: "amplitude" | "phase"
@@ -1198,7 +1200,8 @@ declare namespace page {
     turn: string
   }
 
-  /** A way about a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at `zero`, and one
+  /** A rule for a drag around a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at
+   * `zero`, and one
    * unit is `unit` rad. `tall` is height over width, for a circle seen from the side. */
   interface Turn extends Way {
     kind: "turn"
@@ -1209,7 +1212,7 @@ declare namespace page {
     tall: number
   }
 
-  /** A way that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
+  /** A rule that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
    * `head` is the height v_0^2/g. The height is limited by the speed. */
   interface Trade extends Way {
     kind: "trade"
@@ -1218,7 +1221,8 @@ declare namespace page {
     head: string
   }
 
-  /** A way to drag a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for which
+  /** A rule for dragging a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for
+   * which
    * |P| is least at the hand.
    *
    * `terms` are the coefficients of A, B and C, constants first. The point s = 0 is at (`x`, `y`). One unit of the plane
@@ -1235,12 +1239,13 @@ declare namespace page {
     now: Number
   }
 
-  /** A way along the curve of a response in the complex plane, A(s) over the product of all s - p, at s = i w, w >= 0.
-   * It sets `unit` times w; the hand is held on the curve for the ways that follow.
+  /** A rule for a drag along the curve of a response in the complex plane, A(s) over the product of all s - p, at s =
+   * i w, w >= 0.
+   * It sets `unit` times w; the rules after it use the nearest point on the curve.
    *
    * `above` are the coefficients of A, constants first, and `poles` the real and imaginary parts of each p. The point 0
    * is at (`x`, `y`). One unit of the plane is `right` pixels to the right, or `down` pixels downwards, a negative
-   * number. The present w is `now`. */
+   * number. The current w is `now`. */
   interface Locus extends Way {
     kind: "locus"
     x: Number
@@ -1255,8 +1260,9 @@ declare namespace page {
 
   type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade | ChainRoot | Locus
 
-  /** An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
-   * `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns. */
+  /** An initial condition taken from the motion when a drag begins: `parameter` takes the current value of the signal
+   * `of` on `axis`, or 0.
+   * `exactly`: with all digits, so that the motion continues. `angle`: in rad, without whole turns. */
   interface Begin {
     parameter: string
     of: string
@@ -1268,7 +1274,8 @@ declare namespace page {
 
   /** The response of a shape to dragging: the values that it sets; `label` names it for a screen reader.
    *
-   * If it `begins` a motion, time stops, the visible instant becomes the new `start`, and letting go plays it. The hand
+   * If it `begins` a motion, time stops, the current positions become the initial conditions (`start`), and the release
+   * plays the motion. The hand
    * cannot leave the frame of the plot `inside`. */
   interface Grab {
     label: string
@@ -1281,8 +1288,8 @@ declare namespace page {
   /** The fields that all shapes have.
    *
    * `tint` is the class of a colour, `style` are more classes. A shape is drawn if the picture has all the scalars
-   * `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. In a
-   * compared picture, only shapes that begin a motion, or that say `held`, are drawn. */
+   * `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. Of a
+   * compared picture, only shapes that begin a motion, or with `held`, are drawn. */
   interface Look {
     tint: string
     style: string
@@ -1413,7 +1420,8 @@ declare namespace page {
 
   /** The masses of the modal signal `of` on their springs.
    *
-   * The length from (x, y) to the right has `parts` equal parts; at rest, mass p is at `first` + p - 1 of them. One unit
+   * The line from (x, y) to the right has `parts` equal parts; at rest, mass p is `first` + p - 1 parts from its start.
+   * One unit
    * of its displacement, less the `drift` of all masses, is `across` pixels up or `along` pixels to the right. Springs
    * lead to the walls `left` and `right` unless these are 0. Masses displaced by more than `least` have the colour of
    * their side. While `picks` is not 0, the signal `at` becomes the mass at the pointer. */
@@ -1497,7 +1505,7 @@ declare namespace page {
    *
    * Mode j has sizes[j] sin(omega[j] t + phases[j]) times its orthonormal shape, which follows from the number of modes
    * and the `ends`; `line` = (a, b) adds a + b t to all. Mass p = 1, 2, ... has the displacement called `name` and its
-   * number, x3. All displacements are proportional to the scalar `of`, which is `by` in this picture (0: they are not). */
+   * number, x3. If `by` is not 0, all displacements are proportional to the scalar `of`, whose value here is `by`. */
   interface Modal extends Signal {
     kind: "modal"
     name: string
@@ -1553,7 +1561,7 @@ declare namespace page {
 
   /** A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
    *
-   * Other types than numbers can convert themselves by their own reflected operators. */
+   * An operator returns NotImplemented for other types, so that they can define the reflected one. */
   interface Expression {
     terms: Product[]
   }
@@ -1561,7 +1569,7 @@ declare namespace page {
   /** A number of a shape: fixed, or computed for every frame. */
   type Number = number | Expression
 
-  /** HTML that components.layout.text made of our own source; live numbers in it are elements with `data-value`. */
+  /** HTML made by components.layout.text from the texts of this project; live numbers are elements with `data-value`. */
   type Html = string
 
   /** A piece of a text in a drawing: plain, the symbol of a quantity, its index, or the live number of that name. */

@@ -16,8 +16,8 @@ class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
 
     `part` is the block's name in links and walks: stage, plot:x, words:why, table. A block without `views` is in all of
     them. `grow` and `basis` divide the height (in a column) or the width (in a row). `phone` is its position from top
-    to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`, and
-    only with or only without the large type of a `hall`, if that is set.
+    to bottom on a narrow screen and `height` its height there. It is visible while the picture has the form `form`.
+    `hall`, if set, shows it only with (or only without) the large type of hall mode.
     """
 
     part: str = ""
@@ -47,7 +47,7 @@ class Column(Part, frozen=True, kw_only=True, tag="column"):
 
 
 class StageBlock(Part, frozen=True, kw_only=True, tag="stage"):
-    """The animated picture; `label` describes it for screen readers. If it fills a row alone, it is at most `widest`
+    """The animated drawing of a scene; `label` describes it for screen readers. Alone in a row, it is at most `widest`
     times as wide as high."""
 
     shapes: tuple[AnyShape, ...]
@@ -84,10 +84,10 @@ class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
 
 
 class ModesBlock(Part, frozen=True, kw_only=True, tag="modes"):
-    """Buttons with the shapes of the modes of the modal signal `of`; of many modes, only the strongest.
+    """Buttons with the mode shapes of the modal signal `of`; if there are many modes, only of the strongest.
 
-    Each button sets the parameter `name` to the number of its mode, and the values in `sets`. The picture's text
-    `chosen` is the number of the mode that moves alone, if one does.
+    Each button sets the parameter `name` to the number of its mode, and the values in `sets`. If only one mode moves,
+    the picture's text `chosen` is its number.
     """
 
     name: str
@@ -113,8 +113,8 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     `time`: its abscissa is time, and the visitor can drag the time cursor. `square`: both axes have the same scale.
     `plain`: no numbers at the axes. `shapes` are drawn over it as on a stage. A press near a point of a curve sets the
     list `pick` to its source and its index in the column. `room` is the margin around the frame; labels and handles are
-    placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one
-    column each, with time downwards and colours for displacements; the scalar `full` is the one of full colour.
+    placed with it before the figure is loaded. `modal`: a signal whose masses are drawn under the curves, one column
+    each, with time downwards and colours for displacements; the scalar `full` is the displacement with the full colour.
     `says` maps names to texts with {live numbers} that a screen reader reads with the title and after a change.
     """
 

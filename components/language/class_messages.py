@@ -47,9 +47,8 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
-    """Puts the question of a step to the class.
-
-    `vote` is the number of the vote: one more than before, or the last one if the question comes back. If `answered`,
+    """Asks the class the question of a step. `vote` is the number of the vote: one more for a new vote, the same as
+    last time if the instructor returns to the question. If `answered`,
     the class has seen the answer and the vote takes no more answers.
     """
 
@@ -60,7 +59,7 @@ class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
-    """Adds a walk from the instructor's own file, so that its questions can be put."""
+    """Adds a walk from the instructor's own file, so that its questions can be asked."""
 
     name: SaidName
     text: Annotated[str, Meta(max_length=48_000)]
@@ -71,7 +70,7 @@ class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
 
 
 class CloseVote(Ordered, frozen=True, kw_only=True, tag="close"):
-    """Closes the vote: no more answers until the question is put to another vote. No answer is shown."""
+    """Closes the vote without showing the answer: the question takes no more answers until the next vote on it."""
 
 
 class AskSure(Ordered, frozen=True, kw_only=True, tag="sure"):
@@ -87,7 +86,7 @@ class CountDown(Ordered, frozen=True, kw_only=True, tag="countdown"):
 
 
 class Moderate(Ordered, frozen=True, kw_only=True, tag="moderate"):
-    """Shows the hall an answer in words, and all that are equal to it, or removes them."""
+    """Shows the hall an answer in words, with all answers equal to it, or removes them."""
 
     text: Annotated[str, Meta(max_length=80)]
     shows: bool
@@ -112,7 +111,7 @@ class RestoreAnswers(Ordered, frozen=True, kw_only=True, tag="restore"):
 
 
 class DescribeScreen(Ordered, frozen=True, kw_only=True, tag="screen"):
-    """Describes the instructor's screen for a remote control: the label of the next press, the other active buttons,
+    """Describes the instructor's screen for a remote control: the label of the button Next, the other active buttons,
     and whether the screen is blank."""
 
     next: Annotated[str, Meta(max_length=60)] = ""
@@ -329,7 +328,8 @@ class Paired(Struct, frozen=True, kw_only=True):
 
 
 class HandOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Requests a word with which another computer leads the class from now on, with the page of this link. `shown` has
+    """Requests a word with which another computer can take over the class; it then opens the page of this link. `shown`
+    has
     the number of the vote whose answer the class has seen, by question."""
 
     query: Annotated[str, Meta(max_length=4000)]
@@ -353,7 +353,7 @@ class TakenOver(Opened, frozen=True, kw_only=True):
 
 
 class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The digits that the instructor has seen on the phone."""
+    """Admits a remote control by the digits that the instructor has seen on the phone."""
 
     digits: Annotated[str, Meta(max_length=2)]
 
@@ -368,7 +368,7 @@ class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Listed(Struct, frozen=True, kw_only=True):
-    """A step in the contents of a remote control, by its title."""
+    """A step in the list of steps of a remote control."""
 
     step: str
     title: Html

@@ -9,24 +9,24 @@ from typing import Protocol, TypeAlias
 from msgspec import Struct
 
 PAGE_NUMBERS = frozenset({"speed"})
-"""The live numbers of the page itself, which no scene may have: the speed of the clock."""
+"""Names of the page's own live numbers, which a scene may not use: the speed of the clock."""
 
 
 def check_free(owner: str, names: Iterable[str]) -> None:
-    """Raise ValueError for a name that a live number of the page has."""
+    """Raise ValueError if a name is one of the page's own live numbers."""
     if taken := PAGE_NUMBERS.intersection(names):
         raise ValueError(f"{owner}: the page has a live number “{min(taken)}” of its own: choose another name.")
 
 
 class Name(Protocol):
-    """Anything known by a name: a declaration of a scene."""
+    """Any object with a name, such as a declaration of a scene."""
 
     @property
     def name(self) -> str: ...
 
 
 def called(one: Name | None) -> str:
-    """The name in messages, "" for none."""
+    """Return the name of an object in messages; "" for none."""
     return one.name if one else ""
 
 
@@ -40,7 +40,7 @@ class Product(Struct, frozen=True, array_like=True):
 class Expression(Struct, frozen=True):
     """A sum of products of named quantities: signals, scalars, W and H, the frames of plots.
 
-    Other types than numbers can convert themselves by their own reflected operators.
+    An operator returns NotImplemented for other types, so that they can define the reflected one.
     """
 
     terms: tuple[Product, ...]

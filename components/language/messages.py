@@ -25,7 +25,7 @@ Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
 
 
 RowNumbers: TypeAlias = Annotated[list[Annotated[float, Meta(ge=-1e9, le=1e9)]], Meta(max_length=1250)]
-"""A column of one piece of a measured record."""
+"""One column of a piece of a measured record."""
 
 
 class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -81,7 +81,7 @@ class Act(FromBrowser, frozen=True, kw_only=True, tag="act"):
 
 
 class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
-    """Sets a choice by its word, or a list by its words."""
+    """Sets a choice by the word of its option, or a list by its words."""
 
     name: SaidName
     value: Text | Annotated[list[SaidName], Meta(max_length=50)]
@@ -94,7 +94,7 @@ class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
 
 
 class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
-    """Puts the session into a state. If `carried`, another scene takes over the parameters that it shares with earlier
+    """Opens a state in this session. If `carried`, another scene takes over the parameters that it shares with earlier
     scenes. If `keeps`, the current frame stays, so that two pictures of one scene can be compared."""
 
     state: State

@@ -26,7 +26,7 @@ class Ruler(Struct, frozen=True, kw_only=True):
 
 
 class Pace(Struct, frozen=True):
-    """Simulated over real seconds: what the speed Auto plays at, and the fastest at which the motion can be seen."""
+    """Simulated seconds per real second: at the speed Auto, and the highest at which the motion can still be seen."""
 
     auto: float = 1.0
     limit: float | None = None
@@ -40,7 +40,7 @@ class Digits(Struct, frozen=True, array_like=True):
 
 
 class Progress(Struct, frozen=True, kw_only=True):
-    """The progress of a measurement: so many of a total, counted in `unit`."""
+    """The progress of a measurement: `done` of `total`, counted in `unit`."""
 
     state: Literal["idle", "waiting", "running", "done"]
     done: int

@@ -20,10 +20,11 @@ class Room(Struct, frozen=True):
 
 
 class Curve(Struct, frozen=True, kw_only=True):
-    """A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
+    """A line: column `y` of `source` over its column `x`, in the colour of the quantity `tint`.
 
     `signal` moves a dot along it (with `signal_x` as its abscissa if that is not time). `label` is at its right end and
-    in the tooltip, `read` only in the tooltip. `group` is the name that switches it off. `marker` marks its points;
+    in the tooltip, `read` only in the tooltip. Curves of one `group` are switched on and off together. `marker` marks
+    its points;
     with width "none" only the markers are drawn. In a group drawn as a band, its label is at the band's middle.
     """
 
@@ -56,7 +57,7 @@ class Region(Struct, frozen=True, kw_only=True):
 
 
 class Handle(Struct, frozen=True, kw_only=True):
-    """A pill on an axis that sets a parameter, no lower than `least`.
+    """A handle on an axis that sets a parameter, to at least `least`.
 
     It shows `symbol` and the parameter's number, or the value called `text`, then `unit`. `covering`: it hides the unit
     of the axis behind it. `bare`: it has no pill; a press on the plot moves it. It is visible while the picture has the

@@ -14,11 +14,11 @@ Side: TypeAlias = Literal["left", "right", "top", "bottom"]
 
 
 class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """A rule that computes the value of `parameter` from the position of the hand; one unit is `size` in SI, "" sets
-    nothing.
+    """A rule for dragging: computes the value of `parameter` ("" for none) from the position of the pointer ("the
+    hand"). `size` is the unit of the parameter in SI.
 
     `moves` is the signal or scalar, on `axis` ("" for none), that follows the hand at once, before the server answers.
-    A flick adds its velocity to the initial value of the parameter `rate`.
+    A throw adds its velocity to the initial value of the parameter `rate`.
     """
 
     parameter: str = ""
@@ -29,8 +29,8 @@ class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class Stretch(Way, frozen=True, kw_only=True):
-    """A way along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right or down. A
-    hand can move it from `least` to `most`, both in SI."""
+    """A rule for a drag along a line: 0 is at the pixel `zero`, and one unit of the axis is `unit` pixels, to the right
+    or down. The drag is limited to `least` to `most`, both in SI."""
 
     across: Literal["x", "y"]
     zero: Number
@@ -40,33 +40,34 @@ class Stretch(Way, frozen=True, kw_only=True):
 
 
 class Along(Stretch, frozen=True, kw_only=True, tag="along"):
-    """A way whose value is the position of the hand."""
+    """Sets the parameter to the value at the position of the hand."""
 
 
 class Share(Stretch, frozen=True, kw_only=True, tag="share"):
-    """A way that sets one of two parts of a value: `share` times the position of the hand, and the signal `rest`."""
+    """Sets the parameter to `share` times the position of the hand, plus the signal `rest`."""
 
     share: Number
     rest: str
 
 
 class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
-    """A way that sets the value of `over`, divided by the position of the hand."""
+    """Sets the parameter to the value of `over`, divided by the position of the hand."""
 
     over: str
 
 
 class Root(Stretch, frozen=True, kw_only=True, tag="root"):
-    """A way to drag a root of s^2 + 2 z s + 1, which sets z. With p, its distance to the left of the imaginary axis, z
+    """Sets z by dragging a root of s^2 + 2 z s + 1. With p, its distance to the left of the imaginary axis, z
     is p on the circle, and (p + 1/p)/2 on the real axis: for p > 1, or if `real`."""
 
     real: bool = False
 
 
 class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
-    """A way for an oscillation: the position of the hand, times `counted`, is a turning point of a sine. The value is
-    its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A flick gives it a
-    velocity; `turn` is the signal of the sine's argument."""
+    """A rule for a shape that oscillates: the position of the hand, times `counted`, becomes a turning point of a sine.
+    The value is
+    its amplitude or, by `of`, its phase in rad. The dragged shape moves by `share` of the sine. A throw gives it a
+    velocity; `turn` is the signal with the argument of the sine."""
 
     of: Literal["amplitude", "phase"]
     counted: Number
@@ -75,7 +76,8 @@ class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
 
 
 class Turn(Way, frozen=True, kw_only=True, tag="turn"):
-    """A way about a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at `zero`, and one
+    """A rule for a drag around a point (x, y): the angle in rad, from straight down, counted anticlockwise. 0 is at
+    `zero`, and one
     unit is `unit` rad. `tall` is height over width, for a circle seen from the side."""
 
     x: Number
@@ -86,7 +88,7 @@ class Turn(Way, frozen=True, kw_only=True, tag="turn"):
 
 
 class Trade(Way, frozen=True, kw_only=True, tag="trade"):
-    """A way that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
+    """A rule that exchanges height for speed without loss. It sets the excess of speed over level flight from a height;
     `head` is the height v_0^2/g. The height is limited by the speed."""
 
     zero: Number
@@ -95,7 +97,8 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
 
 
 class ChainRoot(Way, frozen=True, kw_only=True, tag="chain_root"):
-    """A way to drag a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for which
+    """A rule for dragging a root s of P(s) = A(s) + u B(s) + u^2 C(s). It sets `base` + `slope` u, with the u >= 0 for
+    which
     |P| is least at the hand.
 
     `terms` are the coefficients of A, B and C, constants first. The point s = 0 is at (`x`, `y`). One unit of the plane
@@ -113,12 +116,13 @@ class ChainRoot(Way, frozen=True, kw_only=True, tag="chain_root"):
 
 
 class Locus(Way, frozen=True, kw_only=True, tag="locus"):
-    """A way along the curve of a response in the complex plane, A(s) over the product of all s - p, at s = i w, w >= 0.
-    It sets `unit` times w; the hand is held on the curve for the ways that follow.
+    """A rule for a drag along the curve of a response in the complex plane, A(s) over the product of all s - p, at s =
+    i w, w >= 0.
+    It sets `unit` times w; the rules after it use the nearest point on the curve.
 
     `above` are the coefficients of A, constants first, and `poles` the real and imaginary parts of each p. The point 0
     is at (`x`, `y`). One unit of the plane is `right` pixels to the right, or `down` pixels downwards, a negative
-    number. The present w is `now`.
+    number. The current w is `now`.
     """
 
     x: Number
@@ -135,8 +139,9 @@ AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade | Cha
 
 
 class Begin(Struct, frozen=True):
-    """An initial condition from the visible instant: `parameter` takes the value of the signal `of` on `axis`, or 0.
-    `exactly`: all digits are taken, so that the motion continues. `angle`: in rad, without whole turns."""
+    """An initial condition taken from the motion when a drag begins: `parameter` takes the current value of the signal
+    `of` on `axis`, or 0.
+    `exactly`: with all digits, so that the motion continues. `angle`: in rad, without whole turns."""
 
     parameter: str
     of: str = ""
@@ -149,7 +154,8 @@ class Begin(Struct, frozen=True):
 class Grab(Struct, frozen=True, kw_only=True):
     """The response of a shape to dragging: the values that it sets; `label` names it for a screen reader.
 
-    If it `begins` a motion, time stops, the visible instant becomes the new `start`, and letting go plays it. The hand
+    If it `begins` a motion, time stops, the current positions become the initial conditions (`start`), and the release
+    plays the motion. The hand
     cannot leave the frame of the plot `inside`.
     """
 
@@ -164,8 +170,8 @@ class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """The fields that all shapes have.
 
     `tint` is the class of a colour, `style` are more classes. A shape is drawn if the picture has all the scalars
-    `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. In a
-    compared picture, only shapes that begin a motion, or that say `held`, are drawn.
+    `show`, none of them 0. The frame of the plot `inside` cuts it off. `grab` is its response to dragging. Of a
+    compared picture, only shapes that begin a motion, or with `held`, are drawn.
     """
 
     tint: str = "ink"
@@ -298,7 +304,8 @@ class Wall(Look, frozen=True, kw_only=True, tag="wall"):
 class Beads(Look, frozen=True, kw_only=True, tag="beads"):
     """The masses of the modal signal `of` on their springs.
 
-    The length from (x, y) to the right has `parts` equal parts; at rest, mass p is at `first` + p - 1 of them. One unit
+    The line from (x, y) to the right has `parts` equal parts; at rest, mass p is `first` + p - 1 parts from its start.
+    One unit
     of its displacement, less the `drift` of all masses, is `across` pixels up or `along` pixels to the right. Springs
     lead to the walls `left` and `right` unless these are 0. Masses displaced by more than `least` have the colour of
     their side. While `picks` is not 0, the signal `at` becomes the mass at the pointer.

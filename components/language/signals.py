@@ -87,7 +87,7 @@ class Modal(Signal, frozen=True, kw_only=True, tag="modal"):
 
     Mode j has sizes[j] sin(omega[j] t + phases[j]) times its orthonormal shape, which follows from the number of modes
     and the `ends`; `line` = (a, b) adds a + b t to all. Mass p = 1, 2, ... has the displacement called `name` and its
-    number, x3. All displacements are proportional to the scalar `of`, which is `by` in this picture (0: they are not).
+    number, x3. If `by` is not 0, all displacements are proportional to the scalar `of`, whose value here is `by`.
     """
 
     name: str

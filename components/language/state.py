@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Meta, Struct
 
 Value: TypeAlias = float | str | list[str] | None
-"""A quantity in SI (None: the scene's own choice), the word of a choice, or a list of words."""
+"""A value in a state: a quantity in SI (None if the scene chooses it), the word of a choice, or a list of words."""
 
 
 class Frame(Struct, frozen=True, kw_only=True):

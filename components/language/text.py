@@ -7,7 +7,7 @@ from typing import Literal, TypeAlias
 from msgspec import Struct
 
 Html: TypeAlias = str
-"""HTML that components.layout.text made of our own source; live numbers in it are elements with `data-value`."""
+"""HTML made by components.layout.text from the texts of this project; live numbers are elements with `data-value`."""
 
 
 class TextRun(Struct, frozen=True):

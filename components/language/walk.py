@@ -66,7 +66,7 @@ class WalkSheet(Struct, frozen=True, kw_only=True):
 
 
 class Verdict(Struct, frozen=True, kw_only=True):
-    """The verdict on one answer of a choice: its sentence, and the state of a case of which that speaks, if any."""
+    """The comment on one option of a choice, and the state of the case that it mentions, if any."""
 
     right: bool
     reply: Html
@@ -74,8 +74,8 @@ class Verdict(Struct, frozen=True, kw_only=True):
 
 
 class Finding(Struct, frozen=True, kw_only=True):
-    """A feature that a sketch has or misses: its name, what is said of it, and where in the plot it is, in places of
-    its axes."""
+    """A feature that a sketch has or misses: its name, a comment, and its position in coordinates of the plot's
+    axes."""
 
     has: bool
     name: Html

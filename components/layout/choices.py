@@ -28,7 +28,7 @@ def stated(value: object) -> Value:
 
 
 def options(parameter: AnyParameter) -> dict[str, object]:
-    """Return the values to choose from, by word."""
+    """Return the possible values of a choice, by word."""
     values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
     return {word(value): value for value in values}
 

@@ -174,7 +174,7 @@ def settings(
 
 @lru_cache(2000)
 def _setting(quantity: Quantity, value: float | None, unit: Unit | None, span: tuple[float, float] | None) -> Setting:
-    """Return the setting of one control. Cached, because a change affects only a few of many controls."""
+    """Return the setting of one control. Cached, because most controls are the same after a change."""
     text = "" if value is None else shortest(value) if quantity.scale == "count" else tidy(value)
     own = Setting(value=value, text=text.replace("-", MINUS), soft=span, changed=value != quantity.default)
     if unit is None or value is None:

@@ -11,7 +11,7 @@ from components.layout.stage import PlotFrame
 
 
 def grab(label: str, *ways: AnyWay, inside: PlotFrame | None = None) -> Grab:
-    """Return a grab that sets values while the clock continues, for a shape on the stage or `inside` a plot."""
+    """Return a grab that sets values while the clock continues. The shape is on the stage, or `inside` a plot."""
     return Grab(label=label, ways=ways, inside=called(inside))
 
 
@@ -44,10 +44,11 @@ def on_plot(plot: PlotFrame, across: Literal["x", "y"], parameter: str, moves: N
 
 
 def begins(parameter: str, of: Name, axis: Name | None = None, *, size: float = 1.0) -> Begin:
-    """Return how the initial value of `parameter` follows from the visible motion: components.language.shapes.Begin."""
+    """Return the rule that gives `parameter` its initial value from the current motion:
+    components.language.shapes.Begin."""
     return Begin(parameter, of.name, called(axis), size)
 
 
 def at_rest(*velocities: str) -> tuple[Begin, ...]:
-    """Return a start at which these velocities are 0."""
+    """Return initial conditions in which these velocities are 0."""
     return tuple(Begin(name) for name in velocities)

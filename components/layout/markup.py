@@ -28,7 +28,7 @@ _WORD = re.compile(r"[\w #.-]{0,100}")
 _LENGTH = re.compile(r"([+-]?\d?\d?(\.\d+)?[a-z%]*\s*)+")
 _LEADS = re.compile(r"\?scene=\w+")
 _DECLARED = re.compile("<[!?]")
-"""Comments and declarations. They are rejected, because HTML and XML parsers end them at different places."""
+"""Matches comments and declarations. They are rejected, because HTML and XML parsers end them at different places."""
 
 
 def check_markup(html: str) -> None:

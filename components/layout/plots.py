@@ -33,7 +33,7 @@ TIME = "time"
 BAND = "band"
 """The source of the bands that replace curves too fast to be drawn."""
 RINGING, LATE = "ringing", "late"
-"""The sources of bands that end when the fast part of a motion has decayed, and of the lines after them."""
+"""The sources of bands that end when the fast part of a motion has decayed, and of the lines that follow them."""
 FLOOR = "zero"
 """The column of zeros at the bottom of a stack of layers; files leave it out."""
 USUAL_ROOM = Room()
@@ -175,7 +175,7 @@ def with_figures(block: Block) -> Block:
 def figure_of(block: PlotBlock) -> BokehPlot:
     """Return a new figure of a plot for one visitor, without data."""
     figure_ = _figure(block.curves, block.regions, block.room, block.x_labels, block.plain)
-    if block.modal:  # grid lines would cross the picture under them
+    if block.modal:  # no grid lines, because they would cross the picture of a chain under the curves
         figure_.xgrid.visible = figure_.ygrid.visible = False
     return figure_
 

@@ -71,7 +71,7 @@ def stage(
 def words(
     *paragraphs: Paragraph, name: str = "", style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
 ) -> Block:
-    """Return a block of sentences and formulas. With a `name`, a step of a walk can show it."""
+    """Return a block of sentences and formulas. A step of a walk can list the block if it has a `name`."""
     items, part = tuple(map(_item, paragraphs)), f"words:{name}" if name else ""
     return WordsBlock(items=items, part=part, style=style, grow=grow, basis=basis, phone=phone)
 
@@ -132,8 +132,8 @@ def modes(parameter: str, label: str, of: str, chosen: str, sets: dict[str, str]
 
 
 def measured(shows: Literal["file", "fit"], phone: int = 50, examples: Sequence[str] = ()) -> Block:
-    """A part of the visitor's measured record: its file, or the numbers of the fit. `examples` say what is simulated
-    in files of static/measured that are ready."""
+    """The block for the visitor's measured record: its file, or the numbers of the fit. `examples`: labels of simulated
+    files in static/measured that visitors can try."""
     files = {f"Simulated: {what}": f"simulated-{what.replace(' ', '-')}.csv" for what in examples}
     return MeasuredBlock(part=f"measured:{shows}", shows=shows, phone=phone, examples=files)
 

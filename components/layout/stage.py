@@ -46,7 +46,7 @@ Looks: TypeAlias = dict[str, Any]
 W, H, T = named("W"), named("H"), named("t")
 WIDE, NARROW, LOW, HALL = named("wide"), named("narrow"), named("low"), named("hall")
 STACKED = named("stacked")
-"""1 if blocks are in one column, or if the plots whose lines continue on the stage are hidden."""
+"""A number that is 1 if blocks are in one column, or if the plots whose lines continue on the stage are hidden."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ def circle(x: Number, y: Number, r: Number, **more: Any) -> Shape:
 
 
 def path(d: str, x: Number = 0.0, y: Number = 0.0, turn: Number = 0.0, **more: Any) -> Shape:
-    """Return a fixed outline (SVG path data), moved to (x, y) and turned by `turn` radians, clockwise on the screen.
+    """Return a fixed shape from SVG path data, moved to (x, y) and turned by `turn` radians, clockwise on the screen.
 
     With `dx` and `dy` its right side points in that direction; `sx` and `sy` scale it.
     """

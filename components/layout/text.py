@@ -25,14 +25,14 @@ from components.language.text import Html, Runs, TextRun
 from components.layout.markup import check_markup
 from components.quantities.formatting import excerpt
 
-_SENTENCES = 2048  # a limit, because texts with numbers and texts of visitors' files are unlimited in number
+_SENTENCES = 2048  # limit of cached texts, because texts of visitors' files are unlimited in number
 _SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
-_ONE_OVER = {"2": "½", "4": "¼"}  # fractions of one character, so that a line stays low
+_ONE_OVER = {"2": "½", "4": "¼"}  # fractions as one character, so that the line does not become higher
 _SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
 # Signs that the converter treats as letters, signs with too wide spaces, and φ in the shape that texts have.
 _OPERATORS = {
@@ -43,7 +43,7 @@ _OPERATORS = {
     # Time derivatives, which WebKit sets too high: static/styles/text.css.
     **{f"<mo>{dots}</mo></mover>": f'<mo class="dots">{dots}</mo></mover>' for dots in ("&#x002D9;", "&#x000A8;")},
 }
-# WebKit puts spaces around the sign of an index, as between two numbers.
+# WebKit puts spaces around a sign in an index, as around a minus between two numbers.
 _INDEX_SIGN = re.compile(r"(<msub(?:sup)?><mi>[^<]*</mi>(?:<mrow>)?<mo)(>&#x0(?:002B|2212|00B1);</mo>)")
 _PRIMED = re.compile(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>")
 _PRIMED_POWER = re.compile(r"<msup>(<mi>\w</mi>)<mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
@@ -80,7 +80,7 @@ def _converted(latex: str) -> str:
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
     markup = _FRACTION.sub(lambda match: f"<mn>{_ONE_OVER[match[1]]}</mn>", markup)
-    # A prime needs no exponent, which would make it tiny.
+    # Write a prime as an operator, because it would be tiny as an exponent.
     markup = _PRIMED.sub(rf"<mrow>\1{_PRIME}</mrow>", markup)
     markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
     for wrong, right in _OPERATORS.items():
@@ -88,7 +88,7 @@ def _converted(latex: str) -> str:
     markup = _INDEX_SIGN.sub(r'\1 lspace="0" rspace="0"\2', markup)
     markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
     markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
-    # The minus of a difference keeps its spaces.
+    # The minus sign of a difference keeps its spaces.
     markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 

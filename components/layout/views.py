@@ -15,7 +15,7 @@ from components.layout.text import rich
 from components.quantities.parameters import AnyParameter, names_of
 
 KEYS = "keys"
-"""The name of the key controls in `View.names`."""
+"""The entry of `View.names` that means the key controls."""
 
 
 @dataclass(frozen=True)
@@ -76,5 +76,5 @@ def known_parts(sheet: Block, names: Sequence[str]) -> tuple[str, ...]:
 
 
 def parts(sheet: Block) -> list[str]:
-    """Return the names of the parts of a sheet, each once: what the list `show` of a step can name."""
+    """Return the names of the parts of a sheet, each once. The list `show` of a step can contain them."""
     return list(dict.fromkeys(block.part for block in blocks(sheet) if block.part))

@@ -1,1 +1,2 @@
-"""Papers of scenes, written with deferred expressions of a case: what a picture shows, before there is a case."""
+"""Papers of scenes: functions that say what pictures show. They use placeholders, because they run before there are
+values."""

@@ -1,4 +1,5 @@
-"""Deferred expressions of a case: a paper is written with them once, and each picture computes them.
+"""Deferred expressions: placeholders for the values of a case. A paper is written with them once; each picture computes
+them.
 
 `c = deferred(DampedShown)` has the type of a case, so mypy checks every name. `f"{c.omega_d}"` is a live number in a
 text, `56 * c.side` a number of a shape, `c.kind == "over"` a condition.
@@ -24,9 +25,9 @@ V = TypeVar("V")
 Axes: TypeAlias = Mapping[str, Axis]
 """The axes of a picture as drawn, by name."""
 Compute: TypeAlias = Callable[[Any, Axes], Any]
-"""Returns a value for a case and the axes of its picture."""
+"""A function that returns a value for a case and the axes of its picture."""
 Write: TypeAlias = Callable[[float, Axes], str]
-"""Writes a number as text."""
+"""A function that formats a number."""
 
 
 def _write_three(value: float, axes: Axes) -> str:
@@ -44,8 +45,9 @@ FORMATS: Mapping[str, Write] = {"": _write_three, "+": _write_plus}
 class Attribute(Generic[V]):
     """An attribute of a case, computed once, when it is first read.
 
-    If it is `optional` it may be None: what needs it is then not drawn. `called` is its name in pictures and files, if
-    that differs from its name in the class. With a `meaning` it is one of the numbers of the scene, in SI: `unit`.
+    If it is `optional` it may be None; parts of the picture that need it are then not drawn. `called` is its name in
+    pictures and files, if
+    that differs from its name in the class. If it has a `meaning`, `scene.numbers` lists it, with its SI `unit`.
     """
 
     name = ""
@@ -143,22 +145,22 @@ class Attributes(Generic[C]):
 
 
 class CountedNumber(NamedTuple):
-    """A number that a picture has: an expression, and the axis that counts it, if any."""
+    """A number of a picture: an expression, and the axis in whose unit it is given, if any."""
 
     of: ExpressionRecord
     axis: PlotAxis | None
 
 
 class FormWords(NamedTuple):
-    """A choice between texts: the expression that decides, and the words that it may choose."""
+    """A choice between texts: the expression that decides, and the possible words."""
 
     of: ExpressionRecord
     words: dict[str, None]
 
     def word(self, value: object) -> str:
-        """Return the word for a value: a text is its own word; others choose yes or no, or the only word or none.
+        """Return the word that a value chooses: a string chooses itself, True and False choose "yes" and "no".
 
-        A text that is missing has no word.
+        If there is only one word, a true value chooses it. The result is "" if no word is chosen.
         """
         if isinstance(value, str):
             return value if value in self.words else ""
@@ -173,7 +175,7 @@ class FormWords(NamedTuple):
 
 @dataclass(eq=False)
 class Book:
-    """Everything that a paper needs from the cases of a class, by the name in the picture."""
+    """A record of everything that a paper uses from the cases of a class, by the name in the picture."""
 
     kind: type
     numbers: dict[str, CountedNumber] = field(default_factory=dict)
@@ -184,7 +186,8 @@ class Book:
     """The plots of the paper: `components.paper.plots.BuiltPlot` by name."""
 
     def number(self, of: ExpressionRecord, axis: PlotAxis | None) -> str:
-        """Return the name of a number. Its first use has its own name, a use on another axis adds the axis."""
+        """Return the name of a number in the picture. If it is used on a second axis, the name of that axis is
+        appended."""
         axis = axis.counting if axis else None
         for name in (of.name, f"{of.name}_{axis.name if axis else 'si'}"):
             known = self.numbers.setdefault(name, CountedNumber(of, axis))
@@ -193,14 +196,14 @@ class Book:
         raise ValueError(f"{of.text} and {known.of.text} have the same name {name}")
 
     def text(self, of: ExpressionRecord, write: Write) -> str:
-        """Return a live number for a text."""
+        """Return the notation of a live number for a text."""
         known, way = self.texts.setdefault(of.name, (of, write))
         if known.text != of.text or way != write:
             raise ValueError(f"{of.text} is written in two ways: make another attribute for the second")
         return rf"\val{{{of.name}}}"
 
     def form(self, of: ExpressionRecord, words: Iterable[str], name: str = "") -> str:
-        """Return the name of the form by which an expression chooses one of these words."""
+        """Return the name of the picture's form that has the word which an expression chooses."""
         name = name or of.name
         known = self.forms.setdefault(name, FormWords(of, {}))
         known.words.update(dict.fromkeys(words))
@@ -219,7 +222,7 @@ class Book:
 
 @dataclass(frozen=True, eq=False)
 class ExpressionRecord:
-    """An expression in attributes of a case: its source, its name in a picture, and how to compute it.
+    """An expression in attributes of a case: its text, its name in a picture, and the function that computes it.
 
     `optional` is the part of it that may be None, if there is one.
     """
@@ -231,7 +234,7 @@ class ExpressionRecord:
     optional: ExpressionRecord | None = None
 
     def then(self, text: str, name: str, do: Callable[[Any], Any], optional: bool = False) -> Deferred:
-        """Return the expression that does something with the value of this one, unless that is None."""
+        """Return the expression `do(value)` of this expression's value; None stays None."""
 
         def compute(case: Any, axes: Axes) -> Any:
             value = self.compute(case, axes)
@@ -240,12 +243,13 @@ class ExpressionRecord:
         return made(self.book, text, re.sub(r"\W", "_", name), compute, optional, self.optional)
 
     def expression(self, axis: PlotAxis | None = None) -> Expression:
-        """Return it as a number of a shape, counted on an axis or in SI units."""
+        """Return it as a number of a shape, in the unit of an axis or in SI units."""
         return named(self.book.number(self, axis))
 
 
 class Deferred:
-    """An expression of a case, not yet computed. It has no public attributes: every name is one of the case."""
+    """An expression of a case, not yet computed. It has no public attributes itself, because each name means an
+    attribute of the value."""
 
     def __init__(self, recorded: ExpressionRecord) -> None:
         self._recorded = recorded
@@ -304,7 +308,7 @@ class Deferred:
 def made(
     book: Book, text: str, name: str, compute: Compute, optional: bool, inherited: ExpressionRecord | None = None
 ) -> Deferred:  # fmt: skip
-    """Return a deferred expression; if it is not `optional` itself, an `inherited` part may be."""
+    """Return a deferred expression. It may be None if it is `optional`, or if its part `inherited` is None."""
     own = ExpressionRecord(book, text, name, compute)
     return Deferred(ExpressionRecord(book, text, name, compute, own if optional else inherited))
 
@@ -322,7 +326,7 @@ def added(parts: Sequence[ExpressionRecord]) -> Deferred:
 
 
 class DeferredCase:
-    """The stand-in for a case of a class. Raises AttributeError for unknown names."""
+    """A placeholder for a case of a class. Raises AttributeError for unknown names."""
 
     def __init__(self, kind: type) -> None:
         self._kind = kind
@@ -338,7 +342,7 @@ class DeferredCase:
 
 @cache
 def fields(kind: type) -> tuple[str, ...]:
-    """Return the names that a class and its bases annotate: the parameters that its cases have."""
+    """Return the names that a class and its bases annotate: the parameters of its cases."""
     return tuple(name for owner in reversed(kind.__mro__) for name in get_annotations(owner))
 
 
@@ -361,7 +365,7 @@ def book_of(kind: type) -> Book:
 
 
 def deferred(kind: type[C]) -> C:
-    """Return the stand-in for a case; for mypy it is a case."""
+    """Return a placeholder for a case, which mypy treats as a case."""
     return cast(C, DeferredCase(kind))
 
 
@@ -372,7 +376,7 @@ def computed(case: object, name: str, compute: Compute, optional: bool = False) 
 
 
 def recorded(one: object) -> ExpressionRecord:
-    """Return the record of a deferred expression. TypeError for anything else."""
+    """Return the record of a deferred expression. Raises TypeError for anything else."""
     if not isinstance(one, Deferred):
         raise TypeError(f"{one!r} is not an expression of a case")
     return one._recorded

@@ -18,8 +18,8 @@ class PlotAxis:
 
     `range` returns both ends in SI units. `room` moves both ends by this factor away from 0, or extends the whole axis.
     `count` is the largest number of steps between ticks. A `whole` axis has ticks at both ends only, for parts of a
-    total; a `plain` one has no ticks. `seen` is the range that must be in the frame, if not the whole range. `name` is
-    used in links and covers. `like` is an axis of the same quantity; both then have the same unit.
+    total; a `plain` one has no ticks. `seen` is the range that must be visible, if not the whole range. `name` is used
+    in links and covers. `like` is an axis of the same quantity; both then have the same unit.
     """
 
     unit: str
@@ -36,7 +36,7 @@ class PlotAxis:
 
     @property
     def counting(self) -> PlotAxis:
-        """The axis in whose unit numbers are counted."""
+        """The axis whose unit is used for numbers: `like`, or itself."""
         return self.like or self
 
     @property
@@ -44,7 +44,7 @@ class PlotAxis:
         return self.name == TIME_AXIS
 
     def axis(self, case: Any) -> Axis:
-        """Return the axis that fits a case; a range without length gets one."""
+        """Return the axis that fits a case. If both ends are equal, the range is widened."""
         found = self.range(case)
         if isinstance(found, Axis):
             return found
@@ -68,7 +68,7 @@ class PlotAxis:
 
     @property
     def share(self) -> Expression:
-        """One of the axis over its upper end."""
+        """One unit of the axis, relative to its upper end."""
         self.share_is_used = True
         return named(f"{self.name}_share")
 

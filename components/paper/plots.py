@@ -1,4 +1,4 @@
-"""Plots that own their axes, and their items: a curve with its legend, its band and its dot; layers; notes."""
+"""Plots with their axes, and their items: curves with legend, band and dot; layers; texts in the heading."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ PlotValue: TypeAlias = Number | ExactMotion
 
 
 class _Unit(float):
-    """One of an axis."""
+    """One unit of an axis."""
 
 
 UNIT = _Unit(1.0)
@@ -75,7 +75,7 @@ class Plot(PlotFrame):
         return -1 * self.per_y * on_axis(self.up, value)
 
     def share(self, value: PlotValue) -> Expression:
-        """Return a value over the upper end of the vertical axis."""
+        """Return a value divided by the upper end of the vertical axis."""
         return share(self.up, value)
 
     def text(self, value: float) -> str:
@@ -92,7 +92,8 @@ class Plot(PlotFrame):
         return self.up.unit_text
 
     def in_frame(self, case: C, name: str, of: Callable[[C, Axis, Axis], V | None], optional: bool = False) -> V:
-        """Return a deferred value of the case and of both axes as drawn: in a frame that was kept they may not fit.
+        """Return a deferred value that depends on the case and on both axes as drawn, which may be wider than the
+        fitted ones.
 
         If it is `optional` it may be None.
         """
@@ -132,13 +133,13 @@ class Plot(PlotFrame):
 
 
 def counted(value: V, axis: PlotAxis) -> V:
-    """Return an attribute that is counted on an axis, also in texts: for one that no plot shows."""
+    """Return an attribute, to be given in the unit of an axis in texts too. For attributes that no plot shows."""
     recorded(value).expression(axis)
     return value
 
 
 def on_axis(axis: PlotAxis, value: object) -> Expression | float:
-    """Return a value as counted on an axis. TypeError for a constant: its place follows only from the axis."""
+    """Return a value in the unit of an axis. Raises TypeError for a constant, because its SI unit is unknown."""
     if isinstance(value, Deferred):
         return recorded(value).expression(axis)
     if value is T:
@@ -149,7 +150,7 @@ def on_axis(axis: PlotAxis, value: object) -> Expression | float:
 
 
 def share(axis: PlotAxis, value: PlotValue) -> Expression:
-    """Return a value over the upper end of an axis."""
+    """Return a value divided by the upper end of an axis."""
     return axis.share * on_axis(axis, value)
 
 
@@ -166,7 +167,7 @@ class EitherText:
 
 
 def either(of: object, /, **variants: str) -> EitherText:
-    """Return a text in variants: by the words of an attribute, or "yes" and "no" of a condition."""
+    """Return a text with variants: one for each word of an attribute, or `yes` and `no` for a condition."""
     return EitherText(recorded(of), variants)
 
 
@@ -201,10 +202,11 @@ class DrawnItem(PlotItem):
 class PlottedCurve(DrawnItem):
     """A curve of a motion over time, or of two `columns` of a table, which an expression gives by their names.
 
-    `legend` is LaTeX in the heading, or plain `words`; `label` names it at its right end and `read` at the pointer. A
-    motion too `fast` for a line is drawn as its band, as its mean, or as a band that ends in a line where the motion
-    has rung down. `fill` is the opacity of the area down to 0, which a table has as its column "zero". `dot` moves a
-    dot along the curve; of a table it is the place of the dot. Its `group` is switched off together.
+    `legend` is LaTeX in the heading, or plain `words`; `label` names it at its right end and `read` at the pointer.
+    `fast` says how a motion too fast for a line is drawn: as its band, as its mean, or as a band that ends in a line
+    when the motion has decayed. `fill` is the opacity of the area between the curve and 0; the column "zero" is its
+    lower edge. `dot` moves a dot along the curve; for two columns it is the position of the dot. Curves of one `group`
+    are switched off together.
     """
 
     width: Literal["sum", "line", "dash", "dots", "thin", "none"] = "line"
@@ -236,7 +238,7 @@ class PlottedCurve(DrawnItem):
         return [Curve(source=TIME, x="t", y=name, signal=name if self.dot else "", **look), *late]
 
     def _dot(self, plot: Plot) -> dict[str, Any]:
-        """The names of the numbers that place the dot of a table's curve."""
+        """The names of the numbers with the position of the dot, for a curve of two columns."""
         if not isinstance(self.dot, tuple):
             return {}
         x, y = self.dot
@@ -259,7 +261,7 @@ class PlottedCurve(DrawnItem):
 
 @dataclass(frozen=True, eq=False)
 class PlottedPath(DrawnItem):
-    """The path of two motions in a plane, with a dot: one of them over the other, `against`.
+    """The path of two motions in a plane, with a dot: this one over the other one, `against`.
 
     It covers the time window, or the interval of the case that has the name `source`.
     """
@@ -277,7 +279,8 @@ class PlottedPath(DrawnItem):
 
 @dataclass(frozen=True, eq=False)
 class PlottedLayer(DrawnItem):
-    """A layer of a stack, up to `top`, the sum of itself and the layers under it; the lowest is its own sum.
+    """A layer of a stack. Its upper edge is `top`, the sum of itself and the layers under it; the lowest layer has no
+    `top`.
 
     Its legend is LaTeX, or plain `words`; it can be hidden if it has a `switch`.
     """
@@ -346,7 +349,7 @@ def _region(low: str, high: str, source: str = TIME, **look: Any) -> Region:
 def _term(
     legend: Legend, key: str, tint: str, group: str = "", of: ExpressionRecord | None = None, is_formula: bool = True
 ) -> Term:  # fmt: skip
-    """A term of a heading; the term of an optional curve is visible with the curve."""
+    """A term of a heading. If its curve is not drawn, the term is hidden too."""
     form, texts = group, {"formula": legend} if isinstance(legend, str) else legend.variants
     if isinstance(legend, EitherText):
         form = legend.recorded.book.form(legend.recorded, legend.variants, group)
@@ -384,11 +387,11 @@ def along(
     across: Literal["x", "y"], place: Callable[[PlotValue], Number], on: PlotAxis, *, rate: str = "",
     least: float | None = None, **sets: object,
 ) -> Along:  # fmt: skip
-    """Return a way along which a hand sets a parameter.
+    """Return a rule for dragging a shape along x or y, which sets a parameter.
 
-    `sets` maps the parameter to what moves at once, counted on the axis `on`: the motion that it is the initial value
-    of, or an attribute. `place` returns the pixel of a value. `rate` is the parameter that a flick sets. The
-    parameter is not set below `least`.
+    `sets` maps the parameter to the motion or attribute that follows the pointer at once, in the unit of the axis `on`.
+    `place` returns the pixel of a value. `rate` is the parameter for the velocity of a throw. The parameter is not set
+    below `least`.
     """
     ((parameter, of),) = sets.items()
     zero, axis = place(0.0), on.counting
@@ -399,13 +402,14 @@ def along(
 
 
 def drag(label: str, *ways: Along) -> Grab:
-    """Return a grab that begins a motion from where the hand drops it, at rest unless one of the ways is a velocity."""
+    """Return a grab that starts a motion where the shape is released. It starts at rest, or with the velocity of a
+    throw."""
     starts = [Begin(one.parameter, one.moves, one.axis) for one in ways]
     return begin(label, *ways, start=(*starts, *(Begin(one.rate) for one in ways if one.rate)))
 
 
 def handle(of: float, **look: Any) -> Handle:
-    """Return a pill on an axis that shows a number of the case: see `components.language.plots.Handle`."""
+    """Return a handle on an axis that shows a number of the case: see `components.language.plots.Handle`."""
     return Handle(text=text_name(of), **look)
 
 
@@ -417,7 +421,7 @@ class PictureName:
 
 
 def form_of(condition: object) -> PictureName:
-    """Return the form by which a block or a group of controls is shown while a condition of the case holds."""
+    """Return the form that shows a block or a group of controls while a condition of the case holds."""
     own = recorded(condition)
     return PictureName(own.book.form(own, ["shown"]))
 
@@ -428,7 +432,7 @@ def when(condition: object, block: Block) -> Block:
 
 
 def hold_root(label: str, on: Plot, zero: Number, unit: Number, *, moves: object, **more: Any) -> Grab:
-    """Return a grab that holds a root of s^2 + 2 z s + 1: see `components.language.shapes.Root`."""
+    """Return a grab for dragging a root of s^2 + 2 z s + 1: see `components.language.shapes.Root`."""
     return grab(label, Root(across="x", zero=zero, unit=unit, moves=number_name(moves), **more), inside=on)
 
 
@@ -447,7 +451,8 @@ class BuiltPlot:
 
 
 def settled(block: Block, book: Book) -> Block:
-    """Return the block with shapes hidden while their numbers are missing, and with all words of each form."""
+    """Return the finished block: shapes are hidden while their numbers are missing, and texts have all variants of
+    their form."""
     if isinstance(block, (Row, Column)):
         return changed(block, blocks=tuple(settled(one, book) for one in block.blocks))
     if isinstance(block, WordsBlock):
@@ -463,7 +468,7 @@ Worded = TypeVar("Worded", Forms, Term)
 
 
 def _padded(one: Worded, form: str, book: Book) -> Worded:
-    """A text in variants, empty for the words that only other texts have."""
+    """A text with variants, with an empty one for each word of the form that it lacks."""
     known = book.forms[form].words if form in book.forms else ()
     return changed(one, variants={**dict.fromkeys(known, ""), **one.variants})
 
@@ -473,7 +478,7 @@ def _needing(shape: AnyShape, book: Book) -> AnyShape:
     given = {name: getattr(shape, name) for name in shape.__struct_fields__}
     numbers = {name: recorded(one).expression() for name, one in given.items() if isinstance(one, Deferred)}
     for name in given["show"]:
-        if name not in book.numbers and hasattr(book.kind, name):  # a shape of a kit, shown by an attribute
+        if name not in book.numbers and hasattr(book.kind, name):  # for shapes of other packages
             recorded(getattr(deferred(book.kind), name)).expression()
     expressions = [one for one in (given | numbers).values() if isinstance(one, Expression)]
     names = [name for one in expressions for name in sorted(names_in(one))]

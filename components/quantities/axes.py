@@ -20,19 +20,20 @@ TIME_AXIS = "t"
 Range = tuple[float, float]
 Scaled = TypeVar("Scaled", float, NDArray[np.float64])
 LEAST = 1e-10
-"""The smallest value, in the unit of its axis, for which a live number has decimals: 12 of them, and not hundreds on a
-kept axis that has become far too large.
+"""The smallest value, in the unit of its axis, that a live number resolves, with 12 decimals. Without this limit,
+numbers
+on an axis that has become far too large would have hundreds of decimals.
 """
 
 
-class Axis(Struct, frozen=True, dict=True):  # replacing a Struct is ten times as fast as replacing a dataclass
+class Axis(Struct, frozen=True, dict=True):  # `replace` of a Struct is ten times as fast as of a dataclass
     """The range of an axis in SI units, and its labels: in units of `factor` (in SI) times 10**exponent.
 
     Ticks are labelled by their numbers, or by `labels` if given. With a `power` the axis shows that power of the
     number: columns and handles have omega, the axis shows omega^2. `drawn` is the part of the range that must be
     visible, if not all of it; `own` is the range that the scene has chosen, if the frame has another one. `count` is
-    the largest number of steps between round numbers. `si` is the unit of `factor`, if the axis shows another one or
-    none. `zero` is False if the scene labels its zero.
+    the largest number of steps between round numbers. `si` is the SI unit, if `unit` is another one or "". `zero` is
+    False if the scene labels its zero.
     """
 
     start: float
@@ -148,7 +149,7 @@ def scale_by_ten(values: Scaled, exponent: int) -> Scaled:
 def nice_axis(
     low: float, high: float, unit: str = "", count: int = 4, exact: bool = False, factor: float = 1.0
 ) -> Axis:
-    """An axis over [low, high] with at most `count` + 1 round ticks; unless `exact`, it grows to show the curve whole.
+    """An axis over [low, high] with at most `count` + 1 round ticks. It is extended beyond the curve, unless `exact`.
 
     `factor` is the unit of its labels in SI: 0.3048 for feet.
     """

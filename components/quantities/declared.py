@@ -64,7 +64,7 @@ class DrawnAxis(Named):
 
 @dataclass(eq=False)
 class Signal(Named, Generic[Case]):
-    """A number that depends on time, or None; in texts it has the digits of the axis `on`."""
+    """A number that depends on time, or None. In texts it is formatted for the axis `on`."""
 
     value: Callable[[Case, AxesInForce], AnySignal | None] = lambda case, axes: None
     on: DrawnAxis | None = None
@@ -105,7 +105,7 @@ class Form(Named, Generic[Case]):
 
 @dataclass(eq=False)
 class Text(Named, Generic[Case]):
-    """A text that is part of other texts; None if there is none, or if it is made elsewhere."""
+    """A text that is part of other texts; None if there is none, or if other code makes it."""
 
     value: Callable[[Case, AxesInForce], str | None] = lambda case, axes: None
 
@@ -141,11 +141,11 @@ class AxisUnit(Named):
 
 @dataclass(eq=False)
 class LiveNumber(Named, Generic[Case]):
-    """A number of a case, in SI units, or None; a text is used directly.
+    """A number of a case in SI units, or None; if the value is a string, it is shown unchanged.
 
-    With a symbol it is compared with the number of another picture. `form` formats it, or the axis to which it belongs;
-    `whole`: its text includes the unit. `angle`: compared modulo a turn. `also`: other names that show the same value.
-    With a `meaning` it is one of the numbers of the scene, in SI: `unit`.
+    With a symbol, it is listed when pictures are compared. `form`, or the axis `axis`, formats it. `whole`: its text
+    includes the unit. `angle`: compared modulo a turn. `also`: other names that show the same value.
+    If it has a `meaning`, `scene.numbers` lists it, with its SI `unit`.
     """
 
     value: Callable[[Case], float | Decimal | str | None]
@@ -173,7 +173,7 @@ class LiveNumber(Named, Generic[Case]):
 
     @property
     def aloud(self) -> str:
-        """Return a text with its unit, for reading aloud."""
+        """Return its text and unit for a screen reader."""
         unit = f"{{{self.axis.name}}}" if self.axis else self.unit
         return f"{{{self.name}}}" if self.whole else f"{{{self.name}}} {unit}".rstrip()
 
@@ -194,8 +194,8 @@ class LiveNumber(Named, Generic[Case]):
 
 
 class Declared(Generic[Case]):
-    """The declarations of a scene, or some that scenes share. The class is never instantiated. Signals are listed in
-    the order of their dependence."""
+    """The declarations of a scene, or declarations that several scenes share. The class is never instantiated. A signal
+    comes after the signals that it uses."""
 
     def __init_subclass__(cls, **rest: Any) -> None:
         super().__init_subclass__(**rest)

@@ -1,4 +1,5 @@
-"""Numbers as people read and type them: three digits on screen, all digits that count in a field."""
+"""Formats and parses numbers: three digits on the screen; in a field as many as are needed to read back the same
+number."""
 
 import math
 import re
@@ -8,7 +9,7 @@ from functools import lru_cache
 
 MINUS = "\N{MINUS SIGN}"
 PLAIN_EXPONENTS = range(-3, 5)
-"""Numbers up to these powers of ten are written in full; others have a power of ten."""
+"""Numbers between these powers of ten are written in full; others with a power of ten."""
 
 LONGEST_INPUT = 60
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -62,8 +63,9 @@ def short(value: float | Decimal) -> str:
 
 
 def with_error(value: float, error: float) -> tuple[str, str]:
-    """Return a number and its standard error as metrologists write them: the error in one digit, in two if it begins
-    with 1, and the number to the same place. Both carry the same power of ten where it is not written out."""
+    """Return a number and its standard error: the error with one digit (two if it begins with 1), and the number
+    rounded to
+    the same place. Both have the same power of ten."""
     if not (math.isfinite(value) and math.isfinite(error) and error > 0):
         return three(value), ""
     digits = 2 if f"{error:.1e}"[0] == "1" else 1
@@ -108,9 +110,9 @@ def shortest(value: float) -> str:
 
 
 def parse_number(text: str) -> float:
-    """The double that a person means by `text`: 1e-3, 1,5, −3, 1.5·10^-3, 1.23·10⁻⁷, 12 000.
+    """Return the number in a typed text: 1e-3, 1,5, −3, 1.5·10^-3, 1.23·10⁻⁷, 12 000.
 
-    Raises ValueError, in words for that person, for anything else and for what no double can hold.
+    Raises ValueError, with a sentence, for any other text, and for numbers outside the range of doubles.
     """
     if not text.strip():
         raise ValueError("Nothing is typed here: type a number such as 2.5 or 1e-3.")
@@ -123,7 +125,7 @@ def parse_number(text: str) -> float:
 
 
 def in_doubles(value: float, is_zero: bool, text: str) -> float:
-    """Return the double of a typed text. Raises ValueError if no double is near."""
+    """Return the value of a typed text. Raises ValueError if it overflows, or underflows to 0."""
     if math.isinf(value):
         raise ValueError(f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308.")
     if value == 0 and not is_zero:
@@ -132,10 +134,10 @@ def in_doubles(value: float, is_zero: bool, text: str) -> float:
 
 
 def power_unit(value: float) -> tuple[int, str]:
-    """The power of ten that an axis reaching to `value` is scaled to, and the text before its unit.
+    """Return the exponent of ten for an axis that reaches to `value`, and the text before its unit.
 
-    The exponent is a multiple of 3 and 0 from 1e-3 to 1e4. It stops at -306, because a smaller power of
-    ten is itself short of digits; its reciprocal is then still a double.
+    The exponent is a multiple of 3 and 0 from 1e-3 to 1e4. It is at least -306, because smaller powers of ten have
+    fewer digits, and their reciprocals overflow.
     """
     if not math.isfinite(value):
         raise OverflowError(f"an axis cannot reach to {value}")
@@ -159,7 +161,7 @@ def ten_to(exponent: int) -> str:
 
 def excerpt(text: str, longest: int = 40) -> str:
     """Return the start of a visitor's text, without invisible characters."""
-    start = text[: longest + 1]  # a browser's text may be megabytes long
+    start = text[: longest + 1]  # a text from a browser may be megabytes long
     seen = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in start)
     return seen if len(seen) <= longest else seen[: longest - 1] + "…"
 

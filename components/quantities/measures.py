@@ -17,7 +17,7 @@ NONE: Dimension = (0, 0, 0, 0, 0)
 
 
 class Measure(NamedTuple):
-    """A measure: `size` times the SI unit of its dimension."""
+    """A unit of measurement: `size` times the SI unit of its dimension."""
 
     size: Decimal
     dimension: Dimension
@@ -81,7 +81,7 @@ _KNOWN = _measures()
 
 
 def measure(text: str) -> Measure:
-    """Return the measure of N/m, km/h, N s/m, kg·m² or s⁻¹; each / divides by only the next unit.
+    """Return the measure of a unit such as N/m, km/h, N s/m, kg·m² or s⁻¹. Each / divides only by the next unit.
 
     Raises ValueError with the unknown part.
     """

@@ -37,7 +37,7 @@ from physics.motion import Harmonic, SampledCycle
 from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
-"""A quarter turn, by which a cosine is ahead of a sine."""
+"""The phase by which a cosine is ahead of a sine."""
 LEAST_SHARE = 2.0**-53
 """Fraction of a chain's largest coordinate; smaller coordinates are rounding errors."""
 
@@ -47,7 +47,7 @@ def scaled(exponent: int, *factors: float | Decimal) -> float:
     doubles.
     """
     others = [factor for factor in factors if factor != 1]
-    if not exponent and len(others) <= 1:  # true in most pictures
+    if not exponent and len(others) <= 1:  # a fast path for most pictures
         result = float(*others) if others else 1.0
     else:
         result = float(math.prod(map(Decimal, others), start=Decimal(1).scaleb(-exponent)))
@@ -127,9 +127,9 @@ def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
 
 @dataclass(frozen=True, eq=False)
 class ModalPlay:
-    """The modes of a chain as a signal plays them, under the names that the signal uses: see `Modal`.
+    """The modes of a chain and the names for their signal: see `components.language.signals.Modal`.
 
-    `by` is the value in m of the scalar `of`, which all displacements are in proportion to; 0 if they are not.
+    If `by` is not 0, all displacements are proportional to the scalar `of`, whose value is `by` in m.
     """
 
     modes: DrawnModes
@@ -140,7 +140,7 @@ class ModalPlay:
 
 
 def modal(size: Axis, time: Axis, play: ModalPlay) -> Modal:
-    """The motion of a chain, without coordinates that are only rounding errors of the largest one."""
+    """The signal of a chain. Modes so small that they are rounding errors of the largest one are set to 0."""
     modes = play.modes
     sizes = np.where(modes.amplitude > LEAST_SHARE * modes.amplitude.max(), modes.amplitude, 0.0)
     unit = size.factor * 10.0**size.exponent
@@ -161,7 +161,7 @@ def displacements(signal: Modal, t: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
-    """Return the signal of an elementary motion from the numbers by which it is played."""
+    """Return the signal that plays an elementary motion, from its numbers."""
     match numbers:
         case Fading():
             return damped(size, time, numbers)
@@ -201,7 +201,8 @@ def total(*signals: Name) -> Derived:
 def sampled(
     time: Axis, period: float, columns: NDArray[np.float64], slopes: NDArray[np.float64], drift: float = 0.0
 ) -> Sampled:
-    """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces, `drift` gained each period.
+    """A periodic motion from equally spaced samples of one period, with Hermite interpolation. It gains `drift` each
+    period.
 
     `columns` and `drift` are in the signal's unit, `slopes` in that unit per second.
     """
@@ -221,9 +222,10 @@ MOST = 1e308
 
 
 def pace(omega: float, fastest: float) -> Pace:
-    """The speeds of the clock: at `auto` a period of `omega` takes 4 to 10 s, at `limit` `fastest` shows.
+    """Return the speeds of the clock: at `auto` a period of `omega` takes 4 to 10 s.
 
-    Both in rad/s; where there is none (0) a second lasts a second.
+    `limit` is the highest speed at which a motion of the frequency `fastest` can be seen. Both frequencies are in
+    rad/s; if `omega` is 0, `auto` is real time.
     """
     if not omega:
         return Pace()

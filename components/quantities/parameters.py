@@ -22,12 +22,12 @@ Word = TypeVar("Word", bound=str)
 
 
 def names_of(parameters: Iterable[AnyParameter]) -> list[str]:
-    """The names of parameters, which the declaring scene gives them."""
+    """Return the names of parameters: the attribute names in their scene."""
     return [one.name or "" for one in parameters]
 
 
 class WordSelector(param.Selector[Any]):
-    """A choice of one among words, which says in words what is possible."""
+    """A choice between words. Its error messages list the possible words."""
 
     def _validate(self, val: object) -> None:
         if val not in self.objects:
@@ -44,17 +44,17 @@ def one_of(
 
 
 class Quantity(param.Number[Any]):  # a float, or None if the scene chooses the value
-    """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
+    """A physical number: `bounds` are what physics allows, `softbounds` are the ends of its slider.
 
-    `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer near 0,
-    "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values
-    are possible.
+    `symbol` is written k_2; `tint` names its colour; `scale` is the scale of the slider ("near0" is finer near 0,
+    "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` describes the possible values
+    in a sentence.
     `marks` are values with a name under the slider, which then has the width of the panel.
     """
 
     __slots__ = ["allowed", "marks", "says", "scale", "symbol", "tint", "unit"]
 
-    softbounds: tuple[float, float]  # never None here
+    softbounds: tuple[float, float]  # unlike in param, never None
 
     def __init__(
         self,
@@ -87,7 +87,7 @@ class Quantity(param.Number[Any]):  # a float, or None if the scene chooses the 
             label=label,
             doc=says,
             softbounds=softbounds,
-            per_instance=False,  # otherwise param copies it for each scene in which it is set
+            per_instance=False,  # otherwise param would copy the parameter for each scene that sets it
             **options,
         )
 

@@ -39,8 +39,8 @@ def scene_number(value: object, unit: str, description: str) -> SceneNumber | No
 
 @dataclass(frozen=True)
 class Readout:
-    """A number of a picture: `name` is the name of its live number, for the covers, and `also` has other names that
-    show the same value. An angle is compared by difference."""
+    """A number of a picture: `name` is the name of its live number, by which it can be hidden, and `also` has other
+    names that show the same value. An angle is compared by difference."""
 
     name: str
     symbol: str

@@ -21,13 +21,13 @@ LINK_LOST = "Something went wrong with this link; its parameters were not used."
 _GREEK = {"omega": "ω", "tau": "τ", "theta": "θ", "delta": "δ", "pi": "π"}
 _BELOW = str.maketrans("pnst0123456789+-", "ₚₙₛₜ₀₁₂₃₄₅₆₇₈₉₊₋")
 _SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”:])")
-"""A parameter's name in the code, except in quotation marks and before a colon, where it is the name in a link."""
+"""Matches names of parameters, except in quotation marks and before a colon, where a text means the name in a link."""
 MOST_KINDS = 500
 """Maximum number of kinds of error that are logged, so that the log stays finite."""
 
 
 class Once(logging.Filter):
-    """A log filter that passes the first record of each place; the place is the record's first argument."""
+    """A log filter that passes only the first record from each line of code, which is the record's first argument."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -23,7 +23,7 @@ def slider_value(scale: Scale, place: float, soft: Ends) -> float:
 
 
 def slider_place(scale: Scale, value: float, soft: Ends) -> float:
-    """Return the position of a number; beyond the range, the nearer end."""
+    """Return the position of a number; the nearer end for numbers beyond the range."""
     low, high = soft
     value = min(max(value, low), high)
     if scale == "log":

@@ -1,7 +1,7 @@
-"""Typed text: the reading of what people type into a field: a number, an expression such as 1/3, 2π or sqrt(2), a unit.
+"""Parses the text that a visitor types into a field: a number or an expression such as 1/3, 2π or sqrt(2), and a unit.
 
-An expression has + - * / ^, brackets, pi and sqrt. It is read by Python's own parser, of which these few kinds of
-nodes are taken, and worked out in 80 digits, so that it is rounded once; nothing is ever run.
+An expression has + - * / ^, brackets, pi and sqrt. Python's parser reads it, and only nodes of these few kinds are
+accepted. It is computed with 80 digits and rounded once. No code from the text is run.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Decimal, Decimal], Decimal]] = {
 
 
 def typed_number(text: str, unit: str) -> float:
-    """The double that a person means by `text` in a field of `unit`: 1/3, 2.5 N/m, 36 km/h, 3·10⁴, 1,5, １／３, 1。5.
+    """Return the number in a text typed into a field with this unit: 1/3, 2.5 N/m, 36 km/h, 3·10⁴, 1,5, １／３, 1。5.
 
-    Raises ValueError, in words for that person, for anything else, for another kind of unit and for what no double
-    can hold.
+    Raises ValueError, with a sentence, for any other text, for a unit of another dimension, and for numbers outside the
+    range of doubles.
     """
     if len(text) > LONGEST_INPUT:
         raise NoNumberError(text)
@@ -134,7 +134,7 @@ def unit_size(unit: str) -> float:
 
 
 def _own(unit: str) -> Measure | None:
-    """Return None for a scene's own unit, such as v₀."""
+    """Return the measure of a unit; None for a scene's own unit, such as v₀."""
     try:
         return measure(unit)
     except ValueError:

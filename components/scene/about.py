@@ -22,7 +22,8 @@ from physics.precision.exact import precise
 from physics.reference.driven_chain import Point
 
 SHARES = (0.21, 0.55, 0.93)
-"""Positions of the points in a column: not round numbers."""
+"""Positions of the checked points in a column, as shares of its length. They are not round, so the points are ordinary
+ones."""
 PLACES = 20
 READING = (
     "**Shown**: the computed number that is drawn, a double of about 16 digits, in SI units and radians. **Exact**: "
@@ -52,7 +53,7 @@ class CheckedPoint:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of checked points under the sentence that bounds their errors, which is `limit` ulp."""
+    """A table of checked points, and the sentence that bounds their errors, by `limit` ulp."""
 
     bound: str
     limit: float
@@ -74,7 +75,7 @@ def few(column: Sized) -> list[int]:
 
 
 def few_of(column: Floats) -> list[float]:
-    """Return the entries at the indices `few`."""
+    """Return the entries of a column at the indices `few`."""
     entries: list[float] = column[few(column)].tolist()
     return entries
 
@@ -132,7 +133,7 @@ def _by_name(names: Mapping[One, str]) -> dict[str, str]:
 
 
 def every_digit(value: float) -> str:
-    """Return a number with all its digits, so that a reader can recompute the point."""
+    """Return a number with all its digits, with which a reader can recompute the point."""
     head, _, power = shortest(float(value)).replace("-", MINUS).partition("e")
     return head + (ten_to(int(power.replace(MINUS, "-"))) if power else "")
 

@@ -32,7 +32,7 @@ from components.scene.scene import Scene
 from components.scene.traces import Floats, samples
 
 MOST_CASES = 8
-"""Number of cached cases: a picture that does not fit its frame is drawn again, with the same case."""
+"""Number of cached cases. Needed because a picture that does not fit its frame is drawn again with the same case."""
 
 
 class Case(ABC):
@@ -71,12 +71,12 @@ class Case(ABC):
 
     @cached_property
     def times(self) -> Floats:
-        """The instants that are drawn (n,) in s."""
+        """The times of the drawn points (n,) in s."""
         return np.linspace(0.0, self.end, samples(self.end, self.highest))
 
     @property
     def intervals(self) -> dict[str, tuple[float, int]]:
-        """The end in s and the number of instants of intervals other than the time window, by source."""
+        """Intervals other than the time window, by source: the end in s and the number of points."""
         return {}
 
     @property
@@ -101,7 +101,7 @@ class Case(ABC):
 
     @property
     def bands(self) -> Mapping[str, BandColumns] | None:
-        """The motions that are drawn as bands, with these bands; None to decide by their frequencies."""
+        """The bands of the motions that are drawn as bands; None to choose these motions by their frequencies."""
         return None
 
     def notes(self) -> tuple[str, ...]:
@@ -109,7 +109,7 @@ class Case(ABC):
         return ()
 
     def to_scale(self) -> str:
-        """Return the sentence on the scale of the stage, "" if it has none or is 1."""
+        """Return the sentence on the scale of the stage; "" if the scale is 1 or there is none."""
         return ""
 
     def onward(self) -> tuple[Onward, ...]:
@@ -194,7 +194,7 @@ class CaseScene(Scene):
         return cls.written().block
 
     def of(self, frame: Frame = FITTED) -> Case:
-        """Return the case of the scene in a frame. Frames that differ only in the ranges of axes have the same one."""
+        """Return the case of the scene in a frame. Frames that differ only in the ranges of axes share one case."""
         return _case(Asked((self.key, frame.window, frame.scale), self, frame))
 
     def picture(self, frame: Frame = FITTED) -> Picture:

@@ -19,10 +19,10 @@ def exact_values(motions: Mapping[str, ExactMotion], t: Floats) -> Columns:
 
 
 class BandColumns(NamedTuple):
-    """The lower and the upper edge of a band (n,) over the instants of a picture.
+    """The lower and the upper edge of a band (n,) at the times of a picture.
 
-    `late` (m,) are the values of the motion at the last m instants, if it is a line there because its fast part has
-    decayed. All motions of a picture with such a line have the same m.
+    `late` (m,) are the values of the motion at the last m times, if its fast part has decayed by then and it is drawn
+    as a line. m is the same for all such motions of a picture.
     """
 
     low: Floats
@@ -55,12 +55,12 @@ class CaseCurves:
 
     @cached_property
     def highest(self) -> float:
-        """The highest frequency in rad/s that these instants show as a line."""
+        """The highest frequency in rad/s that curves with these times can show as a line."""
         return highest_drawn(self.t)
 
     @cached_property
     def too_fast(self) -> frozenset[str]:
-        """The motions that these instants do not resolve."""
+        """The motions that are too fast for these times."""
         if self.given is not None:
             return frozenset(self.given.keys() & self.drawn.keys())
         return frozenset(name for name, one in self.drawn.items() if one.omega > self.highest)
@@ -73,7 +73,8 @@ class CaseCurves:
         return fast.union(*stacked) & self.drawn.keys()
 
     def traces(self, resolved: float) -> Traces:
-        """Return the motions that are drawn as lines, and those of a file, which resolves this frequency (rad/s)."""
+        """Return the motions that are drawn as lines, and the motions for a file. The file resolves this frequency in
+        rad/s."""
         shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
         return Traces(
             float(self.t[-1]),
@@ -88,13 +89,14 @@ class CaseCurves:
 
     @property
     def columns(self) -> dict[str, Columns]:
-        """The bands and means, which no signal describes, by source."""
+        """The columns of bands and means, by source. No signal describes them."""
         means = {name: one.mean.at(self.t) for name, one in self.drawn.items() if name in self.averaged}
         return self._bands | ({TIME: means} if means else {})
 
     @property
     def _bands(self) -> dict[str, Columns]:
-        """The bands over the whole window, the bands that end when the motion has decayed, and the lines after them."""
+        """Columns by source: bands over the whole window, bands that end when the motion has decayed, and the lines
+        after them."""
         whole, ringing, late = Columns(), Columns(), Columns()
         for name in self.drawn:
             band = self._band(name) if name in self.too_fast and self.fast.get(name) in (BAND, RINGING) else None

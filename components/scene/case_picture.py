@@ -40,7 +40,7 @@ class CasePaper:
 
     @cached_property
     def other_axes(self) -> dict[str, PlotAxis]:
-        """The axes that no plot has, used only to format numbers, by name. They always fit."""
+        """Axes that belong to no plot and are used only to format numbers, by name. Their ranges are always fitted."""
         used = (use.axis for use in self.book.numbers.values() if use.axis)
         return {axis.name: axis for axis in used if axis.name not in self.axes}
 
@@ -51,7 +51,7 @@ class CasePaper:
 
     @cached_property
     def numbers(self) -> list[str]:
-        """The names of all numbers: attributes first."""
+        """The names of all numbers, attributes first."""
         return list(dict.fromkeys((*(name for name in self.named if name in self.book.numbers), *self.book.numbers)))
 
     @cached_property
@@ -62,13 +62,14 @@ class CasePaper:
 
     @cached_property
     def tables(self) -> dict[str, ExpressionRecord]:
-        """The curves with a column for x and one for y: their expressions by name, in the order of their plots."""
+        """The expressions of curves that have a column for x and one for y, by name, in the order of their plots."""
         items = [item for built in self.book.plots.values() for item in built.items]
         return {item.recorded.name: item.recorded for item in items if isinstance(item, PlottedCurve) and item.columns}
 
     @cached_property
     def paths(self) -> dict[str, list[str]]:
-        """The motions of paths over an interval other than the time window: names by source, ordered as `numbers`."""
+        """The names of motions that paths show over an interval other than the time window, by source, ordered as
+        `numbers`."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedPath)]
         found: dict[str, set[str]] = {}
         for one in items:
@@ -78,19 +79,20 @@ class CasePaper:
 
     @cached_property
     def layers(self) -> dict[str, tuple[str, str]]:
-        """The names of the lower and the upper edge of each layer, except the lowest layer, which is an edge itself."""
+        """The names of the lower and the upper edge of each layer. The lowest layer is left out, because it is its own
+        upper edge."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedLayer)]
         return {one.recorded.name: (one.below, one.edge.name) for one in items if one.top is not None}
 
     @cached_property
     def stacks(self) -> list[list[str]]:
-        """The edges of each stack, from the floor up."""
+        """The edges of each stack, from the lowest up."""
         stacks = [[one for one in built.items if isinstance(one, PlottedLayer)] for built in self.book.plots.values()]
         return [[FLOOR, *(one.edge.name for one in layers)] for layers in stacks if layers]
 
     @cached_property
     def fast(self) -> dict[str, str]:
-        """The way in which each motion is drawn if it is too fast for a line, by name: "band", "mean", ..."""
+        """The drawing of each motion if it is too fast for a line, by name: "band", "mean", ..."""
         edges = {edge: "mean" for stack in self.stacks for edge in stack}
         return edges | {one.recorded.name: one.fast for one in self.curves}
 

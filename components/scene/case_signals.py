@@ -24,11 +24,11 @@ class _Signals:
         self.names = {id(moving[name][0]): name for name in reversed(list(moving))}
         self.found: dict[str, AnySignal] = {}
         for name, (motion, _) in moving.items():
-            if self._name_of(motion) != name:  # the same motion on another axis
+            if self._name_of(motion) != name:  # the same motion, needed on another axis too
                 self._define(name, MotionPolynomial(((ONE, (motion,)),)))
 
     def _name_of(self, motion: ExactMotion) -> str:
-        """Return the name of a motion after defining its signal; a motion without a name gets one."""
+        """Define the signal of a motion and return its name; a motion without a name gets one."""
         if id(motion) not in self.names:
             self.names[id(motion)] = self._name_part(motion)
         name = self.names[id(motion)]

@@ -18,10 +18,10 @@ SI = {
     "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
     "F₀/k₁": "m",
 }  # fmt: skip
-"""Units of axes whose columns have other units, with the columns' units."""
+"""SI units of columns, by the unit of their axis, where the two differ."""
 
 MEAN = "_mean"
-"""The end of the name of a column that is drawn as its mean over a period."""
+"""Suffix of the names of columns that have means over a period."""
 FIRST = (
     f"Rows: the first {FIRST_PERIODS} periods of the fastest motion with {PER_PERIOD} points in each. "
     "The window ends at t = {end} s; the table {bands} covers all of it."
@@ -33,7 +33,7 @@ WHOLE = (
 
 
 class NumberTable(NamedTuple):
-    """Columns for a file in SI units, the unit of each, and a sentence on its rows where they need one.
+    """Columns for a file in SI units, the unit of each, and a sentence that explains the rows, or "".
 
     `plane`: the table is a path in a plane; no axis shows its times.
     """
@@ -48,8 +48,8 @@ def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[s
     """Return the tables of a picture by name: one per drawn source, unless a `FileTable` replaces it.
 
     `axes` are the names of the axes that columns are drawn on, by source and column. The table of a source over time
-    has all its motions, including those that are drawn as bands. If the table has only a part of the window, the
-    bands have a second table with all of it.
+    has all its motions, including those that are drawn as bands. If that table covers only a part of the window, a
+    second table has the bands over the whole window.
     """
     replaced = {source for table in picture.tables.values() for source in table.instead}
     found: dict[str, NumberTable] = {}
@@ -67,7 +67,8 @@ def tables_of(picture: Picture, axes: Mapping[str, Mapping[str, str]]) -> dict[s
 def _over_time(
     picture: Picture, source: str, trace: Traces, on: Mapping[str, Axis], axes: Mapping[str, Mapping[str, str]]
 ) -> dict[str, NumberTable]:
-    """Return the table of motions over time, and the table of their bands if the first has not the whole window."""
+    """Return the table of motions over time, and the table of their bands if the first table does not cover the
+    window."""
     on = {**on, **{name: on[high] for name, (_, high) in trace.layers.items() if high in on}}
     if trace.axis in picture.axes:
         on |= {TIME_AXIS: picture.axes[TIME_AXIS], **dict.fromkeys(trace.names, picture.axes[trace.axis])}
@@ -98,7 +99,7 @@ def _means(trace: Traces, columns: Columns) -> Columns:
 
 
 def _table(columns: Columns, on: Mapping[str, Axis]) -> NumberTable:
-    """Return a table of the drawn columns; a path in a plane has its times too."""
+    """Return a table of the drawn columns; for a path in a plane, with its times."""
     names = [name for name, column in columns.items() if len(column) and name in on and name != FLOOR]
     plane = TIME_AXIS in columns and TIME_AXIS not in names
     names = [TIME_AXIS, *names] if plane else names
@@ -139,7 +140,7 @@ def unit_of(axis: Axis | None) -> str:
         return "s"
     if axis.si:
         return axis.si
-    own = axis.factor == 1 and axis.unit in ("°", "%")  # some columns count in these themselves
+    own = axis.factor == 1 and axis.unit in ("°", "%")  # some columns are in degrees or per cent themselves
     unit = axis.unit if own else SI.get(axis.unit, axis.unit)
     return in_ascii(unit.removeprefix("(").removesuffix(")²") if axis.power == 2 else unit)
 

@@ -49,7 +49,7 @@ class SceneFace(param.Parameterized):
         self.set(values)
 
     def __repr__(self) -> str:
-        """The expression that makes this scene: its values that are not at their defaults."""
+        """A Python expression that makes this scene, with the values that are not at their defaults."""
         values = ", ".join(f"{name}={value!r}" for name, value in self.value.off_default().items())
         return f'SCENES["{self.scene_kind.slug}"]({values})'
 
@@ -65,14 +65,14 @@ class SceneFace(param.Parameterized):
 
     def panel(self) -> Any:
         """Return Panel widgets for the parameters and live Bokeh figures: components.panel_face.PanelFace."""
-        from components.panel_face.face import PanelFace  # the server and the physics do not use it
+        from components.panel_face.face import PanelFace  # imported here, because the server does not need it
 
         return PanelFace(self)
 
     __panel__ = panel
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
-        """The scene in a notebook, once `panel.extension()` is loaded."""
+        """The panel of the scene, which a notebook shows after `panel.extension()`."""
         return self.panel()._repr_mimebundle_(include, exclude)
 
     def on_picture(self, listener: Callable[[Picture], None]) -> None:

@@ -1,4 +1,4 @@
-"""Tables of a file that replace sources of a plot, for curves that the plot draws in several pieces."""
+"""Tables for files that replace the sources of a plot, for curves that the plot draws in several pieces."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class FileTable:
 
     `instead`  the sources that it replaces
     `units`    the SI unit of each column
-    `drawn`    for columns with another name in these sources: the names there; hiding one of them hides the column
+    `drawn`    the names that columns have in these sources, if they differ; hiding one of these hides the column
     `note`     a sentence that explains the rows
     """
 
@@ -26,7 +26,7 @@ class FileTable:
     note: str = ""
 
     def seen(self, sources: Mapping[str, Columns]) -> Columns:
-        """Return the columns of which at least a part is drawn."""
+        """Return the columns of which at least a part is visible in the plot."""
         known = {name for source in self.instead for name in sources.get(source, {})}
         visible = [name for name in self.units if known.issuperset(self.drawn.get(name, (name,)))]
         return {name: self._computed[name] for name in visible}

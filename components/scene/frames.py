@@ -21,29 +21,30 @@ from components.quantities.formatting import excerpt, power_unit
 from components.quantities.motion import round_down, round_up
 
 FITTED = Frame()
-"""The frame that leaves everything to the scene."""
+"""The empty frame: the scene chooses everything."""
 SIZES = ("window", "scale", "speed")
 """The numbers of a frame in addition to the ranges of its axes."""
 FEW = 0.3
-"""Share of a frame below which numbers that mark something are replaced by round numbers."""
+"""Ticks that mark something are replaced by round numbers if they span less than this share of the frame."""
 USED = 0.25
 """Used share of an axis below which it is fitted again at the end of a drag."""
 ALIKE, NOISE = 5e-4, 1e-14
-"""Differences, relative to a range, that a screen does not show, and that are only rounding errors."""
+"""Differences relative to a range: below ALIKE they are invisible on a screen, below NOISE they are rounding errors."""
 LARGEST = 1e307
 """Limit of growth by steps, near the largest double."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Windowed:
-    """A motion over a time window in s: the frame's, else the chosen one, else `lasting`."""
+    """A motion over a time window in s: the window of the frame (`standing`), else the chosen one (`window`), else
+    `lasting`."""
 
     window: float | None
     standing: float | None = None
 
     @cached_property
     def lasting(self) -> float:
-        """The window that suits the motion. ValueError where it leaves the range of doubles."""
+        """The window that suits the motion. Raises ValueError if it is outside the range of doubles."""
         raise NotImplementedError
 
     @property
@@ -81,7 +82,7 @@ def _range_in(frame: Frame, name: str, axis: Axis) -> Range:
 def with_range(axis: Axis, span: Range) -> Axis:
     """Return the axis over another range in SI units.
 
-    Round numbers are chosen again; numbers that mark something stay, unless they are crowded.
+    Round ticks are chosen again; ticks that mark something stay, unless they are crowded.
     """
     if span == (axis.start, axis.end):
         return axis
@@ -99,7 +100,7 @@ def with_range(axis: Axis, span: Range) -> Axis:
 
 
 def _rounded(axis: Axis, named: bool) -> Axis:
-    """Return the axis with round numbers, and with another power of ten if that suits the range better."""
+    """Return the axis with round ticks, and with another power of ten if that suits the range better."""
     reach = max(abs(axis.start), abs(axis.end)) / axis.factor
     named_alike = axis.power == 1 and bool(axis.exponent) == bool(axis.suffix)
     if named_alike and not 1e-2 <= scale_by_ten(reach, -axis.exponent) < 1e5:
@@ -148,8 +149,8 @@ def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None, st
 def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]], still: Collection[str] = ()) -> Frame:
     """Return the frame, fitted again along each axis that is mostly empty: `drawn` uses less than a quarter of it.
 
-    `drawn` has the axes of one picture, or of two that are compared. The time window stays, since curves always fill
-    it, and so do the axes in `still`.
+    `drawn` has the axes of one picture, or of two that are compared. The time window and the axes in `still` do not
+    change; curves always fill the window.
     """
     if frame.given:
         return frame

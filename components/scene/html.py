@@ -1,4 +1,4 @@
-"""Texts of a sheet as HTML with the numbers of a picture, for pages that have no script to fill them in."""
+"""Texts of a sheet as HTML with the numbers of a picture filled in, for pages without our scripts (Panel)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _LIVE = re.compile(r'(<(span|mn) class="n" data-value="(\w+)">)(?=</\2>)')
 
 
 def live_texts(picture: Picture, named: Mapping[str, float]) -> dict[str, str]:
-    """Return the texts of all live numbers by name; `named` are the signals at the instant shown."""
+    """Return the texts of all live numbers by name; `named` are the signals at the displayed time."""
     moving = {
         name: f"{named[name]:{'+' if digits.signed else ''}.{digits.decimals}f}".replace("-", MINUS)
         for name, digits in picture.live.items()

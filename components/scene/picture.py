@@ -21,11 +21,12 @@ from components.scene.traces import Columns, Traces
 
 D = TypeVar("D", bound="Drawable")
 Framing = Literal["fitted", "kept", "grown"]
-"""Framing of a picture: it chooses its frame, keeps a given one, or widens it if something would leave it."""
+"""How the frame of a picture is chosen: fitted to the picture, kept, or kept and widened where something would leave
+it."""
 MOST_DRAWN = 64
 """Number of cached pictures, shared by all visitors. Compared, undone and popular pictures are needed again."""
 ROUNDS = 3
-"""Limit of attempts: a frame that has grown along one axis may have to grow along another."""
+"""Limit of attempts to draw; more than one are needed if growth along one axis requires growth along another."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,7 +93,7 @@ def _frame(ranges: dict[str, tuple[float, float]], scale: float | None, pace: Pa
 
 @dataclass(frozen=True)
 class Framed:
-    """A picture, its frame, and the fitted frame; `beside` is the compared picture, if there is one."""
+    """A picture, its frame, and the frame that would fit it; `beside` is the compared picture, if there is one."""
 
     picture: Picture
     frame: Frame
@@ -198,5 +199,5 @@ def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
 
 def _check(picture: Picture) -> None:
     rulers = [axis.ruler for axis in picture.axes.values()]
-    axes = [(ruler.start, ruler.end, ruler.ticks) for ruler in rulers]  # their labels hold no numbers
+    axes = [(ruler.start, ruler.end, ruler.ticks) for ruler in rulers]  # labels are texts
     check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])

@@ -62,7 +62,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         allowed="a time window is a finite time above 0 s",
     )
     view: str
-    """The view that is shown, of a scene with views."""
+    """The current view, in a scene with views."""
     hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
 
     @classmethod
@@ -96,7 +96,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:
-        """The names of `places` whose values the scene has now."""
+        """The names of the actions in `places` whose values the scene has now."""
         return [name for name in self.places if all(getattr(self, p) == v for p, v in self.action(name).items())]
 
     def about(self, shown: Picture) -> About | None:
@@ -150,7 +150,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return cls._settled(values, frozenset(values), None, in_hand=False)
 
     def changed(self, values: Values, *, in_hand: bool = False) -> Self:
-        """Return the scene with other values and the values that depend on them; itself if nothing changes."""
+        """Return the scene with other values and those that depend on them; `self` if nothing changes."""
         defaults, changed = self.parameters(), self.differing(values)
         if not changed:
             return self

@@ -23,7 +23,7 @@ class SceneInfo(param.Parameterized):
     title: ClassVar[str]
     lecture: ClassVar[str]
     points: ClassVar[str]
-    """The part of the lecture that it is about."""
+    """The points of the lecture that it shows."""
     headline: ClassVar[str]
     """The main statement of the scene, in a sentence."""
     equations: ClassVar[tuple[str, ...]]
@@ -31,12 +31,13 @@ class SceneInfo(param.Parameterized):
     spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
     """The numbers that a screen reader announces when they change: the name of each, and its live numbers with unit."""
     views: ClassVar[tuple[View, ...]] = ()
-    """Its views; it opens with the first one. The parameter `view` is made from them. A scene without views shows all
+    """The views of the scene; it opens with the first one. The parameter `view` is made from them. A scene without
+    views shows all
     of the sheet."""
     old_view: ClassVar[str] = ""
-    """The view of a link with values but no view, from before there were views; "" for the first one."""
+    """The view for old links that have values but no view; "" for the first view."""
     old_views: ClassVar[Mapping[str, Mapping[str, str]]] = {}
-    """The views that old links choose by another parameter: by its name and its value."""
+    """The views for old links that chose a display by another parameter: by its name and value."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}
     watch: ClassVar[Mapping[str, str]] = {}
@@ -49,9 +50,9 @@ class SceneInfo(param.Parameterized):
     physical: ClassVar[tuple[AnyParameter, ...]] = ()
     """The choices that change the physical system; other choices only change how it is shown."""
     covered_with: ClassVar[Mapping[str, tuple[str, ...]]] = {}
-    """The plots that have the curves of another one: if it is covered, they are too."""
+    """For a plot, other plots that show the same curves: they are covered with it."""
     reached: ClassVar[tuple[AnyParameter, ...]] = ()
-    """The parameters that record a visitor's progress: links have them, comparisons do not."""
+    """The parameters that record a visitor's progress. Links contain them; comparisons ignore them."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that go to a certain setting, such as resonance: their buttons are marked while it is set."""
     steady: ClassVar[tuple[str, ...]] = ()
@@ -64,12 +65,12 @@ class SceneInfo(param.Parameterized):
     """Parameters with a meaning that other scenes share, such as m1: a visitor keeps their values between scenes
     (components.state.shared_system)."""
     sharing: ClassVar[Values] = {}
-    """Values that the scene needs, so that the shared parameters are visible."""
+    """Values that the scene must have so that its shared parameters are visible."""
 
     @classmethod
     @cache
     def linked(cls) -> dict[str, AnyParameter]:
-        """The parameters that a link and a state carry: quantities, choices and lists, unless constant or private."""
+        """The parameters in a link and a state: quantities, choices and lists, unless constant or private."""
         kinds = (Quantity, param.Selector, param.Boolean, param.List)
         return {
             name: parameter

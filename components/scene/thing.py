@@ -1,4 +1,4 @@
-"""Small moving pictures for the start page: SVG texts with lists of positions, which the browser plays."""
+"""Small moving pictures for the start page: SVG source with lists of positions, which the browser plays."""
 
 from __future__ import annotations
 

@@ -25,7 +25,8 @@ Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
 PER_PERIOD, FIRST_PERIODS = 20, 10
-"""Points of a file per period of the fastest motion, at least; and the periods of a file if the window has too many."""
+"""Least number of rows of a file per period of the fastest motion, and the number of periods in it if the window has
+too many."""
 
 
 def samples(end: float, fastest: float) -> int:
@@ -34,7 +35,8 @@ def samples(end: float, fastest: float) -> int:
 
 
 def resolved(end: float, fastest: float) -> bool:
-    """Return True if these samples resolve a motion of this frequency (rad/s) as a line; if not, a band replaces it."""
+    """Return True if the points over [0, end] resolve a motion of the frequency `fastest` (rad/s). If not, a band
+    replaces its line."""
     return SAMPLES_PER_CYCLE * end * float(fastest) <= 2 * np.pi * (samples(end, fastest) - 1)
 
 
@@ -65,17 +67,17 @@ class Traces:
 
     @property
     def t(self) -> Floats:
-        """The instants that are drawn (count,)."""
+        """The times of the drawn points (count,)."""
         return np.linspace(0.0, self.end, self.count)
 
     @cached_property
     def columns(self) -> Columns:
-        """The instants t and the numbers of each curve at them."""
+        """The times t, and the values of each curve at them."""
         return _frozen(self.t, self._exact_drawn if self.names else {}, self.names)
 
     @property
     def drawn(self) -> Columns:
-        """The numbers of each curve without t, to be sent in place of its signal."""
+        """The values of each curve without t, to be sent in place of its signal."""
         return {name: column for name, column in self.columns.items() if name in self.names}
 
     @property
@@ -113,7 +115,7 @@ class Traces:
         return frozenset(self.signals.get(name, name) for name in self.names)
 
     def less(self, names: Iterable[str]) -> Traces:
-        """Return these curves without some, also in a file."""
+        """Return the object without these curves, also in a file."""
         gone = frozenset(names)
         moving = self.moving and tuple(name for name in self.moving if not gone.intersection(self.edges(name)))
         return replace(self, names=tuple(name for name in self.names if name not in gone), moving=moving)
