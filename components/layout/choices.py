@@ -41,7 +41,7 @@ def labelled(parameter: AnyParameter) -> tuple[Option, ...]:
 
 
 def chosen(parameter: AnyParameter, given: object) -> object:
-    """Return the value that `given` means. Raises ValueError, with a sentence, if there is none.
+    """Return the value that `given` means. Raises ValueError, with a reason, if there is none.
 
     `given` is a value or its word; for a list, a list or its words with commas between.
     """

@@ -32,7 +32,7 @@ _DECLARED = re.compile("<[!?]")
 
 
 def check_markup(html: str) -> None:
-    """Raise ValueError, with a sentence, for elements and attributes that are not in a short list."""
+    """Raise ValueError, with a reason, for elements and attributes that are not in a short list."""
     strange = _DECLARED.findall(html)
     try:
         tree = ElementTree.fromstring(f"<p>{html}</p>")

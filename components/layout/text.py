@@ -62,7 +62,7 @@ def kept(make: Callable[[str], str]) -> Callable[[str], str]:
 def mathml(latex: str) -> str:
     """Return the MathML of a formula; its live numbers are elements with a `data-value` attribute.
 
-    Raises ValueError, with a sentence, for a text that is not exactly one formula.
+    Raises ValueError, with a reason, for a text that is not exactly one formula.
     """
     try:
         markup = _converted(latex)
@@ -110,7 +110,7 @@ _UNIT = re.compile(r"(?<=[\d}]) (?=(?:%|[kmcÂµ]?(?:m|s|g|N|J|W|V|Hz|rad|ft)(?:[Â
 def rich(text: str) -> Html:
     """Return the HTML of a sentence; strong or coloured words may contain symbols and formulas.
 
-    Raises ValueError, with a sentence, for a wrong formula or an unknown colour.
+    Raises ValueError, with a reason, for a wrong formula or an unknown colour.
     """
     html = _set(text)
     check_markup(html)

@@ -15,7 +15,7 @@ DEAR = {"n": 2**13, "r": 8, "p": 1}
 """Work for one code: about 20 ms, so trying all 30^4 codes takes hours."""
 
 MARK = 5
-"""Characters of the mark in a name. Guessing one takes a day of requests to restore answers."""
+"""Number of characters of the signature in a follower's name. Guessing one takes a day of requests."""
 
 
 def code_of(key: str, secret: str = "") -> str:
@@ -26,7 +26,7 @@ def code_of(key: str, secret: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """Return the code that was typed, or "" if it cannot be a code."""
+    """Return a typed text as a code, or "" if it cannot be one."""
     code = "".join(text.upper().split()).replace("-", "")
     return code if len(code) == LENGTH and set(code) <= set(SIGNS) else ""
 
@@ -38,9 +38,9 @@ def new_key() -> str:
 class Keys:
     """Keys of rooms and their codes.
 
-    Only servers with the same passphrase make keys for each other; without one anybody can make a key. `secret` is the
-    one of the settings: a server that is started again must find the same code for a key, so a secret that is made at
-    the start is not used.
+    A server accepts only keys made by servers with the same passphrase; without a passphrase anybody can make a key.
+    `secret` must be the one of the settings, not one made at the start, because a restarted server must find the same
+    code for a key.
     """
 
     def __init__(self, passphrase: str = "", secret: str = "") -> None:
@@ -69,7 +69,8 @@ class Keys:
 
 
 def new_word() -> str:
-    """Return a word that is read from one screen and typed on another. It is valid once, for a short time."""
+    """Return a random word to be read from one screen and typed on another. Its users make it valid once, for a short
+    time."""
     return "".join(choice(SIGNS) for _ in range(2 * LENGTH))
 
 
@@ -88,17 +89,17 @@ def is_key(key: str, kept: bytes) -> bool:
 
 
 def new_token(room: bytes, secret: str = "") -> str:
-    """Return a follower's token, good for the room of whose key this digest is kept; it does not say who has it.
+    """Return an anonymous token for a new follower. `room` is the stored hash of the room's key.
 
-    Its name is the time in ms, so that the newest of some is the greatest, then chance, then a mark that shows that a
-    server with this secret gave it.
+    It begins with the follower's name: the time in ms, so that names sort by age, random characters, and a signature
+    that shows that a server with this secret made it.
     """
     name = f"{int(1000 * time()):011x}{token_urlsafe(3)[:3]}"
     return _signed(room, name + (_mark(name, room, secret) if secret else token_urlsafe(6)[:MARK]))
 
 
 def is_given(name: str, room: bytes, secret: str) -> bool:
-    """Return True if a server with this secret gave the name in a room's token; without a secret always True."""
+    """Return True if a server with this secret made the name of a follower; without a secret always True."""
     return not secret or hmac.compare_digest(name[-MARK:].encode(), _mark(name[:-MARK], room, secret).encode())
 
 

@@ -49,7 +49,7 @@ class Follower(ClassHandler):
     leads = False
 
     async def entered(self, code: str) -> ClassRoom:
-        self.leads = "." not in self.word  # only tokens have a name
+        self.leads = "." not in self.word  # a key has no name, only tokens have one
         if self.leads:
             return await self.led(code)
         room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
@@ -72,7 +72,7 @@ class Follower(ClassHandler):
 
     @property
     def after(self) -> str:
-        """The number of the state that a page knows."""
+        """The number of the newest state that the page has."""
         return self.get_query_argument("after", "")
 
 
@@ -99,7 +99,7 @@ class Enter(ClassHandler):
         self.reply(Entered(code=room.code, token=self.classes.registry.token(room)))
 
     async def _shown(self, code: str) -> ClassRoom | None:
-        """Return the room of a QR code, which is not limited by the network's count of wrong codes."""
+        """Return the room of a QR code. The network's limit on wrong codes does not apply to it."""
         try:
             room = await self.outcome(self.classes.registry.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
@@ -142,11 +142,11 @@ class Events(Follower):
         self.set_header("Cache-Control", "no-store, no-transform")
         self._room, self._known = room, self.after
         self._pipe = self.request.connection.stream  # type: ignore[union-attr]  # it is one of HTTP/1
-        if self._pipe.closed():  # because a phone has tried once more meanwhile
+        if self._pipe.closed():  # the phone has connected again meanwhile
             return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
-        room.polls.pop(self.name, None)  # it is counted only once
+        room.polls.pop(self.name, None)  # this handler may be closed twice; count it once
         room.seen[self.name] = monotonic()
         room.listeners.add(self)  # before the first await, so that no update is missed
         try:
@@ -224,7 +224,7 @@ def chunk(event: bytes) -> bytes:
 
 
 class Now(Follower):
-    """The handler of polling requests, for a page whose stream does not get through."""
+    """The handler of polling requests, for a page whose stream is held back by a proxy."""
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
@@ -232,7 +232,7 @@ class Now(Follower):
         self.limit(f"poll {self.word}")
         room.polled(self.word, self.leads)
         missed = room.untold(self.after) if self.leads else []
-        if missed:  # one at a time: the next request asks for later changes
+        if missed:  # send one change; the next request asks for later ones
             own = {name: getattr(missed[0], name) for name in ("number", *LEADERS)}
             self.reply(replace(room.whole(leads=True), **own))
         elif self.after == room.number:
@@ -260,7 +260,7 @@ class Answers(Follower):
         self.limit(f"vote {self.word}")
         put = room.question
         if (put.walk, put.step) != (vote.walk, vote.step):
-            self.set_status(204)  # the lecture has gone on, so there is no lesson
+            self.set_status(204)  # the class is at another question, so there is no lesson
             return
         if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown yet.")

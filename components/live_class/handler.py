@@ -75,7 +75,7 @@ class ClassHandler(VisitorHandler):
             raise RefusedError(409, str(reason)) from reason
 
     async def in_turn(self, asked: Awaitable[Answered]) -> Answered:
-        """Return the result of work on many answers, once no other such work is running for this network."""
+        """Wait until no other expensive work runs for this network, then return the result of this one."""
         async with self.classes.turns.of(str(network_of(self.visitor))):
             return await self.outcome(asked)
 
@@ -85,8 +85,8 @@ class ClassHandler(VisitorHandler):
             raise RefusedError(429, "Too many messages at once. Try again in a moment.", seconds)
 
     async def led(self, code: str) -> ClassRoom:
-        """Return the room, only for its instructor. Requests of others do not count, or they could silence an
-        instructor.
+        """Return the room if the request has the instructor's key. Requests of others do not count towards the limit,
+        because they could use it up.
         """
         room = await self.outcome(self.classes.registry.led(as_code(code), self.word))
         self.limit(f"lead {room.code}")

@@ -48,7 +48,7 @@ class OpenClass(Opener):
 
     async def post(self) -> None:
         phrase, owner = self.context.settings.class_passphrase, ""
-        # A visitor who knows the passphrase does not wait for the others.
+        # The limit on wrong passphrases does not delay a visitor with the right one.
         if not phrase or not is_key(unquote(self.word), digest(phrase)):
             owner = await self.admit()
             if phrase:

@@ -22,7 +22,7 @@ NO_WORD = (
 
 
 class Lent(msgspec.Struct, frozen=True):
-    """The lead of a class while it waits for the computer with the word."""
+    """The stored lead of a class, until another computer takes it with the word."""
 
     key: str
     query: str

@@ -22,7 +22,8 @@ class Moderation(Struct, frozen=True, kw_only=True):
     removed: tuple[str, ...] = ()
 
     def after(self, order: Moderate, question: str) -> Moderation:
-        """Return the moderation after an order; another vote starts with none. ValueError for too many answers."""
+        """Return the moderation after an order; a new vote starts with no shown or removed answers. Raises ValueError
+        for too many answers."""
         before = self if self.question == question else Moderation(question=question)
         text = normalized(order.text)
         shown = tuple(one for one in before.shown if one != text)

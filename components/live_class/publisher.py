@@ -16,9 +16,9 @@ from components.state.wire import Packet
 log = logging.getLogger(__name__)
 
 SPAN = 0.2
-"""Seconds between pictures; in between only the newest is kept."""
+"""Seconds between two sent pictures. Of the pictures in between, only the newest is sent."""
 AGAIN = 1.0
-"""Seconds until a picture is tried again."""
+"""Seconds until a failed picture is sent again."""
 
 
 class Publisher:

@@ -32,7 +32,7 @@ ReadWalks = Mapping[tuple[str, str], Walk]
 
 
 class BusyError(ValueError):
-    """A refusal for a moment, because another file is read first."""
+    """A temporary refusal, because other files are read first."""
 
 
 class QuestionBank:
@@ -48,7 +48,7 @@ class QuestionBank:
         self._anew = lru_cache(maxsize=5000)(self._judged_anew)
 
     def read_own(self, own: Mapping[str, str], before: ReadWalks) -> ReadWalks:
-        """Read walks from texts by name; `before` has the ones read earlier. Raises WalkError for an invalid one."""
+        """Read walks from texts by name; `before` has the walks read earlier. Raises WalkError for an invalid one."""
         known = steps_of(self._walks.values())
         return {(name, text): before.get((name, text)) or read_walk(text, name, known) for name, text in own.items()}
 
@@ -64,7 +64,7 @@ class QuestionBank:
         return replied.walk
 
     def step(self, walk: str, step: str) -> Step:
-        """Return a step. Raises ValueError, with a sentence, if there is none."""
+        """Return a step. Raises ValueError, with a reason, if there is none."""
         for one in self._walks[walk].steps if walk in self._walks else ():
             if one.id == step:
                 return one
@@ -87,7 +87,7 @@ class QuestionBank:
         return self.step(given.walk, given.step).lesson(given, self._subject(given.walk, given.step))
 
     def judge(self, given: Given) -> Judged:
-        """Return an answer with its judgement. Raises ValueError, with a sentence, if it does not fit the question."""
+        """Return an answer with its judgement. Raises ValueError, with a reason, if it does not fit the question."""
         found = self.step(given.walk, given.step).judged(given, self._subject(given.walk, given.step))
         if found is None:
             raise ValueError(UNFIT)
@@ -108,7 +108,7 @@ class QuestionBank:
         return self.step(walk, step).judges
 
     def asked(self, walk: str, step: str) -> str:
-        """Return the question of a step without its marks."""
+        """Return the text of a step's question without markup."""
         _, question = parted(asked(self.step(walk, step), self._subject(walk, step)))
         return plain(question)
 
@@ -151,7 +151,7 @@ class QuestionBank:
         return {name: getattr(judged, name) for name in ("number", "right", "has", "form")}
 
     def _form_of(self, walk: str, step: str) -> str:
-        """Return a hash of a step, which distinguishes it from one of the same name in an earlier file."""
+        """Return a hash of a step, to tell it from a step of the same name in an earlier file."""
         try:
             return sha256(msgspec.json.encode(self.step(walk, step))).hexdigest()[:12]
         except ValueError:

@@ -60,7 +60,7 @@ NO_PLACE = "This server has no room for another class now. Try again later."
 
 
 class ClosedError(ValueError):
-    """A refusal: there is no such room, or no permission. The sentence says which."""
+    """A refusal, because there is no such room or no permission. Its message says which."""
 
 
 class Registry:
@@ -122,7 +122,7 @@ class Registry:
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
-        with suppress(AwayError):  # it may be over, which is unknown at this moment
+        with suppress(AwayError):  # the class may have ended, but the store cannot be asked now
             if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
                 raise ClosedError(OVER)
         return None
@@ -159,13 +159,13 @@ class Registry:
         return room if parts and is_open else nobody
 
     def _asked(self, room: ClassRoom) -> ClassRoom:
-        """Return the room that is kept here under its code, by default the given one, and note that it is in use."""
+        """Note that a room is in use. Return the known room with its code, or the given one, which is then stored."""
         there = self.rooms.setdefault(room.code, room)
         there.asked = monotonic()
         return there
 
     async def obey(self, room: ClassRoom, order: Order, network: str = "") -> None:
-        """Execute an order of the instructor's page, from `network`. Raises ValueError, with a sentence."""
+        """Execute an order of the instructor's page, from `network`. Raises ValueError, with a reason."""
         match order:
             case RunClock():
                 now = 1000 * time()
@@ -188,13 +188,13 @@ class Registry:
             case DescribeScreen():
                 await self._keep(room, screen=order)
             case EndRoom():
-                with suppress(AwayError, FullError):  # if this cannot be counted, the class still ends
+                with suppress(AwayError, FullError):  # end the class even if the store cannot count this
                     for ended in (room.parts["key"], room.code.encode()):
                         await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
 
     async def _put(self, room: ClassRoom, order: PutQuestion) -> None:
-        """Put a question. If it is the current one, it keeps its settings."""
+        """Ask the class a question. If it is the current one, it keeps its settings."""
         put, walk, step, asked = room.question, order.walk, order.step, order.vote
         same = (put.walk, put.step) == (walk, step)
         again = max(put.vote, min(asked, put.vote + 1, LAST))  # a repeated order has no effect
@@ -212,7 +212,7 @@ class Registry:
         await self._keep(room, question=msgspec.structs.replace(asked_anew, **stands))
 
     async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure | CountDown) -> None:
-        """Change the current question. Raises ValueError, with a sentence, if there is none."""
+        """Change the current question. Raises ValueError, with a reason, if there is none."""
         put, changed = room.question, dict[str, Any]()
         if not put.step:
             raise ValueError("No question is open now.")
@@ -234,7 +234,7 @@ class Registry:
         await self._keep(room, picture=picture)
 
     async def _take(self, room: ClassRoom, name: str, text: str, network: str) -> None:
-        """Read a walk from the instructor's file, once. Raises ValueError, with a sentence, if it is invalid."""
+        """Read a walk from the instructor's file, once. Raises ValueError, with a reason, if it is invalid."""
         own = {**room.own, name: text}
         if own == room.own:
             return
@@ -257,7 +257,7 @@ class Registry:
     async def _restore(self, room: ClassRoom, answers: Mapping[str, Voted]) -> None:
         """Restore answers that a server has lost, without replacing newer ones. They are judged when they are read.
 
-        Raises ValueError, with a sentence, for an unknown question and for too many answers. If this server did not
+        Raises ValueError, with a reason, for an unknown question and for too many answers. If this server did not
         give the name of an answer, the answer counts towards the limit of the phones that are here.
         """
         bank, now = self.bank_of(room), round(time())
@@ -303,7 +303,7 @@ class Registry:
                 raise
 
     async def decide(self, room: ClassRoom, digits: str, is_in: bool) -> None:
-        """Accept or reject the remote control with these digits. Raises ValueError, with a sentence, if none has."""
+        """Accept or reject the remote control with these digits. Raises ValueError, with a reason, if none has."""
         await self.tell(room, decided(room.parts, digits, is_in))
 
     async def write(self, room: ClassRoom, parts: Parts) -> None:
@@ -314,7 +314,7 @@ class Registry:
         room.unsaved = {name: part for name, part in room.unsaved.items() if parts.get(name) is not part}
 
     async def vote(self, room: ClassRoom, voter: str, vote: Given) -> None:
-        """Store an answer. Raises ValueError, with a sentence, if it is late or invalid.
+        """Store an answer. Raises ValueError, with a reason, if it is late or invalid.
 
         If there are more answers than phones can have given, the answer of the newest absent token is removed.
         """
@@ -380,7 +380,7 @@ class Registry:
         )
 
     async def _split(self, room: ClassRoom) -> Split | None:
-        """Return how the class answered the current question, for its phones, or None if the store is unavailable."""
+        """Return the counts of the current question for the phones, or None if the store is unavailable."""
         with suppress(AwayError):
             if tally := await self.tally(room):
                 now, judges = tally.now, self.bank_of(room).judges(tally.walk, tally.step)
@@ -397,7 +397,7 @@ class Registry:
             room.change(answered=answered)
 
     def leave(self, room: ClassRoom) -> None:
-        """Drop a room here if nobody is in it any more."""
+        """Forget a room that nobody at this replica uses any more."""
         if not room.used and self.rooms.get(room.code) is room:
             del self.rooms[room.code]
 

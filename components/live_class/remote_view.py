@@ -10,7 +10,7 @@ from components.live_class.room import ClassRoom
 
 
 async def remote_view(registry: Registry, room: ClassRoom) -> RemoteView:
-    """Return the contents of a remote control. Single numbers and sketches are left out: there are thousands."""
+    """Return the contents of a remote control, without single numbers and sketches, of which there can be thousands."""
     put, screen = room.question, room.part("screen", DescribeScreen)
     view = RemoteView(number=room.number, question=put, here=room.here, screen=screen)
     tally = await registry.tally(room)

@@ -1,6 +1,5 @@
-"""Phones as remote controls of a room: the waiting ones, by the two digits that they show, and the connected one.
-
-The room stores them, so that a first screen that reconnects or reloads still learns who waits.
+"""Phones as remote controls of a room: the waiting ones, by the two digits that they show, and the accepted one. The
+room stores them, so that the instructor's page still sees them after it reconnects or reloads.
 """
 
 from __future__ import annotations
@@ -52,7 +51,7 @@ def begun(digits: str, key: str) -> Parts:
 
 
 def decided(parts: Parts, digits: str, is_in: bool) -> Parts:
-    """Return the parts that accept or reject a phone. Raises ValueError, with a sentence, if none has these digits."""
+    """Return the parts that accept or reject a phone. Raises ValueError, with a reason, if none has these digits."""
     one = waiting(parts).get(digits)
     if one is None:
         raise ValueError("No remote control with these digits is waiting.")

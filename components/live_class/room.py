@@ -1,4 +1,4 @@
-"""A room in one replica, and its listeners there."""
+"""A room at one replica, and its listeners there."""
 
 from __future__ import annotations
 
@@ -18,18 +18,19 @@ from components.live_class.store import Parts
 from components.walks.walk import Walk
 
 SILENCE = 15.0
-"""Longest silence towards a follower, in seconds."""
+"""Longest time in seconds without sending anything to a follower."""
 ASKED = 5.0
-"""Seconds for which a follower without a stream counts as present after a request; there is one a second."""
+"""Seconds for which a follower without a stream counts as present after a request. Such followers send one each
+second."""
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
-"""The parts that are sent to followers."""
+"""The parts of a room that followers get."""
 LEADERS = ("deed", "step", "answers")
-"""The parts that are sent only to the instructor's page; the store does not keep them."""
+"""The parts that only the instructor's page gets. The store does not keep them."""
 KEPT = 16
 """Number of changes that a page can receive later if it has missed them."""
 OBEYED = 10.0
-"""Seconds for which an order of a remote control is valid; later it would surprise the instructor."""
+"""Seconds for which an order of a remote control is valid, because a late one would surprise the instructor."""
 
 Kind = TypeVar("Kind")
 
@@ -74,7 +75,7 @@ class ClassRoom:
         """True if answers have arrived since the last count."""
         self.lost = False
         self.missed = 0
-        """Number of consecutive times that the store did not have it."""
+        """Number of consecutive times that the store did not have the room."""
         self.unsaved: dict[str, bytes] = {}
         """Parts that are not yet in the store, newer than its own."""
         self.votes: dict[str, Parts] = {}
@@ -114,7 +115,7 @@ class ClassRoom:
 
     @property
     def names(self) -> set[str]:
-        """The names of present and recent followers here; a phone between two streams is not gone."""
+        """The names of present and recent followers here. A phone between two streams counts as present."""
         now = monotonic()
         self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
         self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
@@ -169,7 +170,7 @@ class ClassRoom:
         return News(number=self.number, lost=self.lost, remotes=remotes, **known)
 
     def polled(self, word: str, leads: bool) -> None:
-        """Note a request of somebody without a stream."""
+        """Record a request of a member without a stream."""
         if leads:
             self._led = monotonic()
         else:
@@ -185,7 +186,7 @@ class ClassRoom:
         return [own for own in missed if int(own.number.partition(".")[2]) > int(count)]
 
     def tell(self, parts: Parts) -> None:
-        """Take new parts, and send everyone in the room the same encoded event."""
+        """Store new parts, and send them as one encoded event to everyone in the room."""
         self._count += 1
         self.recount = self.recount or bool({"answers", "question"} & parts.keys())
         if "question" in parts:
@@ -196,7 +197,7 @@ class ClassRoom:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
-            if "answers" in own:  # they are counted again, so the last one is enough, and no order is lost
+            if "answers" in own:  # only the last count matters, but no order may be lost
                 self._own = deque((one for one in self._own if not one[1].answers), KEPT)
             news = msgspec.convert({"number": self.number, **told}, News)
             self._own.append((monotonic(), news))
@@ -205,7 +206,7 @@ class ClassRoom:
             self._say_waiting()
 
     def look(self) -> None:
-        """Send changes that are caused by time: a phone has stopped waiting."""
+        """Send changes that only time causes, for example that a phone has stopped waiting."""
         if self.waiting != self._waiting:
             self._count += 1
             self._say_waiting()

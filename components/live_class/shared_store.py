@@ -1,6 +1,5 @@
-"""Rooms in Valkey or Redis, which several replicas share: each is a hash with an end, and all that is new is published.
-
-What must not happen twice or in halves is a script, which the store runs as one.
+"""Rooms in Valkey or Redis, which several replicas share: each room is a hash with an expiry time, and each change is
+published. Operations that must be atomic are scripts, which the store runs as a unit.
 """
 
 from __future__ import annotations
@@ -97,8 +96,8 @@ local function exceeds_share(code, more, limit, now)
   return own + more > limit - all
 end
 """
-"""The common beginning of the scripts below: everything about a room expires at the same time; `class:taken` has the
-bytes that it takes, and their owner.
+"""The common beginning of the scripts below. All keys of a room expire at the same time. `class:taken` has the number
+of bytes of each room, and its owner.
 """
 OPEN = """
 local code, now, most, life, alone, quiet, size = unpack(ARGV, 1, 7)

@@ -1,4 +1,4 @@
-"""Long work in slices. Between two slices the event loop serves other visitors."""
+"""Long work, split into slices. Between two slices the event loop serves other visitors."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from weakref import WeakValueDictionary
 SLICE = 0.01
 """Seconds of work in one slice."""
 MOST = 200
-"""Items between two looks at the time."""
+"""Largest number of items in one slice."""
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -34,7 +34,7 @@ class Slices:
                     done.append(act(item))
                     if monotonic() >= end:
                         break
-                await asyncio.sleep(0)  # nobody else's slice is in this turn of the event loop
+                await asyncio.sleep(0)  # so that each turn of the event loop has one slice
         return done
 
 

@@ -29,18 +29,19 @@ OF_AN_ANSWER = 160
 OF_A_VOTE = 400
 """Bytes that a store needs for the first answer to a vote; 390 were measured in Valkey."""
 OWNER = "owner"
-"""The part of a room with its owner, in whose share its bytes count: the network that opened the room."""
+"""The part of a room with its owner, the network that opened it. The bytes of a room count towards the share of its
+owner."""
 MOST_COUNTS = 20_000
-"""Largest number of names with a count at the same time."""
+"""Largest number of events, by name, that are counted at the same time (see `Store.count`)."""
 SLOTS = 12
-"""Number of parts of a time span in which events are counted. An event expires at most one part after the span."""
+"""Number of parts into which a time span is divided to count events. An event expires at most one part too late."""
 SEEN = 30.0
 """Seconds for which a replica's count of its followers is valid."""
 
 Parts = Mapping[str, bytes]
-"""A room: its parts by name."""
+"""The data of a room: its parts by name."""
 Hear = Callable[[str, Parts], None]
-"""Called with the code of a room and its new parts, or with no parts if the room has ended."""
+"""A listener to the store: called with the code of a room and its new parts, or with no parts if the room has ended."""
 
 
 class AwayError(Exception):
@@ -62,15 +63,15 @@ def size_of(parts: Parts) -> int:
 
 
 def slot_of(now: float, seconds: float) -> int:
-    """Return the number of the part of a span that an instant is in; a span has `SLOTS` parts."""
+    """Return the number of the slot in which a time lies; a span of so many seconds has `SLOTS` slots."""
     return int(now * SLOTS // seconds)
 
 
 class Store(ABC):
-    """Rooms under their codes. A room that is not there has no parts, and nothing can be kept in it.
+    """Rooms under their codes. A room that does not exist has no parts, and nothing can be stored in it.
 
-    The bytes of all rooms are limited. One owner's rooms may grow as long as they take no more than what is then free,
-    so that each of n greedy owners leaves the others a share. `OWNER` is the part that names the owner of a room; a
+    The bytes of all rooms are limited. The rooms of one owner may grow as long as they take no more bytes than are free
+    afterwards, so that no owner can take everything. `OWNER` is the part that names the owner of a room; a
     room without it has a separate share.
     """
 
@@ -121,12 +122,12 @@ class Store(ABC):
 
     @abstractmethod
     async def present(self, code: str, replica: str, names: Collection[str]) -> int:
-        """Note who is here at a replica, and return how many are at any. A phone at two counts once. They keep the
-        room alive."""
+        """Record the followers at a replica. Return the number at all replicas; a phone at two of them counts once.
+        Followers keep the room alive."""
 
     @abstractmethod
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
-        """Note the present and recent followers at a replica."""
+        """Record the names of present and recent followers at a replica."""
 
     @abstractmethod
     async def named(self, code: str) -> set[str]:
@@ -134,23 +135,24 @@ class Store(ABC):
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
-        """Count `more` of something, and return how often it has happened in the last so many seconds at all replicas.
+        """Add `more` to the count of an event; return its count in the last so many seconds, at all replicas.
 
-        The span slides: an event counts for all of it, and for at most a twelfth of it longer. Raises AwayError if
-        there is no place for a new name, because its count is then unknown.
+        An event expires after this time, or at most a twelfth of it later. Raises AwayError if too many names are
+        counted already, because the count is then unknown.
         """
 
     @abstractmethod
     async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
-        """Lend something for a while, in place of an earlier loan of this name; it can be taken once, with the key."""
+        """Store a value under a name for some seconds, in place of an earlier one. It can be taken once, with the
+        key."""
 
     @abstractmethod
     async def take(self, name: str, key: bytes) -> bytes:
-        """Take a loan by its name and key; return b"" if there is none or the key is wrong."""
+        """Remove and return the value of a name; b"" if there is none or the key is wrong."""
 
     @abstractmethod
     async def time(self) -> float:
-        """Return the clock that replicas compare theirs with, in seconds since 1970."""
+        """Return the time of the store's clock, with which replicas compare theirs, in seconds since 1970."""
 
     @abstractmethod
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
@@ -178,7 +180,7 @@ class _Count:
 class _Room:
     parts: dict[str, bytes]
     led: float
-    """Time until which the last sign of its instructor is valid."""
+    """Time until which the room exists without another sign of its instructor."""
     ends: float
     votes: dict[str, dict[str, bytes]] = field(default_factory=dict)
     here: dict[str, tuple[Collection[str], float]] = field(default_factory=dict)
@@ -275,7 +277,8 @@ class MemoryStore(Store):
         return 0 if answer is None else len(answer) + OF_AN_ANSWER
 
     def _exceeds_share(self, code: str, more: int, limit: int) -> bool:
-        """Return True if a room's owner cannot have so many more bytes: its share would exceed the free memory."""
+        """Return True if a room's owner cannot have so many more bytes, because its rooms would exceed the free
+        memory."""
         if more <= 0:
             return False
         owner = self._rooms[code].parts.get(OWNER)
@@ -354,7 +357,7 @@ class MemoryStore(Store):
             self._listeners.remove(hear)
 
     async def close(self) -> None:
-        """Raise no error: there are no connections."""
+        """Do nothing, because there are no connections."""
 
     def _forget(self) -> None:
         """Return the rooms without a sign for this long."""

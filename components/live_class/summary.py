@@ -62,8 +62,8 @@ async def _summary(
 
 
 def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
-    """Return whether an answer is right, and the words of a wrong one. Sketches have no words, because writing them
-    takes long.
+    """Return whether an answer is right, and the text of a wrong one. Sketches have no text, because it takes long to
+    compute.
     """
     one = bank.read(kept)
     if one is None:

@@ -29,8 +29,8 @@ COUNTING = 1.0
 CROWD = 500
 """Followers for each further second between counts of the answers. With fewer there is a count every second."""
 SKEW = 0.2
-"""Seconds by which the clocks of replicas may differ. Followers at another replica see the instructor's clock off by as
-much.
+"""Seconds by which the clocks of replicas may differ. For followers at another replica, the instructor's time is off by
+this.
 """
 
 
@@ -67,7 +67,8 @@ class Upkeep:
         await self.registry.store.close()
 
     async def _left(self, room: ClassRoom) -> None:
-        """Remove this replica's followers from the store; they count again at the replica that they return to."""
+        """Remove this replica's followers from the store. They are counted again at the replica to which they
+        reconnect."""
         await self.registry.store.present(room.code, self._replica, ())
 
     async def _listen(self) -> None:
@@ -90,7 +91,7 @@ class Upkeep:
             await asyncio.sleep(AGAIN)
 
     def _hear(self, code: str, parts: Parts) -> None:
-        """Pass news on. Unreadable news, for example of another version, does not end the listening."""
+        """Pass an update on. An unreadable one, for example from another version, is ignored."""
         try:
             self.registry.hear(code, parts)
         except Exception:
@@ -173,7 +174,8 @@ class Upkeep:
         self.skew = skew
 
     async def _look_at(self, room: ClassRoom) -> None:
-        """Count who is here. Send a changed number at once, and otherwise a sign of life now and then."""
+        """Count the followers of a room here. Send a changed number to the store at once, an unchanged one now and
+        then."""
         turn = self._round % int(SILENCE / COUNTING) == 0
         room.look()
         if not room.lost:

@@ -20,8 +20,8 @@ HEAD = ("phone", "time", "here", "walk", "step", "vote", "question", "answer", "
 
 
 async def votes_csv(registry: Registry, room: ClassRoom) -> list[str]:
-    """Return the table in pieces, with a line for each answer: the number of the phone, which does not say whose it is;
-    the time in UTC; how many were here; sketches as points in SI."""
+    """Return the table in pieces, with a line for each answer: an anonymous number for the phone; the time in UTC; the
+    number of followers; sketches as points in SI."""
     questions = await registry.store.questions(room.code)
     votes = {question: await registry.votes(room, question) for question in questions}
     phones = await numbered(registry, {name for answers in votes.values() for name in answers}, room.code)
@@ -53,7 +53,7 @@ class VoteRows:
         return line((self._phones[name], *map(cell, told)))
 
     def _of(self, walk: str, step: str) -> tuple[str, tuple[str, str]]:
-        """Return the question in words, and the words for a wrong answer and a right one."""
+        """Return the question as text, and the words for wrong and right."""
         return self._bank.asked(walk, step), ("no", "yes") if self._bank.judges(walk, step) else ("", "")
 
 
@@ -74,5 +74,5 @@ def time_of(at: float) -> str:
 
 
 def cell(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula; a negative number is a number."""
+    """Return a text that no spreadsheet interprets as a formula. Negative numbers are unchanged."""
     return f"'{text}" if text.startswith(FORMULAS) and not NUMBER.fullmatch(text) else text

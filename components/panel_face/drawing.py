@@ -39,7 +39,7 @@ GRIP = 26  # pixels
 
 
 class Plane(NamedTuple):
-    """The pixels of a drawing as coordinates of its figure: `left` + `right` x, and `top` + `down` y."""
+    """Converts pixels of a drawing to coordinates of its figure: `left` + `right` x, and `top` + `down` y."""
 
     left: float = 0.0
     right: float = 1.0
@@ -62,7 +62,7 @@ class Plane(NamedTuple):
 
 
 def update(source: ColumnDataSource, data: dict[str, list[Any]]) -> None:
-    """Give a source its columns; send only the rows that differ, unless their number changes."""
+    """Set the columns of a source. If their length is unchanged, only rows that differ are sent."""
     old = source.data
     if any(len(old[name]) != len(column) for name, column in data.items()):
         source.data = data
@@ -106,7 +106,7 @@ class ShapeGlyphs:
     def show(
         self, named: Mapping[str, float], texts: Mapping[str, str], axes: Mapping[str, Axis], plane: Plane
     ) -> None:
-        """Draw all shapes at an instant; those that need an absent name are not drawn."""
+        """Draw all shapes at an instant, except shapes that need a missing quantity."""
         self._named, self._axes, self._plane = named, axes, plane
         found: dict[str, list[dict[str, Any]]] = {of: [] for of in GLYPHS}
         self._held, places = [], []
@@ -128,7 +128,7 @@ class ShapeGlyphs:
         self._put_grips()
 
     def _put_grips(self) -> None:
-        """Move the dots to the shapes that they hold."""
+        """Move the draggable dots to their shapes."""
         if self.grips.data != self._at:
             self.grips.data = {name: list(column) for name, column in self._at.items()}
 
@@ -140,7 +140,7 @@ class ShapeGlyphs:
     def _dragged(self) -> None:
         """Set the values of the dot that a visitor has moved."""
         xs, ys = self.grips.data["x"], self.grips.data["y"]
-        if len(xs) != len(self._held):  # one was deleted by a key
+        if len(xs) != len(self._held):  # the visitor deleted a dot by a key
             self._put_grips()
             return
         for grab, x, y, old_x, old_y in zip(self._held, xs, ys, self._at["x"], self._at["y"], strict=True):
@@ -150,7 +150,7 @@ class ShapeGlyphs:
 
 
 def _hold(shape: AnyShape, named: Mapping[str, float]) -> tuple[float, float]:
-    """Return the point in pixels at which a shape is held."""
+    """Return the position in pixels of the dot by which a shape is dragged."""
     s = evaluated(shape, named)
     if hasattr(s, "side"):
         return s.x, s.y - s.side / 2

@@ -1,4 +1,5 @@
-"""A scene as a Panel object: its controls and its paper, which follow each other, and a player that moves time."""
+"""A scene as a Panel object: its controls, its figures and texts, which change each other, and a player that moves
+time."""
 
 from __future__ import annotations
 
@@ -114,7 +115,7 @@ class PanelFace(Viewer):
             report(error)
             errors = {"": SORRY}
         typed = command if isinstance(command, Typed) and command.name in errors else None
-        if self.scene.value is before:  # else all widgets show it already
+        if self.scene.value is before:  # otherwise the change has updated the widgets
             self._tell(self.scene.value.shown, typed.name if typed else "")
         self._refuse(errors, typed.text if typed else "")
 
@@ -133,7 +134,7 @@ class PanelFace(Viewer):
         self._ask(command, values)
         if plays:
             self.player.value = 0
-        self._show(self.scene.value.shown)  # what was dragged returns to the place of its value
+        self._show(self.scene.value.shown)  # move the dragged shape back to its value
 
     def _show(self, picture: Picture) -> None:
         """Update everything after any change of the scene."""
@@ -157,7 +158,7 @@ class PanelFace(Viewer):
         self._tick()
 
     def _tick(self) -> None:
-        """Draw the instant that the player is at: shapes, dots, and numbers that move."""
+        """Draw the player's current time: shapes, dots, and numbers that move."""
         picture = self.scene.value.shown
         time = picture.axes.get(TIME_AXIS)
         t = time.ruler.end * self.player.value / self.player.end if time else 0.0
@@ -171,7 +172,7 @@ class PanelFace(Viewer):
             pane.object = filled(html, texts)
 
     def _tell(self, picture: Picture, refused: str = "") -> None:
-        """Show the values in all widgets but that of the refused one, whose text stays."""
+        """Show the values in all widgets, except where a value was refused: that field keeps its text."""
         scene = self.scene.value
         told = settings(scene.param.objects("existing"), scene.values, scene.units(), picture.spans)
         for one in self.controls:
@@ -226,7 +227,8 @@ class PanelFace(Viewer):
         return self._standing(self._part(block), block.form, block.views)
 
     def _part(self, block: Block) -> Viewable:
-        """A part of the paper. Figures stand below each other and have the width of the page; texts may share it."""
+        """Return a part of the sheet. Figures are one below the other, as wide as the page; texts may be next to each
+        other."""
         match block:
             case Row(blocks=inside) if not any(isinstance(one, StageBlock | PlotBlock) for one in blocks(block)):
                 views = [self._block(part) for part in inside]

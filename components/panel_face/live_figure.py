@@ -41,13 +41,13 @@ from components.scene import Picture, Scene
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
 LOWEST = 240  # pixels
 FRAME = 560.0
-"""The width of the frame of a plot in pixels, as the shapes over it count; Bokeh scales it to the page."""
+"""The width of the frame of a plot in the pixels of shapes over it. Bokeh scales it to the page."""
 STAGE = 520.0
-"""The width of a stage in pixels, as its shapes count."""
+"""The width of a stage in the pixels of its shapes."""
 HEAD = 12.0
-"""Pixels above a stage, for texts, which do not shrink with it on a phone."""
+"""Pixels added above a stage for texts, which do not become smaller with it on a phone."""
 LONGEST = 34
-"""Characters of the words at an axis."""
+"""Largest number of characters of the text at an axis."""
 LAYOUT = {"wide": 0.0, "narrow": 1.0, "stacked": 1.0, "hall": 0.0, "desk": 1.0, "low": 0.0}
 """The layout that shapes see: a stage above its plots, as on a phone."""
 ROWS = 240
@@ -81,7 +81,7 @@ class LiveStage:
 
 
 class LiveFigure:
-    """One visitor's figure of a plot; its columns count in the units of its axes, as on the page."""
+    """One visitor's figure of a plot. Its columns are in the units of its axes, as on the page."""
 
     def __init__(self, block: PlotBlock, shapes: tuple[AnyShape, ...], moved: SetByHand) -> None:
         self.block, self.model = block, figure_of(block)
@@ -113,7 +113,7 @@ class LiveFigure:
         for axis in self.model.axis:
             axis.update(axis_label_text_font_size="13px", axis_label_text_font_style="normal")
         for grid in self.model.grid:
-            grid.ticker = None  # that of its axis
+            grid.ticker = None  # the unit of the axis
         if self.block.square:
             self.model.update(aspect_ratio=(FRAME + 78) / (self.height + 54), sizing_mode="scale_width", max_width=720)
         else:
@@ -176,7 +176,7 @@ class LiveFigure:
         self.model.y_range.update(start=end, end=0.0)
 
     def _painted(self, renderer: Any) -> Curve | Region:
-        """The part of the plot that a renderer draws, which then has its colour."""
+        """Return the curve or region that a renderer draws, and give the renderer its colour."""
         kind, place = renderer.name.split(".")
         part: Curve | Region = getattr(self.block, kind)[int(place)]
         glyph, renderer.name = renderer.glyph, part.read or part.group
@@ -219,7 +219,7 @@ class LiveFigure:
         return {self.block.x, self.block.y} <= picture.axes.keys()
 
     def _ranges(self, x: Axis, y: Axis) -> tuple[tuple[float, float], tuple[float, float]]:
-        """The ends of both axes: of a square plot with one scale, so the axis with room to spare shows more."""
+        """The ends of both axes. In a square plot both have the same scale, so one of them shows a wider range."""
         ends = ((x.ruler.start, x.ruler.end), (y.ruler.start, y.ruler.end))
         if not self.block.square:
             return ends
@@ -247,7 +247,7 @@ class LiveFigure:
         update(self.dots, {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]})
 
     def _fill(self, picture: Picture, x: Axis, y: Axis, hidden: list[str]) -> None:
-        """Give all sources their columns; what lacks one, or is switched off, is not drawn."""
+        """Set the columns of all sources. Curves that lack a column, or are switched off, are not drawn."""
         abscissae = {part.x for part in self.parts.values()}
         for source in {renderer.data_source for renderer in self.parts}:
             given = {name: column for name, column in picture.sources.get(source.name, {}).items() if len(column)}
@@ -262,8 +262,8 @@ class LiveFigure:
 
 
 def plot_under(shape: AnyShape) -> str:
-    """Return the plot over which a shape of a stage lies, "" for none. Shapes that continue the lines of a plot beside
-    the stage lie on the stage."""
+    """Return the plot over which a shape of a stage is drawn; "" for none, also for shapes that continue the lines of a
+    plot next to the stage."""
     names = _names(shape)
     return "" if "wide" in names else next((name.partition(".")[0] for name in names if "." in name), "")
 
@@ -274,7 +274,7 @@ def _names(shape: AnyShape) -> set[str]:
 
 
 def _label(scale: Any, axis: Axis, says: str) -> None:
-    """Round numbers that follow a zoom, or the scene's own, and the words of an axis with its unit."""
+    """Set the ticks and the text of an axis: round numbers that follow a zoom, or the scene's own ticks."""
     own = axis.log or axis.labels
     kind = FixedTicker if own else BasicTicker
     if not isinstance(scale[0].ticker, kind):

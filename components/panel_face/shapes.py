@@ -1,4 +1,4 @@
-"""The shapes of a stage as marks: lines, areas, points and texts, in the pixels that the shapes count in.
+"""The shapes of a stage as marks: lines, areas, points and texts, in the pixels of the stage.
 
 `KINDS` maps each kind of shape to the function that draws it, as static/scene/stage.js does for the page.
 """
@@ -24,7 +24,7 @@ from components.quantities.instant import number
 NamedNumbers = Mapping[str, float]
 TEETH = 9
 BIG = 14.0
-"""Radius in pixels from which a circle has its size on the drawing; smaller ones are dots of the same size anywhere."""
+"""Radius in pixels; smaller circles are dots, whose size does not change with the size of the figure."""
 STYLES: dict[str, dict[str, Any]] = {
     "sum": {"width": 3.0},
     "wall": {"width": 3.0},

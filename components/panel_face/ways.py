@@ -1,4 +1,4 @@
-"""The value that a dragged shape sets, from the position of the hand, as static/controls/hand.js computes it."""
+"""The value that a drag sets, from the position of the pointer, as static/controls/hand.js computes it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from components.quantities.instant import number
 QUARTER = math.pi / 2
 STEPS = 30
 PLACES = 6001
-"""Number of points of a curve among which the nearest is found."""
+"""Number of points of a curve among which the nearest one is chosen."""
 DIGITS = 4
 """Number of digits of a value that a drag sets."""
 FREE = Axis(0.0, 1.0)
-"""The axis of a quantity that is drawn on none."""
+"""The axis for quantities that are on no plot."""
 
 
 def dragged(grab: Grab, x: float, y: float, named: NamedNumbers, axes: Mapping[str, Axis]) -> dict[str, float]:

@@ -67,7 +67,7 @@ class QuantityControl:
 
 
 class ChoiceControl:
-    """A choice among words: joined buttons, or a list where they are many."""
+    """A choice between words: joined buttons, or a list if there are many."""
 
     def __init__(self, row: ChoiceRow | ChoiceBlock, ask: Ask) -> None:
         kind = pn.widgets.Select if len(row.options) > MOST_BESIDE else pn.widgets.RadioButtonGroup

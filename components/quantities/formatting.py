@@ -112,7 +112,7 @@ def shortest(value: float) -> str:
 def parse_number(text: str) -> float:
     """Return the number in a typed text: 1e-3, 1,5, −3, 1.5·10^-3, 1.23·10⁻⁷, 12 000.
 
-    Raises ValueError, with a sentence, for any other text, and for numbers outside the range of doubles.
+    Raises ValueError, with a reason, for any other text, and for numbers outside the range of doubles.
     """
     if not text.strip():
         raise ValueError("Nothing is typed here: type a number such as 2.5 or 1e-3.")

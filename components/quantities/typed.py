@@ -42,7 +42,7 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Decimal, Decimal], Decimal]] = {
 def typed_number(text: str, unit: str) -> float:
     """Return the number in a text typed into a field with this unit: 1/3, 2.5 N/m, 36 km/h, 3·10⁴, 1,5, １／３, 1。5.
 
-    Raises ValueError, with a sentence, for any other text, for a unit of another dimension, and for numbers outside the
+    Raises ValueError, with a reason, for any other text, for a unit of another dimension, and for numbers outside the
     range of doubles.
     """
     if len(text) > LONGEST_INPUT:

@@ -58,7 +58,7 @@ class Windowed:
 
 
 def checked(frame: Frame) -> Frame:
-    """Return the frame. Raises ValueError, with a sentence, if nothing can be drawn in it."""
+    """Return the frame. Raises ValueError, with a reason, if nothing can be drawn in it."""
     for name, (low, high) in frame.ranges.items():
         if not (math.isfinite(low) and math.isfinite(high) and low != high):
             raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: its ends must differ.")

@@ -152,7 +152,7 @@ def draw(
 
     If the given frame is not possible, the picture is fitted. `before` is the fitted frame before a change of display;
     axes whose fitted range changed are fitted again. During a drag `along` some axes, these keep their range and the
-    other axes grow. Raises ValueError, with a sentence, if there is no picture.
+    other axes grow. Raises ValueError, with a reason, if there is no picture.
     """
     with in_words():
         drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before, along)

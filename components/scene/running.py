@@ -36,7 +36,7 @@ class Running(ABC):
 
     @abstractmethod
     def obey(self, order: str, scene: Any) -> None:
-        """Start, cancel or skip the work. Raises ValueError, with a sentence, if that is not possible."""
+        """Start, cancel or skip the work. Raises ValueError, with a reason, if that is not possible."""
 
     @abstractmethod
     def close(self) -> None:

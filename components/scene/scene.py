@@ -92,7 +92,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         return {}
 
     def action(self, name: str) -> Values:
-        """Return the values that a button of a group sets. Raises ValueError, with a sentence, if there are none."""
+        """Return the values that a button of a group sets. Raises ValueError, with a reason, if there are none."""
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:

@@ -76,7 +76,7 @@ async def serve(settings: Settings) -> None:
         with suppress(NotImplementedError):  # on Windows Ctrl+C arrives as an exception
             asyncio.get_running_loop().add_signal_handler(name, asked.put_nowait, notice)
     gc.collect()
-    gc.freeze()  # objects that exist now stay: a collection of them took 0.1 s of the event loop each time
+    gc.freeze()  # garbage collection of these objects blocked the event loop for 0.1 s
     address = tell(settings, server.port)
     if settings.show:
         webbrowser.open(address)

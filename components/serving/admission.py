@@ -23,7 +23,7 @@ ASK_AGAIN = 20
 FORGOTTEN = 2.5 * ASK_AGAIN
 """Seconds without a request after which a place in the line is lost."""
 LONGEST = 2000
-"""Length of the line. Later visitors get no place in it and may try again."""
+"""Length of the line. When it is full, new visitors are refused and may try again."""
 OF_A_NETWORK = LONGEST // 4
 """Maximum number of tickets of one network."""
 IDLE = 600.0
@@ -31,7 +31,8 @@ IDLE = 600.0
 SHARE = 0.75
 """The share of the places that a network keeps while others wait. Beyond it, its quietest visitor is dropped."""
 RETURNS = 10
-"""Reconnections of one page per minute that do not count as arrivals; for a network, this many per arrival."""
+"""Reconnections of one page per minute that do not count as arrivals. A network has this many times its allowed
+arrivals."""
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 

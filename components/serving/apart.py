@@ -1,6 +1,6 @@
 """The worker process of the server: one job at a time, with limited memory and processor time.
 
-Networks take turns, so that one with many jobs does not delay another, and each has an allowance per minute.
+Networks take turns, so that one with many jobs does not delay another. Each has an allowance of CPU time per minute.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching
 WAITING, OF_A_NETWORK = 64, 16
 """Maximum number of waiting jobs: of all networks, and of one."""
 ALLOWANCE = 20
-"""CPU seconds that one network may use in a minute, also all at once."""
+"""CPU seconds that one network may use in a minute, also in a single burst."""
 PATIENCE, STARTING = 20.0, 120.0
-"""Seconds until a process is ended that exceeds its budget, or that is not ready."""
+"""Seconds until a process is ended: for a job that takes too long, and for a process that does not become ready."""
 FIT_PATIENCE = 5.0
-"""The same for a fit, since a visitor waits for it."""
+"""The same for a fit, because a visitor waits for it."""
 OVER_BUDGET = -getattr(signal, "SIGPROF", 0)
 """The exit code of a process that the system has ended for exceeding its limits."""
 SHARED = "Too many requests from your network are waiting. Try again in a few seconds."
@@ -72,7 +72,7 @@ class ReadingProcess:
         return len(self._line) + (self._running is not None)
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
-        """Queue a job. A job without a network is the server's own and has no limit but the length of the line."""
+        """Queue a job. A job without a network belongs to the server; only the length of the line limits it."""
         waiting = _Waiting(asked, network)
         with self._lock:
             refused = self._refusal(network)
@@ -85,7 +85,7 @@ class ReadingProcess:
         return waiting.reply
 
     def warm(self) -> None:
-        """Start the process before the first job."""
+        """Start the process now, so that the first job does not wait for it."""
         self._turn.submit(self._ready)
 
     def close(self) -> None:
@@ -143,7 +143,7 @@ class ReadingProcess:
             return msgspec.msgpack.decode(reply, type=Replied)
         _end(process)
         self._process = None
-        with suppress(RuntimeError):  # the server ends
+        with suppress(RuntimeError):  # the server is shutting down
             self._turn.submit(self._ready)
         return Replied(refused=_over(job) if process.returncode == OVER_BUDGET else LATE, seconds=BUDGET)
 

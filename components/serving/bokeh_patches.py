@@ -1,7 +1,7 @@
 """Patches of Bokeh, made while it serves.
 
-Bokeh keeps the documents at work on a stack of the process, and leaves one there for good when a callback fails: from
-then on others' pages are built with a document that is gone, and fail as well.
+Bokeh keeps the current documents on a stack of the process. If a callback fails, its document stays on the stack for
+ever, and pages of other visitors are then built with it and fail too.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from bokeh.document import Document
 
 @contextmanager
 def patch_curdoc(document: Document) -> Iterator[None]:
-    """Run Bokeh's function, and take its document back after a failure too."""
+    """Run Bokeh's function, and remove its document from the stack also after a failure."""
     bokeh.io.doc._PATCHED_CURDOCS.append(weakref.ref(document))
     try:
         yield

@@ -63,7 +63,7 @@ class NumbersRoute:
         return {}
 
     def start(self) -> None:
-        """Start nothing: this address has no background work."""
+        """Do nothing, because this address has no background work."""
 
     async def end(self) -> None:
-        """End nothing: this address has no background work."""
+        """Do nothing, because this address has no background work."""

@@ -19,9 +19,9 @@ SCRIPT = re.compile(r"<script>(.*?)</script>", re.S)
 
 
 def policy(ancestors: str, scripts: Iterable[str] = ()) -> str:
-    """The Content-Security-Policy of a page with these scripts in it; without any it needs its styles alone.
+    """Return the Content-Security-Policy of a page with these inline scripts, or of a page without scripts.
 
-    One door stays open: BokehJS adds `<style>` elements whose text changes (StyleSheet in bokeh.js), hence
+    It has one exception: BokehJS adds `<style>` elements whose text changes (StyleSheet in bokeh.js), hence
     'unsafe-inline' for styles.
     """
     hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
@@ -32,7 +32,7 @@ def policy(ancestors: str, scripts: Iterable[str] = ()) -> str:
 
 
 def _with_self(ancestors: str) -> str:
-    """Return who may frame a page. Its own page may: that prepares a handout in a hidden frame."""
+    """Return the sites that may frame a page. The page itself may, because it prepares a handout in a hidden frame."""
     others = [one for one in ancestors.split() if one not in ("'self'", "'none'")]
     return " ".join([*others, "'self'"])
 

@@ -12,7 +12,7 @@ from bokeh.server.util import check_allowlist
 def answers_to(host: str, allowed: Collection[str]) -> bool:
     """Return True if a page may be requested under `host`, the Host header.
 
-    IP addresses and this machine's own name cannot be made to point elsewhere, so they are always allowed.
+    IP addresses and this machine's own name are always allowed, because nobody can make them point elsewhere.
     """
     try:
         name = urlsplit(f"//{host}").hostname or ""

@@ -1,7 +1,7 @@
 """Messages of a page: checked, while they are decoded, before Bokeh puts together or deserialises any of them.
 
-Bokeh believes what a socket announces: a number of buffers, compressed bytes, arrays of any type, models to be made.
-Our page needs none of that. It asks for the document, says that it is ready, and sends our component's messages:
+Bokeh trusts everything in a message: the number of buffers, compressed bytes, arrays of any type, models to create. Our
+page needs none of that. It asks for the document, says that it is ready, and sends our component's messages:
 a message is three frames (header, metadata, content), a message of ours is JSON in Bokeh's encoding.
 """
 
@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 class ViolationError(Exception):
-    """An error for a message that our page never sends. The socket is closed with the code and the reason."""
+    """Raised for a message that our page never sends. The socket is then closed with the code and the reason."""
 
     def __init__(self, reason: str, code: int = 1008) -> None:
         super().__init__(reason)
@@ -37,11 +37,11 @@ class Header(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Nothing(Struct, frozen=True, forbid_unknown_fields=True):
-    """The metadata, and the content of a PULL-DOC-REQ."""
+    """An empty object: the metadata of a message, and the content of a PULL-DOC-REQ."""
 
 
 class NonFinite(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="number"):
-    """A number that JSON cannot express."""
+    """A number that JSON cannot express, in Bokeh's encoding."""
 
     value: Literal["nan", "+inf", "-inf"]
 
@@ -98,7 +98,7 @@ class Patch(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Incoming:
-    """The messages of one socket, frame by frame."""
+    """Assembles the messages of one socket from their frames."""
 
     def __init__(self) -> None:
         self._frames: list[str] = []

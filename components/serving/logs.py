@@ -46,7 +46,7 @@ def set_up(form: str, visitors: bool) -> None:
     handler = logging.StreamHandler()
     handler.setFormatter(line)
     logging.basicConfig(level=logging.INFO, handlers=[handler])
-    # Otherwise a warning of NumPy would go to stderr, and again after every change of the filters.
+    # Log warnings, because NumPy's would otherwise go to stderr, again after each change of the filters.
     logging.captureWarnings(True)
     logging.getLogger("py.warnings").addFilter(Once())
     # These libraries log every session and socket, and Tornado's warnings contain addresses.

@@ -59,7 +59,7 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
         return {"network": str(network_of(address_of(request, self._context.trusted))), "page": page}
 
     def modify_document(self, doc: Document) -> None:
-        # The page itself reconnects and reports it.
+        # The script of the page reconnects and reports failures.
         doc.config.update(reconnect_session=False, notifications=None, notify_connection_status=False)
         try:
             with patch_curdoc(doc), set_curdoc(doc):
@@ -98,7 +98,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         if page := self._begin():
             self._write_plain(page, start_template())
             return
-        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, not part of the link
+        asked = self.request.arguments.pop("ticket", [b""])[0]  # not part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
         place, ticket = self.context.admission.queue.knock(shown, str(network_of(self.visitor)))
         if place:

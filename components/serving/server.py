@@ -125,9 +125,9 @@ class Server:
             socket.pulse()
 
     async def end(self, notice: float = 0.0) -> None:
-        """Send everybody away, and wait until they have gone, but not for long.
+        """Close all connections and stop; wait for the sockets to close, but not for long.
 
-        `notice` is how many seconds before that a proxy may see that this server is not ready any more.
+        Before that, the server reports for `notice` seconds that it is not ready, so that proxies stop using it.
         """
         self.context.ending.set()
         await asyncio.sleep(notice)
@@ -148,7 +148,7 @@ class Server:
 
 
 def _application(open_page: OpenPage, context: Context) -> BokehTornado:
-    """Bokeh's application, which has the sessions. Its own routes are not reached."""
+    """Return Bokeh's application, which manages the sessions. Requests never reach its own routes."""
     mend()
     settings, secret = context.settings, context.secret
     return BokehTornado(

@@ -180,7 +180,7 @@ KNOWN = frozenset(name.upper() for name in HINTS) | {f"{name.upper()}_FILE" for 
 def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> Settings:
     """Return the settings that a command line and an environment give. An option wins; an empty variable is ignored.
 
-    Raises ValueError, with a sentence, for a value that is not allowed.
+    Raises ValueError, with a reason, for a value that is not allowed.
     """
     given = _in_environment(environment)
     given |= {name: text for name, text in vars(_options().parse_args(arguments)).items() if text is not None}
@@ -239,7 +239,7 @@ def _secret_in(variable: str, path: str) -> str:
 
 
 def _check_text(name: str, text: str) -> None:
-    """Raise ValueError for text that cannot be a setting. A key of random bytes may contain any character."""
+    """Raise ValueError for text that cannot be a value of a setting. A secret may contain any character."""
     if len(text) > LONGEST:
         raise ValueError(f"{name.upper()} has {len(text)} characters. Allowed: at most {LONGEST}.")
     if name != SECRET and not text.isprintable():
@@ -277,7 +277,7 @@ def _check_store(url: str) -> None:
 
 def _check_secret(secret: str) -> None:
     """Raise ValueError for a secret that is easy to guess: common words, few or consecutive characters."""
-    if not secret:  # the server makes one at its start
+    if not secret:  # an empty secret: the server makes one when it starts
         return
     rest = GUESSED.sub("", secret.lower())
     steps = {ord(after) - ord(before) for before, after in pairwise(secret)}

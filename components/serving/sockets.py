@@ -31,15 +31,15 @@ MOST_WAITING = 8
 dropped.
 """
 CHEAP, SURCHARGE = 0.01, 8
-"""CPU seconds that an answer may take. After a longer one, the visitor waits a multiple of the excess."""
+"""CPU seconds that an answer may take, and the factor on the excess for which the visitor then has to wait."""
 MOST_PINGS = 30
-"""Number of pings from a visitor, between two of ours, for which the socket is closed."""
+"""Number of pings from a visitor, between two of ours, after which the socket is closed."""
 MOST_MISSED = 2
 """Pings that may stay unanswered."""
 
 
 class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
-    """The socket of a page. It replaces Bokeh's, which assembles and deserialises whatever is announced."""
+    """The socket of a page. It replaces Bokeh's, which assembles and deserialises any message."""
 
     application: BokehTornado
 
@@ -50,8 +50,8 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         self._work: asyncio.Task[None] | None = None
         self._missed = self._pinged = 0
         self._rests = 0.0
-        """The time until which a visitor waits because of the cost of the last answer. So other visitors have at least
-        half of the time, and much more next to an expensive visitor.
+        """The time until which a visitor waits because of the cost of the last answer. This leaves other visitors at
+        least half of the CPU time, and much more if one visitor is expensive.
         """
         self.gone = asyncio.Event()
 
@@ -149,7 +149,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
     async def _work_off(self) -> None:
         while self._waiting:
             await asyncio.sleep(self._rests - monotonic())
-            if not self._waiting:  # the visitor has been dropped meanwhile
+            if not self._waiting:  # the visitor was dropped meanwhile
                 break
             arrived, message = self._waiting.popleft()
             took = await metered(self._answer(message))
@@ -162,7 +162,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
     async def _answer(self, message: Message[Any]) -> None:
         try:
             if isinstance(message, patch_doc):
-                # Our own message has the result; nobody waits for Bokeh's acknowledgement.
+                # Send no acknowledgement of Bokeh's, because our own message has the result.
                 await ServerSession.patch(message, self.connection)
             elif document := await ServerSession.pull(message, self.connection):
                 await self.send_message(document)
@@ -175,7 +175,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
 
 @coroutine
 def metered(work: Coroutine[Any, Any, None]) -> Generator[Any, Any, float]:
-    """Await `work`, and return the processor seconds that it used itself, excluding other work that ran meanwhile."""
+    """Await `work`, and return its CPU seconds, without other work that ran meanwhile."""
     took, step = 0.0, partial(work.send, None)
     while True:
         begun = thread_time()

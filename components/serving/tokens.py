@@ -33,5 +33,5 @@ def _told(token: str, secret: bytes) -> dict[str, Any]:
     try:
         told: dict[str, Any] = get_token_payload(token)
         return told if check_token_signature(token, secret_key=secret, signed=True) else {}
-    except (ValueError, KeyError, TypeError):  # a session's id is signed like a token
+    except (ValueError, KeyError, TypeError):  # the id of a session has a signature of the same form
         return {}

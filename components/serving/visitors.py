@@ -15,7 +15,7 @@ MINUTE = 60.0
 OF_A_NETWORK = {4: 24, 6: 56}
 """Bits of an address that a visitor's network shares, by version of the protocol."""
 MOST_NAMES = 100_000
-"""Maximum number of names in a rate; beyond it, new names wait. They take 25 MB."""
+"""Maximum number of names that a rate counts (25 MB). Beyond it, new names have to wait."""
 
 
 def networks(names: Sequence[str]) -> tuple[Network, ...]:
@@ -56,7 +56,7 @@ class Rate:
         return len(self._left)
 
     def admit(self, name: str) -> float:
-        """Count one event. If it is one too many, return the seconds until it is possible."""
+        """Count one event and return 0. If the limit is reached, return the seconds until it is possible."""
         seconds = self.wait(name)
         if not seconds:
             self.charge(name, 1.0)
@@ -89,7 +89,7 @@ class Rate:
                 return
             left = self.left(name)
             del self._left[name]
-            if left < self.most:  # it was charged for more than a minute
+            if left < self.most:  # its count can be below zero, for more than a minute
                 self._left[name] = left, now
 
 

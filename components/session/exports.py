@@ -1,6 +1,5 @@
-"""Files of a page's numbers and reports of their errors, computed in the worker process.
-
-They may take longer than a picture: a file has every point of every curve, rounded once.
+"""Files with the numbers of a page, and reports of their errors, computed in the worker process. They may take longer
+than a picture, because a file has each point of each curve, rounded once.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from components.walks.links import Scenes
 
 
 class PageExport(Struct, frozen=True, tag=True):
-    """The file of a page in `state`; `page` is its address and `answer` the number of the message that asked."""
+    """The job to make the file of a page in `state`. `page` is its address, `answer` the number of the request."""
 
     state: State
     page: str
@@ -29,21 +28,21 @@ class PageExport(Struct, frozen=True, tag=True):
 
 
 class LinkExport(Struct, frozen=True, tag=True):
-    """One table of the page that a link opens; `page` is the address before the link's query."""
+    """The job to make one table of the page that a link opens. `page` is the address before the link's query."""
 
     query: dict[str, list[bytes]]
     page: str
 
 
 class AboutExport(Struct, frozen=True, tag=True):
-    """ "About these numbers" of a page in `state`; `answer` is the number of the message that asked."""
+    """The job to compute "About these numbers" for a page in `state`. `answer` is the number of the request."""
 
     state: State
     answer: int | None
 
 
 def page_file(asked: PageExport, scenes: Scenes) -> Packet:
-    """Return the file as a message; ValueError, in words, where a number cannot be had."""
+    """Return the file as a message. Raises ValueError, with a reason, if a number cannot be computed."""
     now = page_state_in(scenes[asked.state.scene], asked.state)
     try:
         with in_words():
@@ -55,7 +54,7 @@ def page_file(asked: PageExport, scenes: Scenes) -> Packet:
 def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
     """Return the first table of a link's page without its covered parts, or the one that `table` names.
 
-    ValueError, in words, for anything in the link that is not possible.
+    Raises ValueError, with a reason, for anything in the link that is not possible.
     """
     (*_, table) = ("", *(name.decode("utf-8", "replace") for name in query.get("table", ())))
     link, step = linked({key: given for key, given in query.items() if key != "table"}, scenes, walks)
@@ -70,7 +69,7 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
 
 
 def about_page(asked: AboutExport, scenes: Scenes) -> Packet:
-    """Return "About these numbers" as a message; a sentence replaces numbers that cannot be recomputed."""
+    """Return "About these numbers" as a message; if the numbers cannot be recomputed, a sentence says why."""
     now = page_state_in(scenes[asked.state.scene], asked.state)
 
     def ask() -> About | None:

@@ -15,9 +15,9 @@ from physics.fit import Caution, DampedFit
 from physics.residuals import Cause, cause_of
 
 FEW_IN_A_CYCLE = 4.0
-"""Rows in a cycle from which on no other frequency is likely."""
+"""With more rows per cycle, a wrong frequency due to sampling (an alias) is unlikely."""
 SIGNIFICANT = 4.0
-"""Standard errors."""
+"""A difference of so many standard errors is significant."""
 UNITS = ("m", "m/s", "m/s²")
 """The units of a displacement and of its derivatives."""
 RANDOM = "The residuals of the fit are random: the model agrees with your points within their scatter."
@@ -53,7 +53,7 @@ class Described(NamedTuple):
 
 
 def on_residuals(t: Sequence[float], fit: DampedFit) -> tuple[str, ...]:
-    """The sentences on the residuals, the most important one first, and on what else a reader has to know."""
+    """Return sentences for the reader of a fit: first on the residuals, then cautions."""
     first = NOT_RANDOM.format(_cause(t, fit)) if Caution.CORRELATED in fit.cautions else RANDOM
     cautions = (text for caution, text in SENTENCES.items() if caution in fit.cautions)
     pairs = zip(fit.aliases, fit.omega.tolist(), strict=False)
@@ -84,7 +84,7 @@ def one_mass(fit: DampedFit, motion: FittedMotion, derivative: int) -> Described
         _number("offset", "offset", column.offset, fit.se_offset[0], UNITS[derivative]),
         _scatter("<i>σ</i>", "standard deviation of the residuals", column.scatter, UNITS[derivative]),
     )
-    a = max(decay, 0.0)  # a dashpot only takes energy
+    a = max(decay, 0.0)  # a dashpot cannot add energy
     values: dict[str, float | str] = {"keep": "c", **_start(motion, "")}
     parameters = FittedParameters(mass="m", values=values, per_mass={"k": omega**2 + a**2, "c": 2 * a})
     return Described(numbers, parameters, (ONE_MASS,))

@@ -20,8 +20,8 @@ EXTREME = "No motion can be fitted: numbers near 1, in units that suit the motio
 
 
 class Fitting(Struct, frozen=True, tag=True):
-    """The job to fit a motion to columns of rows, as many frequencies as columns. They are of a derivative of the
-    displacements, and each row is the mean of `size` rows of a file."""
+    """The job to fit a motion to columns, with as many frequencies as columns. `derivative` is the order of the
+    derivative that was measured; each row is the mean of `size` rows of a file."""
 
     t: list[float]
     columns: list[list[float]]
@@ -39,9 +39,8 @@ class MeasuredRows:
         self._columns: tuple[array[float], ...] = ()
 
     def take(self, message: SendRows) -> Fitting | None:
-        """Add a piece; return the job with the last one. Raises ValueError for rows that are no record.
-
-        A piece other than the next one is left out, except for piece 0, which begins again.
+        """Add a piece; return the job with the last one. Raises ValueError for invalid rows. Pieces out of order are
+        ignored, except piece 0, which starts again.
         """
         if message.piece == 0:
             self._clear()
@@ -73,7 +72,7 @@ class MeasuredRows:
 
 
 def fitted(job: Fitting) -> Fitted:
-    """Return the fit of a record. Raises ValueError, in words, if there is none."""
+    """Return the fit of a record. Raises ValueError, with a reason, if there is none."""
     modes = len(job.columns)
     try:
         with np.errstate(divide="raise", over="raise", invalid="raise"):
@@ -90,7 +89,7 @@ def fitted(job: Fitting) -> Fitted:
 
 
 def _motion(fit: DampedFit, job: Fitting) -> FittedMotion:
-    """The motion of the displacements, from the fit of means of rows of a derivative."""
+    """Return the motion of the displacements, from a fit to means of rows of a derivative."""
     step = (job.t[-1] - job.t[0]) / (len(job.t) - 1) / job.size
     exponents = (-fit.decay + 1j * fit.omega).tolist()
     columns = []

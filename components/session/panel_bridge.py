@@ -15,7 +15,7 @@ from components.session.session import Session
 from components.state.wire import Packet, in_one
 
 FROM_SERVER = "from_server"
-"""The type of a message of the server, as Bokeh calls it."""
+"""Bokeh's event type for messages of the server."""
 
 
 class Wire(Model):  # type: ignore[misc]  # Bokeh's are not looked into
@@ -39,7 +39,7 @@ class SceneView(Widget):
     """A session as a Panel widget. The page contains the first picture; later ones are sent as messages."""
 
     _widget_type: ClassVar[type[Model]] = Wire
-    _linked_properties = ()  # the browser sets no properties; it sends messages
+    _linked_properties = ()  # the browser sends messages and sets no properties
 
     def __init__(self, session: Session, **params: Any) -> None:
         self.session = session
@@ -51,14 +51,13 @@ class SceneView(Widget):
 
     def _get_model(self, doc: Document, root: Any = None, parent: Any = None, comm: Any = None) -> Model:
         model = super()._get_model(doc, root, parent, comm)
-        # Bypass Panel's count of active events for its indicators, which is a fifth of the cost of a change.
+        # Bypass Panel's counting of events for its busy indicator, which takes a fifth of the cost of a change.
         model.on_event(SaidEvent.event_name, lambda event: self.session.hear(event.data))
         self.session.send = partial(self._tell, doc)
         return model
 
     def _tell(self, doc: Document, packet: Packet) -> None:
-        """Send a message through Bokeh's queue: Panel's own way skips it, and loses a write to a visitor who leaves.
-
-        It is a message of the document, not an event of the model: its envelope has half the bytes.
+        """Send a message through Bokeh's queue. Panel's own method skips the queue and fails if the visitor is just
+        leaving. The message is one of the document, not an event of the model, because its envelope is half as long.
         """
         doc.callbacks.trigger_on_change(MessageSentEvent(doc, FROM_SERVER, in_one(packet)))

@@ -51,7 +51,7 @@ from components.walks.judging import taught
 from components.walks.walk import Step
 
 MOST_MESSAGES = 2**53
-"""Message numbers are below this; a browser counts no further."""
+"""Message numbers are below this limit, up to which JavaScript's integers are exact."""
 
 MOST_OWN = 5
 TOO_MANY = (
@@ -65,7 +65,7 @@ Send = Callable[[Packet], None]
 
 
 class Publish(Protocol):
-    """A function that encodes a picture for a class when it is needed, until publishing ends."""
+    """A function that sends pictures to a class. It gets a function that encodes the picture, called only if needed."""
 
     def __call__(self, make: Callable[[], Packet], /) -> None: ...
 
@@ -90,12 +90,12 @@ class Session:
         self.scenes = scenes or {}
         self.walks: Walks = walks or {}
         self.apart: Apart | None = None
-        """The worker that does long jobs; without one the session does them itself."""
+        """The worker process for long jobs. Without one, the session does them itself."""
         self._apart: tuple[int | None, Future[Replied]] | None = None
-        """The answer that the worker will give, by the number of the request."""
+        """The worker's future answer, by the number of the request."""
         self._rows = MeasuredRows()
         self._fit: Future[Replied] | None = None
-        """The last job, if it is a fit."""
+        """The last job, if it was a fit."""
         self.send: Send = lambda packet: None
         self.first: Packet | None = None
         """The first picture, computed when the link was checked."""

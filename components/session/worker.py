@@ -39,14 +39,14 @@ LARGEST = 1_000_000
 
 
 class Reading(Struct, frozen=True, tag=True):
-    """A walk's file to read and check."""
+    """The job to read and check a walk's file."""
 
     name: str
     text: str
 
 
 class Teaching(Struct, frozen=True, tag=True):
-    """An answer to a step of a walk that has been read."""
+    """The job to judge an answer to a step of a walk that has been read."""
 
     given: Given
     step: Step
@@ -58,7 +58,8 @@ Errand: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport |
 class Replied(Struct, frozen=True, kw_only=True):
     """The result of a job, or the reason why there is none.
 
-    `is_busy` marks a reason that passes, after `after` seconds where that is known; `seconds` is the processor time.
+    `is_busy`: the reason is temporary, and another try is possible in `after` seconds, if known. `seconds` is the CPU
+    time.
     """
 
     walk: Walk | None = None
@@ -80,7 +81,7 @@ class Apart(Protocol):
 
 
 class Here:
-    """A worker that does each job at once: for tests and notebooks, where nobody else waits."""
+    """A worker that does each job at once, for tests and notebooks."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks, self._scenes = walks, scenes
@@ -127,8 +128,7 @@ def _read(asked: Reading, walks: Walks, scenes: Scenes) -> Replied:
 
 
 def prepare(walks: Walks, scenes: Scenes) -> None:
-    """Read the lecture's own walks and fit a motion, so that the first visitor's file does not pay for values that all
-    share."""
+    """Read the built-in walks and fit a motion in advance. This fills the caches that all jobs share."""
     fit_damped(range(FEW_ROWS), [math.sin(t) for t in range(FEW_ROWS)])
     for walk in walks.values():
         list(problems(walk, scenes))

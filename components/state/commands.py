@@ -20,7 +20,8 @@ Errors = dict[str, str]
 Command = SetValues | Typed | Act | Choose
 _MINUS = re.compile(r"(?<![\w)\]])-(?=\.?\d)")
 _SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+(?: =|:)")
-"""First words of a reason that keep a small letter at the start of a sentence: k1 = 0, m g C, omega Xp, curve: ..."""
+"""Matches reasons whose first word keeps its small letter at the start of a sentence: k1 = 0, m g C, omega Xp, curve:
+..."""
 _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
@@ -127,7 +128,8 @@ def _still(scene: Scene, name: str) -> str:
 
 
 def sentence(error: ValueError) -> str:
-    """Return the message of an error of the physics as a sentence for the screen, with numbers as typed: 1e300."""
+    """Return the error message of the physics as a sentence for the screen, with numbers as the visitor typed them:
+    1e300."""
     text = _MINUS.sub(MINUS, _POWER.sub(r"e\1", str(error)))
     start = text[:1] if _SYMBOL.match(text) else text[:1].upper()
     return as_on_screen(start + text[1:]) + ("" if text.endswith((".", "!", "?")) else ".")

@@ -72,8 +72,9 @@ def told_beside(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps
 def _differing(held: Mapping[str, Columns], shown: Mapping[str, Columns]) -> dict[str, Columns]:
     """Return the sources of the compared picture that differ from the current one.
 
-    In other units they include the numbers of curves that are otherwise sent as signals. The exact numbers of the
-    current picture are not computed for that: under a push they take longer than the whole picture.
+    If the units differ, they include numbers of curves that are otherwise sent as signals. To find them, the exact
+    numbers of the current picture are not computed, because for a driven motion that takes longer than the whole
+    picture.
     """
     return {
         source: columns

@@ -41,7 +41,7 @@ Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"
 STAGE, TABLE, NEXT = "stage", "table", "next"
 ROOM = 0.5
-"""Share by which the range of a covered axis is widened, so that its ends give no hint."""
+"""Share by which the range of an axis with covered numbers is widened, so that its ends give no hint."""
 _LIVE = re.compile(r'data-value="(\w+)"')
 
 
@@ -65,7 +65,7 @@ def coverable(scene: type[Scene], picture: Picture) -> set[str]:
 
 
 def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
-    """Return the covers, each once. Raises ValueError, with a sentence, for one that covers nothing in any picture."""
+    """Return the covers, each once. Raises ValueError, with a reason, for one that covers nothing in any picture."""
     covers = tuple(dict.fromkeys(covered))
     for refusal in refused_covers(scene, picture, covers).values():
         raise ValueError(refusal)
@@ -82,7 +82,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
     """Return the picture without covered parts, and the names of the quantities that it lacks.
 
     If a curve is covered, its columns are left out, and its motions with everything that depends on them, unless
-    another curve shows them. Bodies that the visitor can drag stay at their initial positions.
+    another curve shows them. Shapes that the visitor can drag are drawn at their initial positions.
     """
     if not covered:
         return picture, ()
@@ -244,13 +244,15 @@ def _held(scene: type[Scene]) -> frozenset[str]:
 
 @cache
 def _still(scene: type[Scene]) -> frozenset[str]:
-    """Return scalars that switch shapes on, but only on stages without motion, so that they can be hidden."""
+    """Return scalars that show or hide shapes only on stages of the style "still", so that covering the stage can hide
+    them."""
     return _only_on(scene, "still", lambda shape: shape.show)
 
 
 @cache
 def _turning(scene: type[Scene]) -> frozenset[str]:
-    """Return motions that only stages draw on which they begin at their amplitudes, which are answers."""
+    """Return motions that are drawn only on stages of the style "turning". They start at their amplitudes, which are
+    answers."""
     return _only_on(scene, "turning", _moved_by)
 
 

@@ -27,7 +27,8 @@ ColumnAxes = Mapping[str, Mapping[str, str]]
 COARSE = 2**16 - 1
 """Largest integer of a column that is drawn."""
 FINE = 2**24 - 1
-"""Largest integer of the samples of a signal, from which other numbers are computed: as precise as float32."""
+"""Largest integer of the samples of a signal. They are as precise as float32, because other numbers are computed from
+them."""
 
 
 def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[PagePicture, list[Steps]]:
@@ -115,7 +116,7 @@ def span(ruler: Ruler) -> tuple[float, float]:
 
 def steps(values: Floats, low: float, high: float, count: int) -> Steps:
     """Return the nearest of `count` + 1 equal steps from low to high; numbers outside are clipped."""
-    half = high / 2 - low / 2  # the whole range may be larger than the largest double
+    half = high / 2 - low / 2  # high - low could overflow
     if not half > 0:
         return np.zeros(len(values), np.int32)
     shares = (np.minimum(np.maximum(values, low), high) / 2 - low / 2) / half

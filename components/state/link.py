@@ -36,7 +36,7 @@ FRAME, GIVEN = "frame.", Frame(given=True)
 HELD, BEFORE = "held", "before"
 DEFAULT = "default"
 DIGITS = 4
-"""Digits of a number of a frame in a link; narrow ranges get more, so that their ends differ."""
+"""Digits of numbers of a frame in a link. Narrow ranges get more digits, so that their ends differ."""
 MOST_ROOM = 1.02
 """Factor by which a range may be widened so that it needs fewer digits."""
 AUTOMATIC = "auto"

@@ -105,7 +105,7 @@ class PageState:
         )
 
     def is_told_like(self, other: PageState) -> bool:
-        """Return True if both send the same to the browser; False also if a longer comparison would be needed."""
+        """Return True if both states surely send the same to the browser. False can mean that they might differ."""
         pairs = zip(self._drawn_of, other._drawn_of, strict=True)
         return all(mine is its for mine, its in pairs) and self._marks == other._marks
 
@@ -119,12 +119,12 @@ class PageState:
 
     @property
     def query(self) -> str:
-        """The query of the link to this standing."""
+        """The query of the link to this state."""
         return step_query(self.step) if self.step else write_query(self.state, self.kind)
 
 
 def fitted(scene: Scene) -> PageState:
-    """Return the page state of a page with a scene in the fitted frame, without anything else."""
+    """Return the page state with a scene in its fitted frame, and defaults for everything else."""
     return PageState(scene=scene, drawn=draw(scene))
 
 
@@ -139,7 +139,7 @@ def with_values(
     """Return the page state with other values, in its frame, which grows if necessary.
 
     During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. A
-    change of display refits the axes that it affects. Raises ValueError, with a sentence, for values that the scene
+    change of display refits the axes that it affects. Raises ValueError, with a reason, for values that the scene
     cannot have.
     """
     scene = now.scene.changed(values, in_hand=now.in_hand or holding)
@@ -230,7 +230,7 @@ def _turned(now: PageState, said: Open, scenes: Scenes) -> PageState:
 
 
 def page_state_in(kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False) -> PageState:
-    """Return the page state for a state of a scene. Raises ValueError, with a sentence, if it is not possible.
+    """Return the page state for a state of a scene. Raises ValueError, with a reason, if it is not possible.
 
     Anything the state omits is taken from `now`. With `keeps`, the frame stays if only quantities change; for another
     scene, window or display it is fitted.
@@ -274,7 +274,7 @@ def _only_quantities(before: Scene, after: Scene) -> bool:
 def _before(
     scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: PageState | None
 ) -> PageState | None:
-    """Return the page state before a predicted change, from a state; the existing standing if it is the same."""
+    """Return the page state before a predicted change, from a state; the known page state if it is equal."""
     if scene is None:
         return None
     if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:

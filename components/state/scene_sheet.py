@@ -23,7 +23,7 @@ from components.state.encoding import view_of
 from components.state.wire import WINDOW, as_json
 
 LIVE = re.compile(r'data-value="(\w+)"')
-"""A live number in HTML."""
+"""Matches the name of a live number in HTML."""
 
 
 @cache

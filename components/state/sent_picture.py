@@ -19,16 +19,16 @@ from components.state.page_state import PageState
 from components.state.scene_sheet import LIVE, column_axes, scene_sheet
 
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
-"""A string in JSON, and the colon after it if it is a key."""
+"""Matches a string in JSON, with the colon after it if it is a key."""
 MOST_LISTS = 300
-"""Number of views and lists of parts whose needs a process remembers."""
+"""Size of the cache for views and lists of parts."""
 
 
 @dataclass(frozen=True)
 class SentParts:
     """The needs of the shown parts of a sheet: the axis of each column, and the names of signals and scalars.
 
-    The names are all strings of these parts, so that none is missed.
+    All strings in these parts count as names, so that none is missed.
     """
 
     axes: ColumnAxes

@@ -21,7 +21,7 @@ from components.language.messages import BrowserMessage, ServerMessage
 Steps = NDArray[np.int32]
 """Numbers of a column as integers."""
 WINDOW = 2**15
-"""Number of bytes that deflate looks back."""
+"""Size in bytes of the window of deflate."""
 ORDER = 4
 """Order of the differences that are sent: for smooth curves, fourth differences are small and compress well."""
 
@@ -84,7 +84,7 @@ def on_page(packet: Packet) -> str:
 
 
 def decoded(data: object) -> BrowserMessage:
-    """Return a message of the browser. Raises ValueError, with a sentence, for anything that our page does not send."""
+    """Return a message of the browser. Raises ValueError, with a reason, for anything that our page does not send."""
     try:
         message: BrowserMessage = msgspec.convert(data, BrowserMessage)
     except (msgspec.ValidationError, RecursionError) as error:

@@ -61,7 +61,8 @@ def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
 
 
 def asked(step: Step, subject: Subject) -> str:
-    """Return the question of a step with its numbers. Raises ValueError, in words, if the scene does not have them."""
+    """Return the question of a step with its numbers. Raises ValueError, with a reason, if the scene does not have
+    them."""
     return with_numbers(step.question, lambda: subject.standing.scene)
 
 

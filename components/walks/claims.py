@@ -12,7 +12,7 @@ from components.walks.texts import FORMULA
 from components.walks.types import BaseStep
 
 SAME = 0.006
-"""The relative difference below which two numbers of three digits count as one."""
+"""The relative difference below which two numbers with three digits count as equal."""
 _SAID = re.compile(r"(?P<symbol>[^\s=(]+) = (?P<number>[-−+]?\d+(?:\.\d+)?)")
 
 

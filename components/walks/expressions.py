@@ -31,7 +31,7 @@ def numbers_of(scene: Scene) -> dict[str, float]:
 
 
 def worked_out(text: str, numbers: Mapping[str, float]) -> float:
-    """Return the value of an expression. Raises ValueError, in words, for an invalid one."""
+    """Return the value of an expression. Raises ValueError, with a reason, for an invalid one."""
     if len(text) > LONGEST:
         raise ValueError(f"“{excerpt(text)}” is longer than {LONGEST} characters")
     try:

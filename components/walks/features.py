@@ -86,7 +86,7 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return Numbers(**{name: float(number) for name, number in told.items() if number is not None})
 
     def worked_out(self, numbers: Mapping[str, float], axes: PlotAxes) -> Self:
-        """Return the feature with numbers for its expressions. Raises ValueError, in words, if an expression is
+        """Return the feature with numbers for its expressions. Raises ValueError, with a reason, if an expression is
         invalid.
         """
         on_axes = ((name, axis) for names, axis in ((self.across, axes.x), (self.up, axes.y)) for name in names)

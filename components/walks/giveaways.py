@@ -20,9 +20,9 @@ from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
 SAME = 0.006
-"""The relative difference below which two numbers of three digits count as one."""
+"""The relative difference below which two numbers with three digits count as equal."""
 OVER = frozenset({"s", "ms", "min", "h", "rad/s", "Hz", "1/s"})
-"""Units of answers that may be one over a number, or 2π over it."""
+"""Units of answers that may be the reciprocal of a number, or 2π divided by it."""
 _NUMBER = re.compile(r"[-−+]?\d+(?:\.\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 
 
@@ -42,10 +42,8 @@ RELATIONS = (
 
 
 def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """A sentence for each live number from which the answer of a step follows, in its own question or in an earlier
-    step of the same scene and chain.
-
-    Numbers that the question states, or that the scene is set to, are given and give nothing away.
+    """Return a sentence for each live number that gives an answer away, in its own question or in an earlier step of
+    the same scene and system. Numbers that the question states, and parameters of the scene, do not count.
     """
     for i, step in enumerate(walk.steps, 1):
         subject = Subject(walk.name, step, scenes)
@@ -57,7 +55,7 @@ def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 
 def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iterator[tuple[str, dict[str, str]]]:
-    """Return the live numbers of a step's question, and of earlier pictures of its chain, each with its place."""
+    """Return the live numbers of a step's question, and of earlier pictures of the same system, each with its place."""
     *before, step = walk.steps[:number]
     yield "", texts_in_sight(subject.standing, step.cover, step.show)
     chain = chain_of(subject.answered.scene)

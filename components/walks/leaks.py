@@ -1,5 +1,5 @@
-"""Leaks of a walk: quantities that a step shows, before or after its answer, and that a later step of the same scene
-and chain covers."""
+"""Leaks of a walk: quantities that one step shows, before or after its answer, and that a later step of the same scene
+and system asks for."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from components.walks.texts import live_names
 from components.walks.walk import Step, Walk
 
 ByCover = dict[str, str]
-"""Quantities, each with the cover that hides it."""
+"""Quantities by the cover that hides them."""
 
 
 class Exhibit(NamedTuple):
-    """A picture of a step: its scene and chain, its visible and its hidden quantities."""
+    """A picture of a step: its scene and system, its visible and its hidden quantities."""
 
     chain: object
     shown: ByCover
@@ -38,7 +38,7 @@ class Exhibit(NamedTuple):
 
 
 def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """Return sentences, each on a step that shows the answer of a later one."""
+    """Return a sentence for each step that shows the answer of a later one."""
     with in_words():
         exhibits = [(before(step, scenes), after(step, scenes)) for step in walk.steps]
     for (i, early), (j, late) in combinations(enumerate(exhibits), 2):
@@ -51,12 +51,12 @@ def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 
 def before(step: Step, scenes: Scenes) -> Exhibit:
-    """The picture of the question."""
+    """Return the picture of a step's question."""
     return _exhibit(standing_at(step.state, scenes), step.cover, step.show)
 
 
 def after(step: Step, scenes: Scenes) -> Exhibit:
-    """The picture after the answer; items that only this step hides are ignored."""
+    """Return the picture after the answer. Quantities that only this step hides do not count as hidden."""
     return _exhibit(standing_at(step.shown, scenes), step.still, step.show)._replace(covered={})
 
 
@@ -71,7 +71,8 @@ def _exhibit(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]
 
 
 def chain_of(scene: Scene) -> object:
-    """The scene and its system: the values that scenes share, or if it has none of these, all its quantities."""
+    """Return the scene and its physical system: the values that scenes share, or all its quantities if it shares
+    none."""
     values = scene.values
     shares = scene.shares and all(values[name] == value for name, value in scene.sharing.items())
     names = set(scene.shares.values()) if shares else scene.quantities() - {"window"}
@@ -80,7 +81,8 @@ def chain_of(scene: Scene) -> object:
 
 
 def texts_in_sight(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
-    """The live numbers in the parts `show` of a picture or of its view, each with its text, without covered ones."""
+    """Return the visible live numbers of a picture with their texts, in the parts `show` or in its view, without
+    covered ones."""
     picture, gone = without(standing.kind, standing.shown, covers)
     hidden, seen = frozenset(covers), _seen(standing.scene, picture, show)
     names = {name for block in seen for name in _numbers(block, picture, hidden)}
@@ -119,7 +121,7 @@ def _quantities(
 
 
 def _drawn(plot: PlotBlock, picture: Picture) -> Iterator[Curve]:
-    """The curves that a plot draws."""
+    """Return the names of the curves that a plot draws."""
     yield from (one for one in plot.curves if len(picture.sources.get(one.source, {}).get(one.y, ())))
 
 
@@ -146,12 +148,12 @@ def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator
 
 
 def _labelled(shapes: Iterable[AnyShape], picture: Picture) -> Iterator[str]:
-    """The live numbers in the words of visible shapes."""
+    """Return the live numbers in the texts of visible shapes."""
     for one in shapes:
         if isinstance(one, Label) and all(picture.scalars.get(name, 1) for name in one.show):
             yield from (run.text for run in one.words if run.kind == "value")
 
 
 def _text(item: Forms, picture: Picture) -> str:
-    """The current variant."""
+    """Return the current variant of a text."""
     return item.variants.get(picture.forms.get(item.name, "") if item.name else "", "")

@@ -18,7 +18,7 @@ Scenes = Mapping[str, type[Scene]]
 
 
 def read_link(link: str, scenes: Scenes) -> Link:
-    """Return the parsed link of a step. Raises ValueError, in words, if it asks for something unknown."""
+    """Return the parsed link of a step. Raises ValueError, with a reason, if it asks for something unknown."""
     query = parse_qs(link.removeprefix("?"), keep_blank_values=True)
     args = {key: [value.encode() for value in values] for key, values in query.items()}
     if "scene" not in args:
@@ -30,7 +30,7 @@ def read_link(link: str, scenes: Scenes) -> Link:
 
 
 def _of_the_page(link: Link) -> Iterator[str]:
-    """Return a sentence for each part of a link that only a page's link may have."""
+    """Return a sentence for each part of a link that is possible in the link of a page, but not in a walk."""
     if link.covered:
         yield "cover: list hidden parts in the field cover of the step."
     if link.before is not None:

@@ -50,7 +50,7 @@ class WalkError(ValueError):
 
 
 def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
-    """The walk that a file's text describes; WalkError for one that is none.
+    """Return the walk of a file's text. Raises WalkError for an invalid one.
 
     A step with `from` takes the fields that it does not give itself from one of the `known` steps.
     """
@@ -124,7 +124,7 @@ def _step(entry: Any, where: str, known: KnownSteps, last: Step | None) -> Step:
 
 
 def _poll(entry: dict[str, Any], last: Step | None) -> dict[str, Any]:
-    """Return the fields that a poll may omit, because it asks about the picture of the step before."""
+    """Return the fields that a poll may omit, because it asks about the picture of the previous step."""
     fields = {"kind": "choice", "fixed": True, "title": entry.get("question"), "explain": "There is no right answer."}
     if last is None or "state" in entry:
         return fields

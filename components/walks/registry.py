@@ -57,7 +57,7 @@ class AskedStep(NamedTuple):
 
 
 def asked_step(query: Query, walks: Walks) -> AskedStep | None:
-    """Return the step that a link names, by default the first. Raises ValueError, with a sentence, if there is none."""
+    """Return the step that a link names, by default the first. Raises ValueError, with a reason, if there is none."""
     if "walk" not in query:
         return None
     name, step, seed = (query.get(key, [b""])[0].decode(errors="replace") for key in ("walk", "step", "seed"))

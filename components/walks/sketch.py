@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 
 from components.scene.traces import Floats
 
-SLACK = 0.03  # of the frame's width, by which a drawing may fall short of its edges
+SLACK = 0.03  # share of the frame's width that may be missing at both edges of a drawing
 FEWEST = 2  # points of a curve
-BESIDE = 3  # points on each side of two, through which a curve is known between these
+BESIDE = 3  # points on each side that are used to interpolate between two points
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Sketch:
 
 
 def sketch(points: ArrayLike, frame: Ranges, other: Sketch | None = None) -> Sketch:
-    """The curve through drawn points (n, 2): ordered by abscissa, one height for each."""
+    """Return the curve through drawn points (n, 2), ordered by x, with one height for each x."""
     drawn = np.asarray(points, dtype=float).reshape(-1, 2)
     drawn = drawn[np.isfinite(drawn).all(axis=1)]
     x, first = np.unique(drawn[:, 0], return_index=True)
@@ -69,13 +69,13 @@ def sketch(points: ArrayLike, frame: Ranges, other: Sketch | None = None) -> Ske
 
 
 def upward(x: Floats, y: Floats) -> Floats:
-    """The places where a curve crosses zero upwards."""
+    """Return the positions at which a curve crosses zero upwards."""
     i = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
     return np.asarray(x[i] - y[i] * (x[i + 1] - x[i]) / (y[i + 1] - y[i]))
 
 
 def crossings(x: Floats, y: Floats) -> Floats:
-    """The places where a curve crosses zero, either way."""
+    """Return the positions at which a curve crosses zero, upwards or downwards."""
     return np.concatenate((upward(x, y), upward(x, -y)))
 
 

@@ -29,7 +29,8 @@ def pieces(latex: str) -> list[str]:
 
 
 def _starts(latex: str) -> Iterator[int]:
-    """After a wide space, at an arrow, at words, at the second sign of equality: where it is in no bracket."""
+    """Places where a line may break, outside brackets: after a wide space, at an arrow, at words, at the second equals
+    sign."""
     depth, last, gap, equal = 0, "", False, False
     for match in _TOKEN.finditer(latex):
         token = match[0]
@@ -47,11 +48,11 @@ def _starts(latex: str) -> Iterator[int]:
 
 
 def line(latex: str) -> Html:
-    """A formula whose line may end between its pieces."""
+    """Return a formula that may break between its pieces."""
     return "".join(map(mathml, pieces(latex)))
 
 
 def live_names(text: str) -> Iterator[str]:
-    """The live numbers that a sentence speaks of."""
+    """Return the names of the live numbers in a sentence."""
     yield from LIVE_IN_FORMULA.findall(text)
     yield from LIVE.findall(FORMULA.sub("", text))

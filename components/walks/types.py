@@ -10,15 +10,15 @@ from msgspec import Meta, Struct
 Slug: TypeAlias = Annotated[str, Meta(pattern=r"^[a-z0-9][a-z0-9-]*$", max_length=40)]
 Sentence: TypeAlias = Annotated[str, Meta(min_length=1, max_length=600)]
 Address: TypeAlias = Annotated[str, Meta(max_length=8000)]
-"""A link, as long as a server takes one: components/serving/pages.py."""
+"""A link, with the maximum length that a server accepts (components/serving/pages.py)."""
 Slide: TypeAlias = Annotated[str, Meta(pattern=r"^[A-Z0-9]+-N?\d+$")]
 Span: TypeAlias = tuple[float, float]
-"""The range of a quantity, in SI."""
+"""The range of a quantity in SI units."""
 Above0: TypeAlias = Annotated[float, Meta(gt=0)]
 
 
 class Entry(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A table of a walk's file: a field that is not known is a mistake."""
+    """A table of a walk's file. Unknown fields are errors."""
 
 
 class Reply(Entry, frozen=True, kw_only=True):
@@ -33,7 +33,8 @@ class Reply(Entry, frozen=True, kw_only=True):
 class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """One idea: a question, its state, the parts hidden until it is answered, and the explanation.
 
-    `state` is the link to the picture of the question, `reveal` the link to the answer's, if it is another one. `still`
+    `state` is the link to the picture of the question, `reveal` the link to the picture of the answer, if that differs.
+    `still`
     lists covers that stay after the answer, because a later step asks for them. `show` are the visible parts of the
     scene, by default those of its view. `vary` has ranges by quantity, from which each student gets different numbers:
     components/walks/variants.py. `controls` are the parameters that can be changed after the answer; `next` suggests
@@ -64,7 +65,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
 
     @property
     def shown(self) -> str:
-        """The link of what is shown with the answer."""
+        """The link to the picture of the answer."""
         return self.reveal or self.state
 
     def links(self) -> Iterator[str]:
@@ -82,7 +83,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
         return lines(self.notes)
 
     def sentences(self) -> Iterator[tuple[str, str]]:
-        """Every text by the name of its field."""
+        """All texts of the step by the names of their fields."""
         for name in ("title", "question", "explain", "next"):
             yield name, getattr(self, name)
         yield from (("notes", line) for line in self.noted)

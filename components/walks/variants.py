@@ -25,7 +25,7 @@ NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([\w\s.+*/^()-]+)\}")
 
 
 def varied(step: Step, seed: int) -> Step:
-    """Return the step with the numbers of a seed; 0 means the numbers of its file. Raises ValueError, with a sentence,
+    """Return the step with the numbers of a seed; 0 means the numbers of its file. Raises ValueError, with a reason,
     for an unknown seed. A value that the answer changes keeps the number of its file."""
     if seed == 0:
         return step
@@ -41,7 +41,7 @@ def varied(step: Step, seed: int) -> Step:
 
 
 def variants_of(step: Step) -> Iterator[tuple[int, Step]]:
-    """All variants of a step that has any, each after its seed."""
+    """Yield the seed and the step of each variant; nothing for a step without `vary`."""
     yield from ((seed, varied(step, seed)) for seed in range(1, VARIANTS + 1) if step.vary)
 
 
@@ -52,14 +52,14 @@ def numbers_drawn(step: Step, seed: int) -> dict[str, float]:
 
 
 def _at(span: Span, share: float) -> float:
-    """The round number at a share of a span; at 1 its end."""
+    """Return a round number at a share of a span; its end for the share 1."""
     low, high = span
     least = 10.0 ** max(math.floor(math.log10((high - low) / VARIANTS)), -300)
     return high if share == 1 else float(f"{low + least * math.floor(share * (high - low) / least + 1e-9):.15g}")
 
 
 def strange_spans(step: Step, kind: type[Scene]) -> Iterator[str]:
-    """A sentence for each span of `vary` that is none of a quantity of the scene."""
+    """Return a sentence for each entry of `vary` that is not a possible range of a quantity of the scene."""
     for name, (low, high) in step.vary.items():
         if not isinstance(kind.linked().get(name), Quantity):
             yield f"vary: “{excerpt(name)}” is no quantity of this scene."
@@ -68,8 +68,8 @@ def strange_spans(step: Step, kind: type[Scene]) -> Iterator[str]:
 
 
 def with_numbers(text: str, scene: Callable[[], Scene]) -> str:
-    """A text in which each {expression} of a scene's numbers, but in a formula, is its number: a parameter with all its
-    digits, any other with three."""
+    """Return a text with the value of each {expression} outside formulas: parameters with all digits, other numbers
+    with three."""
 
     def number(match: re.Match[str]) -> str:
         if not match[1]:
@@ -83,7 +83,7 @@ def with_numbers(text: str, scene: Callable[[], Scene]) -> str:
 
 
 def told_apart(numbers: Mapping[str, float]) -> str:
-    """Numbers in words: "k1 = 0.5, k2 = 3"."""
+    """Return numbers as text: "k1 = 0.5, k2 = 3"."""
     return ", ".join(f"{name} = {shortest(number)}" for name, number in numbers.items())
 
 

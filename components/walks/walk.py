@@ -18,7 +18,7 @@ Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep | WordsStep
 
 
 class Walk(Struct, frozen=True, kw_only=True):
-    """Steps in order, the name in links, the sentences of the summary, and scenes to try afterwards."""
+    """A walk: its steps in order, its name in links, the sentences of its summary, and scenes to try afterwards."""
 
     name: str
     title: str
@@ -27,7 +27,7 @@ class Walk(Struct, frozen=True, kw_only=True):
     trials: tuple[WalkTrial, ...] = ()
 
     def place(self, asked: str) -> int | None:
-        """The place of a step by its id, or by its number from 1 on."""
+        """Return the index of a step, given by its id or by its number from 1 on."""
         ids = [step.id for step in self.steps]
         if asked in ids:
             return ids.index(asked)

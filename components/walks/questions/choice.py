@@ -25,7 +25,8 @@ class OptionEntry(Reply, frozen=True, kw_only=True):
 
 
 class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
-    """One of a few answers, in an order that differs between classes and visitors unless it is `fixed`. In a `poll`, a
+    """A question with a few options, in an order that differs between classes and visitors unless it is `fixed`. In a
+    `poll`, a
     question asked aloud, no answer is right.
     """
 

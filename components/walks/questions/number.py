@@ -1,4 +1,4 @@
-"""The question for a typed number, right within a tolerance. Frequent wrong numbers have their own replies."""
+"""The question for a typed number, which is right within a tolerance. Frequent wrong numbers have their own replies."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
         yield from (miss.where for miss in self.misses if miss.where)
 
     def number(self, given: Given, subject: Subject) -> float:
-        """Return the number of an answer. Raises ValueError, in words, if it has none."""
+        """Return the number of an answer. Raises ValueError, with a reason, if it has none."""
         raise NotImplementedError
 
     @property
@@ -122,7 +122,8 @@ class NumericStep(Question, frozen=True, kw_only=True):
                 yield f"misses[{i}].is: {number:g} is within the tolerance of the right answer."
 
     def doubts(self, subject: Subject) -> Iterator[str]:
-        """A number that no quantity gives may be a mistake; of two misses with one number, only the first is used."""
+        """Warn of a number that no quantity gives, and of two wrong numbers that are equal, of which only the first is
+        used."""
         size = unit_size(self.answer.unit)
         known = [number / size for number in subject.numbers.values()]
         for number in () if self.answer.quantities else self.answer.numbers:
@@ -144,7 +145,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
 
 
 class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
-    """A number to type."""
+    """The question for a number to type."""
 
     takes = "text"
     usual_minutes = 3.0

@@ -22,7 +22,7 @@ from components.walks.subject import Subject, number_at, place_of
 class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
     """A place to mark on an axis of a plot: `axis` is "swing.x" for the horizontal one of the plot swing.
 
-    With the answer the parameter that it `sets` is shown at the place that was marked.
+    After the answer, the parameter that it `sets` has the marked value.
     """
 
     takes = "value"
@@ -39,7 +39,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         return "x" if self.axis.endswith(".x") else "y"
 
     def on(self, subject: Subject) -> Axis:
-        """The marked axis."""
+        """The axis to mark."""
         axes = subject.axes(self.plot)
         return axes.x if self.which == "x" else axes.y
 
@@ -82,7 +82,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         return Lesson(truth=self.truth(subject), places=places, shows=shows, **step)
 
     def count(self, given: Sequence[Judged]) -> Counted:
-        """Positions on the axis."""
+        """The right positions on the axis."""
         return Counted(answered=len(given), numbers=tuple(one.value or 0.0 for one in given))
 
     def written(self, given: Judged, subject: Subject) -> Written:

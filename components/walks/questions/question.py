@@ -21,8 +21,8 @@ UNFIT = "This answer does not fit the question."
 
 
 class Judgement(NamedTuple):
-    """The judgement of an answer: if it is right (None if none can be), its number, its features, its reply, and the
-    link of a case that the reply mentions."""
+    """The judgement of an answer: whether it is right (None if no answer can be), its number, its features, its reply,
+    and the link to a case that the reply mentions."""
 
     right: bool | None
     number: float = 0.0
@@ -39,7 +39,7 @@ class Written(NamedTuple):
 
 
 class Judged(Voted, frozen=True, kw_only=True):
-    """An answer as a class stores it, with its judgement and the form of the step by which it was judged."""
+    """An answer as a class stores it, with its judgement, and a hash of the step by which it was judged."""
 
     number: float = 0.0
     right: bool = False
@@ -84,7 +84,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
         raise NotImplementedError
 
     def doubts(self, subject: Subject) -> Iterator[str]:
-        """Return sentences on likely mistakes. `make walk` prints them; the step still works."""
+        """Return sentences on likely mistakes, with which the step still works. `make walk` prints them."""
         return iter(())
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
@@ -92,7 +92,8 @@ class Question(BaseStep, frozen=True, kw_only=True):
         raise NotImplementedError
 
     def judged(self, given: Given, subject: Subject) -> Judgement | None:
-        """Return the judgement of an answer, None if nothing was answered. Raises ValueError, in words, for an answer
+        """Return the judgement of an answer, None if nothing was answered. Raises ValueError, with a reason, for an
+        answer
         of another kind.
         """
         bare = Given(walk=given.walk, step=given.step, seed=given.seed, vote=given.vote, sure=given.sure)
@@ -101,11 +102,12 @@ class Question(BaseStep, frozen=True, kw_only=True):
         return None if given == bare else self.judge(given, subject)
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
-        """Return the judgement of an answer that has the field of this kind and no other."""
+        """Return the judgement of an answer that has only the field of this kind."""
         raise NotImplementedError
 
     def lesson(self, given: Given, subject: Subject) -> Lesson:
-        """Return the lesson for an answer, or for none. Raises ValueError, in words, for an answer of another kind."""
+        """Return the lesson for an answer, or for none. Raises ValueError, with a reason, for an answer of another
+        kind."""
         judged = self.judged(given, subject)
         return self.teaches(
             given,

@@ -24,9 +24,8 @@ Curves = Mapping[str, Sketch]
 
 
 class Wrong(Reply, frozen=True, kw_only=True):
-    """A frequent wrong sketch: the features that it has, the kinds of the requested features that it lacks, and its own
-    reply.
-    """
+    """A frequent wrong sketch: the features that it has, the kinds of required features that it lacks, and its
+    reply."""
 
     draws: Sentence
     has: tuple[Feature, ...] = ()
@@ -96,12 +95,12 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         return Judgement(all(has), has=has, reply=wrong.reply, where=wrong.where)
 
     def told(self, features: Iterable[Feature], subject: Subject) -> tuple[Feature, ...]:
-        """Return features with evaluated expressions. Raises ValueError, with a sentence, for other texts."""
+        """Return features with evaluated expressions. Raises ValueError, with a reason, for other texts."""
         axes = subject.axes(self.plot)
         return tuple(feature.worked_out(subject.numbers_asked, axes) for feature in features)
 
     def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
-        """Return the features that were drawn."""
+        """Return for each feature whether the sketch has it."""
         return tuple(feature.seen(drawn[self._on(feature)]).has for feature in features)
 
     def _on(self, feature: Feature) -> str:

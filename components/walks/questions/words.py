@@ -1,4 +1,4 @@
-"""The question for a few words: no answer is right, and the instructor chooses which ones the hall sees."""
+"""The question for a few words. No answer is right or wrong, and the instructor chooses which ones the hall sees."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ JOINER = "\u200d"
 
 
 class WordsStep(Question, frozen=True, kw_only=True, tag="words"):
-    """A few words to type, at most 80 characters."""
+    """The question for a few words to type, at most 80 characters."""
 
     takes = "text"
     usual_minutes = 3.0
