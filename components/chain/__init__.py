@@ -1,4 +1,4 @@
-"""The two-mass chain: what the scenes about it share."""
+"""Code that the scenes about two coupled masses share."""
 
 from components.chain.modes import BOTH, MODES, PARTS, direction_lines, directions, lines_of
 from components.chain.parameters import (

@@ -1,4 +1,4 @@
-"""The case of a two-mass chain, and how it is drawn."""
+"""The base class of cases of two coupled masses, with the sizes of their drawing."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class ChainCase(Case):
     @property
     @abstractmethod
     def extremes(self) -> Extremes:
-        """The smallest and the largest x1, x2 and elongation of spring 2, e2, in m, within the drawing."""
+        """The smallest and the largest x1, x2 and e2, the elongation of spring 2, in the drawn motion, in m."""
 
     @cached_property
     def fits(self) -> float:
@@ -69,7 +69,7 @@ class ChainCase(Case):
 
     @property
     def ticked(self) -> float:
-        """The displacement in m at the floor's tick."""
+        """The displacement in m that the tick on the floor marks."""
         return round_down(min(1 / self.magnification, MAGNIFIED))
 
     @property

@@ -1,4 +1,4 @@
-"""The forces on the two masses of the chain, as arrows and live numbers: what a scene shows when asked for them.
+"""The forces on the two masses of the chain, as arrows and live numbers: shown if the visitor asks for them.
 
 F_1 = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t),   F_2 = k2 (x1 - x2)        (D34, slides 1 and 6)
 
@@ -27,11 +27,11 @@ from physics.coupled import Motion, TwoMassChain
 from physics.valid import DOUBLES
 
 LENGTH = 0.13
-"""The length of the arrow of the largest force, over the width of the stage."""
+"""The length of the arrow of the largest force, as a share of the stage's width."""
 
 
 class Arrows(Declared[Axis]):
-    """The length of a newton and of the drive on the stage, and the unit of the axis of forces."""
+    """The lengths of an arrow of 1 N and of the drive's arrow on the stage, and the unit of the axis of forces."""
 
     forces, newton, push = Scalar[Axis].some(3)
     force_unit = Text[Axis](lambda axis, a: axis.full_unit)

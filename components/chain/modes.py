@@ -15,7 +15,7 @@ MODES = ("slow", "fast")
 BOTH = (1, 2)
 """The masses, from the wall."""
 PARTS = tuple((i, mode) for i in BOTH for mode in MODES)
-"""Each mass in each mode."""
+"""All pairs of a mass and a mode."""
 
 
 def directions(system: TwoMassChain) -> list[tuple[float, float]]:
@@ -28,12 +28,12 @@ Lines = Family[tuple[str, int], Column[Any]]
 
 
 def lines_of(source: str) -> Lines:
-    """The columns of both directions in the plane of x1 and x2."""
+    """The columns for the lines of both modes in the plane of x1 and x2."""
     return Column[Any].each(((mode, i) for i, mode in PARTS), "{}{}", source=source)
 
 
 def direction_lines(lines: Lines, system: TwoMassChain, far: float) -> Columns:
-    """Both directions, up to `far` on both sides."""
+    """Return the lines of both modes in the plane, up to `far` on both sides."""
     ends = far * np.array([-1.0, 1.0])
     pairs = zip(MODES, directions(system), strict=True)
     return by_name({lines[mode, i]: part * ends for mode, parts in pairs for i, part in zip(BOTH, parts, strict=True)})

@@ -21,7 +21,7 @@ START = ("x1_0", "x2_0", "v1_0", "v2_0")
 def masses_and_springs(
     m1: float, m2: float, k1: float, k2: float, *, first: str = "next to the wall"
 ) -> tuple[Quantity, Quantity, Quantity, Quantity]:
-    """m1, m2, k1, k2 with these defaults; `first` says which mass mass 1 is."""
+    """Return m1, m2, k1, k2 with these defaults. `first` describes mass 1 for visitors."""
     return (
         mass(m1, symbol="m_1", tint="m1", says=f"is the mass {first}. Type any value above 0."),
         mass(m2, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0."),
@@ -39,7 +39,7 @@ def dashpots_group(c1: Quantity, c2: Quantity, form: Name | None = None) -> Grou
 
 
 def dashpots() -> tuple[Quantity, Quantity]:
-    """c1 and c2, 0 at first."""
+    """Return c1 and c2, with the default 0."""
     one, two = (
         not_negative(
             0.0, symbol=f"c_{i}", unit="N s/m", label="damping", tint="T", scale="near0", softbounds=(0.0, 4.0),
@@ -52,7 +52,7 @@ def dashpots() -> tuple[Quantity, Quantity]:
 
 
 def start_positions(x1_0: float = 0.0, x2_0: float = 0.0, *, how: str = "") -> tuple[Quantity, Quantity]:
-    """x1_0 and x2_0; `how` describes the rest of the start."""
+    """Return x1_0 and x2_0. `how` completes the description of the initial conditions."""
     one, two = (
         displacement(
             x,
@@ -81,13 +81,13 @@ def of_scene(scene: object) -> TwoMassChain:
 
 
 def damping_of(scene: object) -> Pair:
-    """c1 and c2 of the dashpots parallel to its springs."""
+    """Return c1 and c2 of the dashpots parallel to the springs."""
     c1, c2 = _values(scene, DASHPOTS).values()
     return c1, c2
 
 
 def start_of(scene: object) -> tuple[Pair, Pair]:
-    """Return the displacements and velocities of a scene at the start."""
+    """Return the initial displacements and velocities of a scene."""
     x1, x2, v1, v2 = _values(scene, START).values()
     return (x1, x2), (v1, v2)
 

@@ -47,7 +47,7 @@ def both(parts: Family[tuple[int, str], Signal[Any]], i: int) -> AnySignal:
 
 
 def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
-    """The slow and the fast part of each displacement: the clock's signals.
+    """The slow and the fast part of each displacement, as signals.
 
     A mode of frequency zero is a drift, counted with the slow part.
     """

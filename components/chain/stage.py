@@ -27,16 +27,16 @@ EQUILIBRIUM = (0.29, 0.73)
 """The rest positions of the masses, as fractions of the stage's width."""
 WALL = 0.02
 UNIT = 0.185
-"""The width that one metre takes at scale 1."""
+"""The length of one metre at scale 1, as a fraction of the stage's width."""
 MAGNIFIED = 1e308
-"""The largest drawing scale, still a double. Only the smallest subnormal displacements stay invisible."""
+"""The largest drawing scale, near the largest double. Only displacements near the smallest double stay invisible."""
 STEPS = (1, 2, 3, 5)
 """The first digits of drawing scales. Most steps are at most a factor of 1.5."""
 CUP, CUP_AT = 4, 0.27
 """Half the width of a dashpot in pixels, and its height above the floor, relative to the springs' height."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
-"""The width of which the sides of blocks are fractions; smaller on a low stage, whose arrows are close above the
+"""The width to which the sides of blocks are relative. It is smaller on a low stage, where arrows are close above the
 blocks.
 """
 
@@ -95,7 +95,7 @@ def extremes(curves: Columns, bands: Columns) -> Extremes:
 
 
 def without_roundings(value: float) -> float:
-    """Round to twelve digits: a motion that starts at 1 mm must not reach less."""
+    """Round to twelve digits, so that rounding errors do not change the extreme of a motion that starts at it."""
     return float(f"{value:.12g}")
 
 
@@ -125,9 +125,10 @@ def drawn_larger(factor: float) -> str:
 
 @dataclass(frozen=True)
 class DrawnChain:
-    """The chain to scale: sizes for the stage, the text of the floor's ticks, and a sentence if the scale is not 1.
+    """The chain drawn to scale: sizes for the stage, the text of the floor's ticks, and a sentence if the scale is not
+    1.
 
-    `fits` is the scale that suits what is drawn, `scale` the one it is drawn to.
+    `fits` is the scale that suits the motion, `scale` the one that is used.
     """
 
     scalars: dict[str, float]
@@ -153,8 +154,9 @@ def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float
 class ChainDrawing:
     """The sizes by which the chain is drawn: numbers of shapes.
 
-    `sides` of the blocks and `metre`, the length of one of the axis of displacements, are in pixels. `hook` is the
-    height of the springs over `BODY`. `wires` are the widths of the springs; one of width 0 is not drawn. `tick` is the
+    `sides`, of the blocks, and `metre`, the length of one unit of the displacement axis, are in pixels. `hook` is the
+    height of the springs, as a share of `BODY`. `wires` are the widths of the springs; one of width 0 is not drawn.
+    `tick` is the
     text of the floor's tick, `tick_at` its distance in pixels from the place of mass 1 at rest.
     """
 
@@ -199,14 +201,15 @@ class ChainDrawing:
         ]
 
     def cups(self, foot: Number, x1: Number, x2: Number) -> list[Shape]:
-        """The dashpots under the springs, where there are any: a piston stays in its cup however far the masses go."""
+        """Return the dashpots under the springs, if there are any. Each piston stays in its cup for any
+        displacement."""
         height, half1, half2 = foot - self.hook * BODY * CUP_AT, self.sides[0] / 2, self.sides[1] / 2
         one = _cup(WALL * W, x1 - half1, rest(1) - half1 - WALL * W, height)
         two = _cup(x1 + half1, x2 - half2, rest(2) - rest(1) - half1 - half2, height)
         return [*shown_by(Has.dashpot[1], *one), *shown_by(Has.dashpot[2], *two)]
 
     def ground(self, foot: Number) -> list[Shape]:
-        """Floor, a tick at each mass's own zero, and the text of the scale at the first one."""
+        """Return the floor, a tick at the zero of each mass, and the text of the scale at the first tick."""
         shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
         for mass in BOTH:
             tint = f"m{mass}"
@@ -233,7 +236,7 @@ class ChainDrawing:
 
 
 def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
-    """The parts of a dashpot between two positions, with the length `long` at rest."""
+    """Return the parts of a dashpot between two positions; its length at rest is `long`."""
     near, far, middle = left + 0.14 * long, left + 0.86 * long, left + 0.5 * long + 0.34 * (right - left - long)
     look: Looks = {"tint": "T"}
     return [
@@ -263,12 +266,12 @@ DECLARED = ChainDrawing(
     tick=f"{P.tick}",
     tick_at=var(P.tick_at) * W,
 )
-"""The drawing of the scenes that declare their numbers."""
+"""Return the sizes for scenes without a case, from their declared numbers."""
 side, masses, cups, ground = DECLARED.side, DECLARED.masses, DECLARED.cups, DECLARED.ground
 
 
 def place(mass: int, signal: Name | None = None) -> Number:
-    """The position of a mass, or of one that is displaced by `signal`, in pixels."""
+    """Return the position of a mass in pixels, displaced by `signal` or by its own displacement."""
     return DECLARED.place(mass, var(signal or S.x[mass]))
 
 

@@ -1,4 +1,4 @@
-"""A mass on a spring and a dashpot: what the scenes about it share."""
+"""Code that the scenes about one mass on a spring and a dashpot share."""
 
 from components.dashpot.case import DashpotCase
 from components.dashpot.parameters import DashpotScene, keeping, parts

@@ -1,4 +1,4 @@
-"""The case of a mass on a spring and a dashpot, moving freely."""
+"""The base class of cases of one mass on a spring and a dashpot, in free motion."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ class DashpotCase(Case):
 
     @property
     def spring(self) -> bool:
-        """True if the apparatus has a spring."""
+        """True if there is a spring."""
         return self.k > 0
 
     @property
     def dashpot(self) -> bool:
-        """True if the apparatus has a dashpot."""
+        """True if there is a dashpot."""
         return self.c > 0

@@ -1,4 +1,4 @@
-"""The parameters of a mass, a spring and a dashpot: the damping is one quantity that is set two ways, as c or as ζ."""
+"""The parameters of a mass, a spring and a dashpot. The damping can be set as c or as ζ."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity
 
 
 def keeping() -> param.Selector[str]:
-    """The choice of what stays when the mass or the spring changes."""
+    """Return the choice which of c and ζ stays when the mass or the spring changes."""
     return one_of("c", {"c": "keep c", "zeta": "keep ζ"}, "What stays when m or k changes")
 
 
@@ -58,7 +58,7 @@ class DashpotScene(Scene):
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         """Return the damping that follows from a change: zeta from c, or c from zeta.
 
-        Raises ValueError where there is none. A link without a spring and without zeta keeps c: it has no zeta.
+        Raises ValueError where there is none. Without a spring there is no zeta, so c stays.
         """
         by_zeta = "zeta" in changed and ("c" not in changed or self.keep == "zeta")
         keeps_c = self.keep == "c" or (before is None and not self.k)

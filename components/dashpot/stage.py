@@ -1,4 +1,4 @@
-"""A mass on a spring and a dashpot on a wall: the piston never leaves its cup."""
+"""The drawing of a mass on a spring and a dashpot on a wall."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from components.layout.stage import Shape, box, line, rectangle, shown_by, sprin
 from components.paper.plots import PictureName
 
 BELOW = 35
-"""Pixels from the wall to the lowest position of the block, in addition to a stroke."""
+"""Pixels from the wall to the lowest position of the block, in addition to the range of motion."""
 NARROW_BELOW = 27
 """The same pixels if the dashpot is next to the block."""
 CUP = 11

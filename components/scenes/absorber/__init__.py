@@ -49,10 +49,10 @@ from physics.sampling import periods
 
 MACHINE = ("m1", "k1", "F_0", "omega")
 TURNS = 8
-"""Periods of the drive that the clock plays."""
+"""Length of the time window in periods of the drive."""
 RECORD: dict[str, Any] = {"allow_None": True, "says": "is of the lightest absorber that has met all goals."}
 MOST_START = 20.0
-"""The ends of the sliders of the start, in static deflections."""
+"""The ends of the sliders for initial displacements, in static deflections F_0/k1."""
 
 
 @lru_cache(maxsize=1)
@@ -186,8 +186,8 @@ class Absorber(Scene):
         return {"k2": k2, "c": c, "tuning": "free"}
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """Compute the values that depend on others: a tuned spring follows mass and speed, the knob sets the spring,
-        the score belongs to this machine.
+        """Compute the values that depend on others: the spring of a tuned absorber, the spring that the knob sets, and
+        the best result, which is dropped for another machine.
         """
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
@@ -213,7 +213,8 @@ class Absorber(Scene):
         return frozenset({"k2"} if self.tuning == "tuned" else ())
 
     def _record(self, *, is_told: bool, is_other: bool) -> tuple[float | None, float | None]:
-        """The lightest solution so far, with its spring. It must belong to this machine; one from a link is checked."""
+        """Return the lightest absorber so far that met all goals, and its spring. It must be for this machine; one from
+        a link is checked."""
         best, spring = self.lightest, self.lightest_k2
         if is_told and best and spring is not None:
             machine = {name: getattr(self, name) for name in MACHINE}
@@ -221,7 +222,7 @@ class Absorber(Scene):
         return (None, None) if is_told or is_other else (best, spring)
 
     def _started(self, changed: frozenset[str]) -> Values:
-        """A start opens the view of the motion from it. The particular solution has no start."""
+        """Setting initial conditions opens the view that uses them. The particular solution has none."""
         if self.view == "rest" or not changed & {VIEW, *chain.START}:
             return {}
         return dict.fromkeys(chain.START, 0.0) if VIEW in changed else {VIEW: "rest"}
@@ -231,7 +232,7 @@ class Absorber(Scene):
         return self.c if self.damping == "added" else 0.0
 
     def _spans(self, duty: Duty) -> dict[str, tuple[float, float]]:
-        """Sliders cover the useful range for a machine of this size."""
+        """Return the ends of sliders: the useful range for a machine of this size."""
         own, reach = duty.own, min(duty.deflections(MOST_START), 1e308)
         speed = min(own * reach, 1e308)
         return {
@@ -259,7 +260,7 @@ class Absorber(Scene):
         except (ValueError, ArithmeticError):
             if not duty.plays:
                 raise
-            return self._drawn(duty, frame, window, None)  # only its view is refused
+            return self._drawn(duty, frame, window, None)  # the other views can be drawn
 
     def _drawn(self, duty: Duty, frame: Frame, window: float, motion: FromStart | None) -> Picture:
         end = frame.window or window

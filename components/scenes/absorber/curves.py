@@ -24,13 +24,14 @@ from physics.precision.exact import exact, precise, rounded
 TOP = (15.0, 20.0)
 """The upper ends of the axes of swing and stroke, in static deflections."""
 NODES = 401
-"""Points of a window that the browser joins by Hermite pieces."""
+"""Number of points of a window, between which the browser interpolates by Hermite polynomials."""
 DRAWN = 1e-11
-"""The share of a motion that is too small to be drawn; a table with less is removed."""
+"""Motions below this share of the largest one are too small to be drawn, and their tables are left out."""
 TALLEST = 1e30
-"""The largest motion that is drawn, in static deflections: a number in its unit is a float32."""
+"""The largest motion that is drawn, in static deflections. Larger ones would overflow the browser's float32."""
 ALONE, STARTED = "_alone", "1_rest"
-"""Keys of the machine without its absorber, and of the machine's motion from its start, also if that is not played."""
+"""Keys of the machine without its absorber, and of the machine's motion from its initial conditions, also if that is
+not played."""
 WHO: tuple[int | str, ...] = (ALONE, 1, 2)
 """The keys of the moving bodies as they are played; they include mass 1 (the machine) and mass 2 (the absorber)."""
 
@@ -39,13 +40,14 @@ SignalsFound = dict[Signal[Duty], AnySignal]
 
 
 class Axes(Declared[Duty]):
-    """Axes of time, drive frequency, swing, stroke and the motion from its start. F scales forces and is not drawn."""
+    """Axes of time, drive frequency, swing, stroke and the motion from initial conditions. F scales forces and is not
+    drawn."""
 
     t, w, X1, X2, rest, F = DrawnAxis.some(6)
 
 
 def axes_of(duty: Duty, window: float) -> dict[str, Axis]:
-    """All axes without that of the motion from its start."""
+    """Return all axes except the one of the motion from initial conditions."""
     own, omega = duty.own, duty.omega
     low, high = min(0.4 * own, 0.7 * omega), max(1.6 * own, 1.3 * omega)
     frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=(min(own, omega), max(own, omega)))
@@ -283,7 +285,7 @@ def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, f
 
 
 def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
-    last = 1.02 * end  # a table is periodic: it must not repeat within the window
+    last = 1.02 * end  # longer than the window, because the browser repeats a table after its period
     t = np.linspace(0.0, last, NODES)
     motion = duty.from_rest_at(t)
     link = push.places(duty.k2 * motion.e[1] + duty.c * (motion.v[1] - motion.v[0]))

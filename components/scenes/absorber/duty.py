@@ -31,34 +31,34 @@ from physics.precision.exact import exact, precise, rounded
 from physics.transient import DRAWING, DampedModes
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
-"""The goals: swing and stroke in static deflections F_0/k1, and the share of the speed that must be free of resonances.
+"""The goals: swing and stroke in static deflections F_0/k1, and the relative distance from the running speed within
+which no resonance may be.
 """
 EXACT, SAME = 4e-16, 5e-4
-"""Relative distances of the absorber's own frequency from the speed: tuned up to rounding, and almost tuned, to three
-digits.
+"""Relative distances of the absorber's own frequency from the running speed: tuned up to rounding errors, and almost
+tuned, equal to three digits.
 """
 LEFT = 0.01
 """The share of the machine's swing without absorber that may be left if the absorber is almost tuned."""
 SMALL = 10.0
-"""Static deflections, or multiples of the machine's swing in the other mode. If the machine swings no more than this in
-the mode that the drive excites, its part in it is small.
+"""Limit in static deflections, or in multiples of the machine's swing in the other mode. If the machine swings less in
+the mode near resonance, it hardly takes part in the resonance.
 """
 FAR = 100.0
-"""The other mode must be this many times farther away, so that it does not grow too."""
+"""The other mode's frequency must be this many times farther from the drive, so that it does not grow too."""
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
 """Shares of a distance, dense near both of its ends."""
 TOLD = 1e-15
-"""Relative to a frequency: a drive this close to a resonance cannot be distinguished from it, within the times whose
-phases a double resolves.
+"""Relative distance from a resonance that cannot be distinguished from resonance at any time whose phase a double
+resolves.
 """
 LARGEST, SMALLEST = 1e200, 1e-300
 
 
 @dataclass(frozen=True, kw_only=True)
 class Duty:
-    """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI.
-
-    The clock plays the particular solution, or with `from_rest` the motion from a start: at rest, or with x_0 and v_0.
+    """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI units. The clock plays the particular
+    solution, or with `from_rest` the motion from a start: at rest, or with x_0 and v_0.
     """
 
     m1: float
@@ -147,7 +147,7 @@ class Duty:
 
     @property
     def loose(self) -> bool:
-        """True if nothing connects the absorber to the machine. Then there is no stroke."""
+        """True if nothing connects the absorber to the machine. Then the stroke is undefined."""
         return not self.k2 and not self.c
 
     @cached_property
@@ -166,7 +166,7 @@ class Duty:
 
     def from_rest_at(self, t: Floats) -> Motion:
         """Return the motion from its start. Raise ValueError if it takes longer than a picture may."""
-        if self.alike:  # taken separately, their parts are huge and opposite
+        if self.alike:  # use the sum of both, because each alone is huge
             x, v = self.damped.drawn(t)
             return Motion(t, x[:2], v[:2], x[::2])
         return self.damped.motion(t, DRAWING) if self.c else self.driven.motion(t)
@@ -229,7 +229,8 @@ class Duty:
 
     @cached_property
     def aside(self) -> bool:
-        """True if the machine has only a small part in the resonance near the drive. Then only mass 2 grows."""
+        """True if the machine hardly takes part in the resonance near the drive. Then only the swing of mass 2
+        grows."""
         j = self.nearest[0]
         with precise():
             omega = exact(self.omega)

@@ -18,7 +18,7 @@ number = LiveNumber[Duty]
 
 
 def length(axis: Axis, value: float) -> str:
-    """Format three digits. Values below 5 µm, or as small as a rounding error, are written as zero."""
+    """Format with three digits. Values below 5 µm, or as small as a rounding error, are written as zero."""
     if not np.isfinite(value):
         return three(value)
     least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
@@ -28,7 +28,7 @@ def length(axis: Axis, value: float) -> str:
 
 
 def bound(duty: Duty, i: int) -> float | None:
-    """The bound of swing (0) or stroke (1) from the start, if it is shown."""
+    """Return the bound of swing (0) or stroke (1) from the initial conditions, if it is shown."""
     return duty.bounds[i] if duty.from_rest or not duty.c else None
 
 
@@ -115,7 +115,8 @@ class Numbers(Declared[Duty]):
 
 
 def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[str, str]:
-    """Goals, the values by which they are judged in the particular solution and from the start, and the score."""
+    """The goals, the values that are compared with them (of the particular solution, and from initial conditions), and
+    the best result."""
     j, share = duty.nearest
     near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(duty, axes)} rad/s"
     texts = {
@@ -133,12 +134,12 @@ def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[st
 
 
 def _score(mass: float) -> str:
-    """One digit more than usual, because the score is a competition."""
+    """Format with one digit more than usual, because visitors compete for the lightest absorber."""
     return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
 
 
 def _percent(share: float) -> str:
-    """A share in percent. It is never rounded up to a limit that it does not reach."""
+    """Format a share in percent. It is never rounded up to a limit that it does not reach."""
     if share >= 10:
         return short(100 * share)
     short_of_it = share < AWAY <= round(share, 3)

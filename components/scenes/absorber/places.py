@@ -21,10 +21,11 @@ from components.scenes.absorber.words import VERDICTS
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
 """Sides of the masses, and the height of the springs, as fractions of the stage's height."""
 DEFLECTION = 0.00767
-"""The width of the static deflection, if everything fits."""
+"""The length of one static deflection as a fraction of the stage's width, if everything fits."""
 TINY, LEAD = 1e-200, 0.145
 PUSH = 0.1125
-"""The width of the largest drive, if the force of spring 2 is at most twice as large."""
+"""The length of the largest drive's arrow as a fraction of the stage's width, if the force of spring 2 is at most twice
+as large."""
 ROOM = (0.22, 0.2, 0.28)
 """Free distances as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right edge."""
 
@@ -54,8 +55,8 @@ def _frequency(of: Callable[[Duty], float]) -> ScalarPair:
 
 
 def _reading(on: DrawnAxis, i: int, unless: str = "") -> ScalarPair:
-    """The position of a reading at the running speed, and a flag: it is inside the frame and the other verdict is not
-    shown.
+    """The position of a dot at the running speed, and a flag: the dot is inside the frame, and the verdict is not
+    `unless`.
     """
     seen = scalar(lambda d, a: d.swings[i] <= on(a).end and d.verdict != unless)
     return scalar(lambda d, a: _up(on(a), d.swings[i])), seen
@@ -93,7 +94,8 @@ class Places(Declared[Duty]):
     swing, swing_seen = _reading(A.X1, 0)
     stroke, stroke_seen = _reading(A.X2, 1)
     alone, alone_seen = _reading(A.X1, 2, unless="detached")
-    # The label is under its dot, clear of the names of the fixed points, except while the knob is there.
+    # The label is under its dot, where it does not overlap the names of the fixed points, except while the knob is
+    # there.
     fixed_seen = scalar(lambda d, a: d.c > 0)
     fixed_x = Family("PQ", lambda name: scalar(lambda d, a: _across(a, d.fixed[name][0]) if d.c else None), "{}_x")
     fixed_y = Family("PQ", lambda name: scalar(lambda d, a: _up(A.X1(a), d.fixed[name][1]) if d.c else None), "{}_y")
@@ -125,8 +127,8 @@ class Drawing:
 
 
 def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
-    """Choose the scale of displacements: `wanted`, in static deflections per metre, as long as everything fits. The
-    scale depends on the static deflection and then stays, so that twice the force gives twice the swing. `moved` is the
+    """Choose the scale of displacements: `wanted`, in static deflections per metre, as long as everything fits. A kept
+    scale is proportional to the static deflection, so that twice the force gives twice the drawn swing. `moved` is the
     motion that is played if it is not the particular solution.
     """
     reach = _reach(duty, moved, end)

@@ -106,7 +106,8 @@ def _swing_plot() -> Block:
 
 
 def _stroke_plot() -> Block:
-    """The plot of the absorber's stroke |X2 - X1|, and the knob that drags the minimum to the machine's speed."""
+    """The plot of the absorber's stroke |X2 - X1|, and the knob with which the visitor drags the minimum of the swing
+    to the machine's speed."""
     return plot(
         STROKE,
         x=Axes.w,

@@ -1,5 +1,5 @@
-"""The absorber's stage, which draws one instant twice; the readings and limits over its plots; the goals with their
-marks.
+"""The absorber's stage, which draws each instant with and without the absorber; dots and limits over the plots; the
+goals with their marks.
 """
 
 from __future__ import annotations
@@ -59,7 +59,8 @@ def side(mass: int) -> Number:
 
 
 def picture() -> Block:
-    """The stage, which draws one instant twice: above, in outline, the machine without the absorber; below, with it."""
+    """The stage, which draws each instant twice: above, in outline, the machine without the absorber; below, with
+    it."""
     ground = wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1)
     label = "The machine alone and with the absorber at the same instant, with the forces on it"
     return stage(ground, *_rests(), *_alone(), *_both(), *_forces(), *_verdicts(), label=label, grow=200, height=168)
@@ -75,7 +76,7 @@ def _rests() -> list[Shape]:
     for i, top in ((1, FLOORS[0] - side(1) - 20), (2, foot - side(1) - 20)):
         zero, tint = REST[i - 1] * W, f"m{i}"
         shapes.append(line(zero, top, zero, foot, tint="mute", style="eq"))
-        # The number of a tick close to 0 is long, so its first digit is under the tick.
+        # Start the number of a tick close to 0 at the tick, because it is long.
         tick = zero + var(P.tick) * W
         shapes += [line(x, foot, x, foot + 5, style="floor") for x in (zero, tick)]
         shapes += [
@@ -107,7 +108,7 @@ def _alone() -> list[Shape]:
 
 
 def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Shape]:
-    """The arrow from equilibrium to the mass; its number is where nothing moves."""
+    """The arrow from equilibrium to the mass, with its number at a place where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, var(S.x[who])), f"m{i}"
     number = f"*x*_{i} = {S.x[who]} {N.x_unit}"
     look = {"tint": tint, "style": "t2 b halo"}
@@ -117,7 +118,7 @@ def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Sha
             text(aside, lift + 5, f"{said}{number}", "end", show=ON_WIDE, **look),
             text(aside, lift + 5, number, "end", show=ON_NARROW, **look),
         ]
-    else:  # the verdict is on its right where there is room
+    else:  # the verdict is to the right of it, if there is room
         names = [
             text(zero - 8, lift - 10, number, "end", show=ON_WIDE, **look),
             text(W, lift - 10, number, "end", show=ON_NARROW, **look),
@@ -150,7 +151,8 @@ def _held(i: int, name: str) -> Grab:
 
 
 def _forces() -> list[Shape]:
-    """The drive and the force of spring 2. They start at one point and explain the rest when they are equally long."""
+    """The arrows of the drive and of the force of spring 2. They start at the same point. If they are equally long,
+    they show why the machine is at rest."""
     x, y = _place(1, var(S.x[1])), FLOORS[1] - 0.5 * side(1) - 4
     pulls, look = f"{N.link}: {S.pull_now} {N.F_unit}", "t1 b halo"
     drives = f"push *F* = {S.drive_now} {N.F_unit}"
@@ -164,7 +166,7 @@ def _forces() -> list[Shape]:
 
 
 def _verdicts() -> list[Shape]:
-    # Above everything that mass 2 does. On a phone there is no room: over the upper machine, next to its floor.
+    # Above the whole range of mass 2. On a phone, which has no room there, over the upper machine, next to its floor.
     above = FLOORS[0] - 0.5 * side(1) + 6 - NARROW * (0.5 * side(1) + 13) - HALL * 12
     below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 14)
     told = "verdict b halo told"
@@ -180,7 +182,8 @@ def _verdicts() -> list[Shape]:
 
 
 def swing_shapes() -> tuple[Shape, ...]:
-    """The shapes over the plot of the swing: its goal, the range without resonances, readings and fixed points."""
+    """The shapes over the plot of the swing: its goal, the range without resonances, dots at the running speed, and
+    fixed points."""
     return (
         *_limit(SWING, P.limit1),
         *_bracket(),
@@ -191,7 +194,7 @@ def swing_shapes() -> tuple[Shape, ...]:
 
 
 def stroke_shapes() -> tuple[Shape, ...]:
-    """The shapes over the plot of the stroke: its goal and its reading."""
+    """The shapes over the plot of the stroke: its goal and the dot at the running speed."""
     return (
         *_limit(STROKE, P.limit2),
         *_reading(STROKE, P.stroke, P.stroke_seen, f"{N.stroke}", "by the stroke", tint="m2"),
@@ -241,7 +244,7 @@ def _fixed() -> list[Shape]:
 
 
 def goals() -> Block:
-    """The three goals, each with a mark: met or not."""
+    """The three goals, each with a mark that says whether it is met."""
     shapes: list[Shape] = []
     for i in range(3):
         y, met, missed = 14 + (37 + 17 * WIDE) * i, P.met[i], P.missed[i]

@@ -51,7 +51,9 @@ def _kind(duty: Duty) -> str:
 
 
 def _why(duty: Duty) -> str:
-    """The form of the reason for the verdict. If two forces agree in three digits, there is no reason to give."""
+    """The form of the reason for the verdict. If the force of spring 2 equals the drive to three digits, it depends on
+    the
+    machine's own frequency."""
     if duty.c:
         return "damped"
     if duty.verdict != "less" or three(duty.pull) != three(duty.F_0):

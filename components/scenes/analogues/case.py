@@ -19,12 +19,13 @@ from physics.valid import DOUBLES
 
 DEGREE = math.pi / 180
 MOST_HALF_WAVES = 12
-"""More would not be visible in a picture."""
+"""Largest number of half waves; more would not be visible in a picture."""
 SWINGS = 3.5
 NODES, MOST_NODES = 96, 512
-"""Points per small oscillation that the browser joins, and per oscillation of the largest amplitude."""
+"""Number of points per oscillation between which the browser interpolates: of a small one, and of one with the largest
+amplitude."""
 TINY = 1e-9
-"""In rad; smaller oscillations have the shape of this one to the last digit."""
+"""Amplitude in rad; smaller oscillations have the same shape to the last digit."""
 
 
 class Swings(NamedTuple):
@@ -72,7 +73,7 @@ class AnalogueCase(Windowed):
 
     @cached_property
     def excess(self) -> float:
-        """T/T_0 - 1; 0 for a linear system."""
+        """The relative delay T/T_0 - 1; 0 for a linear system."""
         return excess(self.q_0) if self.pendulum else 0.0
 
     @cached_property

@@ -20,7 +20,7 @@ from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess, excess
 
 LIMITS = {"01": 0.001, "1": 0.01, "5": 0.05}
-"""Excesses T/T_0 - 1 that have a flag."""
+"""Values of T/T_0 - 1 that have a flag."""
 ANGLES = {key: math.degrees(amplitude_at_excess(value)) for key, value in LIMITS.items()}
 """Initial angles in degrees at which the relative delay has these values."""
 
@@ -34,7 +34,8 @@ class Axes(Declared[AnalogueCase]):
 
 
 def axes_of(case: AnalogueCase) -> dict[str, Axis]:
-    """The axes of the plots. Angle and delay reach 90 degrees and 19 %, or farther if the start is beyond."""
+    """The axes of the plots. The axes of angle and delay end at 90 degrees and 19 %, or later if the initial angle is
+    larger."""
     wide = case.pendulum is not None and abs(case.q_0) > 88 * DEGREE
     end, step = (180, 60) if wide else (90, 30)
     ticks, here = tuple(float(tick) for tick in range(0, end + 1, step)), math.degrees(abs(case.q_0))
@@ -65,7 +66,7 @@ def table_axes(case: AnalogueCase) -> dict[str, Axis]:
 
 
 class Places(Declared[AnalogueCase]):
-    """The chosen system, its sizes on the stage, and its number of half waves if it vibrates."""
+    """The chosen system, its sizes on the stage, and its number of half waves if it is a string or a column of air."""
 
     of = Family(ANALOGUES, lambda slug: scalar(), "{}")
     amplitude = scalar(lambda c, a: Axes.q(a).place(abs(c.q_0)))
@@ -158,7 +159,8 @@ def columns_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, Columns]:
 
 
 class Hung(Declared[AnalogueCase]):
-    """The positions of the moving part (lower and shorter above its pivot), of its ends, and of its delay."""
+    """The positions of the moving part, of its ends, and of the mark of its delay. A pendulum above its pivot is drawn
+    shorter."""
 
     pivot = scalar(lambda c, a: 0.2 if abs(c.q_0) <= 91 * DEGREE else 0.48)
     rod = scalar(lambda c, a: 0.45 if abs(c.q_0) <= 91 * DEGREE else 0.24)

@@ -20,7 +20,7 @@ from components.scenes.analogues.reach import LARGEST
 from physics.analogues import ANALOGUES
 
 ANGLE = (begins("theta_0", S.angle, size=DEGREE),)
-"""The position to which a system is dragged is its start."""
+"""Return the grab of a system: the position to which it is dragged becomes its initial position."""
 
 HELD: dict[str, tuple[str, Number, Number, Number, Number]] = {
     "spring": ("Mass", 46, 31.5, 11, 0),

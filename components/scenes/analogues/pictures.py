@@ -1,6 +1,7 @@
 """The nine systems as pictures, each written once: small in the picker, large on the stage.
 
-Blue parts have inertia, grey parts pull back; wires, rods and walls have the colour of text. Coordinates are in units
+Blue parts have inertia, grey parts provide the restoring force; wires, rods and walls have the colour of text.
+Coordinates are in units
 of an area of 84 by 54.
 """
 
@@ -35,7 +36,7 @@ from components.scenes.analogues.curves import Swinging as S
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9
-"""The twist of the rotor as drawn, in rad. Its share of the largest twist is true, its size is not."""
+"""The twist of the rotor as drawn, in rad. It is to scale relative to the largest twist, but its size is not."""
 MARK, MARKED = (25, 7.7), 0.5
 """The mark on the rotor: half of its width and height, and its rest position in rad from the right."""
 
@@ -88,7 +89,7 @@ def kept(shape: Shape) -> Shape:
 
 @dataclass(frozen=True)
 class Pose:
-    """Pose of a system's picture: the expressions that move its parts.
+    """The pose of a system's picture: expressions for the positions of its parts.
 
     `size` is the amplitude as a share of the largest one that is drawn, `q` the displacement in the same unit, and
     `behind` the displacement a quarter period later. `angle` is the angle of a rocking body, with its sine and cosine.
@@ -238,7 +239,7 @@ def _wave(c: Canvas, s: Pose) -> list[Shape]:
 
 
 def _under(c: Canvas, s: Pose, x: float) -> list[Shape]:
-    """The water below x. It moves to and fro on a line that shrinks as exp(-kappa depth)."""
+    """The water below x. It moves to and fro by an amount that decreases as exp(-kappa depth)."""
     ahead, shapes = 2 * math.pi * (x - 42) / 76, []
     for y in (27, 36, 45):
         reach = 8 * math.exp(-2 * math.pi * (y - 17) / 76)

@@ -1,13 +1,13 @@
-"""The scene's additions to the table of physics.analogues: the ranges of the sliders, and sentences on each system."""
+"""Additions to the table of physics.analogues: ranges of sliders, and sentences on each system."""
 
 from typing import Literal, NamedTuple
 
 LARGEST = 1.5
-"""The upper end of the sliders of the start, as a multiple of the system's default."""
+"""The upper end of the sliders for initial displacements, as a multiple of the system's default."""
 
 
 class Reach(NamedTuple):
-    """The ends of a slider, and how it is divided."""
+    """The ends of a slider, and its scale."""
 
     low: float
     high: float
@@ -40,7 +40,7 @@ REACHES = {
     "pipe_c": Reach(250, 1100, "linear"),
     "pipe_n": Reach(1, 8, "linear"),
 }
-"""By system and parameter."""
+"""The sliders by system and parameter."""
 
 REMARKS = {
     "floating": "The water that moves along (added mass) is left out.",

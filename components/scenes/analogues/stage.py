@@ -69,7 +69,7 @@ def shapes() -> list[Shape]:
 
 
 def coordinates() -> list[Shape]:
-    """The coordinate as a number, placed where nothing moves."""
+    """The coordinate as a number, at a place where nothing moves."""
     look = {"tint": "m1", "style": "t2 b halo"}
     over = {"pendulum": TOP + 14, "rocking": TOP + 14}
     return [

@@ -1,4 +1,4 @@
-"""Chain: N equal masses between walls, from two masses to the wave (D31, slide 7)."""
+"""Chain: N equal masses on springs, from two masses to waves on a string (D31, slide 7)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOST = 500.0
 LENGTH = 4.5
 """Length in m of the string of all examples. It has 1 kg per metre and a tension of 1 N: waves run at 1 m/s."""
 MOST_NUMBERS, FEWEST = 100_000, 201
-"""Largest number of displacements in a file with more than FEWEST instants: a file takes at most half a second."""
+"""Largest number of displacements in a file with more than FEWEST rows, so that a file takes at most half a second."""
 DIGITS = 12
 """Significant digits of m, k and a after a change of the number of masses."""
 
@@ -137,8 +137,8 @@ class Chain(CaseScene):
     )
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        """Return dependent values: another number of masses makes the same string, and a mode or mass beyond the last
-        one becomes the last one. Raises ValueError if the visitor asks for such a mode or mass."""
+        """Return dependent values: if the number of masses changes, m, k and a keep the string the same, and a mode or
+        mass beyond the last one becomes the last one. Raises ValueError if the visitor asks for such a mode or mass."""
         found: dict[str, Any] = {}
         if before and "N" in changed and self.keep == "string" and not changed & {"m", "k", "a"}:
             share = (before.N + PARTS[self.ends]) / (self.N + PARTS[self.ends])

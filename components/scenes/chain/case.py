@@ -23,9 +23,10 @@ from physics.reference.uniform_chain import chain_frequencies, chain_points
 from physics.valid import in_range
 
 PARTS: dict[str, float] = {"fixed-fixed": 1.0, "fixed-free": 0.5, "free-free": 0.0}
-"""The number of spacings of a chain, less the number of its masses."""
+"""Number of spacings of a chain minus the number of its masses, by the kind of its ends."""
 TRAVERSES, FEW_TRAVERSES, FEW = 3.0, 12.0, 4
-"""Length of the time window in run times of a wave from end to end; chains of fewer than FEW masses get more."""
+"""Length of the time window, in times that a wave takes from end to end; the second value is for fewer than FEW
+masses."""
 LOOKS = 160
 """Number of instants at which the extremes of a motion are searched."""
 SHRINKS = 0.8
@@ -87,12 +88,12 @@ class MassesCase(Case):
 
     @cached_property
     def Omega(self) -> float:
-        """sqrt(k/m) in rad/s: the masses that a long wave passes in a second."""
+        """sqrt(k/m) in rad/s, which is also the number of masses that a long wave passes per second."""
         return rounded("the frequency of a mass on one spring", self.chain.exact_Omega)
 
     @property
     def left(self) -> float:
-        """The place of the left end, counted as the masses are."""
+        """The position of the left end, in spacings, where mass p is at p."""
         return 0.5 if self.ends == "free-free" else 0.0
 
     @property
@@ -156,7 +157,7 @@ class MassesCase(Case):
         )
 
     def _balance(self) -> str:
-        """The sentence on how far T + V strays over the window from the energies of the modes."""
+        """Return the sentence on how far T + V differs over the window from the sum of the modes' energies."""
         _, x, v = self.modes.motion(self.times[few(self.times)])
         energy = self.m * (v**2).sum(axis=0) + self.k * (self.stretches(x) ** 2).sum(axis=0)
         return drift(energy / 2, float(self.modes.energy.sum()))
@@ -211,7 +212,7 @@ class MassesCase(Case):
 
     @property
     def grip(self) -> float:
-        """The displacement at t = 0 of the mass that the visitor drags, over h."""
+        """The initial displacement of the mass that the visitor drags, divided by h."""
         return float(self.unit_start[0][self.held - 1])
 
     @property
@@ -220,7 +221,7 @@ class MassesCase(Case):
 
     @cached_property
     def in_hand(self) -> ExactMotion:
-        """The displacement of the mass that the visitor drags, played with all the other masses."""
+        """The displacement of the mass that the visitor drags, from the same signal as all other masses."""
 
         def exact(t: Floats) -> Floats:
             return np.asarray(self.modes.x(t)[self.held - 1])
@@ -247,7 +248,7 @@ class MassesCase(Case):
 
     @cached_property
     def fits(self) -> float | None:
-        """The share at which displacements along the chain are drawn, so that no masses meet; None across it."""
+        """The scale of drawn displacements along the chain, so that no masses meet; None for transverse motion."""
         if self.way == "across":
             return None
         shrunk = -float(self.stretches(self.looked_at).min(initial=0.0))
@@ -266,7 +267,8 @@ class MassesCase(Case):
         return 100 * (1 - self.highest / string) if string else 0.0
 
     def ray(self, way: Literal[-1, 1]) -> Columns | None:
-        """The crest of the ideal string that starts to one side, reflected at both ends; None if there is none."""
+        """Return the path of the crest that starts to one side on the ideal string, with reflections; None if there is
+        none."""
         if self.starts == "mode" or (self.starts == "pulse" and way < 0):
             return None
         place = self.p if self.by_mass else self.centre / self.a + self.left
@@ -301,7 +303,7 @@ class MassesCase(Case):
         return {"law_j": j, "law": 2 * self.Omega * np.sin(theta / 2), "string": self.Omega * theta}
 
     def angles(self, j: Floats) -> Floats:
-        """theta_j in rad, also between the modes."""
+        """The phase advance per mass theta_j in rad, also for j between the modes."""
         return np.maximum(j - (1 - PARTS[self.ends]), 0.0) * math.pi / self.parts
 
     @property

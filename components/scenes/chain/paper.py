@@ -32,9 +32,9 @@ from components.scenes.chain.case import MassesShown
 
 c = deferred(MassesShown)
 ROOM = Room(56, 34)
-"""The room around the frames: the stage has the same, so that masses are over their columns."""
+"""The margins of the frames. The stage has the same, so that each mass is above its column in the plot."""
 REACH = 0.36
-"""The height of the largest displacement over that of the stage."""
+"""The drawn height of the largest displacement, as a share of the stage's height."""
 Y = axis("m", lambda c: (-c.reach, c.reach), "y", room=1.0, count=2)
 PLACE = axis("", lambda c: whole_numbers(c.left, c.left + c.parts), "place")
 MODE = axis("", lambda c: whole_numbers(0.0, c.N + 0.5), "mode")
@@ -78,7 +78,7 @@ def along_unit() -> Expression:
 
 
 def _along(case: MassesShown, axes: Axes) -> float:
-    """The length of one unit of the axis of displacements over that of the chain; 0 for a transverse motion."""
+    """The length of one unit of displacement, as a share of the chain's length; 0 for a transverse motion."""
     y = axes[Y.name]
     return (case.scale or 0.0) * y.factor * 10.0**y.exponent / case.length if case.way == "along" else 0.0
 
@@ -122,7 +122,8 @@ def hand(axis: Literal["x", "y"], zero: Number) -> Grab:
 
 
 def pulse(middle: Number) -> tuple[AnyShape, ...]:
-    """The top of the pulse at the start: dragged along the chain it sets the place, up and down the height."""
+    """The crest of the initial pulse. Dragging it along the chain sets its position; dragging it up and down sets its
+    height."""
     per_metre = LENGTH * number(c.per_length)
     aside = Along(
         across="x", zero=LEFT, unit=per_metre, parameter="centre", moves=number_name(c.centre), least=0.0,
@@ -149,7 +150,7 @@ def field() -> Block:
 
 
 def pressed() -> tuple[Handle, ...]:
-    """The handles of the plots over the modes: a press starts a mode, a pill moves it on to another one."""
+    """The handles of the plots against the mode number: a press starts a mode, and a handle changes its number."""
     look: dict[str, Any] = {
         "parameter": "j",
         "label": "Mode that moves alone",

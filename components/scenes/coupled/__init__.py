@@ -22,7 +22,7 @@ BOTH = {
 BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
 """The parameters of the modes that determine the motion."""
 MOST = 100.0
-"""rad; a phase is no further from 0."""
+"""Limits of a phase in rad."""
 SAME = 16 * 2.0**-53
 """Relative tolerance: initial values this close to those of the modes differ from them only by rounding."""
 
@@ -144,7 +144,7 @@ class Coupled(CaseScene):
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         """Return the parameters that depend on a change.
 
-        Typed initial values are kept and the modes follow from them; with a drag it is the reverse, if the modes
+        Typed initial values are kept and the modes follow from them. During a drag it is the reverse, if the modes
         determine the motion.
         """
         if before is None:
@@ -159,13 +159,13 @@ class Coupled(CaseScene):
         return {"given_by": "modes", **taken, **self._initial(taken)}
 
     def _modes(self) -> dict[str, float]:
-        """The amplitude and phase of each mode of the initial values. ValueError where one drifts."""
+        """Return the amplitude and phase of each mode for the initial values. Raises ValueError if a mode drifts."""
         sizes, phases = amplitudes_and_phases(free_modes(chain.of_scene(self), *chain.start_of(self)))
         return dict(zip(("X_slow", "X_fast", "phi_slow", "phi_fast"), (*sizes, *phases), strict=True))
 
     def _initial(self, taken: Values) -> dict[str, float]:
-        """The initial values of the modes, which are `taken` or set, if they differ from those set by more than
-        roundings."""
+        """Return the initial values that follow from the modes (those in `taken`, else the scene's), if they differ
+        from the current ones by more than rounding errors."""
         given = {**{name: getattr(self, name) for name in BY_MODES}, **taken}
         sizes, phases = ((given[f"{of}_slow"], given[f"{of}_fast"]) for of in ("X", "phi"))
         free = modes_given(chain.of_scene(self), sizes, phases)

@@ -29,9 +29,9 @@ from physics.sampling import drawable, time_window
 from physics.valid import in_range
 
 BEATS = 1e-3
-"""A mode smaller than this share of the other leaves no beat that is seen."""
+"""If a mode is smaller than this share of the other one, no beats are visible."""
 CLOSE = 0.2
-"""The difference of the frequencies over their sum up to which two sines are seen to beat."""
+"""Two sines are seen to beat if the difference of their frequencies, divided by the sum, is at most this."""
 FAST = "The fast motion is too fast for a line and fills the band that is drawn. "
 
 
@@ -154,7 +154,7 @@ class CoupledCase(ChainCase):
         return About((points,), free_drift(self.free, columns["t"]), bands_among(shown.sources, bands))
 
     def _points(self, names: dict[str, str], columns: Columns) -> list[CheckedPoint]:
-        """The checked points of the displacements, or of the modes where these are bands."""
+        """Return the checked points of the displacements, or of the modes if the displacements are drawn as bands."""
         if self.given_by == "values":
             return motion_rows(names, columns, self.chain, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
         given = (self.X_slow, self.X_fast), (self.phi_slow, self.phi_fast)

@@ -112,7 +112,7 @@ def paper() -> Block:
 
 
 def modes() -> Block:
-    """Right of the stage: a caption at the height of each of its rows."""
+    """Return the captions to the right of the stage, one at the height of each row."""
     top, slow, fast = FEET[0], FEET[1] - FEET[0], FEET[2] - FEET[1]
     return column(
         words("**The motion**", style="caption", grow=top, phone=16),
@@ -205,12 +205,13 @@ def shapes() -> list[AnyShape]:
         found.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [place(i, part) for i, part in zip(chain.BOTH, parts, strict=True)]
         found += DRAWN.masses(base, *places, small=True)
-        above = base - 0.056 * chain.BODY  # a mass comes by under it
+        above = base - 0.056 * chain.BODY  # a mass can pass under it
         found.append(text(W, above, f"{mode} part", "end", tint=mode, style="t0 halo", show=ON_NARROW))
         for i, at in zip(chain.BOTH, places, strict=True):
             low = base - 0.026 * chain.BODY
             found += [arrow(chain.rest(i), low, at, low, tint=mode), *mode_hands(mode, i, at, base)]
-    # Its numbers over the parts, which may pass close below; a hall's type has no room between these.
+    # Put the numbers of a row above it, because the row below may come close. With the large type of hall mode there is
+    # no room between rows.
     found += [replace(one, show=(AT_DESK.name,)) if isinstance(one, Label) else one for one in DRAWN.ground(foot)]
     grabs = hand("Mass 1, start", 1), hand("Mass 2, start", 2)
     found += DRAWN.masses(foot, place(1, c.x1), place(2, c.x2), grabs=grabs)
@@ -228,12 +229,13 @@ def arrows(foot: Number) -> list[AnyShape]:
 
 
 def _newton(case: CoupledShown, axes: Axes) -> float:
-    """The length of one of the axis of forces, over the width of the stage."""
+    """The length of one unit of the force axis, as a share of the stage's width."""
     return LENGTH / axes[FORCE.name].place(axes[FORCE.name].end)
 
 
 def hand(label: str, *masses: int) -> Grab:
-    """Return the grab that moves these masses along the floor; both start from where they are, at rest."""
+    """Return the grab that moves these masses along the floor. Both masses start at their current positions, at
+    rest."""
     ways = (
         along_floor(1, "x1_0", c.x1, "v1_0"),
         along_floor(2, "x2_0", c.x2, "v2_0"),
@@ -242,7 +244,7 @@ def hand(label: str, *masses: int) -> Grab:
 
 
 def along_floor(mass: int, parameter: str, x: ExactMotion, rate: str = "") -> Along:
-    """Return the way of a hand that takes a mass along the floor."""
+    """Return the rule for dragging a mass along the floor."""
     sets: dict[str, Any] = {parameter: x}
     return along("x", partial(place, mass), X, rate=rate, **sets)
 
@@ -284,7 +286,7 @@ def swing_hand(mode: str, mass: int) -> Grab:
 
 
 def portion(mode: str, mass: int, i: int) -> Number:
-    """The displacement of mass i over the dragged mass's."""
+    """The displacement of mass i, relative to the dragged mass's."""
     return 1.0 if i == mass else number(HANDS[mode][mass - 1].other)
 
 
@@ -321,7 +323,7 @@ def displacements() -> Iterator[Block]:
 
 
 def energies() -> Block:
-    """T and V of each mass and spring, stacked to a flat top: T1 from the floor, T2 from the ceiling."""
+    """T and V of each mass and spring, stacked. The sum is constant; T1 is the lowest layer, T2 the highest."""
     return PARTS.block(
         note(rf"$T + V = {PARTS.text(c.E_total)} =$"),
         *stack(

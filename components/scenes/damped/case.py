@@ -1,4 +1,4 @@
-"""The case of a damped motion: its kind, its fate, its peaks, and everything that the paper shows."""
+"""The case of a damped motion: its kind, how it ends, its peaks, and everything that the paper shows."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ HARDLY = 0.9
 LASTING = 5.0
 """Length of the window in time constants of the slower rate."""
 HOME = 0.01
-"""Share of x_0 within which the mass counts as home."""
+"""The mass counts as back at equilibrium within this share of x_0."""
 ALL_BUT = 0.005
-"""Logarithmic decrement below which the kept share would round to 100 %."""
+"""Logarithmic decrement below which the share of the amplitude that remains after a cycle would round to 100 %."""
 MOST_PEAKS = 5
 MEASURED = "measured"
 """The view of a visitor's own measured points."""
@@ -66,7 +66,7 @@ class DampedCase(DashpotCase):
 
     @cached_property
     def said(self) -> str:
-        """The word for the sentence on what becomes of the motion."""
+        """Return the name of the sentence on how the motion ends."""
         if self.kind in ("glide", "drift"):
             return self.kind if self.v_0 else "still"
         if self.kind == "under":
@@ -101,7 +101,7 @@ class DampedCase(DashpotCase):
 
     @property
     def highest(self) -> float:
-        """Energies oscillate twice as fast as x."""
+        """Twice the frequency of x, because energies oscillate twice as fast."""
         return 2 * self.one.omega_d if self.swings else self.one.rates[1]
 
     @property
@@ -113,7 +113,8 @@ class DampedCase(DashpotCase):
 
     @cached_property
     def peaks(self) -> list[Moment]:
-        """The first turns on the side of the first one, within the window; none next to measured points."""
+        """The first maxima (or the first minima, if a minimum comes first) in the window; none in the view of measured
+        points."""
         found = self.free.peaks(MOST_PEAKS) if self.kind == "under" and self.view != MEASURED else []
         return [peak for peak in found if peak.t <= self.end]
 
@@ -146,7 +147,7 @@ class DampedCase(DashpotCase):
 
     @cached_property
     def crossing_speed(self) -> float:
-        """The inward speed in m/s above which the mass passes 0, where it does not oscillate."""
+        """The initial speed in m/s towards 0 above which an overdamped mass passes 0."""
         return scaled(0, self.one.rates[1], abs(self.x_0))
 
     @property
@@ -170,7 +171,7 @@ class DampedCase(DashpotCase):
         return About(tables, self._balance(columns["t"]), bands_among(shown.sources, x))
 
     def _balance(self, t: Floats) -> str:
-        """The sentence on how far T + V and the heat, each from its own formula, stray from E_0."""
+        """Return the sentence on how far T + V plus the heat, each from its own formula, differs from E_0."""
         try:
             energies = 0.5 * self.k * self.free.x**2 + 0.5 * self.m * self.free.v**2
             total = in_range("the energy", energies.at(t))
@@ -191,7 +192,7 @@ def kept(decrement: float, least: float = ALL_BUT) -> str:
 
 
 def _home_thrice(case: DampedCase) -> float:
-    """With three times the damping, released at rest: the time in s until the mass is back."""
+    """The time in s until the mass is back at equilibrium, released at rest with three times the damping."""
     heavier = DampedOscillator(m=case.m, c=scaled(0, 3.0, case.c), k=case.k)
     return FreeDecay(oscillator=heavier, x_0=case.x_0, v_0=0.0).settled(HOME) or 0.0
 

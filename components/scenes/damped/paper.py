@@ -41,7 +41,7 @@ EXAMPLES = ("dashpot", "air drag")
 """The views that show the model alone."""
 SIDES = Room(56, 30)
 LEFT, RIGHT, UP = 1.55, 0.88, 1.28
-"""The reach of the plane of the roots, in natural frequencies."""
+"""The ends of the axes of the plane of roots, in natural frequencies."""
 X = Plot("x", TIME, axis("m", lambda c: (-_reach(c), _reach(c)), room=1.25, count=2))
 ENERGY = Plot("energy", TIME, axis("J", lambda c: (0.0, c.E_total or 1.0), "E", room=1.08, whole=True))
 POWER = Plot("P", TIME, axis("W", lambda c: (0.0, c.P_max), room=1.15, count=2))
@@ -57,7 +57,7 @@ SIDE = wide(56, 42) * c.side
 LONGEST = 0.36
 """Length of the longest arrow of a force, as a share of the stroke."""
 LEAST_DROP = 0.04
-"""A stair is drawn where its drop is this share of the frame."""
+"""A step between two peaks is drawn if it is at least this share of the frame's height."""
 TICKS, NAMED = (0.2, 0.4, 0.6, 0.8), (0.4, 0.8)
 
 
@@ -190,7 +190,7 @@ def facts() -> Block:
 
 
 def fate() -> EitherText:
-    """The sentence on what becomes of the motion."""
+    """The sentence on how the motion ends."""
     return either(
         c.said,
         swing=f"Each swing keeps {c.keep} of its size and {c.keep_energy} of its energy, and takes {c.longer} longer "
@@ -216,7 +216,7 @@ def height(x: PlotValue) -> Number:
 
 
 def block() -> list[Shape]:
-    """Block, spring and dashpot on their wall, on one level line with the curve."""
+    """Block, spring and dashpot on their wall, with a line from the block to the curve at the same height."""
     y, lowest = height(c.x), LEVEL + 0.5 * STROKE + 0.5 * SIDE
     aside, foot = MIDDLE - 0.5 * SIDE - 15, lowest + NARROW_BELOW
     hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
@@ -246,7 +246,8 @@ def force(size: Number, x: Number, beside: int, y: Number, tint: str, name: str,
 
 
 def stairs() -> list[Shape]:
-    """Return a level line of one period from each peak of x(t), and the drop to the next: always the same share."""
+    """Return steps from each peak of x(t) to the next: a horizontal line of one period, and the drop, which is always
+    the same share."""
     peaks, drops = X.in_frame(c, "peak", _peaks), X.in_frame(c, "stair", _drops)
     points = [(X.x(peaks[i].t), X.y(peaks[i].x)) for i in range(MOST_PEAKS)]
     shapes: list[Shape] = []
@@ -280,7 +281,7 @@ def _drops(case: DampedShown, t: Axis, x: Axis) -> list[bool]:
 
 
 def at_fastest(plot: Plot, level: Number | None = None) -> list[Shape]:
-    """Return a line over a plot where the mass is fastest, and a ring where the curve has that level."""
+    """Return a vertical line over a plot at the time when the mass is fastest, and a ring on the curve."""
     x = plot.x(c.quickest.t)
     start, end = (level or 0.0, plot.bottom) if plot is X else (plot.top, plot.bottom if level is None else level)
     ring = [] if level is None else [circle(x, level, 4.5, style="ghost", tint="ink", inside=plot)]
@@ -298,7 +299,7 @@ def roots() -> list[Shape]:
 
 
 def held(x0: Number, y0: Number, radius: Number) -> list[Shape]:
-    """Return the roots; the one that can be dragged is filled. A hand moves it at once, so its place is a product."""
+    """Return the roots. The one that can be dragged is filled; it follows the pointer before the server answers."""
     root, seen = ROOTS.in_frame(c, "root", _root), ROOTS.in_frame(c, "held_root", _held)
     left = ROOTS.in_frame(c, "out", lambda c, re, im: c.root_kind == "real" and not _held(c, re, im))
     x, y, slow, edge = x0 - radius * root, ROOTS.y(c.one.omega_d), x0 - radius * c.slow_root, ROOTS.left + 4
@@ -340,12 +341,13 @@ def held(x0: Number, y0: Number, radius: Number) -> list[Shape]:
 
 
 def _held(case: DampedShown, re: Axis, im: Axis) -> bool:
-    """True if the frame has room for the root that a hand holds: the faster one, or the upper one of a pair."""
+    """True if the frame contains the root that can be dragged: the faster one, or the upper one of a pair."""
     return case.root_kind == "pair" or (case.root_kind == "real" and -case.one.rates[1] >= re.start)
 
 
 def _root(case: DampedShown, re: Axis, im: Axis) -> float:
-    """The distance of that root from the imaginary axis, or of a pair its damping ratio, in natural frequencies."""
+    """The distance of that root from the imaginary axis in natural frequencies; for a pair of roots, this is the
+    damping ratio."""
     if case.root_kind == "real" and _held(case, re, im):
         return case.one.rates[1] / case.one.omega_n
     return case.one.zeta if case.k else 1.0

@@ -1,4 +1,4 @@
-"""The case of a driven mass: how it is driven, its steady part, what it does at first, and what the paper shows."""
+"""The case of a driven mass: its drive, its steady part, its transient, and what the paper shows."""
 
 from __future__ import annotations
 
@@ -28,28 +28,30 @@ from physics.sampling import periods
 
 KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")
 SWINGS, LONG = 6, 12
-"""Natural periods in a window; those of a motion that hardly dies."""
+"""Natural periods in a time window; the second value is for motions that decay very slowly."""
 HARDLY = 0.02
-"""Damping ratio up to which it hardly dies."""
+"""Damping ratio up to which a motion counts as decaying very slowly."""
 ALIKE = 0.02
-"""rad; an undamped drive that gets no further from the own motion in the window counts as resonant."""
+"""In rad. Without damping, a drive counts as resonant if its phase stays within this of the free motion's over the
+window."""
 END = 2.5
-"""The end of the axis of r, unless the drive is faster."""
+"""The end of the axis of the frequency ratio r, unless the drive is faster."""
 DECADE = 10.0
 """The reach of log axes to each side of r = 1, unless the drive is beyond it."""
 LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
-"""Height of the response: the smallest, that without a peak to show, the largest."""
+"""Upper end of the response axis: the smallest, the one if there is no finite peak, the largest."""
 # The polygon of the forces.
 ASIDE = 0.09
-"""Distance of arrows that would lie on each other, in pushes."""
+"""Distance between arrows that would overlap, relative to the arrow of the push."""
 LEFT, RIGHT = 0.7, 0.6
-"""Reach of the polygon to each side, in heights of the response; a wider one is drawn smaller."""
+"""Width of the polygon to each side, relative to the height of the response plot; a wider one is drawn smaller."""
 NARROWEST, ASIDE_OF_X = 0.6, 0.5
-"""A smaller lag, in rad, has no room for its name, which then lies so far on the other side of the arrow."""
+"""A smaller lag, in rad, leaves no room for its name. The name is then on the other side of the arrow, at this
+distance."""
 GROWN = 0.8
-"""Height of forces that grow, in heights of the response."""
+"""Length of forces that grow without limit, relative to the height of the response plot."""
 FILLED = 0.9
-"""Share of the height of a separate stage that the polygon fills."""
+"""Share of the stage's height that the polygon fills, if it has a stage of its own."""
 APART_NOTE = "The steady and the complementary part are far larger than their sum here, so they are not drawn."
 RINGS_NOTE = "At first x rings too fast to be drawn as a line in this window: it stays within the band."
 BAND_NOTE = "The motion is too fast to be drawn as a line in this window: the band is what it stays within."
@@ -86,7 +88,7 @@ class Polygon(NamedTuple):
 
     @property
     def push(self) -> float:
-        """A push in heights of the stage."""
+        """The length of the push's arrow, relative to the stage's height."""
         return FILLED / self.height
 
 
@@ -98,7 +100,7 @@ class DrivenCase(SlicedCase):
 
     @property
     def shaken(self) -> bool:
-        """Whether the base moves."""
+        """True if the base moves."""
         return self.kind == "base" and self.is_driven
 
     @property
@@ -111,7 +113,7 @@ class DrivenCase(SlicedCase):
 
     @cached_property
     def ratio(self) -> complex:
-        """X over F_0/k, over Y, or over m_0 e/m."""
+        """The complex amplitude X divided by F_0/k, by Y, or by m_0 e/m, depending on the kind of drive."""
         return complex(magnification(self.r, self.zeta, self.kind)[0])
 
     @property
@@ -148,7 +150,7 @@ class DrivenCase(SlicedCase):
 
     @property
     def ratio_axis(self) -> Axis:
-        """The axis of r, which counts in natural frequencies."""
+        """The axis of the drive frequency in units of the natural frequency (r)."""
         end, omega_n = max(END, float(f"{1.1 * self.r:.2g}")), self.one.omega_n
         if self.is_log:
             low = min(1 / DECADE, self.r or 1.0) * omega_n
@@ -189,17 +191,17 @@ class DrivenCase(SlicedCase):
 
     @cached_property
     def grows(self) -> bool:
-        """Whether, without a dashpot, the drive is at resonance as far as the window tells."""
+        """True if there is no dashpot and the drive is at resonance, as far as the time window can show."""
         return not self.c and (self.resonant or abs(self.vibration.push.detuning) * self.end < ALIKE)
 
     @property
     def swells(self) -> bool:
-        """True if the motion grows, under a push."""
+        """True if the motion grows under a sinusoidal drive."""
         return self.grows and self.is_driven and self.is_sine
 
     @property
     def settles(self) -> bool:
-        """True if the steady part has a size."""
+        """True if the steady part has a finite amplitude."""
         return not self.grows and not self.is_once and math.isfinite(self.M)
 
     @property
@@ -213,12 +215,13 @@ class DrivenCase(SlicedCase):
         return self.steady and self.view in ("response", "forces")
 
     def worded(self, word: str) -> str:
-        """Return the word for a heading in words, or in the view of formulas for one with its formula."""
+        """Return the name of a heading: in the view of formulas the variant with a formula, else the one in words."""
         return f"{word}_formula" if word and self.view == "formulas" else word
 
     @cached_property
     def half_power(self) -> tuple[float, float] | None:
-        """omega in rad/s below and above omega_n at which the dashpot takes half of its most, if that is drawn."""
+        """The two drive frequencies in rad/s at which the dashpot takes half of its largest power, if they are
+        drawn."""
         if (self.is_log and self.view == "response") or self.kind != "force" or not 0.02 < self.zeta < 0.6:
             return None
         below, above = half_power(self.zeta)
@@ -233,9 +236,10 @@ class DrivenCase(SlicedCase):
         return min(max(1.1 * (peak[1] if peak else 1.0), LEAST), TALLEST)
 
     def response(self, r: Axis, side: Literal["below", "above"]) -> Columns:
-        """Return omega, the response, the lag and the power lost; without damping below or above the resonance alone.
+        """Return columns of omega, the response, the lag and the power lost. Without damping there is one table below
+        the resonance and one above it.
 
-        The power has its peak at Q, the height of the response at r = 1.
+        The peak of the drawn power is Q, the value of the response at r = 1.
         """
         zeta = self.zeta
         ratio = ratios(zeta, r.start / r.factor, r.end / r.factor, r.log)
@@ -248,7 +252,7 @@ class DrivenCase(SlicedCase):
         power = {"power": 2 * zeta * (ratio * np.abs(X)) ** 2} if self.half_power else {}
         return {"omega": ratio * self.one.omega_n, "M": np.abs(X), "lag": lags, **power}
 
-    # What is drawn over time.
+    # Quantities that are drawn against time.
 
     @cached_property
     def sampled(self) -> SampledVibration | PushedVibration:
@@ -258,7 +262,7 @@ class DrivenCase(SlicedCase):
 
     @property
     def split(self) -> bool:
-        """True if the motion is shown in its parts: after one impulse there is one part only."""
+        """True if the steady part and the transient are drawn too. After a single impulse there is only one part."""
         return self.sampled.split and self.shape != "impulse"
 
     @property
@@ -268,7 +272,7 @@ class DrivenCase(SlicedCase):
 
     @property
     def sum_reach(self) -> float:
-        """The largest displacement in m of the motion and of the sum of the slices."""
+        """The largest displacement in m, of the motion and of the sum of the responses to slices."""
         return max(self.tallest, self.sliced.reach if self.sliced else 0.0)
 
     @cached_property
@@ -340,7 +344,7 @@ class DrivenCase(SlicedCase):
 
 
 def outline(kind: Drive, zeta: float, of_phase: bool) -> str:
-    """Return the path of a curve behind, in r to the right and |X| or the lag upwards (negative)."""
+    """Return SVG path data for a background curve: x is r, y is minus |X|, or minus the lag."""
     r = np.concatenate([np.linspace(0, 0.9, 30), np.linspace(0.905, 1.1, 40), np.linspace(1.11, 2.5, 40)])
     X = magnification(r[r != 1], zeta, kind)
     up = np.array([lag(complex(one)) for one in X]) if of_phase else np.minimum(np.abs(X), 12.0)

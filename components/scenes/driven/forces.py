@@ -12,13 +12,14 @@ from components.scenes.driven.plots import RESPONSE, c
 
 POLYGON = RESPONSE.in_frame(c, "polygon", lambda c, r, M: c.polygon(M.place(M.end)))
 PX = wide(-1 * RESPONSE.per_y, H * POLYGON.push)
-"""Pixels of one push."""
+"""Length of the push's arrow in pixels."""
 BASE, CENTER = wide(RESPONSE.y(0), H * (0.98 - POLYGON.below * POLYGON.push)), 0.56 * W
 """The tail of the polygon of the forces."""
 
 
 def polygon() -> Block:
-    """Return the stage of the forces, tail to tip: they close on the push, on the scale of the response."""
+    """Return the stage with the forces drawn tail to tip. Together they equal the push. The scale is that of the
+    response plot."""
     unit, p = PX * POLYGON.scale, POLYGON
     kX, inertia = ("k", "*kX*"), ("m1", "*mω*²*X*")
     up, end = BASE - unit * p.up, BASE - unit * p.end
@@ -41,7 +42,9 @@ def polygon() -> Block:
 def arrows(
     up: Number, across: Number, aside: Number, end: Number, first: tuple[str, str], third: tuple[str, str], way: int
 ) -> list[Shape]:
-    """The first arrow up, the arrow of the dashpot across, the third arrow down."""
+    """The first arrow (up), the arrow of the dashpot (across), and the third arrow (down).
+
+    `first` and `third` are spring and inertia, or the reverse for an unbalance."""
     near, far = ("start", "end") if way < 0 else ("end", "start")
     return [
         arrow(CENTER, BASE, CENTER, up, tint=first[0], head=13),
@@ -54,11 +57,11 @@ def arrows(
 
 
 def pushes(unit: Number, across: Number, end: Number) -> list[Shape]:
-    """The push, from the tail to where the others end, and the angle by which x lags it."""
+    """The arrow of the push, from the first tail to the last tip, and the angle by which x lags it."""
     x, y, p, look = CENTER, BASE, POLYGON, Looks(tint="F", style="t2 b halo")
     shaken = x + unit * p.y_side, y - unit * p.y_up
     middle = (x + across) * 0.5, (y + end) * 0.5
-    away = middle[0] - 16 * p.end, middle[1] - 16 * p.across + 5  # from the others, at right angles to it
+    away = middle[0] - 16 * p.end, middle[1] - 16 * p.across + 5  # shifted from the others, perpendicular to it
     return [
         *shown_by(c.kind != "base", arrow(x, y, across, end, tint="F", style="thick", head=15)),
         *shown_by(c.kind == "force", text(*away, "*F*_0", **look)),
@@ -83,7 +86,7 @@ def pushes(unit: Number, across: Number, end: Number) -> list[Shape]:
 
 
 def growing_forces(up: Number) -> list[Shape]:
-    """Undamped at resonance: spring and inertia cancel, and what is left of the push makes the swing grow."""
+    """At resonance without damping, spring and inertia cancel, so nothing balances the push and the swing grows."""
     x, y, left = CENTER, BASE, CENTER - PX
     return [
         arrow(x, y, x, up, tint="k", head=13),

@@ -1,4 +1,4 @@
-"""The rings by which a hand sets the height of a push, its period, and the width of its pulses, on a plot over time."""
+"""Draggable rings on a plot against time, which set the height of a push, its period, and the width of its pulses."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ RING: Looks = {"style": "ghost", "tint": "F"}
 
 
 def grips(plot: Plot, up: Callable[[PlotValue], Number], axis: PlotAxis) -> list[Shape]:
-    """Return the rings; `up` is the pixel of a force, counted on an axis."""
+    """Return the rings. `up` returns the pixel of a force, given in the unit of an axis."""
     left, window = plot.x(0), plot.across_pixels(c.end)
     period = window * number(c.period_share)
     sets_period = Quotient(

@@ -1,4 +1,5 @@
-"""The harmonics of a push under the response of the driven mass: bars of the push, a dot for the swing of each."""
+"""The plot of harmonics: bars for the harmonics of the push, dots for the amplitudes that they cause, and the response
+curve."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ ONCE = "The push does not repeat. This view is about a sine; the view Convolutio
 
 
 def _bars(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
-    """Return a path up and down each line of the push, over F_0, from the lower end of the axis."""
+    """Return a path for the bars of the harmonics, relative to F_0, from the lower end of the axis."""
     if not case.harmonics:
         return None
     lines = case.harmonics.drawn(r.end)
@@ -32,7 +33,7 @@ def _bars(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
 
 
 def _dots(case: DrivenCase, r: Axis, M: Axis) -> Columns | None:
-    """Return the amplitude of each harmonic over F_0/k; one beyond the axis is at its end."""
+    """Return the amplitude that each harmonic causes, relative to F_0/k, limited to the axis."""
     if not case.harmonics:
         return None
     lines = case.harmonics.drawn(r.end)
@@ -47,7 +48,7 @@ def _strongest(case: DrivenCase, r: Axis, M: Axis) -> float | None:
 
 
 def _jolts(case: DrivenCase, t: Axis, x: Axis) -> Columns | None:
-    """Return a path up and down each impulse, as high as it alone makes the mass swing without a dashpot."""
+    """Return a path for the bars of impulses. The height is the amplitude that one impulse causes without a dashpot."""
     if not case.is_impulsive or not case.pushed_by:
         return None
     at = case.jolts
@@ -90,7 +91,7 @@ def harmonics(plot: Plot, *response: PlotItem) -> Block:
 
 
 def pushed() -> Block:
-    """Return the plot of the motion with its push, which a spring without a mass would follow."""
+    """Return the plot of the motion and of its push, drawn as the displacement of a spring without a mass."""
 
     def up(force: PlotValue) -> Number:
         return PUSHED.y(0) - PUSHED.up_pixels(c.stretch) * on_axis(DRIVE, force)
@@ -108,7 +109,7 @@ def pushed() -> Block:
 
 
 def strongest() -> Block:
-    """The sentence on which harmonic meets the peak."""
+    """Return the sentence on which harmonic is at the peak of the response."""
     most = either(
         c.meets,
         hit=f"**Harmonic {c.n_peak} is at the peak, and moves the mass most: by {c.X_strongest} m.**",

@@ -57,7 +57,7 @@ from components.scenes.driven.plots import DRIVE, LEFT, OMEGA, PHASE, POWER, RES
 
 BESIDE = 1 - STACKED
 FAINT = (0.0, 0.5, 1.0)
-"""The damping ratios of the curves behind."""
+"""The damping ratios of the background curves."""
 BEHIND = "faint: *ζ* = 0, 0.5, 1"
 AXES = one_of("linear", {"linear": "Linear", "log": "Log"}, "Axes of the response")
 KIND_FORMS = {kind: form_of(c.kind == kind) for kind in KINDS}
@@ -68,7 +68,7 @@ IS_BASE = number(c.kind == "base")
 STROKE = (0.7 - 0.15 * HALL + (0.4 - 0.25 * HALL) * IS_BASE) * wide(X.bottom - X.top, 0.34 * H)
 SIDE: Number = 42 * c.side
 ASIDE = MIDDLE + 0.5 * SIDE + 48
-"""The place of the drive, next to the block."""
+"""The x of the drive, next to the block."""
 PUSH = wide(0.34 * (X.bottom - X.top), 0.16 * H)
 """The length of the drive's axis, in pixels."""
 WHEEL = 9
@@ -123,7 +123,7 @@ def displacement() -> Block:
         always_formula=f"growth {rate}",
         first_formula=f"growth at first {rate}",
     )
-    name = either(c.view == "formulas", yes="*x*", no="displacement *x*")  # the formulas need the room
+    name = either(c.view == "formulas", yes="*x*", no="displacement *x*")  # the view of formulas needs the space
     base = either(c.base_form, name="base *y*", name_formula=rf"$y = {c.Y} \sin({c.omega}\,t)$")
     return X.block(
         curve(c.x, "sum", "m1", label="*x*", words=name, fast="ringing", dot=True),
@@ -182,7 +182,7 @@ def work() -> EitherText:
 
 
 def sentence() -> EitherText:
-    """The sentence on what balances the push."""
+    """The sentence on which force balances the push."""
     return either(
         c.holds,
         spring="**Below resonance the spring balances most of the push.**",
@@ -218,21 +218,21 @@ def height(value: PlotValue) -> Number:
 
 
 def strength(value: PlotValue) -> Number:
-    """The height of a force, or of an unbalance, on its own axis next to the block."""
+    """Return the y of a force, or of an unbalance, on a separate axis next to the block."""
     return LEVEL - PUSH * share(DRIVE, value)
 
 
 FLOOR = LEVEL + 0.5 * STROKE + 0.5 * SIDE
-"""The lowest place of the foot of the block."""
+"""The lowest y of the block's lower edge."""
 
 
 def foot(value: PlotValue) -> Number:
-    """The height of the base if it is displaced by this value."""
+    """Return the y of the base for this displacement."""
     return FLOOR + NARROW_BELOW - raised(value)
 
 
 def block() -> list[Shape]:
-    """The block between its wall and its drive, on one level line with the curve."""
+    """The block between its wall and its drive, with a line from the block to the curve at the same height."""
     y, arrow_at = height(c.x), MIDDLE - 0.5 * SIDE - 14
     hand = drag("Mass, start", along("y", height, X.up, x_0=c.x, rate="v_0"))
     return [
@@ -246,7 +246,8 @@ def block() -> list[Shape]:
 
 
 def dial() -> list[Shape]:
-    """The drive and the steady part as hands: one turn a period, each as high as what it stands for."""
+    """The dial: the drive and the steady part as rotating hands with one turn per period. The height of each tip is the
+    value."""
     x, y = W * (0.8 * STACKED + 0.5 * BESIDE), H * (0.48 * STACKED + 0.76 * BESIDE)
     radius, quarter, turn = H * (0.28 * STACKED + 0.13 * BESIDE), math.pi / 2, number(c.turn)
     hands = (
@@ -309,7 +310,7 @@ def drives(y: Number) -> list[Shape]:
 
 
 def behind(plot: Plot) -> list[Shape]:
-    """Return outlines of other dampings, which are drawn once for all visitors and scaled to the axes."""
+    """Return outlines for other damping ratios. They are the same for all visitors and are scaled to the axes."""
     place: Looks = {"x": plot.x(0), "y": plot.y(0), "sx": plot.per_x, "sy": -1 * plot.per_y}
     look: Looks = {"style": "scaled behind", "tint": "m1", "inside": plot}
     outlines = ((kind, outline(kind, zeta, plot is PHASE)) for kind in KINDS for zeta in FAINT)
@@ -364,7 +365,8 @@ def response() -> Block:
 
 
 def half_width() -> list[Shape]:
-    """The width of the power at half its peak, and the height at r = 1, which is Q: its line sets the damping."""
+    """The width of the power curve at half its peak, and the line at Q, the response at r = 1. Dragging this line sets
+    the damping."""
     low, high, one, past = map(RESPONSE.x, (c.half_low, c.half_high, c.one.omega_n, c.beyond))
     y, height, aside = RESPONSE.y(c.half_peak), RESPONSE.y(c.peak), RESPONSE.top + 0.19 * RESPONSE_HEIGHT
     hand = Quotient(
@@ -377,7 +379,7 @@ def half_width() -> list[Shape]:
         circle(low, y, 3.5, tint="T"),
         circle(high, y, 3.5, tint="T"),
         *shown_by(
-            c.view != "forces",  # there the polygon needs the room
+            c.view != "forces",  # the view of forces needs the space for the polygon
             text(past + 10, y + 5, f"width Δ*ω* = {c.bandwidth} rad/s", "start", style="halo"),
             text(past + 26, y + 20 + 4 * HALL, "at half the power", "start", style="halo"),
         ),

@@ -13,7 +13,7 @@ from components.scenes.driven.shown import DrivenShown
 
 c = deferred(DrivenShown)
 ROOM = 1.2
-"""The reach of the axis of x, in its largest value."""
+"""The end of the axis of x, relative to the largest drawn value."""
 SIDES, LEFT = Room(48, 26), Room(40, 14, top=10)
 LAGS = Axis(
     0.0, 1.08 * math.pi, "rad", ticks=(0.0, math.pi / 2, math.pi), labels=("0", "π/2", "π"), drawn=(0.0, math.pi)
@@ -28,4 +28,4 @@ SUM = Plot("sum", TIME, axis("m", lambda c: (-c.sum_reach, c.sum_reach), room=RO
 FORCE = Plot("force", TIME, axis("N", lambda c: c.slice_axis))
 REPEATS = form_of(c.repeats)
 OMEGA = handle(c.r, parameter="omega", symbol="ratio r", label="Drive frequency", tint="F", form=REPEATS.name)
-"""The pill of the drive frequency on the axis of r."""
+"""The handle of the drive frequency on the axis of r."""

@@ -17,11 +17,11 @@ from physics.periodic import PeriodicPush
 from physics.pushed_vibration import WIDE, PushedVibration, PushHarmonics
 
 FEWEST, MOST, PER_PERIOD = 60, 240, 16
-"""The times at which powers are computed: the fewest, the most, those in a period."""
+"""Number of times at which powers are computed: least, most, and per period."""
 PushShape = Literal["sine", "square", "triangle", "pulses", "impulses", "step", "impulse"]
 MOST_JOLTS = 200
 FLASH, IN_FLASHES = 2, 32
-"""The samples at the start of a period, and all of it, in which an impulse shows on the stage."""
+"""An impulse is visible on the stage for FLASH of the IN_FLASHES samples of a period."""
 
 
 class PushedCase(DashpotCase):
@@ -73,7 +73,7 @@ class PushedCase(DashpotCase):
 
     @property
     def is_sine(self) -> bool:
-        """True if a sine drives it, or nothing."""
+        """True if the drive is a sine, or if there is none."""
         return self.shape == "sine" or not self.is_driven
 
     @cached_property
@@ -90,20 +90,20 @@ class PushedCase(DashpotCase):
 
     @cached_property
     def moved(self) -> ForcedVibration | PushedVibration:
-        """The motion under the drive, whatever its shape."""
+        """The motion under the drive, of any shape."""
         if not self.pushed_by:
             return self.vibration
         return PushedVibration(oscillator=self.one, push=self.pushed_by, x_0=self.x_0, v_0=self.v_0, t=self.times)
 
     @property
     def period_in_window(self) -> float | None:
-        """The period of a push that is not a sine over the window, if it is not longer."""
+        """The period of a push that is not a sine, as a share of the window; None if it is longer than the window."""
         share = 2 * math.pi / self.omega / self.end if self.pushed_by and not self.is_once else math.inf
         return share if share <= 1 else None
 
     @property
     def crest(self) -> float:
-        """The first time at which the push is highest, over the window."""
+        """The first time at which the push is highest, as a share of the window."""
         if self.shape == "step":
             return 0.25
         return {"square": 0.25, "triangle": 0.25, "pulses": 0.5 * self.width}.get(self.shape, 0.0) * (
@@ -120,12 +120,12 @@ class PushedCase(DashpotCase):
 
     @property
     def mean_size(self) -> float:
-        """The size that the harmonics are divided by: F_0, or the mean of impulses, in N."""
+        """The force to which harmonics are relative: F_0, or the mean force of impulses, in N."""
         return self.J * self.omega / (2 * math.pi) if self.is_impulsive else self.F_0
 
     @property
     def seen_push(self) -> ExactMotion:
-        """The push on the stage: an impulse, in N s, shows for a moment."""
+        """The push as the stage shows it. An impulse, in N s, is visible for a moment."""
         if not self.is_impulsive or not self.is_driven:
             return self.moved.drive
         period = 1.02 * self.end if self.is_once else 2 * math.pi / self.omega
@@ -134,7 +134,7 @@ class PushedCase(DashpotCase):
         return Elementary(symbol="F", exact=played.at, played=played, size=lambda: self.J)
 
     def met(self) -> str:
-        """The word for which harmonic of the push meets the peak of the response."""
+        """Return the name of the sentence on which harmonic of the push is at the peak of the response."""
         found = self.harmonics
         if not found:
             return "once" if self.is_driven and self.is_once else "sine" if self.is_driven else "idle"

@@ -15,9 +15,10 @@ from physics.forced_vibration import rotating
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 
 ALONE = 0.02
-"""If spring and inertia leave less than this share of the dashpot's force, it holds the push alone."""
+"""If the sum of spring force and inertia is below this share of the dashpot's force, the dashpot alone balances the
+push."""
 AT_ROOT = 1e-3
-"""Distance of r from √2 within which the dashpot makes no difference, if the amplitude agrees in three digits."""
+"""Within this distance of r from √2, the dashpot does not change the amplitude to three digits."""
 
 
 def _size(case: DrivenCase) -> float:
@@ -32,23 +33,23 @@ def _growth(case: DrivenCase) -> float:
 
 
 def _rate(case: DrivenCase) -> float:
-    """The growth in m/s."""
+    """The growth of an undamped resonance in m/s."""
     return _growth(case) * case.omega / (2 * math.pi)
 
 
 def _part(case: DrivenCase) -> str:
-    """The word for what becomes of the transient, if it is drawn."""
+    """Return whether the transient "dies" or "stays"; "" if it is not drawn."""
     return "" if not case.split else "dies" if case.c else "stays"
 
 
 def _work(case: DrivenCase) -> float:
-    """The work of a cycle of the steady part in J, all of which the dashpot takes."""
+    """Return the work of the drive in a cycle of the steady motion in J. The dashpot takes all of it."""
     stroke = abs(case.vibration.X - (case.amount if case.kind == "base" else 0.0))
     return scaled(0, math.pi, case.c, case.omega, stroke, stroke)
 
 
 def _hand(symbol: str, case: DrivenCase, ahead: float) -> ExactMotion | None:
-    """The sine of the phase of the steady part, or of a phase that is `ahead` of it in rad."""
+    """Return the sine of the phase of the steady part, plus `ahead` in rad."""
     return rotating(symbol, cmath.rect(1.0, ahead - case.lag), case.omega) if case.has_dial else None
 
 
@@ -57,7 +58,7 @@ def _line(rate: float) -> ExactMotion:
 
 
 def _holds(case: DrivenCase) -> str:
-    """The word for what holds the push."""
+    """Return the name of the sentence on which force balances the push."""
     if not case.is_driven:
         return "idle" if case.omega else "still"
     if not case.is_sine:
@@ -130,7 +131,7 @@ class DrivenShown(DrivenCase):
     is_flat = value(lambda c: not (c.half_power or c.is_log))
     outlined = value(lambda c: "" if c.is_log else c.kind)
     has_power = value(lambda c: bool(c.power))
-    # Places on the stage and on the response. A hand sets zeta by `half` over the height at r = 1.
+    # Positions on the stage and on the response. Dragging the line at r = 1 sets zeta to `half` divided by its height.
     side = value(lambda c: min(max(c.m**0.15, 0.75), 1.25))
     wire = value(lambda c: wire(c.k))
     stroke = value(lambda c: c.Y if c.kind == "base" else 0.0)
@@ -165,8 +166,8 @@ class DrivenShown(DrivenCase):
     strongest_at = value.optional(lambda c: c.harmonics.strongest[0] * c.omega if c.harmonics else None)
     first_line = value(lambda c: float(c.harmonics.lines([1]).f[0]) / c.mean_size if c.harmonics else 1.0)
     sine_at = value.optional(lambda c: c.M if c.settles and c.is_sine else None)
-    # The rings of a push: a hand sets the period over the window, by `full_turn` over it. The `stretch` of a push in m
-    # is that of the spring, or the swing that an impulse makes.
+    # The rings of a push. Dragging the period's ring sets omega to `full_turn` divided by the share of the window.
+    # `stretch` converts a push to m: the stretch of the spring, or the amplitude that an impulse causes.
     period_share = value.optional(lambda c: c.period_in_window)
     full_turn = value(lambda c: 2 * math.pi / c.end)
     pulse_width = value.optional(lambda c: c.width if c.has_width and c.pushed_by else None)

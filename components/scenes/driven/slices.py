@@ -14,16 +14,16 @@ from physics.convolution import SlicedPush, Tail, joined, outline, tails
 from physics.sampling import drawable
 
 MOST_TAILS, POINTS = 12, 700
-"""The tails that are drawn, at most, and their points."""
+"""Largest number of responses to slices that are drawn, and the number of their points."""
 FOLLOWS = 0.05
-"""Largest share of the motion by which a sum that follows it misses it."""
+"""The sum counts as following the motion if it differs by at most this share of it."""
 
 SHORT = 0.1
-"""The share of a natural period up to which a slice is short."""
+"""A slice is short if its width is at most this share of a natural period."""
 
 
 class SlicedCase(PushedCase):
-    """A motion under a push, and the motions that slices of the push leave."""
+    """A motion under a push, with the responses to slices of the push."""
 
     slices: float
 
@@ -44,12 +44,13 @@ class SlicedCase(PushedCase):
 
     @property
     def slice_share(self) -> float:
-        """The width of a slice over a natural period."""
+        """The width of a slice, as a share of a natural period."""
         return self.end / self.slices * self.one.omega_n / (2 * math.pi)
 
     @cached_property
     def compared(self) -> tuple[float, float] | None:
-        """The largest distance of the sum from the motion in the window, and the largest |x| from rest, in m."""
+        """The largest difference between the sum and the motion in the window, and the largest |x| of the motion from
+        rest, in m."""
         if not self.sliced:
             return None
         x = self.moved.from_rest(self.sliced.instants)
@@ -57,7 +58,7 @@ class SlicedCase(PushedCase):
 
     @cached_property
     def tails(self) -> list[Tail]:
-        """The motions that some of the slices leave, and the start."""
+        """The responses to some of the slices, and to the initial conditions."""
         if not self.in_slices:
             return []
         times, sizes = self.jolts, np.full_like(self.jolts, self.J)
@@ -69,7 +70,7 @@ class SlicedCase(PushedCase):
         return [*start, *found]
 
     def tail_words(self) -> str:
-        """The word for whose tails are drawn."""
+        """Return the name of the sentence on which responses are drawn."""
         count = len(self.jolts) if self.is_impulsive else self.slices
         return ("some" if count > MOST_TAILS else "each") + ("_jolt" if self.is_impulsive else "")
 
@@ -92,7 +93,7 @@ class SlicedCase(PushedCase):
         return {"slice_t": found[0], "slice": found[1], "zero": np.zeros_like(found[0])}
 
     def summed(self) -> str:
-        """The word for how the sum of the slices compares with the motion."""
+        """Return the name of the sentence that compares the sum of the responses with the motion."""
         if not self.is_driven or self.kind != "force":
             return "idle" if self.kind == "force" else "other"
         if not self.in_slices:

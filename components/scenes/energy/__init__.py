@@ -1,5 +1,4 @@
-"""Energy: the scene of a hanging mass, whose energy goes to and fro; gravity sets where it hangs (D31, points 4 to
-6)."""
+"""Energy: the scene of a hanging mass and its energies. Gravity only shifts its equilibrium (D31, points 4 to 6)."""
 
 from __future__ import annotations
 

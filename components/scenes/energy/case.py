@@ -52,7 +52,7 @@ class EnergyCase(Case):
 
     @property
     def highest(self) -> float:
-        """Energies oscillate twice as fast as x."""
+        """Twice the frequency of x, because energies oscillate twice as fast."""
         return 2 * self.omega
 
     @property
@@ -92,7 +92,7 @@ class EnergyCase(Case):
 
     @property
     def claim(self) -> str:
-        """The word for the sentence on the largest T and V: none swings at rest; without weight both V are equal."""
+        """Return the name of the sentence on the largest T and V, which depends on the choice of V = 0."""
         if not self.C:
             return "rest_apart" if self.shift else "rest"
         return "weightless" if self.separate and not self.shift else self.datum

@@ -1,4 +1,5 @@
-"""The paper of the hanging mass: its stage with T on V as a bar, the well under it, x and the energies over time."""
+"""The paper of the hanging mass: its stage, with a bar of V and T; under it the potential well; x and the energies
+against time."""
 
 from __future__ import annotations
 
@@ -50,13 +51,13 @@ from components.scenes.energy.case import PLANETS, EnergyShown
 
 c = deferred(EnergyShown)
 FARTHEST = 6.0
-"""Amplitudes up to which the natural length is in the picture."""
+"""Distance in amplitudes up to which the natural length is shown in the picture."""
 POINTS = 121
 """Points of a curve of the well."""
 
 
 def _x_axis(case: EnergyShown) -> Axis:
-    """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
+    """The axis of x, downwards: from above the natural length, unless that is far away, to below the lowest point."""
     C, delta = case.C, case.delta
     high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
     low = 1.25 * C or 0.5 * high
@@ -90,7 +91,7 @@ def _energy_axis(case: EnergyShown) -> Axis:
 
 
 def _axis_beside(case: EnergyShown) -> Axis:
-    """The axis of the energies over time, without the number of the sum where the bar next to it has that."""
+    """The axis of the energies against time. It omits the number of the sum if the bar next to it shows it."""
     axis = _energy_axis(case)
     if case.view != "energy":
         return axis
@@ -104,15 +105,16 @@ ENERGY = Plot("energy", TIME, axis("J", _axis_beside, "E_time", like=WELL.up))
 
 MOTION = number(c.view == "motion")
 CENTRE = wide(0.4 * W, 0.2 * W + MOTION * (88 - 0.08 * W))
-"""The middle of the mass: where levels have names, it leaves room for them at its left."""
+"""The x of the middle of the mass. If levels have names, it leaves room for them on its left."""
 HALF, ASIDE = wide(62, 30), wide(45, 26)
 """Half the width of the level lines, and the position of the arrows."""
 CEILING, FIRST, LENGTH = wide(16, 12), wide(0.24 * H, 0.2 * H), wide(0.5 * H, 0.58 * H)
-"""The places of the ceiling and of the upper end of the axis of x, and the length of that axis."""
+"""The y of the ceiling and of the upper end of the axis of x, and the length of that axis."""
 BAR, BROAD = wide(0.66 * W, 0.4 * W), wide(46, 0.128 * W)
 """The left edge of the bar, and its width: on a phone with large text its names have room next to it."""
 NAME = wide(2, 2 + (1 - MOTION) * (0.4 * W - 10)), wide(H - 6, 0.36 * H - 29 + MOTION * (0.64 * H + 23))
-"""The position of the text for x: in the lower corner; on a phone, whose mass hangs over that, above the bar."""
+"""The position of the text for x: in the lower corner; on a phone above the bar, because the mass covers that
+corner."""
 X_TOP = X.in_frame(c, "x_top", lambda c, t, x: x.end)
 PER_SPAN = number(X.in_frame(c, "per_span", lambda c, t, x: 1 / (x.place(x.start) - x.place(x.end))))
 
@@ -151,7 +153,7 @@ def displacement() -> Block:
 
 
 def claim() -> Block:
-    """The words on the largest T and V, by the datum of V."""
+    """The sentences on the largest T and V, by the choice of V = 0."""
     T_max, shift = f"{WELL.text(c.T_max)}", f"{WELL.text(c.shift)} {WELL.unit}"
     return words(
         either(
@@ -187,7 +189,7 @@ def energies() -> Block:
 
 
 def _well_columns(case: EnergyShown, across: Axis, up: Axis) -> Columns:
-    """V over x; term by term, also its terms, and where the slide's constant is not among them, the slide's V."""
+    """The plot of V against x. "Term by term" also shows its terms, and the slide's V if that differs by a constant."""
     x = np.linspace(across.start, across.end, POINTS)
     slide = case.system.well(x)
     if not case.apart:
@@ -255,7 +257,7 @@ NATURAL_FAR = X.in_frame(c, "natural_far", lambda c, t, x: -c.delta < x.end)
 
 
 def _naming(case: EnergyShown, t: Axis, x: Axis) -> str:
-    """The word for the names of natural length and equilibrium: apart, too close for two names, or together."""
+    """Return the name of the labels of natural length and equilibrium: separate, too close for two names, or equal."""
     return "together" if not case.delta else "apart" if case.delta > 0.1 * (x.start - x.end) else "close"
 
 
@@ -335,7 +337,8 @@ def planets() -> list[Shape]:
 
 
 def bar() -> list[Shape]:
-    """T on V under their constant sum; on a desk on the scale of the energies over time."""
+    """The bar of V and T on top of it, under their constant sum. Next to a plot it has the scale of the energies
+    against time."""
     top, bottom = wide(ENERGY.y(c.total), 0.36 * H), wide(ENERGY.y(0), H - 4)
     whole = bottom - top
     edge, right = bottom - whole * number(c.V_share), BAR + BROAD
@@ -359,7 +362,8 @@ def bar() -> list[Shape]:
 
 
 def ball() -> list[Shape]:
-    """Over the well: the level of T + V to its plot over time, the stack V, T at the mass, and the ball."""
+    """Shapes over the well: the level of T + V, continued to the plot against time, V and T at the mass, and the
+    ball."""
     x, floor, V, level = WELL.x(c.x), WELL.y(0), WELL.y(c.V), WELL.y(c.total)
     middle, C, shift = WELL.x(0), WELL.across_pixels(c.C), WELL.y(c.shift)
     hand = drag("Ball, start", along("x", WELL.x, WELL.across, x_0=c.x, rate="v_0"))

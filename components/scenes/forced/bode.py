@@ -133,7 +133,7 @@ def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCa
 
 
 def _extremes(case: AnyCase, across: Axis, up: Axis) -> dict[Scalar[AnyCase], float]:
-    """Peaks with the frequencies of half their power, and dips."""
+    """The peaks and dips of the response; each peak with the two frequencies at half its power."""
     found, F_0 = dict[Scalar[AnyCase], float](), case.modes.F_0
     for i, one in zip(BOTH, case.extremes if F_0 else (), strict=False):
         for n, top in enumerate(one.peaks[:2]):

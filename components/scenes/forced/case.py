@@ -34,7 +34,7 @@ class Axes(chain.Axes):
 
 class Signals(chain.Signals):
     """Further axes: the parts of the displacements, or the responses of both modes to the drive; near resonance, the
-    growth of the amplitudes, up and down, and the straight line; the drive.
+    envelopes of the growing motion, up and down, and the straight line; the drive.
     """
 
     x_p, x_c = signal.each(BOTH, "x{}_p"), signal.each(BOTH, "x{}_c")
@@ -58,7 +58,7 @@ Found = dict[Signal[Any], AnySignal]
 
 
 def of_both(*parts: tuple[Both, Floats]) -> Columns:
-    """Columns by name, from one row for each mass."""
+    """Return columns by name, from an array with one row for each mass."""
     return by_name({of[i]: rows[i - 1] for i in BOTH for of, rows in parts})
 
 
@@ -151,12 +151,12 @@ class ForcedCase:
 
     @property
     def split(self) -> bool:
-        """True if the parts are worth drawing."""
+        """True if the parts are drawn."""
         raise NotImplementedError
 
     @property
     def moving(self) -> tuple[str, ...]:
-        """The displacements, with their parts if these are worth drawing."""
+        """The displacements, and their parts if they are drawn."""
         return tuple(of[i].name for i in BOTH for of in ((S.x, S.x_p, S.x_c) if self.split else (S.x,)))
 
     @property
@@ -171,8 +171,8 @@ class ForcedCase:
     def energies(self, t: Floats) -> dict[Column[Any], Floats]:
         """The energies; none if they are too fast to be drawn.
 
-        Outside the view Work there are none either if they would cost much or leave the range of doubles. Only Work
-        raises ValueError for that.
+        If they would be expensive or leave the range of doubles, the view Work raises ValueError; other views leave
+        them out.
         """
         if not drawable(2 * self.fastest, t) or not (self.in_doubles or self.view == "work"):
             return {}

@@ -25,7 +25,7 @@ from physics.forced import DrivenModes, determinant
 from physics.sampling import Sinusoid, drawable
 
 APART = 0.98
-"""If the envelope falls below this share of the straight line, both are drawn."""
+"""If the envelope ends below this share of the straight line, both are drawn."""
 STRAIGHT = 1e-8
 """In rad; if the phase of an envelope changes less in its window, it equals the straight line to the last digit."""
 
@@ -38,7 +38,7 @@ class Undamped(ForcedCase):
 
     @property
     def split(self) -> bool:
-        """True if the parts are worth drawing."""
+        """True if the parts are drawn."""
         return self.modes.split_is_meaningful
 
     @property

@@ -34,12 +34,13 @@ HUGE = 1e3
 SURE = 1e-9
 """The share of a motion that is too small to be drawn."""
 NODES = 801
-"""Points of a window that the browser joins by Hermite pieces, if doubles lose too many digits in the sum of the parts.
+"""Number of points of a window for Hermite interpolation in the browser. Used if doubles lose too many digits in the
+sum of the parts.
 """
 TERMS = 2
-"""A transient in a signal has at most the terms 1 and t."""
+"""Number of terms (1 and t) by which a signal can multiply an exponential."""
 AT_FIRST = np.geomspace(1e-16, 0.8, 60)
-"""Shares of the first step, which show a decay at any rate."""
+"""Additional points within the first step, as shares of it, which show a decay at any rate."""
 Terms = tuple[Decaying, ...]
 _GAUSS = np.polynomial.legendre.leggauss(5)
 
@@ -89,7 +90,7 @@ class Dying(ForcedCase):
 
     @cached_property
     def split(self) -> bool:
-        """True if the parts are worth drawing."""
+        """True if the parts are drawn."""
         return float(np.abs(self.modes.particular[:2]).max()) <= HUGE * self._reach
 
     @cached_property
@@ -126,7 +127,7 @@ class Dying(ForcedCase):
         return of_both((S.x, x), (S.x_p, self.modes.particular_motion(t)), (S.x_c, self.modes.complementary(t)))
 
     def _bands(self, t: Floats) -> Columns:
-        """A bound: the sum of all parts."""
+        """A bound of the displacements: the sum of all parts."""
         found: Columns = {}
         for i, X in zip(BOTH, self.X, strict=True):
             size = np.full_like(t, abs(X))
@@ -177,7 +178,7 @@ class Dying(ForcedCase):
 
     @cached_property
     def _tabled(self) -> tuple[Motion, float]:
-        last = 1.02 * self.end  # a table is periodic: it must not repeat within the window
+        last = 1.02 * self.end  # longer than the window, because the browser repeats a table after its period
         return self.motion(np.linspace(0.0, last, NODES)), last
 
     def forces(self, t: Floats, size: Axis, time: Axis) -> Forces:

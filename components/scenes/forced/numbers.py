@@ -18,7 +18,7 @@ number = LiveNumber[AnyCase]
 
 
 class Amplitude(LiveNumber[AnyCase]):
-    """An amplitude with its sign; with dashpots only its size."""
+    """Format an amplitude with its sign; with dashpots only its size."""
 
     def text(self, case: AnyCase, axes: Mapping[str, Axis]) -> str:
         size = super().text(case, axes)
@@ -26,7 +26,7 @@ class Amplitude(LiveNumber[AnyCase]):
 
 
 SHOWN = {"still": "drive frequency at which mass 1 stands still"}
-"""The marks that are numbers of the scene; the natural frequencies have their own."""
+"""The marks that are listed as numbers of the scene. The natural frequencies are listed separately."""
 ALONG = "amplitude of mass {} in the particular solution, below 0 if it moves against the drive"
 
 

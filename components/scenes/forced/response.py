@@ -41,7 +41,7 @@ moves against the drive is dashed.
 """
 POINTS = 70
 CLOSEST = 1e-5
-"""The first point of a branch has this distance from its pole, as a fraction of the branch."""
+"""Distance of the first point of a branch from its pole, as a fraction of the branch."""
 NEAR, EVEN = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
 """Points of half a branch, as fractions of it: increasingly dense towards a pole, or equally spaced."""
 WIDTHS = np.array([0.0, *np.geomspace(0.05, 40.0, 20)])
@@ -82,7 +82,7 @@ P = Places
 def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
     """The curves `size`, `signed` or `log`, with the drive marked, in the lecture's units if asked for.
 
-    With dashpots a motion is neither with nor against the drive, so its size is drawn.
+    With dashpots there is no sign, because a motion is neither with nor against the drive.
     """
     log, omega, fast = shown == "log", case.modes.omega, case.natural[1]
     signed = shown == "signed" and isinstance(case, Undamped)
@@ -108,7 +108,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
     """Frequencies, the amplitudes there, and the slice of each branch."""
-    # Down to 0; on a log axis far below the frame, where the logarithm exists.
+    # Start at 0; on a log axis far below the frame, but above 0.
     w, branches = _branches(_cuts(case), BESIDE if log else 0.0, *sorted((across.start, across.end)))
     return w, particular_solution(case.chain, case.modes.F_0, w), branches
 
@@ -271,7 +271,7 @@ def response_plot() -> PlotBlock:
 
 
 def _branch(i: int, b: int) -> Curve:
-    """One branch of the curve of mass i. The first branch carries the dot at the drive frequency."""
+    """One branch of the curve of mass i. The first branch has the dot at the drive frequency."""
     dot: dict[str, Any] = {"signal": P.at[i], "signal_x": P.drive_at} if b == 0 else {}
     width = "dash" if str(i) in BRANCHES[b] else "sum"
     read = f"*X*_{{p{i}}}"

@@ -1,5 +1,5 @@
-"""The determinant D of A against omega squared, whose zeros are the modes, and the parts that Guess and Determinant
-share.
+"""The plot of the determinant D of A against omega squared, whose zeros are the modes, for the views Guess and
+Determinant.
 """
 
 from __future__ import annotations

@@ -103,7 +103,8 @@ class Curves(Declared[Guess]):
 
 
 def _swung(guess: Guess, axes: AxesInForce, size: float) -> AnySignal:
-    """The motion of the guess, which starts at its largest displacement. At omega = 0 it stays there."""
+    """The motion with the guessed shape and frequency. It starts at its largest displacement; at omega = 0 it stays
+    there."""
     return sines(METRES, Axes.t(axes), (size, guess.omega, QUARTER))
 
 
@@ -140,11 +141,11 @@ A, C, D, F, N, P, T = Axes, Curves, DetAxes, Forms, Numbers, Places, TriedPlaces
 SHAPE = PlotFrame("shape")
 
 UNIT = 0.112 * W
-"""An amplitude of 1 m on the stage."""
+"""Length of an amplitude of 1 m on the stage."""
 LEAST = 0.02
 """The smallest amplitude in m that can be dragged; the other one is 1 m."""
 ARROWS = W - 0.36 * W * NARROW - 0.3 * W * HALL
-"""The length of which force arrows are a fraction. On a narrow stage it leaves room for numbers."""
+"""The unit of length for force arrows. On a narrow stage it leaves room for numbers."""
 SWING = ARROWS * var(P.swing)
 AT_FULL, SHORT = "Force needed at full swing: −*m* *ω*² *X*", "needed: −*m* *ω*² *X*"
 Lengths = Family[int, Scalar[Guess]]
@@ -295,7 +296,8 @@ def _force(i: int, number: LiveNumber[Guess], lengths: Lengths | None, tint: str
     start, tip = (0, var(lengths[i])) if lengths else (var(P.give[i]), var(P.need[i]))
     tint = f"m{i}" if lengths is P.need else tint
     rest, said, look = chain.rest(i), str(number), {"tint": tint, "style": "t1 b halo"}
-    # Labels stay clear of the arrows at every displacement. With the large type of a hall there is no room for a number
+    # Labels never overlap the arrows, at any displacement. With the large type of hall mode there is no room for a
+    # number
     # between them.
     before, beyond = (
         text(rest + REACH * ARROWS * s + 8 * s, y + 5, said, anchor, show=show, **look)

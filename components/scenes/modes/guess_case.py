@@ -124,7 +124,7 @@ def said(system: TwoMassChain, omega: float) -> Trial:
         if not within_an_ulp(omega, mode.omega):
             continue
         if not system.k2:
-            if mode.shape[0]:  # Mass 1 alone: row 1 is 0 = 0.
+            if mode.shape[0]:  # mass 1 moves alone, so row 1 is 0 = 0
                 asked = asked._replace(matrix=((none, none), asked.matrix[1]), rows=(None, asked.rows[1]))
             return asked._replace(determinant=none)
         with precise():

@@ -46,7 +46,7 @@ ANSWER = one_of("hidden", {"hidden": "Answer hidden", "shown": "Reveal"}, "The a
 
 @dataclass(frozen=True, eq=False)
 class HuntCase:
-    """A chain that starts from rest, and a flag for a visible answer."""
+    """A chain that is released at rest, and a flag: the answer is shown."""
 
     system: TwoMassChain
     x_0: Pair

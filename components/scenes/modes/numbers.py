@@ -125,7 +125,7 @@ class BrakedChain:
 
     @property
     def met(self) -> Pair | tuple[None, None]:
-        """The dashpots at which both pairs of roots met, if they have separated again."""
+        """The damping at which both pairs of roots meet, if the current damping is beyond it."""
         return self.damped.meeting if self.found.kind is Kind.PARTED else (None, None)
 
     @cached_property

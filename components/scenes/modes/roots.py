@@ -46,7 +46,7 @@ FAR, LARGE = 3.0, 40.0
 """Paths are cut, and circles left out, beyond this multiple of the higher natural frequency."""
 ROOTS = range(4)
 LASTING, TURNS, POINTS = 4.0, 8.0, 321
-"""A motion is drawn in its plane for at most this many decay times, and at most this many turns."""
+"""In its plane, a motion is drawn for at most this many decay times, and at most this many cycles."""
 TERMS = [(power, part) for part in range(3) for power in range(5)]
 """For each coefficient of P: its power of s, and the power of the path's parameter."""
 DIAMOND, SQUARE = "M0-17L17 0L0 17L-17 0Z", "M-4-4H4V4H-4Z"
@@ -55,7 +55,8 @@ PLANE, SHAPES = PlotFrame("roots"), PlotFrame("shapes")
 
 @lru_cache(100)
 def known(path: RootPath) -> RootPath:
-    """Return an equal path that may know where its roots meet. A drag of a dashpot stays on one path."""
+    """Return the same path, cached, with the points where its roots meet. During a drag of a dashpot the path stays the
+    same."""
     return path
 
 

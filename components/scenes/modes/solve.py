@@ -92,7 +92,7 @@ def turning_stage(name: str, what: str, title: Callable[[str], list[Shape]], *, 
 
 
 def _always(text_: str) -> Paragraph:
-    """A text with both variants of the shapes, so that hiding it hides both."""
+    """One text with both variants of the shapes, so that a cover hides both."""
     return either(Solve.ratios, both=text_, loose=text_)
 
 

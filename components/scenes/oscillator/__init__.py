@@ -1,4 +1,4 @@
-"""Oscillator: the scene of spring and mass, with x, v and a as one turning arrow (D31, points 1 to 3)."""
+"""Oscillator: the scene of spring and mass, with x, v and a as one rotating arrow (D31, points 1 to 3)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The case of an oscillator: its motion, the arrow that turns with it, and everything that the paper shows."""
+"""The case of an oscillator: its motion, the rotating arrow, and everything that the paper shows."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from physics.sampling import drawable, periods, time_window
 from physics.valid import in_range
 
 MOST_SWINGS = 6
-"""In a longer window a quarter period is too short to be marked."""
+"""Largest window, in periods, in which a quarter period is long enough to be marked."""
 LONGEST = 24
-"""Characters of the numbers in the second form of x; a line has no room for more."""
+"""Largest number of characters of the numbers in the second form of x; a line has no room for more."""
 SMALL = 0.15
-"""A leg of the arrow at the start that is shorter than this, in amplitudes, has no name."""
+"""Components of the initial arrow that are shorter than this, in amplitudes, have no name."""
 MIDDLE = 2.6
 """Position of the name of the phase, as a fraction of its angle."""
 
@@ -66,7 +66,7 @@ class OscillatorCase(Case):
 
     @property
     def intervals(self) -> dict[str, tuple[float, int]]:
-        """One turn of the planes (x, v) and (x, a); of a free mass the whole line."""
+        """The interval of the paths in the planes (x, v) and (x, a): one period, or the window for a free mass."""
         return {"loop": (self.one.period, 145) if self.omega else (self.end, 2)}
 
     @property
@@ -83,12 +83,12 @@ class OscillatorCase(Case):
 
     @property
     def turns(self) -> bool:
-        """True if there is an arrow to turn: the mass is neither free nor at rest."""
+        """True if there is a rotating arrow: the mass is neither free nor at rest."""
         return self.omega > 0 and self.free.constants.C > 0
 
     @cached_property
     def why(self) -> Literal["drift", "still", "rest", "wrong", "right", "zero"]:
-        """The word for the sentence on atan at this start, or on why there is no arrow."""
+        """Return the name of the sentence on atan for these initial conditions, or on why there is no arrow."""
         if not self.omega:
             return "drift" if self.v_0 else "still"
         return "rest" if not self.turns else "wrong" if self.v_0 < 0 else "right" if self.v_0 else "zero"

@@ -1,4 +1,5 @@
-"""The paper of the oscillator: mass and turning arrow on one level with x(t), v(t) and a(t) under it, two planes."""
+"""The paper of the oscillator: mass and rotating arrow at the height of x(t); under it v(t) and a(t); two phase
+planes."""
 
 from __future__ import annotations
 
@@ -61,12 +62,12 @@ from components.scenes.oscillator.case import OscillatorShown
 c = deferred(OscillatorShown)
 UNITS = ("m", "m/s", "m/s²")
 ROOM = ((1.25, 1.25), (1.15, 1.6), (1.2, 1.75))
-"""The reach of the axes of x, v and a below and above, in amplitudes; the marks of the quarter period are above v and
-a."""
+"""The lower and upper ends of the axes of x, v and a, in amplitudes. The marks of the quarter period need space above v
+and a."""
 
 
 def _amplitude_axis(case: OscillatorShown, i: int) -> Axis:
-    """The axis of x, v or a, with ticks at the amplitudes; on those under marks these must be seen too."""
+    """Return the axis of x, v or a, with ticks at the amplitudes. Its range includes the marks above it."""
     size, unit, (below, above) = case.free.amplitude(i), UNITS[i], ROOM[i]
     if not i and not case.omega and case.v_0:
         return _drift_axis(case)
@@ -110,7 +111,7 @@ SWING = 0.27 * H
 """The amplitude on a phone."""
 PIVOT = wide(0.635 * W, 0.395 * W)
 FRAME = wide(X.bottom - X.top, 0.8 * H)
-"""The height of the plot of x, whose scale everything has; on a phone, which has that plot elsewhere, a similar
+"""The height of the plot of x, which sets the scale of the stage. On a phone, where the plot is elsewhere, a similar
 height."""
 LEVEL = wide(X.y(0), 0.5 * H)
 PER_X = number(X.in_frame(c, "per_x", lambda c, t, x: ROOM[0][0] / x.place(max(abs(x.start), x.end))))
@@ -120,22 +121,23 @@ RADIUS = SCALE * on_axis(X.up, c.free.constants.C)
 PER_V = number(
     PLANE.in_frame(c, "per_v", lambda c, x, v: scaled(x.exponent - v.exponent, 1 / c.omega if c.turns else 0.0))
 )
-"""One of the axis of v on the axis of x, as far as x would be a quarter period later."""
+"""The length of one unit of v on the axis of x: the value of x a quarter period later."""
 STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
 """On a phone the stage has a small x(t) inside."""
 NOW = wide(X.x(T), STRIP + STRIP_LENGTH * TIME.share * T)
 MARKED = ("speed", "formulas")
-"""The views that show x, v and a, and mark how they lead."""
+"""The views that show x, v and a, and mark that each leads the next by a quarter period."""
 FIRST, GAP = 132, 16
-"""Pixels of the words to the left of the initial arrow, which is below the rotating one, and between them."""
+"""Pixels for the words to the left of the initial arrow, which is below the rotating one, and the gap between both
+arrows."""
 SHARE = 0.75
-"""The arrow of the force at the turning point is this long, over the amplitude."""
+"""The length of the force's arrow at the turning point, relative to the amplitude."""
 
 StageVector = tuple[Number, Number]
 
 COSINE, SINE = number(c.cosine), number(c.sine)
 WAYS: tuple[StageVector, ...] = (COSINE, SINE), (-1 * SINE, COSINE), (-1 * COSINE, -1 * SINE)
-"""The directions of the arrows of x, v and a, up positive: each a quarter turn ahead of the one before."""
+"""The directions of the arrows of x, v and a, with y upwards. Each is a quarter turn ahead of the previous one."""
 START_WAY: StageVector = (number(c.start_cosine), number(c.start_sine))
 LOOKS = (
     ("*x*", "m1", "", (15, 13)),
@@ -199,7 +201,8 @@ def idea() -> Block:
 
 
 def reason() -> Block:
-    """Why the phase is atan2: what the slide's atan would give for this start."""
+    """The text on why the phase is atan2, with the value that the slide's atan would give for these initial
+    conditions."""
     return words(
         either(
             c.why,
@@ -305,7 +308,8 @@ def axis_names(plot: Plot, upward: str, tint: str) -> list[Shape]:
 
 
 def lead(late: int) -> list[Shape]:
-    """Over the plot of v or a: from a peak of x (0) or v (1) to the peak of what leads it by a quarter period."""
+    """The mark over the plot of v or a: from a peak of x (0) or v (1) to the peak of v or a a quarter period
+    earlier."""
     peaks, tops, upper, lower = (
         (c.peak_x, c.peak_v, c.peak_a),
         (c.top_x, c.top_v, c.top_a),
@@ -330,7 +334,7 @@ def _is_peak_seen(i: int, case: OscillatorShown, t: Axis, up: Axis) -> bool:
 
 
 def hero() -> list[Shape]:
-    """Mass, tip of the arrow and curve on one level line."""
+    """The line from the mass to the tip of the arrow and the curve, which are at the same height."""
     y = height(c.x)
     return [
         line(0.04 * W, LEVEL, wide(X.left - 24, STRIP), LEVEL, style="eq", tint="mute"),
@@ -395,7 +399,7 @@ def at(centre: StageVector, way: StageVector, length: Number) -> StageVector:
 
 
 def turning(centre: StageVector) -> list[Shape]:
-    """The arrow of x and its two companions, all drawn at the length C, on their circle."""
+    """The arrow of x and the arrows of v and a, all drawn with the length C, on their circle."""
     found = [*cross(centre, RADIUS), *right_angles(centre)]
     for i in (2, 1, 0):
         (_, tint, style, _), tip = LOOKS[i], at(centre, WAYS[i], RADIUS)
@@ -427,7 +431,7 @@ def cross(centre: StageVector, radius: Number) -> list[Shape]:
 
 
 def right_angles(centre: StageVector) -> list[Shape]:
-    """The marks that say: a quarter turn."""
+    """The marks of a quarter turn between two arrows."""
     found = []
     for a, b in pairwise(WAYS):
         corner = at(centre, (a[0] + b[0], a[1] + b[1]), 13)
@@ -439,7 +443,7 @@ def right_angles(centre: StageVector) -> list[Shape]:
 
 
 def first() -> list[Shape]:
-    """The arrow at t = 0: its legs are A and B; atan would send it the other way where v_0 < 0."""
+    """The arrow at t = 0 with its components A and B. For v_0 < 0, atan would give the opposite direction."""
     x, y = centre = wide(0.635 * (W + FIRST) - FIRST, 0.5 * W), 0.5 * H
     scale = wide(SCALE, 0.42 * H * PER_X)
     speed, radius, way = beside(x, scale), scale * on_axis(X.up, c.free.constants.C), START_WAY
@@ -470,7 +474,7 @@ def first() -> list[Shape]:
 
 
 def start_grab(x: Number, y: Number, scale: Number) -> Grab:
-    """The tip of the arrow at the start, about (x, y): up is x_0, across v_0."""
+    """Return the tip of the initial arrow from (x, y): x_0 upwards, v_0 across."""
     return grab(
         "Arrow at the start",
         along("y", lambda value: y - scale * on_axis(X.up, value), X.up, x_0=c.x_0),

@@ -34,7 +34,7 @@ from components.scenes.phugoid.swing import AIRCRAFT, FOOT, LENGTHS, SPEEDS, Swi
 from components.scenes.phugoid.watch import WATCH
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS
 
-LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
+LARGEST = 3.0  # largest extra speed in v_0; the flight is then a small circle far below level flight
 
 
 class Phugoid(Scene):

@@ -12,7 +12,7 @@ from components.quantities.formatting import short
 from components.scenes.phugoid.swing import AIRCRAFT, LENGTHS, SPEEDS, Swing
 from physics.phugoid import linear_phugoid
 
-FASTEST = 275.0  # m/s, the end of the plot of periods
+FASTEST = 275.0  # end of the speed axis in the plot of periods, in m/s
 ASPECT = 4.4
 """Width over height of the frame of the path on a desk."""
 BEFORE = 0.3

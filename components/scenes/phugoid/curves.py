@@ -29,11 +29,11 @@ from physics.phugoid import CUSP_EXCESS, flight, lanchester, linear_flight, line
 from physics.sampling import Sinusoid, drawable
 
 SWINGS = 28
-"""At most this many periods of a path are distinguishable."""
+"""Largest number of periods of a path that can be distinguished."""
 FAMILY = {
     name: lanchester(excess, 121) for name, excess in (("a", 0.2), ("b", 0.4), ("cusp", CUSP_EXCESS), ("loop", 1.0))
 }
-"""Periods of flights shown for comparison."""
+"""Flights that are shown for comparison."""
 TURN = np.linspace(0.0, 2 * math.pi, POINTS)
 
 signal = Signal[Swing]

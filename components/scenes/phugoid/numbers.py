@@ -23,7 +23,7 @@ def example(name: str) -> LiveNumber[Swing]:
 
 
 def longer(share: float) -> str:
-    """A period that is longer by this share, in percent."""
+    """Return by how many percent a period is longer."""
     return f"{three(100 * abs(share))} % {'longer' if share >= 0 else 'shorter'}"
 
 

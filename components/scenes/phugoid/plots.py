@@ -101,7 +101,7 @@ def _example(name: str, tau: LiveNumber[Swing], row: int) -> Mark:
 
 
 def lift_plot() -> tuple[Block, ...]:
-    """Lift over weight, exact and to first order, and the consequence."""
+    """The plot of lift divided by weight, exact and to first order, and the conclusion."""
     linear, linear_band = traced(S.lift_linear, tint="F", width="dash", read="linear", signal=S.lift_linear)
     exact, exact_band = traced(S.lift, tint="F", width="sum", read="exact", signal=S.lift, group="lift_exact")
     return (

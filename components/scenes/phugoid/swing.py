@@ -34,7 +34,7 @@ AIRCRAFT = {
     "airliner": ("Airliner", 250.0, 70000.0),
 }
 NODES = 64
-"""Points per period, over sqrt(|C|), that the browser joins by Hermite pieces; the error is then below 1e-6 of the
+"""Points per period, divided by sqrt(|C|), for Hermite interpolation in the browser with an error below 1e-6 of the
 frame.
 """
 CORNER = 1 / 64
