@@ -38,7 +38,7 @@ def test_every_input_has_its_name_and_a_label_with_the_unit(panel: Panel) -> Non
     expect(panel.page.get_by_role("button", name="Both")).to_have_attribute("aria-pressed", "true")
 
 
-def test_slider_sets_the_standing_at_once(panel: Panel) -> None:
+def test_slider_sets_the_value_at_once(panel: Panel) -> None:
     panel.slider("m1").fill("0.5")
     expect(panel.field("m1")).to_have_value("0.316")
     assert panel.messages == [{"type": "set", "values": {"m1": 0.316}}]
