@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from physics.damped import DampedOscillator, Fading
+from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
 from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
 from physics.precision.exact import Array
@@ -87,7 +87,7 @@ class SlicedPush:
     @property
     def reach(self) -> float:
         """The largest |x| in m of the sum."""
-        free = self._free.fadings[0].at(self.instants)
+        free = self._free.fadings[0].at(self.instants) if self.x_0 or self.v_0 else 0.0
         return float(np.abs(self._sampled[0][: self._steps + 1] + free).max())
 
     @property
@@ -110,29 +110,23 @@ class SlicedPush:
         t = np.linspace(0.0, self.end * (steps + _LATER) / steps, steps + _LATER + 1)
         push = np.zeros_like(t)
         push[steps // (2 * self.count) : steps : steps // self.count] = self.sizes
-        x, v = (of.at(t) for of in self._left)
+        x, v = (of.at(t) for of in self.oscillator.struck[:2])
         v[0] /= 2
         return np.convolve(push, x)[: t.size], np.convolve(push, v)[: t.size]
 
-    @cached_property
-    def _left(self) -> tuple[Fading, Fading]:
-        """The displacement and the velocity that an impulse of 1 N s leaves."""
-        return self.oscillator.fading(0.0, 1 / self.oscillator.m)[:2]
-
     def _at(self, t: Array) -> Array:
         later: Array = t - self.times[:, None]
-        left = np.where(later > 0, self._left[0].at(np.maximum(later, 0.0)), 0.0)
+        left = np.where(later > 0, self.oscillator.struck[0].at(np.maximum(later, 0.0)), 0.0)
         return np.asarray(self.sizes @ left)
 
 
 def tails(oscillator: DampedOscillator, times: Array, sizes: Array, end: float, points: int) -> list[Tail]:
     """Return what impulses of these sizes in N s at these times in s leave until `end`, as so many points in all."""
-    left, whole = oscillator.fading(0.0, 1 / oscillator.m)[0], float(np.sum(end - times)) or 1.0
-    found = []
-    for at, size in zip(times.tolist(), sizes.tolist(), strict=True):
-        t = np.linspace(at, end, 2 + int(points * (end - at) / whole))
-        found.append(Tail(t, size * left.at(t - at)))
-    return found
+    whole = float(np.sum(end - times)) or 1.0
+    spans = [np.linspace(at, end, 2 + int(points * (end - at) / whole)) for at in times.tolist()]
+    counts, t = [span.size for span in spans], np.concatenate(spans)
+    x = np.repeat(sizes, counts) * oscillator.struck[0].at(t - np.repeat(times, counts))
+    return [Tail(*pair) for pair in zip(spans, np.split(x, np.cumsum(counts)[:-1]), strict=True)]
 
 
 def joined(tails: list[Tail]) -> Tail:

@@ -235,6 +235,11 @@ class DampedOscillator:
         return x, v, a
 
     @cached_property
+    def struck(self) -> tuple[Fading, Fading, Fading]:
+        """x, v and a after an impulse of 1 N s at rest, for signals."""
+        return self.fading(0.0, 1 / self.m)
+
+    @cached_property
     def _a(self) -> Decimal:
         with precise():
             return exact(self.c) / (2 * exact(self.m))

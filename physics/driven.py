@@ -322,7 +322,7 @@ def _by_powers(push: Push, t: Array) -> Complexes:
     for k in range(_TERMS):
         before, last = last, (term * t * t - damping * (k + 1) * last - square * before) / ((k + 2) * (k + 1))
         sums = [*sums[1:], sums[-1] + last]
-        if k > _FEWEST and np.array_equal(sums[0], sums[-1]):
+        if k > _FEWEST and (sums[0] == sums[-1]).all():
             break  # the last two terms change nothing, and the next ones are smaller
         term = term * turn / (k + 1)
     return sums[-1]
@@ -333,12 +333,13 @@ def _by_parts(push: Push, t: Array) -> Complexes:
     _, _, omega, _, slow, apart, swing, detuning = push
     one = complex(-slow, swing), complex(slow, detuning if swing else omega)
     two = complex(-slow - apart, -swing), complex(slow + apart, omega + swing)
-    D = [_divided(*pair, omega, t) for pair in (one, two)]
+    turned = np.exp(1j * omega * t)
+    D = [_divided(*pair, turned, t) for pair in (one, two)]
     return np.asarray((D[0] - D[1]) / complex(apart, 2 * swing))
 
 
-def _divided(p: complex, step: complex, omega: float, t: Array) -> Complexes:
-    """(exp(i omega t) - exp(p t))/step, step = i omega - p."""
+def _divided(p: complex, step: complex, turned: Complexes, t: Array) -> Complexes:
+    """(turned - exp(p t))/step, turned = exp(i omega t), step = i omega - p."""
     z, decay = step * t, np.exp(p * t)
     small = -p.real * t < 1
     tiny = np.abs(z) < 1
@@ -347,7 +348,7 @@ def _divided(p: complex, step: complex, omega: float, t: Array) -> Complexes:
     for k in range(20, 0, -1):
         over = 1 + near * over / (k + 1)
     grown[tiny] = over
-    apart = (np.exp(1j * omega * t) - decay) / (step or 1)
+    apart = (turned - decay) / (step or 1)
     return np.asarray(np.where(small, decay * t * grown, apart))
 
 

@@ -8,6 +8,7 @@ Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.9 to
 
 import math
 from cmath import phase
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -83,7 +84,7 @@ class ForcedVibration:
     @cached_property
     def x(self) -> ExactMotion:
         """The displacement in m. It is played as the motion from rest and the free motion, which are always regular."""
-        twin = replace(self)  # which does not keep this motion
+        twin = copy(self)  # which does not keep this motion
         from_rest = Elementary(
             symbol="x_driven", exact=lambda t: twin.at(t)[0], played=self.push, size=twin._size, omega=self.fastest
         )
