@@ -69,7 +69,11 @@ def drawable(omega: float, t: Array) -> bool:
 
 def highest_drawn(t: Array) -> float:
     """Return the highest frequency in rad/s that the grid t (n,) shows as a line."""
-    step = float((t[1:] - t[:-1]).max(initial=0.0))
+    return highest_at(float((t[1:] - t[:-1]).max(initial=0.0)))
+
+
+def highest_at(step: float) -> float:
+    """Return the highest frequency in rad/s that instants `step` s apart show as a line."""
     return 2.0 * math.pi / SAMPLES_PER_CYCLE / step if step else math.inf
 
 

@@ -50,8 +50,6 @@ class Attribute(Generic[V]):
     that differs from its name in the class. If it has a `meaning`, `scene.numbers` lists it, with its SI `unit`.
     """
 
-    name = ""
-
     def __init__(
         self,
         compute: Callable[[Any], V | None],
@@ -61,6 +59,8 @@ class Attribute(Generic[V]):
         meaning: str = "",
     ) -> None:
         self.compute, self.optional, self.called, self.unit, self.meaning = compute, optional, called, unit, meaning
+        self.name = f"attribute {id(self)}"
+        """Its key among the values of a case: an intermediate result has no name in the class."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name, self.called = name, self.called or name
@@ -76,8 +76,11 @@ class Attribute(Generic[V]):
         return value
 
     def of(self, case: Any) -> Any:
-        """Return its value for a case; an intermediate result has no name and is not stored."""
-        return getattr(case, self.name) if self.name else self.compute(case)
+        """Return its value for a case."""
+        known = vars(case)
+        if self.name not in known:
+            known[self.name] = self.compute(case)
+        return known[self.name]
 
     def where(self, condition: Callable[[Any], object]) -> Attribute[V]:
         """Return the attribute that is None unless the condition holds."""
@@ -129,14 +132,11 @@ class Attributes(Generic[C]):
         called: tuple[str, str] = ("", ""),
     ) -> tuple[Attribute[V], Attribute[V]]:
         """Return two attributes from one sequence, both None if it is None."""
-        key = f"pair {id(compute)}"
+        both = Attribute(compute)
 
         def part(i: int) -> Attribute[V]:
             def one(case: C) -> V | None:
-                known = vars(case)
-                if key not in known:
-                    known[key] = compute(case)
-                found = known[key]
+                found = both.of(case)
                 return None if found is None else found[i]
 
             return Attribute(one, True, called[i], unit, meanings[i])

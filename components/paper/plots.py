@@ -102,7 +102,8 @@ class Plot(PlotFrame):
             found, key = vars(known), f"{name} in frame"
             if key not in found or found[key][0] is not axes:
                 found[key] = axes, of(known, axes[self.across.name], axes[self.up.name])
-            return cast(V | None, found[key][1])
+            value: V | None = found[key][1]
+            return value
 
         return cast(V, computed(case, name, compute, optional))
 

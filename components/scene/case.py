@@ -30,6 +30,7 @@ from components.scene.frames import FITTED
 from components.scene.picture import Asked, Picture
 from components.scene.scene import Scene
 from components.scene.traces import Floats, samples
+from physics.sampling import highest_at
 
 MOST_CASES = 8
 """Number of cached cases. Needed because a picture that does not fit its frame is drawn again with the same case."""
@@ -70,9 +71,23 @@ class Case(ABC):
         return self.frame.window or self.own_end
 
     @cached_property
+    def instants(self) -> int:
+        """The number of drawn points of a curve."""
+        return samples(self.end, self.highest)
+
+    @cached_property
     def times(self) -> Floats:
         """The times of the drawn points (n,) in s."""
-        return np.linspace(0.0, self.end, samples(self.end, self.highest))
+        return np.linspace(0.0, self.end, self.instants)
+
+    @cached_property
+    def highest_line(self) -> float:
+        """The highest frequency in rad/s that curves with these times can show as a line."""
+        return highest_at(self.end / (self.instants - 1))
+
+    def is_line(self, omega: float) -> bool:
+        """Return True if a motion of this frequency in rad/s is slow enough for a line."""
+        return abs(omega) <= self.highest_line
 
     @property
     def intervals(self) -> dict[str, tuple[float, int]]:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from components.scene.traces import BAND, FLOOR, LATE, RINGING, TIME, Columns, Floats, Traces, band_columns
 from physics.motion import ExactMotion
-from physics.sampling import highest_drawn
 from physics.valid import in_range
 
 
@@ -32,7 +31,7 @@ class BandColumns(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class CaseCurves:
-    """The curves of a picture over the instants `t` (n,) in s.
+    """The curves of a picture over the instants of a case.
 
     `drawn`    the curves and the edges of stacks, in the order of their columns
     `fast`     how each is drawn if it is too fast for a line: as a band, as a band that ends in a line, as its mean,
@@ -41,29 +40,35 @@ class CaseCurves:
     `motions`  all motions of the picture
     `layers`   the lower and the upper edge of each motion in a stack
     `named`    the motions that a file has, if they are drawn
-    `given`    bands that the case computes itself; None to compute them from the frequencies
     """
 
-    t: Floats
+    case: Any
     drawn: Mapping[str, ExactMotion]
     fast: Mapping[str, str]
     stacks: list[frozenset[str]]
     motions: Mapping[str, ExactMotion]
     layers: Mapping[str, tuple[str, str]]
     named: frozenset[str]
-    given: Mapping[str, BandColumns] | None = None
+
+    @property
+    def t(self) -> Floats:
+        """The times of the drawn points (n,) in s."""
+        times: Floats = self.case.times
+        return times
 
     @cached_property
-    def highest(self) -> float:
-        """The highest frequency in rad/s that curves with these times can show as a line."""
-        return highest_drawn(self.t)
+    def given(self) -> Mapping[str, BandColumns] | None:
+        """The bands that the case computes itself; None to compute them from the frequencies."""
+        bands: Mapping[str, BandColumns] | None = self.case.bands
+        return bands
 
     @cached_property
     def too_fast(self) -> frozenset[str]:
         """The motions that are too fast for these times."""
         if self.given is not None:
             return frozenset(self.given.keys() & self.drawn.keys())
-        return frozenset(name for name, one in self.drawn.items() if one.omega > self.highest)
+        highest = self.case.highest_line
+        return frozenset(name for name, one in self.drawn.items() if one.omega > highest)
 
     @cached_property
     def averaged(self) -> frozenset[str]:
@@ -72,16 +77,16 @@ class CaseCurves:
         stacked = (stack for stack in self.stacks if stack & fast)
         return fast.union(*stacked) & self.drawn.keys()
 
-    def traces(self, resolved: float) -> Traces:
-        """Return the motions that are drawn as lines, and the motions for a file. The file resolves this frequency in
-        rad/s."""
+    @property
+    def traces(self) -> Traces:
+        """The motions that are drawn as lines, and the motions for a file."""
         shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
         return Traces(
-            float(self.t[-1]),
-            len(self.t),
+            float(self.case.end),
+            self.case.instants,
             tuple(name for name in self.drawn if name not in self.too_fast | self.averaged),
             partial(exact_values, shown),
-            fastest=resolved,
+            fastest=self.case.resolved,
             moving=tuple(name for name in shown if name in self.named and name != FLOOR),
             layers=self.layers,
             averaged=self.averaged,
@@ -114,5 +119,5 @@ class CaseCurves:
     def _band(self, name: str) -> BandColumns | None:
         if self.given is not None:
             return self.given[name]
-        edges = self.drawn[name].band(self.highest)
+        edges = self.drawn[name].band(self.case.highest_line)
         return BandColumns(*(edge.at(self.t) for edge in edges)) if edges else None

@@ -10,7 +10,7 @@ from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.language.state import Frame
-from components.paper.deferred import FORMATS, Book, ExpressionRecord, attributes, recorded
+from components.paper.deferred import FORMATS, Book, CountedNumber, ExpressionRecord, attributes, recorded
 from components.paper.plot_axes import PlotAxis
 from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
 from components.quantities.axes import ONE, Axis
@@ -50,9 +50,10 @@ class CasePaper:
         return list(dict.fromkeys(one.called for one in attributes(self.book.kind)))
 
     @cached_property
-    def numbers(self) -> list[str]:
-        """The names of all numbers, attributes first."""
-        return list(dict.fromkeys((*(name for name in self.named if name in self.book.numbers), *self.book.numbers)))
+    def numbers(self) -> dict[str, CountedNumber]:
+        """All numbers by name, attributes first."""
+        known = self.book.numbers
+        return {name: known[name] for name in (*(name for name in self.named if name in known), *known)}
 
     @cached_property
     def curves(self) -> list[PlottedCurve]:
@@ -75,7 +76,7 @@ class CasePaper:
         for one in items:
             if one.source != TIME:
                 found.setdefault(one.source, set()).update((recorded(one.against).name, one.recorded.name))
-        return {source: sorted(names, key=self.numbers.index) for source, names in found.items()}
+        return {source: sorted(names, key=list(self.numbers).index) for source, names in found.items()}
 
     @cached_property
     def layers(self) -> dict[str, tuple[str, str]]:
@@ -100,9 +101,20 @@ class CasePaper:
     def drawn(self) -> list[str]:
         """The names of the curves over time and of the edges of stacks, in the order of their columns."""
         edges = {edge for stack in self.stacks for edge in stack}
-        names = sorted({*edges, *(one.recorded.name for one in self.curves)} - {FLOOR}, key=self.numbers.index)
+        names = sorted({*edges, *(one.recorded.name for one in self.curves)} - {FLOOR}, key=list(self.numbers).index)
         first = next((place for place, name in enumerate(names) if name in edges), 0)
         return [*names[:first], *([FLOOR] if edges else []), *names[first:]]
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """The axes whose unit is shown in a text, by the name of the text."""
+        known = self.axes | self.other_axes
+        return {f"{name}_unit": name for name, one in known.items() if one.unit_is_shown}
+
+    @cached_property
+    def shares(self) -> dict[str, str]:
+        """The axes whose upper end shapes use, by the name of the number."""
+        return {f"{name}_share": name for name, one in self.axes.items() if one.share_is_used}
 
     @cached_property
     def has_floor(self) -> bool:
@@ -130,11 +142,11 @@ class CasePicture:
     def numbers(self) -> dict[str, tuple[Any, Axis]]:
         """All numbers that have a value, with their axes."""
         found: dict[str, tuple[Any, Axis]] = {}
-        for name in self.paper.numbers:
-            of, on = self.paper.book.numbers[name]
-            value = of.compute(self.case, self.axes)
+        case, axes = self.case, self.axes
+        for name, (of, on) in self.paper.numbers.items():
+            value = of.compute(case, axes)
             if value is not None:
-                found[name] = (value, self.axes[on.name] if on else ONE)
+                found[name] = (value, axes[on.name] if on else ONE)
             elif of.optional is None:
                 raise TypeError(f"{of.text} is None: make it an optional attribute")
         return found
@@ -154,12 +166,12 @@ class CasePicture:
         drawn = {name: motions[name] for name in self.paper.drawn if name in motions}
         stacks = list(map(frozenset, self.paper.stacks))
         named, layers = frozenset(self.paper.named), self.paper.layers
-        return CaseCurves(self.case.times, drawn, self.paper.fast, stacks, motions, layers, named, self.case.bands)
+        return CaseCurves(self.case, drawn, self.paper.fast, stacks, motions, layers, named)
 
     @property
     def traces(self) -> dict[str, Traces]:
         """The curves over the time window, and the paths over other intervals."""
-        found = {TIME: self.curves.traces(self.case.resolved)}
+        found = {TIME: self.curves.traces}
         for source, names in self.paper.paths.items():
             motions = {name: self.moving[name][0] for name in names if name in self.moving}
             end, count = self.case.intervals[source]
@@ -177,33 +189,25 @@ class CasePicture:
             name: axis.place(value) if axis is not ONE else float(value)
             for name, (value, axis) in self.numbers.items() if name not in self.moving
         }  # fmt: skip
-        shares = [name for name, one in self.paper.axes.items() if one.share_is_used]
-        found |= {f"{name}_share": 1 / self.axes[name].place(self.axes[name].end) for name in shares}
+        ends = {share: self.axes[name] for share, name in self.paper.shares.items()}
+        found |= {share: 1 / axis.place(axis.end) for share, axis in ends.items()}
         flags = self.paper.book.flags.items()
         return found | {flag: float(of.compute(self.case, self.axes) is not None) for flag, of in flags}
 
     @cached_property
-    def texts(self) -> dict[str, Any]:
-        """The values of all live numbers."""
-        return {name: of.compute(self.case, self.axes) for name, (of, _) in self.paper.book.texts.items()}
-
-    @property
-    def values(self) -> dict[str, str]:
-        known = self.paper.axes | self.paper.other_axes
-        units = [name for name, one in known.items() if one.unit_is_shown]
-        found = {f"{name}_unit": self.axes[name].full_unit for name in units}
-        for name, value in self.texts.items():
+    def texts(self) -> tuple[dict[str, str], dict[str, Digits]]:
+        """The texts of the live numbers, and the formats of those that move."""
+        case, axes, live = self.case, self.axes, dict[str, Digits]()
+        values = {text: axes[name].full_unit for text, name in self.paper.units.items()}
+        for name, (of, write) in self.paper.book.texts.items():
+            value = of.compute(case, axes)
             if value is None or isinstance(value, str):
-                found[name] = value or ""
-            elif not isinstance(value, ExactMotion):
-                found[name] = self.paper.book.texts[name][1](value, self.axes)
-        return found
-
-    @property
-    def live(self) -> dict[str, Digits]:
-        moving = [name for name, value in self.texts.items() if isinstance(value, ExactMotion)]
-        signed = {name for name, (_, write) in self.paper.book.texts.items() if write is FORMATS["+"]}
-        return {name: self.moving[name][1].digits(name in signed) for name in moving}
+                values[name] = value or ""
+            elif isinstance(value, ExactMotion):
+                live[name] = self.moving[name][1].digits(write is FORMATS["+"])
+            else:
+                values[name] = write(value, axes)
+        return values, live
 
     @property
     def forms(self) -> dict[str, str]:
@@ -221,8 +225,8 @@ class CasePicture:
             pace=self.case.pace,
             scale=self.case.scale,
             fits=self.case.fits,
-            values=self.values,
-            live=self.live,
+            values=self.texts[0],
+            live=self.texts[1],
             forms=self.forms,
             notes=self.case.notes(),
             to_scale=self.case.to_scale(),

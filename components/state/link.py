@@ -12,6 +12,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Context
+from functools import lru_cache
 from urllib.parse import urlencode
 
 from msgspec.structs import replace
@@ -37,6 +38,8 @@ HELD, BEFORE = "held", "before"
 DEFAULT = "default"
 DIGITS = 4
 """Digits of numbers of a frame in a link. Narrow ranges get more digits, so that their ends differ."""
+MOST_RANGES = 1000
+"""Number of ranges whose texts a process remembers."""
 MOST_ROOM = 1.02
 """Factor by which a range may be widened so that it needs fewer digits."""
 AUTOMATIC = "auto"
@@ -127,9 +130,15 @@ def step_query(step: str) -> str:
 
 
 def _frame_parts(frame: Frame) -> dict[str, str]:
-    ranges = {FRAME + name: ",".join(map(shortest, _brief(span))) for name, span in frame.ranges.items()}
+    ranges = {FRAME + name: _range_text(span) for name, span in frame.ranges.items()}
     sizes = {name: getattr(frame, name) for name in SIZES}
     return ranges | {FRAME + name: shortest(_towards(size, ROUND_HALF_EVEN)) for name, size in sizes.items() if size}
+
+
+@lru_cache(MOST_RANGES)
+def _range_text(span: Range) -> str:
+    """Return a range as text. Cached, because most changes keep the frame."""
+    return ",".join(map(shortest, _brief(span)))
 
 
 def _brief(span: Range) -> Range:

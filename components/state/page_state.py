@@ -172,9 +172,10 @@ def _done(now: PageState, command: Command) -> PageState:
         after = with_values(now, values, holding=bool(said), along=along, released=now.in_hand and not said)
     except ValueError as error:
         raise refusal(now.scene, command, error) from error
-    frame = after.drawn.loosened({*along, *now.kind.steady})
-    if said is False and not (now.step or now.covered) and frame != after.drawn.frame:
-        after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
+    if said is False and not (now.step or now.covered):
+        frame = after.drawn.loosened({*along, *now.kind.steady})
+        if frame != after.drawn.frame:
+            after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
     chooses_view = isinstance(command, Choose) and command.name == VIEW
     after = replace(after, in_hand=bool(said), show=() if chooses_view else after.show)
     return _predicted(after, now.before or now, begins=now.before is None)

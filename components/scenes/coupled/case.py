@@ -25,7 +25,7 @@ from physics.free_motions import ChainMotions, FreeMotions
 from physics.modal_start import modes_given
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 from physics.reference.driven_chain import points_of_modes
-from physics.sampling import drawable, time_window
+from physics.sampling import time_window
 from physics.valid import in_range
 
 BEATS = 1e-3
@@ -88,9 +88,9 @@ class CoupledCase(ChainCase):
         return pace(self.slow or self.highest, self.highest)
 
     def notes(self) -> tuple[str, ...]:
-        if drawable(2 * self.highest, self.times):
+        if self.is_line(2 * self.highest):
             return super().notes()
-        fast = "" if drawable(self.highest, self.times) else FAST
+        fast = "" if self.is_line(self.highest) else FAST
         return (*super().notes(), f"{fast}Energies are averages over a fast swing.")
 
     @cached_property

@@ -20,7 +20,7 @@ from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay, Moment
 from physics.motion import constant
 from physics.reference.damped import damped_points
-from physics.sampling import NOTHING_OSCILLATES, drawable, periods
+from physics.sampling import NOTHING_OSCILLATES, periods
 from physics.valid import in_range
 
 DampedKind = Literal["rest", "drift", "glide", "plain", "under", "critical", "over"]
@@ -109,7 +109,7 @@ class DampedCase(DashpotCase):
         return self.one.omega_d
 
     def notes(self) -> tuple[str, ...]:
-        return () if drawable(2 * self.one.omega_d, self.times) else (AVERAGED,)
+        return () if self.is_line(2 * self.one.omega_d) else (AVERAGED,)
 
     @cached_property
     def peaks(self) -> list[Moment]:

@@ -11,7 +11,6 @@ from components.quantities.axes import Axis, nice_axis
 from components.scene.traces import Columns
 from components.scenes.driven.pushes import PushedCase
 from physics.convolution import SlicedPush, Tail, joined, outline, tails
-from physics.sampling import drawable
 
 MOST_TAILS, POINTS = 12, 700
 """Largest number of responses to slices that are drawn, and the number of their points."""
@@ -30,7 +29,7 @@ class SlicedCase(PushedCase):
     @property
     def in_slices(self) -> bool:
         """True if slices are drawn: the drive is a force, and the motion is slow enough for a line."""
-        return self.kind == "force" and self.is_driven and drawable(self.highest, self.times)
+        return self.kind == "force" and self.is_driven and self.is_line(self.highest)
 
     @cached_property
     def sliced(self) -> SlicedPush | None:

@@ -18,7 +18,7 @@ from components.scene.traces import Floats
 from physics.free_oscillation import FreeOscillation
 from physics.oscillator import Oscillator
 from physics.reference.single import oscillator_points
-from physics.sampling import drawable, periods, time_window
+from physics.sampling import periods, time_window
 from physics.valid import in_range
 
 MOST_SWINGS = 6
@@ -101,7 +101,7 @@ class OscillatorCase(Case):
     @property
     def is_drawn(self) -> bool:
         """True if x, v and a are slow enough for lines."""
-        return drawable(self.omega, self.times)
+        return self.is_line(self.omega)
 
     @cached_property
     def last_peak(self) -> float:
