@@ -65,6 +65,8 @@ def run_compiled(method: str, problem: Problem, steps: float, watch: Watch) -> T
         n, state = through(advance, given, int(steps), n, min(n + block, end), watch.bound, state, states)
         watch.steps = n * int(steps)
         watch.evaluations = watch.steps * STEPPING[method].evaluations
+        if STEPPING[method].solved:
+            watch.factorisations, watch.solves = 1, watch.steps
         if not (abs(state[0]) <= watch.bound and abs(state[1]) <= watch.bound):
             raise exploded(problem, h, n)
         watch.check(float(problem.t[n]))

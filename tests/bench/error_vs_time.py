@@ -1,96 +1,201 @@
 """Error against run time, outside the browser: physics.integrators.race as tables, data and figures.
 
-    make bench                              every system and method, up to 1 s a run, about ten minutes
+    make bench                              every system and method, up to 1 s a run, about half an hour
     make bench ARGS=--quick                 two systems, few methods, 0.3 s a run, about a minute
     make bench ARGS=--record                the same as the first, into docs/bench and the accuracy scene
-    make bench ARGS=--again                 all of it once more: the second times beside those recorded
-    make bench ARGS=--add                   twice, the methods that the record has not, beside four that it has: times
-                                            are scaled by those
+    make bench ARGS="--record --systems wide"  one system again, in place of all that the record has of it
+    make bench ARGS=--again                 second times of all methods that were timed only once
+    make bench ARGS=--add                   twice, the methods that the record has not
     make bench ARGS=--long                  the solvers that choose their steps on the highly oscillatory motions, at
-                                            two tolerances, up to 60 s a run, about an hour
+                                            a few tolerances each, up to half an hour a run, about two hours
     make bench ARGS=--count                 how far evaluations differ with rounding; also on a busy machine
-    make bench ARGS=--rewrite               docs/bench anew from the record, without measuring
+    make bench ARGS=--rewrite               docs/bench again from the record, without measuring
 
 Writes error_vs_time.md, runs.csv, length.csv, digits.csv and figures into build/bench. With fixed steps each method is
-measured as Python runs it and compiled, side by side.
+measured as Python runs it and compiled, side by side. What is measured later is timed beside a few recorded methods,
+and its times are scaled by theirs.
 """
+
+from __future__ import annotations
 
 import argparse
 import os
 import platform
 import sys
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import replace
-from datetime import UTC, datetime
 from importlib.metadata import version
+from math import inf
 from pathlib import Path
-from statistics import median
-from typing import Any
 
 from components.scenes.accuracy.measuring import LIVE
-from physics.integrators.accuracy import SYSTEMS, Limits, Run
+from physics.integrators.accuracy import SYSTEMS, Limits, Run, entered
 from physics.integrators.race import measure
 from physics.integrators.solvers import METHODS, Method
-from tests.bench.counting import counted
+from tests.bench import changes
+from tests.bench.changes import BESIDE, Key, Kind, in_order, key, now
+from tests.bench.price_table import setting_text, time_text
 from tests.bench.record import Report, recalled, record
 from tests.bench.studies import both_ways, costs, digits, lengths
-from tests.bench.tables import setting_text, time_text, write_tables
+from tests.bench.tables import write_tables
 
 ROOT = Path(__file__).parents[2]
 RECORDED = ROOT / "components/scenes/accuracy/recorded"
 QUICK = ("benign", "dashpot")
-BESIDE = {("closed", False), ("rk4", False), ("rk4", True), ("lsoda", False)}
-"""Methods, in Python or compiled, that are measured again beside new ones."""
-LONG, PATIENCE, ASKED = ("wide", "light"), 60.0, (1e-6, 1e-9)
-"""The highly oscillatory motions, and seconds a run and tolerances of solvers there."""
-TIMES = ("time", "time_low", "time_high")
-Key = tuple[str, str, bool, float]
+PATIENCE = 1800.0
+"""Seconds that a long run may take."""
+_LONG = {
+    "dop853": (1e-6, 1e-11),
+    "lsoda": (1e-6, 1e-9, 1e-11),
+    "fortran": (1e-6, 1e-9, 1e-12),
+    "adams": (1e-6, 1e-9, 1e-12, 1e-13),
+}
+LONG: Mapping[str, Mapping[str, Sequence[float]]] = {"wide": _LONG, "light": {**_LONG, "rk45": (1e-8, 1e-11)}}
+"""The highly oscillatory motions, and the tolerances of the solvers that reach an error of 1e-6 there in time."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
+    options = options_of(arguments)
+    made = options.change(options)
+    if options.keeps:
+        record(options.recorded, made)
+        made = recalled(options.recorded)  # so that --rewrite writes the same
+    options.output.mkdir(parents=True, exist_ok=True)
+    write(options.output, made)
+    print(f"Tables and figures are in {options.output}")
+
+
+def options_of(arguments: Sequence[str] | None) -> argparse.Namespace:
+    """The options, with the function `change` that makes the report, and whether the record `keeps` it."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="two systems, few methods, 0.3 s a run")
-    parser.add_argument("--systems", nargs="+", choices=list(SYSTEMS), help="default: all of them")
-    parser.add_argument("--seconds", type=float, help="time limit of a run; default 1, quick 0.3")
-    parser.add_argument("--output", type=Path, help="default build/bench")
-    parser.add_argument("--record", action="store_true", help="into docs/bench and the accuracy scene")
-    parser.add_argument("--again", action="store_true", help="measure once more and record the second times")
-    parser.add_argument("--add", action="store_true", help="measure what the record has not, and add it")
-    parser.add_argument("--long", action="store_true", help="solvers on highly oscillatory motions, up to 60 s a run")
-    parser.add_argument("--count", action="store_true", help="count how far evaluations differ with rounding")
-    parser.add_argument("--rewrite", action="store_true", help="write docs/bench anew from the record")
+    parser.add_argument("--systems", nargs="+", choices=list(SYSTEMS), help="what is measured; default: all of them")
+    parser.add_argument("--seconds", type=_seconds, help="time limit of a run; default 1, quick 0.3, long 1800")
+    parser.add_argument("--output", type=Path, help="default build/bench, or docs/bench with a record")
+    parser.add_argument("--recorded", type=Path, default=RECORDED, help="folder of the record; default the scene's")
+    kinds = parser.add_mutually_exclusive_group()
+    for name, (_, told) in CHANGES.items():
+        kinds.add_argument(f"--{name}", action="store_true", help=told)
     options = parser.parse_args(arguments)
-    changes = {
-        "again": lambda report: twice(report, _raced(options)),
-        "add": added,
-        "long": lengthened,
-        "count": recounted,
-        "rewrite": lambda report: report,
-    }
-    change = next((made for name, made in changes.items() if getattr(options, name)), None)
-    output = options.output or (ROOT / "docs/bench" if change or options.record else Path("build/bench"))
-    report = change(recalled(RECORDED)) if change else whole(_raced(options), _limits(options))
-    if change or options.record:
-        record(RECORDED, report)
-        report = recalled(RECORDED)  # so that --rewrite writes the same
-    output.mkdir(parents=True, exist_ok=True)
-    write(output, report)
-    print(f"Tables and figures are in {output}")
+    chosen = next((name for name in CHANGES if getattr(options, name)), "")
+    if wrong := _wrong(options, chosen):
+        parser.error(wrong)
+    options.change, options.keeps = CHANGES[chosen][0] if chosen else whole, bool(chosen)
+    options.output = options.output or (ROOT / "docs/bench" if chosen else Path("build/bench"))
+    return options
+
+
+def _wrong(options: argparse.Namespace, chosen: str) -> str:
+    """A sentence on options that do not fit together, or ""."""
+    if options.output and options.output.exists() and not options.output.is_dir():
+        return f"--output needs a folder, and {options.output} is a file"
+    if options.quick and chosen:
+        return f"--quick measures too little for a record: leave out --quick or --{chosen}"
+    if chosen in ("count", "rewrite") and (options.systems or options.seconds):
+        return f"--{chosen} measures no times: leave out --systems and --seconds"
+    if chosen == "long" and not set(options.systems or LONG) <= set(LONG):
+        return f"--long is for the highly oscillatory motions: choose of --systems {' '.join(LONG)}"
+    if chosen not in ("", "record") and not _has_record(options.recorded):
+        return f"--{chosen} changes a record, and {options.recorded} has none: make one with --record"
+    return ""
+
+
+def _has_record(folder: Path) -> bool:
+    return (folder / "digits.json").exists()
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds < inf:
+        raise argparse.ArgumentTypeError(f"a time limit is a number of seconds above 0, and {text!r} is not")
+    return seconds
 
 
 def _limits(options: argparse.Namespace) -> Limits:
     return Limits(seconds=options.seconds or (0.3 if options.quick else 1.0), budget=0.1, least=1)
 
 
-def _raced(options: argparse.Namespace) -> dict[str, list[Run]]:
-    slugs = options.systems or (QUICK if options.quick else tuple(SYSTEMS))
+def _systems(options: argparse.Namespace, default: Collection[str] = tuple(SYSTEMS)) -> tuple[str, ...]:
+    return tuple(options.systems or default)
+
+
+def whole(options: argparse.Namespace) -> Report:
+    """A report of the race, with the studies of what it does not show; the record with some systems made again."""
+    slugs, limits = _systems(options, QUICK if options.quick else tuple(SYSTEMS)), _limits(options)
     methods = [METHODS[slug] for slug in LIVE] if options.quick else list(METHODS.values())
-    return measured(slugs, [*methods, *_compiled(slugs, {method.slug for method in methods})], _limits(options))
-
-
-def whole(runs: dict[str, list[Run]], limits: Limits) -> Report:
-    """A report of the race, with the studies of what it does not show."""
+    runs = measured(slugs, [*methods, *_compiled(slugs, {method.slug for method in methods})], limits)
+    if options.record and options.systems and _has_record(options.recorded):
+        return changes.with_systems(recalled(options.recorded), runs)
     return Report(machine(limits), limits.seconds, runs, lengths(limits), digits(), costs(), both_ways=both_ways())
+
+
+def added(options: argparse.Namespace) -> Report:
+    """The record with the methods that it has not, measured twice."""
+    report, slugs = recalled(options.recorded), _systems(options)
+    first, second = dict[str, list[Run]](), dict[str, list[Run]]()
+    for slug in slugs:
+        known = {changes.kind(run) for run in report.runs.get(slug, ())}
+        missing = [method for method in _every([slug]) if (method.slug, method.compiled) not in known]
+        if missing := [method for method in missing if entered(SYSTEMS[slug], [method.slug])]:
+            for found in (first, second):
+                found |= measured([slug], [*_beside(missing, [slug]), *missing], _limits(options))
+    if not first:
+        print("The record has all methods.", file=sys.stderr)
+        return report
+    return changes.with_added(report, first, second)
+
+
+def again(options: argparse.Namespace) -> Report:
+    """The record with second times of what was timed once."""
+    report, slugs = recalled(options.recorded), _systems(options)
+    asked = changes.once_only(report)
+    methods = [method for method in _every(slugs) if not asked or (method.slug, method.compiled) in asked]
+    beside = _beside(methods, slugs) if asked else []
+    return changes.with_second(report, measured(slugs, [*beside, *methods], _limits(options)), asked)
+
+
+def lengthened(options: argparse.Namespace) -> Report:
+    """The record with solvers at a few tolerances where 1 s was too short for them: highly oscillatory motions."""
+    report, found = recalled(options.recorded), dict[str, list[Run]]()
+    limits = Limits(seconds=options.seconds or PATIENCE, rounds=1)
+    for slug in _systems(options, LONG):
+        solvers = [
+            replace(method, tolerances=tuple(LONG[slug][method.slug]))
+            for method in _every([slug])
+            if method.slug in LONG[slug]
+        ]
+        # Of the methods beside them only those without steps: the others have no end within so long a limit.
+        beside = [method for method in METHODS.values() if method.family in ("closed", "exact")]
+        found |= measured([slug], [*beside, *solvers], limits)
+    return changes.with_long(report, found, limits.seconds)
+
+
+CHANGES = {
+    "record": (whole, "into docs/bench and the accuracy scene"),
+    "again": (again, "record second times of what was timed once"),
+    "add": (added, "measure what the record has not, and add it"),
+    "long": (lengthened, "solvers on highly oscillatory motions, up to half an hour a run"),
+    "count": (
+        lambda options: changes.recounted(recalled(options.recorded)),
+        "count how far evaluations differ with rounding",
+    ),
+    "rewrite": (lambda options: recalled(options.recorded), "write docs/bench again from the record"),
+}
+"""Options that change the record, each with the function that makes the report, and what it does."""
+
+
+def _every(slugs: Sequence[str]) -> list[Method]:
+    """All methods, in Python and compiled."""
+    return [*METHODS.values(), *_compiled(slugs, METHODS)]
+
+
+def _beside(methods: Sequence[Method], slugs: Sequence[str]) -> list[Method]:
+    """The methods that are measured again beside others."""
+    new: set[Kind] = {(method.slug, method.compiled) for method in methods}
+    return [each for each in _every(slugs) if (each.slug, each.compiled) in BESIDE - new]
 
 
 def _compiled(slugs: Sequence[str], known: Container[str]) -> list[Method]:
@@ -101,123 +206,24 @@ def _compiled(slugs: Sequence[str], known: Container[str]) -> list[Method]:
 
 def measured(slugs: Sequence[str], methods: Sequence[Method], limits: Limits) -> dict[str, list[Run]]:
     """The race on each system."""
-    systems, found = [SYSTEMS[slug] for slug in slugs], dict[Key, Run]()
-    for run in measure(systems, sorted(methods, key=lambda method: _place(method.slug)), limits):
-        found[_key(run)] = run
+    systems, found, places = [SYSTEMS[slug] for slug in slugs], dict[Key, Run](), list(METHODS)
+    for run in measure(systems, sorted(methods, key=lambda method: places.index(method.slug)), limits):
+        found[key(run)] = run
         outcome = run.failure or f"error {run.error:.1e} in {time_text(run.time)}"
-        kind = " compiled" if run.compiled else ""
-        print(f"{SYSTEMS[run.system].name}: {run.name}{kind} {setting_text(run)}: {outcome}", file=sys.stderr)
-    return {slug: _in_order(run for run in found.values() if run.system == slug) for slug in slugs}
-
-
-def _in_order(runs: Iterable[Run]) -> list[Run]:
-    """Python before compiled, by method, coarse to fine."""
-    finer = {"adaptive": -1.0}
-    return sorted(runs, key=lambda run: (run.compiled, _place(run.method), finer.get(run.family, 1.0) * run.setting))
-
-
-def added(report: Report) -> Report:
-    """The report with the methods that it has not, measured twice."""
-    known = {(run.method, run.compiled) for many in report.runs.values() for run in many}
-    every = [*METHODS.values(), *_compiled(tuple(SYSTEMS), METHODS)]
-    new = [method for method in every if (method.slug, method.compiled) not in known]
-    if not new:
-        return report
-    beside = [method for method in every if (method.slug, method.compiled) in BESIDE]
-    limits = Limits(seconds=report.seconds, budget=0.1, least=1)
-    first, second = (measured(tuple(SYSTEMS), [*beside, *new], limits) for _ in range(2))
-    return with_added(report, first, second)
-
-
-def with_added(report: Report, first: dict[str, list[Run]], second: dict[str, list[Run]]) -> Report:
-    """The report with the runs of methods that it has not, and their second times."""
-    known = {(run.method, run.compiled) for many in report.runs.values() for run in many}
-    runs = {slug: scaled(many, first[slug], second[slug]) for slug, many in report.runs.items()}
-    new = [run for many in runs.values() for run in many if (run.method, run.compiled) not in known]
-    names = ", ".join(dict.fromkeys(f"{METHODS[run.method].mark}{' compiled' if run.compiled else ''}" for run in new))
-    told = {**report.about, "added": f"added {_now()}, on a busy machine: {names}"}
-    return replace(report, runs=runs, about=told, both_ways=both_ways())
-
-
-def scaled(known: list[Run], first: list[Run], second: list[Run]) -> list[Run]:
-    """The known runs, and the new ones in units of their machine: the median ratio of the times of those in both."""
-    times = {_key(run): (run.time, run.again) for run in known}
-    factors = []
-    for many, kind in ((first, 0), (second, 1)):
-        told = [(times[_key(run)][kind], run.time) for run in many if _key(run) in times]
-        factors.append(median([old / new for old, new in told if old and new] or [1.0]))
-    again = {_key(run): run.time for run in second}
-    new = []
-    for run in first:
-        if _key(run) not in times:
-            then = again.get(_key(run))
-            facts: dict[str, Any] = {name: _times(getattr(run, name), factors[0]) for name in TIMES}
-            new.append(replace(run, again=_times(then, factors[1]), **facts))
-    return _in_order([*known, *new])
-
-
-def _times(value: float | None, factor: float) -> float | None:
-    return None if value is None else value * factor
-
-
-def lengthened(report: Report) -> Report:
-    """The report with solvers at two tolerances where 1 s was too short for them: highly oscillatory motions."""
-    methods = [replace(method, tolerances=ASKED) for method in METHODS.values() if method.family == "adaptive"]
-    return with_long(report, measured(LONG, methods, Limits(seconds=PATIENCE, rounds=1, visit=0.0)))
-
-
-def with_long(report: Report, found: dict[str, list[Run]]) -> Report:
-    """The report with these runs in place of those that were stopped after 1 s."""
-    runs = dict(report.runs)
-    for slug, many in found.items():
-        keys = {_key(run) for run in many}
-        tried = {run.method for run in many}
-        stopped = (run for run in runs[slug] if run.failure and run.method in tried and not run.compiled)
-        gone = keys | {_key(run) for run in stopped}
-        runs[slug] = _in_order([*(run for run in runs[slug] if _key(run) not in gone), *many])
-    names = "; ".join(f"{_marks(many)} on {SYSTEMS[slug].name}" for slug, many in found.items() if many)
-    told = f"{_now()}, up to {PATIENCE:g} s a run, once, on a busy machine: {names}"
-    return replace(report, runs=runs, about={**report.about, "long": told})
-
-
-def _marks(runs: Iterable[Run]) -> str:
-    """The names of the methods of some runs."""
-    return ", ".join(dict.fromkeys(METHODS[run.method].mark for run in runs))
-
-
-def twice(first: Report, second: dict[str, list[Run]]) -> Report:
-    """The first report, with the times of a second one beside its own."""
-    times = {_key(run): run.time for many in second.values() for run in many}
-    runs = {slug: [replace(run, again=times.get(_key(run))) for run in many] for slug, many in first.runs.items()}
-    return replace(first, runs=runs, about={**first.about, "again": f"second times {_now()}"})
-
-
-def recounted(report: Report) -> Report:
-    """The report with how far evaluations differ with rounding."""
-    return replace(counted(report), about={**report.about, "counted": f"spread of counts {_now()}, without timing"})
-
-
-def _key(run: Run) -> Key:
-    return run.system, run.method, run.compiled, run.setting
-
-
-def _place(slug: str) -> int:
-    return list(METHODS).index(slug)
+        compiled = " compiled" if run.compiled else ""
+        print(f"{SYSTEMS[run.system].name}: {run.name}{compiled} {setting_text(run)}: {outcome}", file=sys.stderr)
+    return {slug: in_order(run for run in found.values() if run.system == slug) for slug in slugs}
 
 
 def machine(limits: Limits) -> dict[str, str]:
     """Where and when this was measured."""
     packages = ("numpy", "scipy", "mpmath", "numba")
     return {
-        "date": _now(),
+        "date": now(),
         "machine": f"{_processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}",
         "versions": ", ".join([f"Python {platform.python_version()}", *(f"{p} {version(p)}" for p in packages)]),
         "limits": f"{limits.seconds:g} s of processor time a run, medians of up to {limits.rounds} rounds",
     }
-
-
-def _now() -> str:
-    return datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
 
 
 def write(folder: Path, report: Report) -> None:

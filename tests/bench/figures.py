@@ -54,7 +54,7 @@ def draw_system(path: Path, system: System, runs: list[Run], caption: str) -> No
     _growth(axes[1][1], system, same_cost, f"finest run within {EQUAL_COST:g} s")
     figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8)
     figure.suptitle(
-        f"{system.name}: 1000 outputs over 50 {system.unit}; dotted: compiled; "
+        f"{system.name}: 1000 outputs over {system.periods:.3g} {system.unit}; dotted: compiled; "
         f"framed: rtol 1e-3, 1e-6, 1e-9. {caption}",
         fontsize=9,
     )

@@ -10,6 +10,7 @@ from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, grouped, in_doubles, prices
 from physics.integrators.solvers import METHODS
 from physics.integrators.stiffness import stiffness
+from tests.bench.estimates import estimate
 
 SWINGING = tuple(slug for slug, method in METHODS.items() if method.family in ("fixed", "adaptive"))
 Runs = Mapping[str, list[Run]]
@@ -59,7 +60,7 @@ def _pays(runs: Runs) -> Iterator[str]:
 def _named(runs: Runs, slug: str, best: Price, wanted: float) -> str:
     """The cheapest method, its time, and its ratios to the closed form in the same language."""
     units = _units(runs, slug, wanted, best.compiled)
-    text = f"the cheapest steps are those of {best.name}, {1e3 * (best.time or 0.0):.3g} ms"
+    text = f"{best.name} is the cheapest method with steps: {1e3 * (best.time or 0.0):.3g} ms"
     told = (f"{(best.time or 0.0) / (unit.time or 1.0):.2g} times the closed form {how}" for how, unit in units.items())
     return ", ".join([text, " and ".join(told)])
 
@@ -82,15 +83,16 @@ def _closed(runs: Runs) -> str:
                 unit = _units(runs, slug, wanted, compiled).get(how)
                 if unit and times and min(times) < (unit.time or 0.0):
                     cheaper[how].setdefault(SYSTEMS[slug].name, []).append(f"{wanted:g}")
-    told = {
-        how: "; ".join(f"{name} at {' and '.join(errors)}" for name, errors in where.items()) or "no system"
-        for how, where in cheaper.items()
-    }
-    return " ".join(
-        f"Cheaper than the closed form {how} are steps of some method {'' if 'compiled' in how else 'in Python '}on "
-        f"{each}."
-        for how, each in told.items()
-    )
+    return " ".join(_cheaper_text(how, where) for how, where in cheaper.items())
+
+
+def _cheaper_text(how: str, where: dict[str, list[str]]) -> str:
+    language = "Compiled" if "compiled" in how else "In Python"
+    unit = f"the closed form {how.removesuffix(', compiled')}"
+    if not where:
+        return f"{language}, no method with steps is cheaper than {unit}."
+    systems = "; ".join(f"{name} at {' and '.join(errors)}" for name, errors in where.items())
+    return f"{language}, a method with steps is cheaper than {unit} on {systems}."
 
 
 def _compiling(runs: Runs) -> str:
@@ -106,7 +108,7 @@ def _compiling(runs: Runs) -> str:
             ]
     if not ratios:
         return ""
-    return f"In Python the same fixed steps take {min(ratios):.0f} to {max(ratios):.0f} times as long as compiled."
+    return f"The same fixed steps take {min(ratios):.0f} to {max(ratios):.0f} times as long in Python as compiled."
 
 
 def _stability(runs: Runs) -> Iterator[str]:
@@ -127,12 +129,12 @@ def _stability(runs: Runs) -> Iterator[str]:
             if explicit and implicit:
                 (one, first), (other, best) = explicit[0], implicit[0]
                 yield (
-                    f"{SYSTEMS[slug].name}, an error of {wanted:g}: the explicit method with the fewest evaluations, "
-                    f"{METHODS[first].name}, needs {one:.2e}, {one / other:.1g} times those of {METHODS[best].name}, "
-                    f"{other:.2e}."
+                    f"{SYSTEMS[slug].name}, an error of {wanted:g}: the best explicit method, {METHODS[first].name}, "
+                    f"needs {one:.2e} evaluations, {one / other:.1g} times as many as the best implicit method, "
+                    f"{METHODS[best].name} ({other:.2e})."
                 )
             elif implicit:
-                yield f"{SYSTEMS[slug].name}, an error of {wanted:g}: no explicit method gets there in time."
+                yield f"{SYSTEMS[slug].name}, an error of {wanted:g}: no explicit method has it within the time limit."
 
 
 def _oscillatory(runs: Runs) -> Iterator[str]:
@@ -145,14 +147,15 @@ def _oscillatory(runs: Runs) -> Iterator[str]:
             least = {name: count for name, count in _least_evaluations(runs, slug, wanted).items() if name in SWINGING}
             told = f"{SYSTEMS[slug].name}, an error of {wanted:g}: "
             exact = sorted((count, name) for name, count in least.items() if name in EXPONENTIAL)
+            guesses = ((estimate(runs, slug, name, wanted), name) for name in EXPONENTIAL)
+            guessed = sorted((guess.evaluations, name) for guess, name in guesses if guess)
             others = sorted((count, name) for name, count in least.items() if name not in EXPONENTIAL)
-            if not exact and others:
-                yield f"{told}no exponential integrator gets there in time."
-            elif exact and others:
-                (one, first), (other, best) = exact[0], others[0]
+            if others and (exact or guessed):
+                (one, first), (other, best) = (exact or guessed)[0], others[0]
                 yield (
-                    f"{told}{METHODS[first].name}, which solves the stiff spring exactly, needs {one:.2e} evaluations, "
-                    f"{METHODS[best].name}, the best of the others, {other:.2e}."
+                    f"{told}{METHODS[first].name}, which solves the stiff spring exactly, needs "
+                    f"{'' if exact else 'about '}{one:.2e} evaluations. The best of the others, {METHODS[best].name}, "
+                    f"needs {other:.2e}."
                 )
 
 
@@ -172,10 +175,10 @@ def _ringing(runs: Runs) -> Iterator[str]:
         good = [run for run in runs.get("dashpot", ()) if run.method == slug and not run.compiled and not run.failure]
         if good:
             run = good[0]
-            how = f"rtol {run.setting:g}" if run.family == "adaptive" else "the fewest steps"
+            how = f" at rtol {run.setting:g}" if run.family == "adaptive" else ""
             yield (
-                f"Stiff: a dashpot, {how}: {run.name} takes {run.steps} steps and has an error of {run.error:.2g}, "
-                f"and of {run.final_error:.2g} still at the end."
+                f"Stiff: a dashpot, the longest steps: {run.name} takes {run.steps} steps{how}. Its largest error is "
+                f"{run.error:.2g}, its error at the end {run.final_error:.2g}."
             )
 
 
@@ -185,4 +188,4 @@ def _switching(runs: Runs) -> Iterator[str]:
         stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5 and not run.compiled]
         if stiff and not SYSTEMS[slug].c:
             shares = ", ".join(f"rtol {run.setting:g}" for run in stiff)
-            yield f"{SYSTEMS[slug].name}: LSODA takes most of its steps by BDF at {shares}: a kink of its line."
+            yield f"{SYSTEMS[slug].name}: at {shares} LSODA takes most of its steps by BDF: a kink in its line."

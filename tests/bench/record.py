@@ -45,6 +45,8 @@ class Report:
     """The widest spread of each solver."""
     both_ways: list[dict[str, Any]] = field(default_factory=list)
     """Times of a step by the right-hand side and as one matrix."""
+    later: dict[str, str] = field(default_factory=dict)
+    """The date of each system that was recorded again."""
 
 
 def record(folder: Path, report: Report) -> None:
@@ -52,7 +54,8 @@ def record(folder: Path, report: Report) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     told = {"about": report.about, "seconds": report.seconds}
     for slug, many in report.runs.items():
-        _write(folder / f"{slug}.json", {**told, "runs": [slim(run) for run in many]})
+        about = {**report.about, "date": report.later.get(slug, report.about.get("date", ""))}
+        _write(folder / f"{slug}.json", {**told, "about": about, "runs": [slim(run) for run in many]})
     _write(folder / "length.json", {**told, "runs": [slim(run) for run in report.length]})
     others = {"costs": report.costs, "rounding": report.rounding, "both_ways": report.both_ways}
     _write(folder / "digits.json", {**told, **report.digits, **others})
@@ -60,14 +63,16 @@ def record(folder: Path, report: Report) -> None:
 
 def recalled(folder: Path) -> Report:
     """The report that was recorded."""
-    systems = {slug: _read(folder / f"{slug}.json") for slug in SYSTEMS}
+    systems = {slug: _read(path) for slug in SYSTEMS if (path := folder / f"{slug}.json").exists()}
     digits = _read(folder / "digits.json")
     names = ("about", "seconds", "costs", "rounding", "both_ways")
     about, seconds, costs, rounding, both_ways = (digits.pop(name, []) for name in names)
     runs = {slug: [decoded_run(row) for row in data["runs"]] for slug, data in systems.items()}
     length = [decoded_run(row) for row in _read(folder / "length.json")["runs"]]
     spreads = [Spread(method, system, setting, tuple(many)) for method, system, setting, many in rounding]
-    return Report(about, seconds, runs, length, digits, costs, spreads, both_ways)
+    dates = {slug: data["about"]["date"] for slug, data in systems.items()}
+    later = {slug: date for slug, date in dates.items() if date != about["date"]}
+    return Report(about, seconds, runs, length, digits, costs, spreads, both_ways, later)
 
 
 def slim(run: Run) -> dict[str, Any]:

@@ -3,81 +3,89 @@
 from __future__ import annotations
 
 import csv
-from dataclasses import replace
 from itertools import zip_longest
 from math import pi
 from pathlib import Path
 
-from physics.integrators.accuracy import SYSTEMS, Run, System
-from physics.integrators.price import Price, at_error, grouped, in_doubles, prices
-from physics.integrators.solvers import ATOL, IN_PYTHON, METHODS
+from physics.integrators.accuracy import SYSTEMS, Run, System, entered
+from physics.integrators.price import at_error, grouped
+from physics.integrators.solvers import METHODS
 from physics.integrators.stiffness import stiffness
+from tests.bench.estimates import checked
 from tests.bench.findings import findings
 from tests.bench.methods import methods_table
+from tests.bench.price_table import evaluations_text, line, price_table, setting_text, time_text
 from tests.bench.record import Report
 
 WANTED = (1e-3, 1e-6, 1e-9)
 ASKED = (1e-3, 1e-6, 1e-9)
-APART = 1.3  # ratios of two benchmarks that differ by more are marked
-SETTINGS = {"closed": "", "exact": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}, atol {:g}"}
-NOT_REACHED = {"time limit": "not in time", **dict.fromkeys(("floor", "finest", "spacing"), "never")}
+FEW = 4
+INTRODUCTION = """What does a correct digit cost? Here many methods compute the same motions of two masses on springs.
+For each method the tables have the error and the time that it takes. A method that goes in steps takes longer for every
+further digit; the closed form does not. The scene `accuracy` shows the same record."""
 RULES = """
 ## How to read it
 
-Each method was refined until its error stood at its floor, it had no finer setting, or a run passed the time limit;
-all methods on all systems side by side, and then the quick ones timed again in further rounds. Each method ran twice:
-as Python runs it, and compiled by numba. With fixed steps the very same stepping functions are compiled, and the closed
-form in doubles from its constants to its last output. Of solvers that choose their steps the right-hand side is
-compiled: SciPy's LSODA, VODE-Adams and the second DOP853 are compiled themselves, RK23, RK45, DOP853, Radau and BDF are
-Python, and so they stay: ° marks them. What compiling takes is not counted. The closed form in 80 digits, the naive
-modes and expm were not compiled. An empty cell was not measured: on Beats, Wide apart 1e6 and Light mass 2 no solver
-has run with a compiled right-hand side.
+**Runs.** Each method is refined until its error no longer falls, it has no finer setting, or a run passes the time
+limit. All methods on all systems are refined side by side; then the quick runs are timed again in further rounds. Each
+method runs twice: as Python runs it, and compiled by numba (the time of compiling is not counted). With fixed steps,
+and for the closed form in doubles, the same functions are compiled as a whole. Of a solver that chooses its steps, only
+the right-hand side is compiled. LSODA, VODE-Adams and the second DOP853 are compiled code in SciPy; RK23, RK45, DOP853,
+Radau and BDF are Python and stay Python, which ° marks. The closed form in 80 digits, the naive modes and expm were not
+compiled. {unmeasured}
 
-Run times are processor time of one thread, relative to a fixed piece of work timed just before and after, and are
-given with their ratio to the closed form: × app is against the closed form as the app runs it, in 80 digits where it
-needs them; × doubles is against the closed form in plain doubles, by the modes of eigh, for the dashpot by the formulas
-as they stand. Python is divided by Python, and compiled by compiled. The price of an error is the least run time at
-which the straight lines from run to run, both axes logarithmic, are good enough, as in the accuracy scene. "not in
-time" says that time ran out; "never" that a method stands at its floor or has no finer setting. Then the last column
-has the best error that it reached. † marks a time that did not repeat within 20 % in its rounds; ‡ a ratio that did not
-repeat within 30 % when the whole benchmark was run again: the second one stands in brackets.
+**Times** are processor time of one thread, so that other programs on the machine disturb them little. They are relative
+to a fixed piece of work that is timed just before and after. The columns × are ratios to the closed form: × app to the
+closed form as the app runs it, in 80 digits where it needs them; × doubles to the closed form in plain doubles, which
+is the modes by eigh, and for the dashpot the formulas as they are. Python is divided by Python, compiled by compiled.
+† marks a time that did not repeat within 20 % in its rounds. The number in brackets is the same ratio in a second
+recording; ‡ marks a ratio that differs from it by more than 30 %. What was recorded later was timed beside some methods
+of the first recording, and its times are scaled by theirs.
 
-Methods that were added later were timed on a busy machine, beside four methods of the first benchmark; their times are
-scaled by the median ratio of the times of those. Counts and errors do not depend on that.
+**The price of an error** is the least run time at which the straight lines from run to run, both axes logarithmic,
+have that error, as in the accuracy scene. "never" means that more steps do not help: the error of the method no longer
+falls, it has no finer setting, or its steps would be shorter than the spacing of doubles. The last column then has the
+best error.
 
-Evaluations of the right-hand side, read off the same way, do not depend on the speed of a machine; of solvers that
-choose their steps they differ with its rounding, which is told below. Methods without steps have none: theirs
-are the outputs. Implicit methods with fixed steps use constant matrices and have their linear
-systems solved in advance, once for all steps; Radau, BDF and LSODA are given the constant Jacobian, but factorise
-their systems anew whenever their step changes. Newmark with the average acceleration and the implicit midpoint are
-one method where nothing drives the chain. The second DOP853 has no dense output: it is restarted at each of the 1,000
-outputs. Where that makes its coarsest run better than asked, further digits cost it nothing.
+**"about" and "at least"** mark prices that were not measured, because a run would have taken longer than the time
+limit. They are estimates from the record: along the line of the method, by its order; or from the Benign chain, with as
+many evaluations in each fast oscillation; or, where stability limits the step, from the share of the motion that a run
+had done when it was stopped. {checked} The time is that of so many evaluations.
 
-Errors are the largest at 1,000 outputs and in units of the largest displacement, with the dashpot also of the largest
-velocity. What runs reach beside that, under each system: the error at the last output alone, where no interpolation
-is left; a phase error may happen to be small there; and the parts of the error in the slow and in the fast mode.
-Asked stands the tolerance, which a solver keeps in each step, not at the end: rtol, and atol in units of the largest
-displacement, for velocities of that times the slow rate. Jacobians, LU factorisations and linear solves stand beside
-the evaluations. Radau solves a real and a complex system in each iteration.
-LSODA factorises once a Jacobian and does not report its solves.
+**Evaluations** of the right-hand side do not depend on the speed of a machine. With solvers that choose their steps
+they differ with its rounding, as the last paragraph here says. Methods without steps have outputs instead. Radau, BDF
+and LSODA get the constant Jacobian, but factorise their systems again whenever the step changes. Implicit methods with
+fixed steps use one constant matrix; the tables count one factorisation for the whole run, and one linear solve a step
+for all stages of the step. The inverse is computed in advance. Newmark with the average acceleration and the implicit
+midpoint are one method where nothing drives the chain. The second DOP853 has no interpolation between its steps, so it
+is restarted at each of the 1,000 outputs. Where that makes its coarsest run better than asked, further digits cost it
+nothing.
 
-On this linear problem a step of any method is one constant 4 x 4 matrix, and so are many steps at once. Then all
-methods cost the same a step, and nothing of it carries over to another problem. So explicit methods evaluate the
+**Errors** are the largest over the 1,000 outputs, in units of the largest displacement; with the dashpot also of the
+velocity, in units of the largest velocity. "What runs reach" has further errors: at the last output alone, where no
+interpolation is involved (an error of the phase may happen to be small there), and in the slow and in the fast mode.
+"Asked" is the tolerance, which a solver keeps in each step, not at the end: rtol, and atol in units of the largest
+displacement (for velocities, of that times the slow rate). With fixed steps it has the first run with an error of 1e-6,
+or else the one with the least error. Radau solves a real and a complex system in each iteration. LSODA factorises once
+for each Jacobian and does not report its solves. The outputs see every phase of the fast oscillations: if they saw only
+one, an error of the phase would hide. So Wide apart, 1e6 and Light mass 2 last a little longer than 50 periods.
+
+**One matrix.** On this linear problem a step of any method is one constant 4 x 4 matrix, and so are many steps at once.
+Then all methods cost the same a step, but nothing of that is true of another problem. So explicit methods evaluate the
 right-hand side as they would anywhere; implicit ones with fixed steps use the constant matrix, as codes for linear
 structures do, and the tables say so. "A step as one matrix" below measures both ways.
 
-A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving Ordinary
-Differential Equations II, IV.1). It is highly oscillatory if accuracy limits the step because a fast oscillation, which
-nothing damps, carries part of the motion: only a method that solves it exactly can step over it. The measure is |λ| h,
-the fast rate times the step: at the limit of accuracy that at which Gauss 4, which is stable at every step, has an
-error of 1e-3; at the limit of stability that of RK4, of the same order. Where accuracy allows more than stability, the
-motion is stiff. It stands under each system. "Stiff: a dashpot" starts off the slow motion, at rest: its velocity jumps
-at once.
+**Stiff or highly oscillatory.** A motion is stiff if stability, not accuracy, limits the step of an explicit method
+(Hairer and Wanner, Solving Ordinary Differential Equations II, IV.1). It is highly oscillatory if accuracy limits the
+step because a fast oscillation, which nothing damps, carries part of the motion: only a method that solves it exactly
+can step over it. The measure is |λ| h, the fast rate times the step. The limit of accuracy is the step at which
+Gauss 4, which is stable at every step, has an error of 1e-3. The limit of stability is that of RK4, which has the same
+order. If accuracy allows more than stability, the motion is stiff. Each system below has both limits. "Stiff: a
+dashpot" starts at rest, off the slow motion: its velocity jumps at once.
 
-Not in the race: TR-BDF2, extrapolation methods, Taylor series, Gauss 6, Tsit5, Vern9; and solvers that are compiled
+**Not measured:** TR-BDF2, extrapolation methods, Taylor series, Gauss 6, Tsit5, Vern9; and solvers that are compiled
 with their right-hand side, such as numbalsoda, which has had no release since 2022.
 """
-HEAD = ["method", "evaluations", "Python", "× app", "× doubles", "compiled", "× doubles", "best error"]
 
 
 def write_tables(folder: Path, report: Report) -> None:
@@ -100,8 +108,10 @@ def _write_csv(path: Path, fields: list[str], rows: list[dict[str, object]]) -> 
 
 def markdown(report: Report) -> str:
     """Findings; tables of the price of errors on each system, of the length of the run, and of the digits."""
-    lines = ["# Error against run time", "", *(f"- {value}" for value in report.about.values()), ""]
-    lines += ["## Found", "", *(f"- {each}" for each in findings(report.runs)), RULES]
+    lines = ["# Error against run time", "", INTRODUCTION, ""]
+    lines += [f"- {'recorded ' if name == 'date' else ''}{value}" for name, value in report.about.items()]
+    lines += [*(f"- {SYSTEMS[slug].name}: recorded again {date}" for slug, date in report.later.items()), ""]
+    lines += ["## Found", "", *(f"- {each}" for each in findings(report.runs)), _rules(report)]
     lines += [*_rounding(report), *methods_table()]
     for slug, many in report.runs.items():
         lines += [
@@ -115,14 +125,40 @@ def markdown(report: Report) -> str:
             "",
         ]
         for wanted in WANTED:
-            lines += [f"An error of {wanted:g} costs:", "", *_price_table(many, wanted)]
-        lines += ["What runs reach:", "", *_reached_table(many)]
+            lines += [f"An error of {wanted:g} costs:", "", *price_table(many, wanted, report.runs)]
+        lines += ["What runs reach:", "", *reached_table(many)]
     lines += ["## Length of the run", "", "In Python, 2,800 evaluations a slow period or rtol 1e-6, 100 outputs.", ""]
     lines += [*_length_table(report.length), ""]
     if report.both_ways:
         lines += ["## A step as one matrix", "", MATRIX, "", *_both_ways_table(report.both_ways), ""]
     lines += ["## Where 80 digits matter, and what they cost", "", *_digits_table(report), ""]
     return "\n".join(lines)
+
+
+def _rules(report: Report) -> str:
+    """The rules of the tables, with what the record says of them."""
+    ratios, told = checked(report.runs, WANTED), ""
+    if ratios:
+        told = (
+            f"{len(ratios)} such prices on the highly oscillatory motions were measured too: there the estimates from "
+        )
+        told += f"Benign are {min(ratios):.2g} to {max(ratios):.2g} times what was measured."
+    return RULES.format(unmeasured=_unmeasured(report), checked=told)
+
+
+def _unmeasured(report: Report) -> str:
+    """A sentence on empty cells: what was compiled for some systems only."""
+    compiled = {run.method for many in report.runs.values() for run in many if run.compiled}
+    missing: dict[tuple[str, ...], list[str]] = {}
+    for slug, many in report.runs.items():
+        asked = [name for name in entered(SYSTEMS[slug]) if name in compiled]
+        if lacks := tuple(name for name in asked if name not in {run.method for run in many if run.compiled}):
+            missing.setdefault(lacks, []).append(SYSTEMS[slug].name)
+    told = [
+        f"{', '.join(METHODS[name].mark for name in lacks)} on {' and '.join(systems)}"
+        for lacks, systems in missing.items()
+    ]
+    return f"Not compiled, so that their times are estimates: {'; '.join(told)}." if told else ""
 
 
 def _rounding(report: Report) -> list[str]:
@@ -140,102 +176,19 @@ def _rounding(report: Report) -> list[str]:
     return [text, ""]
 
 
-def _once_more(runs: list[Run]) -> list[Run]:
-    """The runs with the times that they took when the benchmark was run again, and without those not timed then."""
-    return [replace(run, time=run.again) for run in runs if run.again or run.failure]
-
-
-def _price_table(runs: list[Run], wanted: float) -> list[str]:
-    first, second = _quotes(runs, wanted), _quotes(_once_more(runs), wanted)
-    lines = [_line(HEAD), _line(["---"] * len(HEAD))]
-    for slug, own in grouped(run for run in runs if not run.compiled).items():
-        python, compiled = first.get((slug, False)), first.get((slug, True))
-        told = [price for price in (python, compiled) if price and price.evaluations is not None]
-        cells = [doc_name(slug), evaluations_text(slug, told[0].evaluations if told else None)]
-        for kind, price in ((False, python), (True, compiled)):
-            failed = next((run for run in reversed(own) if run.failure), None) if not kind else None
-            cells += _price_cells(price, kind, first, second.get((slug, kind)), second, failed)
-        lines.append(_line([*cells, _best(python, compiled)]))
-    return [*lines, ""]
-
-
-def _best(python: Price | None, compiled: Price | None) -> str:
-    """The best error of a method where it is not good enough, in Python and compiled."""
-    late = ((" compiled" if price is compiled else "", price) for price in (python, compiled) if price)
-    return ", ".join(f"{price.best:.1e}{kind}" for kind, price in late if price.time is None)
-
-
-Quotes = dict[tuple[str, bool], Price]
-"""Prices by method and by whether it was compiled."""
-
-
-def _quotes(runs: list[Run], wanted: float) -> Quotes:
-    found: Quotes = {}
-    for kind in (False, True):
-        many = grouped(run for run in runs if run.compiled == kind).values()
-        found |= {(price.method, kind): price for price in prices(many, wanted)}
-    return found
-
-
-def _price_cells(
-    price: Price | None, compiled: bool, first: Quotes, second: Price | None, others: Quotes, failed: Run | None
-) -> list[str]:
-    """Time and ratios, or why there is none."""
-    none = [""] * (1 if compiled else 2)
-    if price is None:
-        return [f"none: {failed.failure}" if failed else "", *none]
-    if price.time is None:
-        return [NOT_REACHED.get(price.end, "not refined so far"), *none]
-    marks = " °" * (compiled and price.method in IN_PYTHON) + " †" * (price.repeats is False)
-    units = zip(_units(first, compiled), _units(others, compiled), strict=True)
-    return [time_text(price.time) + marks, *(_ratio(price, second, one, two) for one, two in units)]
-
-
-def _units(quotes: Quotes, compiled: bool) -> list[float | None]:
-    """Run times of the closed form: in Python as the app runs it, and in doubles in the same language."""
-    same = {slug: price for (slug, kind), price in quotes.items() if kind == compiled}
-    found = [in_doubles(same)] if compiled else [same.get("closed"), in_doubles(same)]
-    return [price.time if price else None for price in found]
-
-
-def _ratio(price: Price, second: Price | None, unit: float | None, other: float | None) -> str:
-    """The ratio, and that of the second benchmark in brackets."""
-    if not unit or price.time is None:
-        return ""
-    ratio = price.time / unit
-    if second is None or second.time is None or not other:
-        return f"{ratio:.3g}"
-    again = second.time / other
-    mark = "" if max(ratio, again) <= APART * min(ratio, again) else " ‡"
-    return f"{ratio:.3g} ({again:.3g}){mark}"
-
-
-def doc_name(slug: str) -> str:
-    """A method, and whether its equations are solved in advance."""
-    method = METHODS[slug]
-    return f"{method.name}{', systems solved in advance' if method.solved else ''}"
-
-
-def evaluations_text(slug: str, evaluations: float | None) -> str:
-    """Evaluations, or outputs of a method that has none."""
-    if evaluations is None:
-        return ""
-    return f"{evaluations:.3g}{' outputs' if METHODS[slug].family in ('closed', 'exact') else ''}"
-
-
-def _reached_table(runs: list[Run]) -> list[str]:
+def reached_table(runs: list[Run]) -> list[str]:
     """Solvers at three tolerances; fixed steps at the first run with an error of 1e-6, or their finest."""
     modes = any(run.mode_errors for run in runs)
     head = ["method", "asked", "evaluations", "Jacobians", "LU", "solves", "largest error", "at the end"]
     head += ["slow mode", "fast mode"] if modes else []
-    lines = [_line(head), _line(["---"] * len(head))]
+    lines = [line(head), line(["---"] * len(head))]
     for slug, own in grouped(run for run in runs if run.error is not None).items():
         for run in _telling(own):
             told = [error for error in (run.error, run.final_error, *run.mode_errors) if error is not None]
             bdf = f", {100 * run.stiff_share:.0f} % of steps by BDF" if slug == "lsoda" else ""
             costs = [evaluations_text(slug, run.evaluations), *_costs(run)]
             cells = [METHODS[slug].name, setting_text(run) + bdf, *costs, *(f"{error:.1e}" for error in told)]
-            lines.append(_line(cells))
+            lines.append(line(cells))
     return [*lines, ""]
 
 
@@ -245,19 +198,21 @@ def _costs(run: Run) -> list[str]:
 
 
 def _telling(runs: list[Run]) -> list[Run]:
-    if runs[0].family == "adaptive":
-        return [run for run in runs if run.setting in ASKED]
-    return [at_error(runs, 1e-6) or min(runs, key=lambda run: run.error or 0.0)]
+    """The runs of one method that the table has: of a solver one for each tolerance, all of them if there are few."""
+    if runs[0].family != "adaptive":
+        return [at_error(runs, 1e-6) or min(runs, key=lambda run: run.error or 0.0)]
+    first = {run.setting: run for run in reversed(runs)}
+    return [first[setting] for setting in sorted(first, reverse=True) if setting in ASKED or len(first) <= FEW]
 
 
 def _length_table(runs: list[Run]) -> list[str]:
     spans = sorted({run.setting for run in runs})
     shown = [span for span in spans if span in (5, 50, 500)]
-    lines = [_line(["method", *(f"{span:g} periods" for span in shown)]), _line(["---"] * (len(shown) + 1))]
+    lines = [line(["method", *(f"{span:g} periods" for span in shown)]), line(["---"] * (len(shown) + 1))]
     for slug in dict.fromkeys(run.method for run in runs):
         by_span = {run.setting: run for run in runs if run.method == slug}
         texts = [_outcome(by_span[span]) for span in shown]
-        lines.append(_line([METHODS[slug].name, *texts]))
+        lines.append(line([METHODS[slug].name, *texts]))
     return lines
 
 
@@ -273,32 +228,20 @@ MATRIX = (
 
 def _both_ways_table(rows: list[dict[str, object]]) -> list[str]:
     names = [name for name in rows[0] if name != "method"]
-    lines = [_line(["method", *names]), _line(["---"] * (len(names) + 1))]
-    return lines + [_line([METHODS[str(row["method"])].name, *(f"{row[name]}" for name in names)]) for row in rows]
+    lines = [line(["method", *names]), line(["---"] * (len(names) + 1))]
+    return lines + [line([METHODS[str(row["method"])].name, *(f"{row[name]}" for name in names)]) for row in rows]
 
 
 def _digits_table(report: Report) -> list[str]:
-    lines = [_line(["motion", "80 digits alone", "closed form", "eigh"]), _line(["---"] * 4)]
+    lines = [line(["motion", "80 digits alone", "closed form", "eigh"]), line(["---"] * 4)]
     for each in report.costs:
-        lines.append(_line([each["motion"], *(f"{each[name]:.3g} ms" for name in ("digits", "closed", "eigh"))]))
+        lines.append(line([each["motion"], *(f"{each[name]:.3g} ms" for name in ("digits", "closed", "eigh"))]))
     for sweep, curves in report.digits.items():
         names = [name for name in curves if name != "x"]
-        lines += ["", _line([sweep, *(METHODS[name].name for name in names)]), _line(["---"] * (len(names) + 1))]
+        lines += ["", line([sweep, *(METHODS[name].name for name in names)]), line(["---"] * (len(names) + 1))]
         for row in zip(*curves.values(), strict=True):
-            lines.append(_line([f"{row[0]:.0e}", *("none" if e is None else f"{e:.0e}" for e in row[1:])]))
+            lines.append(line([f"{row[0]:.0e}", *("none" if e is None else f"{e:.0e}" for e in row[1:])]))
     return lines
-
-
-def _line(cells: list[str]) -> str:
-    return "| " + " | ".join(cells) + " |"
-
-
-def setting_text(run: Run) -> str:
-    return SETTINGS[run.family].format(run.setting, ATOL * run.setting)
-
-
-def time_text(seconds: float | None) -> str:
-    return f"{1e3 * (seconds or 0):.3g} ms" if (seconds or 0) < 1 else f"{seconds:.3g} s"
 
 
 def limits(system: System, runs: list[Run]) -> str:

@@ -71,7 +71,17 @@ def test_output_times_are_exact_doubles(system):
     assert t.size == 1001
     assert all(n * mp.mpf(t[1]) == t[n] for n in range(1001))
     slow, fast = system.problem().rates
-    assert t[-1] == pytest.approx(50 * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
+    assert t[-1] == pytest.approx(system.periods * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
+
+
+@pytest.mark.parametrize("slug", ["benign", "beats", "wide", "light", "near", "resonance"])
+def test_outputs_see_every_phase_of_both_modes(slug):
+    """Otherwise an error of the phase would hide: at one phase alone it may change nothing."""
+    problem = SYSTEMS[slug].problem()
+    for rate in problem.rates:
+        phases = np.mod(rate * problem.t / (2 * np.pi), 1)
+        counts, _ = np.histogram(phases, bins=10, range=(0, 1))
+        assert np.count_nonzero(counts) == 10 and abs(np.sin(2 * np.pi * phases)).max() > 0.95
 
 
 @systems
@@ -164,7 +174,7 @@ def test_errors_mode_by_mode_and_at_the_end():
 
 def test_an_unstable_step_is_a_row():
     run = visited(SYSTEMS["wide"], "verlet", 1)
-    assert run.failure.startswith("unstable step: h omega_+ = 628")
+    assert run.failure.startswith("unstable step: h omega_+ = 632")
     assert 0 < run.reached < 0.1
     assert run.error is None
     assert run.time is None

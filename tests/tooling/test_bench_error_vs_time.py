@@ -10,10 +10,13 @@ from pathlib import Path
 import pytest
 
 from physics.integrators.accuracy import SYSTEMS, Run, entered
-from tests.bench import error_vs_time, studies
+from physics.integrators.solvers import METHODS
+from tests.bench import changes, error_vs_time, studies
+from tests.bench.estimates import estimate
 from tests.bench.findings import findings
-from tests.bench.record import recalled, record, slim
-from tests.bench.tables import _price_table, _reached_table, markdown
+from tests.bench.price_table import price_table
+from tests.bench.record import Report, recalled, record, slim
+from tests.bench.tables import markdown, reached_table
 
 
 @pytest.fixture
@@ -34,7 +37,7 @@ def test_tables_and_figures_of_one_system(short: None, tmp_path: Path, capsys: p
     assert all(bool(row["error"]) != bool(row["failure"]) for row in rows)
     text = (tmp_path / "error_vs_time.md").read_text()
     assert "unstable step: h f = 5e+04" in (tmp_path / "runs.csv").read_text()
-    for told in ("none: time limit 0.02 s", "## Length of the run", "80 digits alone", "† marks"):
+    for told in ("## Length of the run", "80 digits alone", "† marks"):
         assert told in text
     for name in ("dashpot", "stability", "length", "digits"):
         assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
@@ -53,7 +56,7 @@ def test_what_is_recorded_comes_back(tmp_path: Path) -> None:
     near = replace(run, error=0.0010004123456, mode_errors=(1e-9, 0.0010004123456))
     assert decoded_run(json.loads(json.dumps(slim(near)))).error == 0.0010004123, "what misses a column still does"
     runs = {slug: [replace(run, system=slug)] for slug in SYSTEMS}
-    report = error_vs_time.Report({"date": "x"}, 1.0, runs, [run], {"ratio": {"x": [1.0]}}, [])
+    report = Report({"date": "x"}, 1.0, runs, [run], {"ratio": {"x": [1.0]}}, [])
     record(tmp_path, report)
     names = [*SYSTEMS, "digits", "length"]
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(f"{name}.json" for name in names)
@@ -64,20 +67,20 @@ def test_a_second_benchmark_stands_beside_the_first_and_marks_what_differs() -> 
     """Ratios to the closed form count, not times: what is slower as a whole has not changed."""
     closed = Run(system="benign", method="closed", setting=0, time=1e-3, error=1e-16, evaluations=1001)
     rk4 = Run(system="benign", method="rk4", setting=9, time=1e-2, error=1e-7, evaluations=36000)
-    first = error_vs_time.Report({"date": "x"}, 1.0, {"benign": [closed, rk4]}, [], {}, [])
+    first = Report({"date": "x"}, 1.0, {"benign": [closed, rk4]}, [], {}, [])
     for slower, told in ((1.25, "10 (12.5)"), (1.5, "10 (15) ‡"), (0.7, "10 (7) ‡")):
         second = {"benign": [replace(closed, time=2e-3), replace(rk4, time=2e-2 * slower)]}
-        rows = _price_table(error_vs_time.twice(first, second).runs["benign"], 1e-6)
+        rows = price_table(changes.with_second(first, second, set()).runs["benign"], 1e-6)
         assert f"| RK4 | 3.6e+04 | 10 ms | {told} |" in rows[3]
-    assert "| RK4 | 3.6e+04 | 10 ms | 10 |" in _price_table(first.runs["benign"], 1e-6)[3]
+    assert "| RK4 | 3.6e+04 | 10 ms | 10 |" in price_table(first.runs["benign"], 1e-6)[3]
 
 
 def test_the_document_is_what_the_record_says() -> None:
     report = recalled(error_vs_time.RECORDED)
     assert (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8") == markdown(report)
     for run in (run for many in report.runs.values() for run in many if run.time):
-        longest = error_vs_time.PATIENCE if run.system in error_vs_time.LONG and run.family == "adaptive" else 1.0
-        assert 0.0 < run.time < 2 * longest
+        long = run.family == "adaptive" and run.method in error_vs_time.LONG.get(run.system, {})
+        assert 0.0 < run.time < 2 * (error_vs_time.PATIENCE if long else 1.0)
 
 
 def test_findings_are_read_off_the_runs() -> None:
@@ -95,19 +98,23 @@ def test_findings_are_read_off_the_runs() -> None:
     ]
     runs += [run("euler", 1.5e-3, evaluations=10**8)]
     said = " ".join(findings({"wider": runs}))
-    assert "as the app runs it are steps of some method in Python on Wide apart, 1e10 at 0.001" in said
-    assert "in doubles are steps of some method in Python on no system." in said
-    assert "in doubles, compiled are steps of some method on Wide apart, 1e10 at 0.001" in said
-    assert "take 50 to 67 times as long as compiled" in said
-    assert "with the fewest evaluations, RK4, needs 1.00e+07, 2e+04 times those of BDF, 5.00e+02." in said
+    assert (
+        "In Python, a method with steps is cheaper than the closed form as the app runs it on Wide apart, 1e10 at"
+        in said
+    )
+    assert "In Python, no method with steps is cheaper than the closed form in doubles." in said
+    assert (
+        "Compiled, a method with steps is cheaper than the closed form in doubles on Wide apart, 1e10 at 0.001" in said
+    )
+    assert "take 50 to 67 times as long in Python as compiled" in said
+    assert "the best explicit method, RK4, needs 1.00e+07 evaluations, 2e+04 times as many as the best implicit" in said
     assert findings({"wide": runs}) and "explicit" not in " ".join(findings({"benign": runs})), "it is not stiff"
-    assert "LSODA takes most of its steps by BDF at rtol 1" in said
+    assert "at rtol 1 LSODA takes most of its steps by BDF" in said
 
 
 def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations() -> None:
     from physics.integrators.problem import Watch
     from physics.integrators.race import counts
-    from physics.integrators.solvers import METHODS
 
     problem = SYSTEMS["dashpot"].problem(5, 100)
     found = {}
@@ -120,15 +127,16 @@ def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations(
     assert found["bdf"]["solves"] >= found["bdf"]["steps"] > found["bdf"]["factorisations"] > 0
     assert found["lsoda"]["jacobians"] == found["lsoda"]["factorisations"] > 0
     run = Run(system="dashpot", method="bdf", setting=1e-6, error=1e-5, time=0.1, final_error=1e-7, **found["bdf"])
-    row = next(line for line in _reached_table([run]) if "BDF" in line)
+    row = next(line for line in reached_table([run]) if "BDF" in line)
     assert f"| rtol 1e-06, atol 1e-09 | {run.evaluations:.3g} |  | {run.factorisations:.3g} | {run.solves:.3g} |" in row
 
 
-def test_every_method_that_is_not_refined_further_says_why() -> None:
-    for end, told in (("time limit", "not in time"), ("floor", "never"), ("", "not refined so far")):
-        runs = [Run(system="benign", method="rk4", setting=1, time=1.0, error=1e-5, end=end)]
-        row = _price_table(runs, 1e-6)[2]
-        assert f"| {told} |" in row and row.endswith("| 1.0e-05 |")
+def test_every_price_that_was_not_measured_has_an_estimate_or_says_why() -> None:
+    for end, told in (("time limit", "about 5.62 s"), ("floor", "never"), ("", "not refined so far")):
+        runs = [Run(system="benign", method="rk4", setting=1, time=1.0, evaluations=4000, error=1e-3, end=end)]
+        row = price_table(runs, 1e-6)[2]
+        assert f"| {told} |" in row and row.endswith("| 1.0e-03 |")
+        assert ("about 2.25e+04" in row) == (end == "time limit"), "1000 ** (1/4) times the evaluations"
 
 
 def test_compiled_times_are_divided_by_those_of_the_compiled_closed_form() -> None:
@@ -139,33 +147,128 @@ def test_compiled_times_are_divided_by_those_of_the_compiled_closed_form() -> No
 
     runs = [run("closed", 4e-3, False), run("eigh", 2e-3, False), run("rk45", 8e-3, False), run("rk4", 6e-3, False)]
     runs += [run("eigh", 1e-4, True), run("rk45", 5e-3, True), run("rk4", 3e-4, True)]
-    rows = {row.split(" | ")[0].removeprefix("| "): row.split(" | ")[2:] for row in _price_table(runs, 1e-6)}
+    rows = {row.split(" | ")[0].removeprefix("| "): row.split(" | ")[2:] for row in price_table(runs, 1e-6)}
     assert rows["RK45"][:5] == ["8 ms", "2", "4", "5 ms °", "50"], "° marks a solver that is Python"
     assert rows["RK4"][:5] == ["6 ms", "1.5", "3", "0.3 ms", "3"]
 
 
-def test_added_methods_are_timed_in_units_of_the_first_benchmark() -> None:
-    rk4 = Run(system="benign", method="rk4", setting=9, time=1e-2, again=1.2e-2, error=1e-7)
-    new = replace(rk4, method="ieuler", time=3e-2, time_low=2e-2, time_high=4e-2, again=None)
-    first, second = [replace(rk4, time=2e-2, again=None), new], [replace(rk4, time=3e-2), replace(new, time=6e-2)]
-    known, added = error_vs_time.scaled([rk4], first, second)
-    assert known == rk4
+RK4 = Run(system="benign", method="rk4", setting=9, time=1e-2, again=1.2e-2, error=1e-7)
+
+
+def test_added_methods_are_timed_in_units_of_the_first_recording(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(changes, "both_ways", list)
+    new = replace(RK4, method="ieuler", time=3e-2, time_low=2e-2, time_high=4e-2, again=None)
+    first, second = [replace(RK4, time=2e-2, again=None), new], [replace(RK4, time=3e-2), replace(new, time=6e-2)]
+    report = Report({}, 1.0, {"benign": [RK4], "beats": [replace(RK4, system="beats")]}, [], {}, [])
+    found = changes.with_added(report, {"benign": first}, {"benign": second})
+    known, added = found.runs["benign"]
+    assert known == RK4 and found.runs["beats"] == report.runs["beats"]
     assert (added.time, added.time_low, added.time_high) == pytest.approx((1.5e-2, 1e-2, 2e-2))
     assert added.again == pytest.approx(6e-2 * 1.2 / 3)
+    assert "Implicit Euler" in found.about["added"] and "RK4" not in found.about["added"]
+    assert changes.with_added(found, {"benign": first}, {}).runs == found.runs, "it is added once"
+
+
+def test_second_times_are_those_of_what_was_timed_once() -> None:
+    once = replace(RK4, method="ieuler", time=3e-2, again=None)
+    report = Report({}, 1.0, {"benign": [RK4, once]}, [], {}, [])
+    asked = changes.once_only(report)
+    assert asked == {("ieuler", False)}
+    found = changes.with_second(report, {"benign": [replace(RK4, time=2.4e-2), replace(once, time=8e-2)]}, asked)
+    kept, timed = found.runs["benign"]
+    assert kept == RK4 and timed.again == pytest.approx(4e-2)
+    assert not changes.once_only(found), "then nothing is left to do"
 
 
 def test_long_runs_take_the_place_of_those_that_were_stopped() -> None:
+    closed = Run(system="wide", method="closed", setting=0, time=1e-3, error=1e-16)
     late = Run(system="wide", method="rk45", setting=1e-2, failure="time limit 1 s", end="time limit")
-    rk4 = Run(system="wide", method="rk4", setting=9, time=1e-2, error=1e-7)
-    done = Run(system="wide", method="rk45", setting=1e-6, time=30.0, error=1e-3)
-    stopped = replace(late, setting=1e-9, failure="time limit 60 s")
-    report = error_vs_time.Report({"date": "x"}, 1.0, {"wide": [rk4, late], "light": []}, [], {}, [])
-    found = error_vs_time.with_long(report, {"wide": [done, stopped]})
-    assert found.runs["wide"] == [rk4, done, stopped] and "up to 60 s a run" in found.about["long"]
+    before = Run(system="wide", method="lsoda", setting=1e-6, time=25.0, error=1e-3)
+    done = replace(late, setting=1e-6, failure=None, end="finest", time=30.0, error=1e-3)
+    again, last = replace(before, time=32.0), replace(before, setting=1e-13, time=50.0, error=1e-7)
+    report = Report({"date": "x"}, 1.0, {"wide": [closed, late, before], "light": []}, [], {}, [])
+    found = changes.with_long(report, {"wide": [replace(closed, time=2e-3), done, again, last]}, 60.0)
+    kept, rk45, first, second = found.runs["wide"]
+    assert kept == closed and "up to 60 s" in found.about["long"] and "Closed" not in found.about["long"]
+    assert (rk45.time, rk45.again, rk45.end) == (15.0, None, "time limit"), "a finer run would have taken too long"
+    assert (first.time, first.again, first.end) == (16.0, 25.0, "") and second.end == "finest"
+
+
+def test_estimates_of_the_record_are_near_what_was_measured() -> None:
+    from tests.bench.estimates import checked
+
+    report = recalled(error_vs_time.RECORDED)
+    ratios = checked(report.runs, (1e-3, 1e-6, 1e-9))
+    assert len(ratios) > 20 and min(ratios) > 0.4 and max(ratios) < 2.5
+    for system in ("wide", "light"):
+        for method in ("rk23", "radau", "bdf"):
+            guess = estimate(report.runs, system, method, 1e-6)
+            assert guess and not guess.least and guess.evaluations > 1e7
+    stiff = estimate(report.runs, "wider", "rk45", 1e-6)
+    assert stiff and stiff.least and stiff.text("x") == "at least x"
+
+
+def test_no_price_of_the_document_is_missing_because_of_the_time_limit() -> None:
+    text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
+    assert "none: time limit" not in text and "| not in time |" not in text
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        (["--seconds", "0"], "a time limit is a number of seconds above 0, and '0' is not"),
+        (["--seconds", "soon"], "a time limit is a number of seconds above 0, and 'soon' is not"),
+        (["--systems", "benin"], "invalid choice: 'benin'"),
+        (["--again", "--add"], "argument --add: not allowed with argument --again"),
+        (["--quick", "--record"], "leave out --quick or --record"),
+        (["--rewrite", "--seconds", "1"], "--rewrite measures no times: leave out --systems and --seconds"),
+        (["--long", "--systems", "benign"], "choose of --systems wide light"),
+        (["--count", "--recorded", "/nowhere"], "/nowhere has none: make one with --record"),
+        (["--output", __file__], "--output needs a folder, and"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused_in_a_sentence(
+    given: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        error_vs_time.main(given)
+    assert told in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_a_tiny_record_is_made_and_changed_by_each_option(
+    short: None, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    few = {slug: METHODS[slug] for slug in ("closed", "slides", "eigh", "naive", "expm", "rk4", "gauss4", "lsoda")}
+    monkeypatch.setattr(error_vs_time, "METHODS", few)
+    monkeypatch.setattr(error_vs_time, "LONG", {"wide": {"lsoda": (1e-2, 1e-13)}})
+    folders = ["--recorded", str(tmp_path / "record"), "--output", str(tmp_path / "docs")]
+
+    def changed(*options: str) -> Report:
+        error_vs_time.main([*folders, *options])
+        return recalled(tmp_path / "record")
+
+    first = changed("--record", "--systems", "wide", "--seconds", "0.02")
+    assert list(first.runs) == ["wide"] and changes.recorded_kinds(first) == {(slug, False) for slug in few}
+    again = changed("--again", "--seconds", "0.02")
+    assert any(run.again for run in again.runs["wide"]) and "again" in again.about
+    monkeypatch.setattr(error_vs_time, "METHODS", few | {"adams": METHODS["adams"]})
+    more = changed("--add", "--systems", "wide", "--seconds", "0.02")
+    assert ("adams", False) in changes.recorded_kinds(more) and more.about["added"].endswith(": VODE-Adams")
+    long = changed("--long", "--seconds", "0.02")
+    assert [run.setting for run in long.runs["wide"] if run.method == "lsoda"] == [1e-2] and "long" in long.about
+    assert changed("--count").about["counted"].startswith("spread of counts")
+    page = (tmp_path / "docs/error_vs_time.md").read_text()
+    changed("--record", "--systems", "wide", "--seconds", "0.01")
+    assert not any(run.again for run in recalled(tmp_path / "record").runs["wide"]), "it is recorded from scratch"
+    assert "Wide apart, 1e6: recorded again" in (tmp_path / "docs/error_vs_time.md").read_text()
+    page = (tmp_path / "docs/error_vs_time.md").read_text()
+    changed("--rewrite")
+    assert (tmp_path / "docs/error_vs_time.md").read_text() == page and "at least" in page
+    capsys.readouterr()
 
 
 def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_counts_differ() -> None:
-    from physics.integrators.solvers import METHODS
     from tests.bench.methods import methods_table
 
     names = [row.split(" | ")[0].removeprefix("| ") for row in methods_table() if row.startswith("| ")][2:]
@@ -175,6 +278,14 @@ def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_co
     text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
     for slug, spread in spreads.items():
         assert f"{METHODS[slug].mark} {100 * spread.share:.2g} %" in text
+
+
+def test_every_source_is_a_book_with_its_section_or_a_paper_of_the_list() -> None:
+    from tests.bench.methods import PAPERS, SOLVERS, SOURCES
+
+    sources = [*SOURCES.values(), *(source for _, _, source in SOLVERS.values())]
+    named = [one for source in sources for one in source.split("; ") if not one.startswith("Hairer")]
+    assert set(named) == PAPERS.keys()
 
 
 def test_neighbours_of_a_run_differ_by_one_unit_in_the_last_place() -> None:

@@ -135,7 +135,7 @@ class Accuracy(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case()
-        axes = framed(frame, axes_of(self.limit, case.run, case.system.unit, case.size))
+        axes = framed(frame, axes_of(case.longest, case.run, case.system.unit, case.size))
         kept = Kept.columns(case.run) if case.run and case.run.error_growth else {}
         return Picture(
             columns={**work(case.drawn), **kept, **drift_columns(case), **studies(case)},

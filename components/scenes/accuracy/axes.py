@@ -29,14 +29,14 @@ class Axes(Declared[object]):
     place = DrawnAxis.each(SWEPT)
 
 
-def axes_of(limit: float, picked: Run | None, unit: str, size: float) -> dict[str, Axis]:
-    """The axes, with the limit of a run in s, the run that is picked, the unit that periods are counted in, and the
+def axes_of(longest: float, picked: Run | None, unit: str, size: float) -> dict[str, Axis]:
+    """The axes, with the longest run in s, the run that is picked, the unit that periods are counted in, and the
     largest displacement of the exact motion in m."""
     levels = picked.error_growth if picked else ()
     worst = 100 * max(levels) if levels else 1.0
     return _standing(unit) | by_name({
         Axes.drift_x: nice_axis(-SEEN * size, SEEN * size, "m", 3),
-        Axes.time: log_axis(3e-5, max(2 * limit, 3.0), "s", 3),
+        Axes.time: log_axis(3e-5, max(2 * longest, 3.0), "s", 3),
         Axes.percent: nice_axis(0.0, max(worst, 1e-14), "%", 2),
     })  # fmt: skip
 

@@ -47,6 +47,12 @@ class AccuracyCase:
         return compiled_only(self.known) if self.clock == "compiled" else self.known
 
     @cached_property
+    def longest(self) -> float:
+        """The time limit of a run, or the longest run that is known, in s."""
+        known = (run for series in (self.known.here, self.known.before, self.known.compiled) for run in series.every)
+        return max([self.limit, *(run.time for run in known if run.time)])
+
+    @cached_property
     def methods(self) -> tuple[str, ...]:
         """The methods that are to be seen."""
         return LIVE if MORE in self.hidden else tuple(METHODS)
@@ -83,8 +89,9 @@ class AccuracyCase:
 
     @cached_property
     def rows(self) -> list[PriceRow]:
-        unit = "doubles" if self.clock == "compiled" else self.unit  # like with like
-        return price_list(self.drawn, self.methods, self.wanted, unit)
+        compiled = self.clock == "compiled"
+        unit = "doubles" if compiled else self.unit  # like with like
+        return price_list(self.drawn, self.methods, self.wanted, unit, compiled)
 
     @cached_property
     def unreached(self) -> str:

@@ -85,9 +85,8 @@ def _is_good(run: Run) -> bool:
 
 
 def compiled_only(measured: Known) -> Known:
-    """Return the runs of compiled methods, and of methods without steps that were not; none is measured here."""
-    without = [slug for slug in METHODS if METHODS[slug].family in ("closed", "exact")]
-    without = [slug for slug in without if slug not in measured.compiled.by_method]
+    """Return the runs of compiled methods, and those of methods without fixed steps that were not compiled."""
+    without = [slug for slug in METHODS if METHODS[slug].family != "fixed" and slug not in measured.compiled.by_method]
     here, before, scale = (
         Series(tuple(run for run in series.every if run.method in without))
         for series in (measured.here, measured.before, measured.scale)

@@ -17,17 +17,24 @@ NEVER = ("floor", "finest", "spacing")
 """Why a method is refined no further although time is left: then it does not get there."""
 
 
-def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str = "app") -> list[PriceRow]:
+def price_list(
+    measured: Known, methods: Sequence[str], wanted: float, unit: str = "app", compiled: bool = False
+) -> list[PriceRow]:
     """Return rows (method, cells) of the methods that reach the wanted error, cheapest first.
 
     Ratios are to the closed form, of the same machine: as the app runs it, or in doubles with the `unit` "doubles".
+    Next to `compiled` methods, those that are not compiled are marked and have no ratio.
     """
     units = {
         here: _unit({price.method: price for price in prices(series.by_method.values(), wanted)}, unit)
         for here, series in ((True, measured.here), (False, measured.before))
     }
     quoted = (one for one in _quoted(measured, methods, wanted) if one.time is not None)
-    return [(one.method, price_cells(one, units[measured.is_here(one.method)])) for one in quoted]
+    rows = [(one, units[measured.is_here(one.method)]) for one in quoted]
+    return [
+        (one.method, price_cells(one, None, " (Python)") if compiled and not one.compiled else price_cells(one, unit))
+        for one, unit in rows
+    ]
 
 
 def method_name(price: Price) -> str:
@@ -53,7 +60,7 @@ def unreached(measured: Known, methods: Sequence[str], wanted: float) -> str:
         for slug in methods
         if slug not in known and (runs := measured.of(slug))
     ]
-    return f"Not there: {', '.join(told)}." if told else ""
+    return f"Not reached: {', '.join(told)}." if told else ""
 
 
 def _unit(quoted: Mapping[str, Price], unit: str) -> float | None:
@@ -71,12 +78,12 @@ def evaluations_text(method: str, evaluations: float | None) -> str:
     return short(float(f"{evaluations:.1e}"))
 
 
-def price_cells(price: Price, unit: float | None) -> tuple[str, ...]:
-    """Name, evaluations, run time in ms, and its ratio to the closed form's where there is one."""
+def price_cells(price: Price, unit: float | None, mark: str = "") -> tuple[str, ...]:
+    """Name with a mark, evaluations, run time in ms, and its ratio to the closed form's where there is one."""
     time, unsteady = price.time or 0.0, "" if price.repeats is not False else " ±"
     ratio = short(time / unit) if unit else ""
     name, evaluations = method_name(price), evaluations_text(price.method, price.evaluations)
-    return name, evaluations, f"{three(1e3 * time)}{unsteady}", ratio
+    return name + mark, evaluations, f"{three(1e3 * time)}{unsteady}", ratio
 
 
 def _best(best: float) -> str:
@@ -96,7 +103,7 @@ def _why(last: Run) -> str:
 
 
 def _in_words(failure: str) -> str:
-    return failure.replace("time limit", "over").replace("omega_+", "ω₊").replace("omega", "ω")
+    return failure.replace("time limit", "more than").replace("omega_+", "ω₊").replace("omega", "ω")
 
 
 def time_text(seconds: float) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 from components.scenes.accuracy.data import Series
 from components.scenes.accuracy.measuring import decoded_run
+from components.scenes.accuracy.prices import time_text
 from physics.integrators.accuracy import SYSTEMS
 
 FOLDER = Path(__file__).with_name("recorded")
@@ -23,6 +24,13 @@ class Recorded:
     seconds: float
     runs: Series
     compiled: Series
+
+    @property
+    def limit(self) -> str:
+        """The time limit of a run; solvers that choose their steps had longer where they needed it."""
+        longest = max((run.time or 0.0 for run in (*self.runs.every, *self.compiled.every)), default=0.0)
+        text = f"each run at most {time_text(self.seconds)}"
+        return text if longest < 2 * self.seconds else f"{text}, chosen steps up to {time_text(longest)}"
 
     @property
     def origin(self) -> str:

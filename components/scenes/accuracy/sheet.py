@@ -43,8 +43,8 @@ def _system_words() -> Block:
         f"{N.system} {N.kind}",
         either(
             F.origin,
-            before=f"All recorded, {N.origin}, each run for {N.recorded_limit} at the most.",
-            both=f"**Dots: measured here, in Python.** Thin: recorded {N.origin}, each run at most {N.recorded_limit}.",
+            before=f"All recorded {N.origin}, {N.recorded_limit}.",
+            both=f"**Dots: measured here, in Python.** Thin: recorded {N.origin}, {N.recorded_limit}.",
             here="**Dots: measured here, in Python:** nothing is compiled for a motion of your own. Thin, for scale: "
             f"Benign, recorded {N.origin}.",
             none="Run measures in Python: nothing is compiled for a motion of your own. Thin, for scale: Benign, "
@@ -52,8 +52,8 @@ def _system_words() -> Block:
         ),
         either(
             F.compiled,
-            shown="Compared with the closed form in doubles, compiled too. °: the solver is Python, its right-hand "
-            "side alone is compiled. Closed form (80 digits) and expm: in Python.",
+            shown="Compared with the closed form in doubles, compiled too. °: the solver is Python, only its "
+            "right-hand side is compiled. (Python): not compiled, so there is no ratio.",
         ),
         either(F.costs, shown="○ on a line of a solver: rtol 10⁻³, 10⁻⁶ and 10⁻⁹."),
         either(F.switched, shown=f"LSODA takes most of its steps by BDF at rtol {N.switched}: a kink of its line."),

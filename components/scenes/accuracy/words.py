@@ -38,7 +38,7 @@ def _system_text(system: System) -> str:
         names = ("m1", "m2", "k1", "k2")
         text = ", ".join(f"{name} = {short(getattr(chain, name))}" for name in names)
         text += f"{_drive_text(system)}. Fast over slow frequency {three(fast / slow) if slow else '∞'}"
-    return f"{text}. 50 {system.unit}, 1000 outputs."
+    return f"{text}. {short(system.periods)} {system.unit}, 1000 outputs."
 
 
 def _kind_text(case: AccuracyCase) -> str:
@@ -47,7 +47,8 @@ def _kind_text(case: AccuracyCase) -> str:
     if found is None:
         return ""
     name = "Neither stiff nor highly oscillatory" if found.kind == "neither" else found.kind.capitalize()
-    return f"{name}: accuracy allows |λ| h = {short(found.accurate)}, stability {short(found.stable)}."
+    accurate, stable = short(found.accurate), short(found.stable)
+    return f"{name}: step times fast rate may be {accurate} for accuracy, {stable} for stability."
 
 
 @cache
@@ -75,7 +76,7 @@ def _compared_text(case: AccuracyCase) -> str:
 
 def _missing(case: AccuracyCase) -> str:
     missing = [METHODS[slug].mark for slug in case.racing if slug not in case.compared]
-    return f"Not so far: {', '.join(missing)}." if missing else ""
+    return f"Without such a run: {', '.join(missing)}." if missing else ""
 
 
 def _drift_text(case: AccuracyCase) -> str:
@@ -84,7 +85,7 @@ def _drift_text(case: AccuracyCase) -> str:
     period = case.system.problem(1, 1)
     least = {slug: count for slug in case.drifts if (count := stable_count(slug, period)) > case.steps}
     needs = [f"{METHODS[slug].mark} {short(count)}" for slug, count in least.items()]
-    more = f" Not to explode, more steps a period are needed: {', '.join(needs)}." if needs else ""
+    more = f" To stay stable, more steps a period are needed: {', '.join(needs)}." if needs else ""
     return f"With {case.steps:.0f} steps a period, at worst: {', '.join(told)}.{more}"
 
 
@@ -105,7 +106,7 @@ class Numbers(Declared[AccuracyCase]):
     system = number(lambda c: _system_text(c.system))
     kind = number(_kind_text)
     origin = number(lambda c: _record(c).origin)
-    recorded_limit = number(lambda c: time_text(_record(c).seconds))
+    recorded_limit = number(lambda c: _record(c).limit)
     length_origin = number(lambda c: recorded("length").origin)
     compared = number(_compared_text)
     missing = number(_missing)
