@@ -231,9 +231,11 @@ def write(folder: Path, report: Report) -> None:
     from tests.bench.figures import draw_digits, draw_length, draw_stability, draw_system
 
     write_tables(folder, report)
-    caption = f"{report.about['date']}, {report.about['machine']}"
+    date, computer = report.about["date"], report.about["machine"]
     for slug, many in report.runs.items():
-        draw_system(folder / slug, SYSTEMS[slug], many, caption)
+        day, _, _ = report.later.get(slug, date).partition(",")
+        draw_system(folder / slug, SYSTEMS[slug], many, f"{day}, {computer}")
+    caption = f"{date}, {computer}"
     draw_stability(folder / "stability")
     draw_length(folder / "length", report.length, caption)
     draw_digits(folder / "digits", report.digits, caption)
