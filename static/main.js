@@ -211,7 +211,7 @@ export class Lecture {
 
   /** @param {Drawn} shown @param {Asked | null} asked */
   async #show(shown, asked) {
-    guarded(() => this.hall.stand(shown.state))
+    guarded(() => this.hall.applyStep(shown.state))
     if (shown.scene === this.page?.spec.slug) {
       guarded(() => this.#wait()) // the picture overwrites the marks, so mark unsent values before and after
       this.page.apply(shown, asked)

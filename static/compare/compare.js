@@ -128,7 +128,7 @@ export class Compare {
    * 0.
    * @param {Drawn} shown
    */
-  stand({state, view: {signals, scalars}}) {
+  freeze({state, view: {signals, scalars}}) {
     const {clock, hand, transport} = this.page
     const isAsked = Boolean(state.before)
     if (isAsked) clock.playing = false

@@ -62,7 +62,7 @@ export class Grips {
     grip.grip.addEventListener("keydown", event => this.#key(event, grip))
     // The browser has taken the pointer away, so the shape is not thrown.
     grip.grip.addEventListener("pointercancel", () => this.page.hand.grab?.rest())
-    grip.grip.addEventListener("blur", () => this.#let(grip))
+    grip.grip.addEventListener("blur", () => this.#release(grip))
     this.element.append(grip.grip, this.why)
     this.grips.set(shape, grip)
   }
@@ -88,11 +88,11 @@ export class Grips {
     // At the lower edge of the stage the grip is higher than its shape, because the buttons for playing are below.
     if (!isHeld) found.lift = y <= all.H ? Math.min(0, all.H - wide / 2 - y) : 0
     style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2 + found.lift)})`
-    if (isHeld) this.#say(found, wide)
+    if (isHeld) this.#showRefusal(found, wide)
   }
 
   /** Shows next to the pointer why a value is rejected. @param {Grip} grip @param {number} wide */
-  #say({x, y}, wide) {
+  #showRefusal({x, y}, wide) {
     reword(this.why, this.page.hand.grab?.refusal ?? "")
     this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
   }
@@ -161,7 +161,7 @@ export class Grips {
       this.#move({x: at(moved).x - off.x, y: lever.thing(at(moved).y - off.y)})
     whileHeld(grip.grip, move, () => {
       grip.grip.classList.remove("held")
-      this.#let(grip, true)
+      this.#release(grip, true)
     })
     focusByHand(grip.grip)
     this.#take(grip)
@@ -209,7 +209,7 @@ export class Grips {
     const lets = held && (event.key === "Enter" || event.key === " ")
     if (!way && end === undefined && !lets) return
     event.preventDefault()
-    if (lets) return this.#let(grip)
+    if (lets) return this.#release(grip)
     if (!held) this.#take(grip)
     if (way) this.#move(stepped(grip, way, event.shiftKey ? 1 : STEP, this.all))
     else hand.grab?.setTo(this.#ends(set(grip.grab)[0])[end])
@@ -217,7 +217,7 @@ export class Grips {
   }
 
   /** @param {Grip} grip @param {boolean} [isPointer] true if a pointer, not a key, releases the shape */
-  #let(grip, isPointer = false) {
+  #release(grip, isPointer = false) {
     if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all, isPointer)
   }
 }

@@ -37,7 +37,7 @@ export class Hand {
 
   /** @param {Drawn} shown */
   update(shown) {
-    if (this.grab?.hear(shown)) {
+    if (this.grab?.handleAnswer(shown)) {
       const {grab} = this
       this.grab = null
       grab.end()
@@ -200,7 +200,7 @@ class Grab {
   }
 
   /** Handles an answer; returns true if it is the last one. @param {Drawn} shown */
-  hear({answer, errors}) {
+  handleAnswer({answer, errors}) {
     if (answer === null || answer < this.first) return false
     this.refusal = this.spec.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
     if (this.refusal) Object.assign(this.moved, this.good)

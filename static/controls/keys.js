@@ -115,14 +115,14 @@ export const singles = {
 export function listen(lecture) {
   singles.read()
   document.querySelector("#keys")?.addEventListener("click", () => list(lecture))
-  addEventListener("keydown", event => hear(event, lecture), true)
+  addEventListener("keydown", event => handleKey(event, lecture), true)
 }
 
 /**
  * Handles a key. Page Down and Page Up go to the walk, or to the focused element if there is no walk.
  * @param {KeyboardEvent} event @param {LectureHost} lecture
  */
-function hear(event, lecture) {
+function handleKey(event, lecture) {
   const black = document.querySelector(".blank")
   if (black) {
     // The key that ends a blank screen does nothing else.

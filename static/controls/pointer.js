@@ -18,21 +18,21 @@ export function pointer() {
   disc = element("i", {class: "pointer", "aria-hidden": "true", hidden: ""})
   document.body.append(disc)
   for (const kind of ["pointerdown", "pointermove", "pointerup"]) addEventListener(kind, event => show(event), true)
-  addEventListener("pointercancel", () => stand(false), true)
+  addEventListener("pointercancel", () => setVisible(false), true)
 }
 
 /** @param {Event} event */
 function show(event) {
   if (!disc || !(event instanceof PointerEvent)) return
   const isHeld = event.buttons > 0
-  stand(root.dataset.mode === "projector" && (isHeld || event.pointerType !== "touch"))
+  setVisible(root.dataset.mode === "projector" && (isHeld || event.pointerType !== "touch"))
   disc.style.transform = `translate(${event.clientX}px, ${event.clientY}px)`
   clearTimeout(timer)
-  if (!isHeld) timer = setTimeout(() => stand(false), REST)
+  if (!isHeld) timer = setTimeout(() => setVisible(false), REST)
 }
 
 /** @param {boolean} isSeen */
-function stand(isSeen) {
+function setVisible(isSeen) {
   if (disc) disc.hidden = !isSeen
   root.toggleAttribute("data-pointing", isSeen)
 }

@@ -243,7 +243,7 @@ export class Slider {
   }
 
   #accept() {
-    this.#say("")
+    this.#showProblem("")
     if (!this.unsent) this.write(this.state.text)
     if (!this.isPressed) this.#place(this.state.value)
   }
@@ -251,13 +251,13 @@ export class Slider {
   /** @param {string} error */
   #refuse(error) {
     this.asked = null
-    this.#say(error)
+    this.#showProblem(error)
     if (!this.unsent) this.field.value = this.typed
     if (!this.isPressed) this.#place(this.state.value)
   }
 
   /** @param {string} error */
-  #say(error) {
+  #showProblem(error) {
     reword(this.problem, error)
     this.element.classList.toggle("bad", Boolean(error))
     if (error) this.field.setAttribute("aria-invalid", "true")

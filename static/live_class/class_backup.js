@@ -48,7 +48,7 @@ export class Copies {
   }
 
   /** @param {Partial<page.News>} news */
-  hear({question, answers}) {
+  receive({question, answers}) {
     if (this.room.isLost) return
     if (question) {
       const {walk, step, vote, lesson, closed, answered, sure} = question

@@ -32,7 +32,7 @@ export class ClassQuestion {
   /** @param {import("./follow.js").Following} following */
   constructor(following) {
     this.following = following
-    this.delivery = new Delivery(following, () => this.#say())
+    this.delivery = new Delivery(following, () => this.#showStatus())
     this.status = element("p", {class: "hint", role: "status"})
     this.sureness = new Sureness(() => this.card?.question.changed())
   }
@@ -46,13 +46,13 @@ export class ClassQuestion {
     if (!question.step) this.#leave()
     else if (!isSame || isTakenBack || !this.card) await this.#lay()
     else this.#resend()
-    this.#say()
+    this.#showStatus()
     if (this.card && question.lesson) await this.#teach(question.lesson)
     if (this.card?.walk.lesson && isSame) this.#split(this.card, this.card.walk.lesson)
   }
 
   /** Shows whether the question takes answers and whether the class has this phone's answer. */
-  #say() {
+  #showStatus() {
     const {card, question} = this
     if (!card || !question) return
     const isClosed = question.closed && !question.lesson
@@ -74,7 +74,7 @@ export class ClassQuestion {
 
   /** Updates the number of answers. */
   count() {
-    if (this.card && !this.card.walk.lesson) this.#say()
+    if (this.card && !this.card.walk.lesson) this.#showStatus()
   }
 
   get #earlier() {
@@ -128,7 +128,7 @@ export class ClassQuestion {
       changed()
       clearTimeout(this.timer)
       this.timer = setTimeout(() => this.#give(), MOMENT)
-      this.#say()
+      this.#showStatus()
     }
     this.#restore()
     page.redraw() // the plots became smaller for the card
@@ -172,7 +172,7 @@ export class ClassQuestion {
     this.#settle()
     if (given && !this.card?.walk.lesson)
       this.delivery.give(this.name, {walk, step, vote, ...given, sure: this.sureness.level})
-    this.#say()
+    this.#showStatus()
   }
 
   #settle() {
@@ -215,7 +215,7 @@ export class ClassQuestion {
     if (this.timer !== undefined) this.#give()
     if (!card || card.walk.lesson) return
     card.walk.lesson = lesson
-    this.#say()
+    this.#showStatus()
     const own = this.#ownLesson(card)
     const first = await Promise.race([own, pause(PATIENCE)])
     if (card !== this.card) return // the lecture is at another question by now
@@ -230,7 +230,7 @@ export class ClassQuestion {
     if (!this.card) return
     this.card.walk.lesson = lesson
     this.#show(this.card, lesson)
-    this.#say()
+    this.#showStatus()
   }
 
   /**

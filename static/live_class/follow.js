@@ -54,7 +54,7 @@ export class Following {
     this.bar = new FollowBar(this)
     this.asked = new ClassQuestion(this)
     this.stream = new Stream(code, token, {
-      news: news => this.#hear(news),
+      news: news => this.#receive(news),
       refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
       connected: (is, why) => this.#connected(is, why),
       outdated,
@@ -82,7 +82,7 @@ export class Following {
   }
 
   /** @param {Partial<page.News>} news */
-  #hear(news) {
+  #receive(news) {
     if (news.ended) return this.#over(OVER)
     if (news.question) this.news.answered = 0 // until the new answers are counted
     Object.assign(this.news, news)

@@ -14,7 +14,7 @@ export class JoinBadge {
   }
 
   /** Puts the badge on the page of the current scene. @param {HTMLElement} root of its page */
-  stand(root) {
+  attach(root) {
     if (this.element.parentElement === root) return
     root.append(this.element)
     root.classList.add("led")

@@ -55,7 +55,7 @@ export class JoinScreen {
       element("b", {class: "code"}, room.code),
     )
     words.append(element("p", {}, this.here, " here"))
-    this.#say("done", "")
+    this.#showMessage("done", "")
     const tools = element("div", {class: "class-tools"}, this.asking, this.status, ...this.#tools())
     this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
     this.dialog.addEventListener("close", () => this.close())
@@ -85,7 +85,7 @@ export class JoinScreen {
   }
 
   /** @param {"done" | "problem"} kind @param {string} sentence */
-  #say(kind, sentence) {
+  #showMessage(kind, sentence) {
     this.status.className = kind
     this.status.textContent = sentence
   }
@@ -93,10 +93,10 @@ export class JoinScreen {
   /** Runs an action, or shows why it fails. @param {() => unknown} act */
   async #try(act) {
     try {
-      this.#say("done", "")
+      this.#showMessage("done", "")
       await act()
     } catch (reason) {
-      this.#say("problem", inWords(reason))
+      this.#showMessage("problem", inWords(reason))
     }
   }
 
@@ -113,7 +113,10 @@ export class JoinScreen {
     const {votes, lecture} = this.teach
     votes.earlier = earlier(await file.text(), lecture.walks.names)
     votes.update()
-    this.#say("done", `Its votes on ${votes.earlier.size} question${votes.earlier.size === 1 ? "" : "s"} are outlined.`)
+    this.#showMessage(
+      "done",
+      `Its votes on ${votes.earlier.size} question${votes.earlier.size === 1 ? "" : "s"} are outlined.`,
+    )
   }
 
   /** Shows a word with which another computer can take over the class. */
@@ -166,7 +169,7 @@ export class JoinScreen {
       this.#try(async () => {
         const control = await fetchJson(`${code}/tickets`, {method, body: {digits}, word: key})
         if (control) this.teach.copies.save(control)
-        this.#say("done", done)
+        this.#showMessage("done", done)
       })
     const yes = button(
       {class: "act filled"},

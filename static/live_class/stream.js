@@ -140,7 +140,7 @@ export class Stream {
       if (answer.headers.get("Lecture-Version") !== document.documentElement.dataset.version) this.listener.outdated?.()
       await heard(answer, text => {
         came()
-        this.#hear(JSON.parse(text))
+        this.#receive(JSON.parse(text))
       })
     } finally {
       came()
@@ -151,7 +151,7 @@ export class Stream {
   async #look(signal) {
     const came = this.#expect()
     const news = await fetchJson(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)
-    if (news) this.#hear(news)
+    if (news) this.#receive(news)
     else this.#heard()
     if (Date.now() > this.knockAt) this.#knock()
     return ASKING
@@ -205,7 +205,7 @@ export class Stream {
   }
 
   /** @param {Partial<page.News>} news */
-  #hear(news) {
+  #receive(news) {
     this.#heard()
     this.number = news.number ?? ""
     this.over = Boolean(news.ended)

@@ -69,7 +69,7 @@ export class Teach {
   #listen() {
     const {code, key} = this.room
     return new Stream(code, key, {
-      news: news => this.#hear(news),
+      news: news => this.#receive(news),
       refused: refusal => (refusal.status === 404 ? this.reopen() : this.#over(refusal.message)),
       connected: is => this.#connected(is),
       doubt: 0,
@@ -123,12 +123,12 @@ export class Teach {
   }
 
   /** @param {Partial<page.News>} news */
-  #hear(news) {
+  #receive(news) {
     if (news.ended) return this.#over("The class is over.")
     const isFirst = !this.news.number
     const wasShown = this.news.question?.lesson
     Object.assign(this.news, news)
-    this.copies.hear(news)
+    this.copies.receive(news)
     this.say()
     const {walks} = this.lecture
     const {walk} = walks
@@ -206,7 +206,7 @@ export class Teach {
 
   /** Sends the clock if followers would show another time than this page. */
   #look() {
-    this.badge.stand(this.lecture.page.root)
+    this.badge.attach(this.lecture.page.root)
     this.#describe()
     this.#closeInTime()
     if (this.timing.bound === Infinity) return

@@ -81,11 +81,11 @@ export class Connection {
     this.wire.close()
     this.wire = null
     this.messages.detach()
-    this.#say()
+    this.#showStatus()
     this.#pause()
   }
 
-  #say() {
+  #showStatus() {
     this.status.say(this.refused > 1)
     this.#tell()
   }
@@ -142,7 +142,7 @@ export class Connection {
     try {
       await attempt()
     } catch {
-      this.#say()
+      this.#showStatus()
     }
     this.trying = false
     this.tries++

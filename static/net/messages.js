@@ -74,8 +74,8 @@ export class Messages {
       if (this.asked && !this.asked.anew) this.outbox.unshift(this.asked)
       this.asked = null
       const greeting = this.greeting().map(message => ({anew, message}))
-      const stand = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
-      this.outbox = [...greeting, stand, ...this.outbox.filter(waiting => !waiting.anew)]
+      const open = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
+      this.outbox = [...greeting, open, ...this.outbox.filter(waiting => !waiting.anew)]
     }
     this.#flush()
     this.behind = Boolean(this.asked)
@@ -199,11 +199,11 @@ export class Messages {
       const message = typeof next.message === "function" ? next.message(this.state) : next.message
       if (!message) continue
       this.asked = {...next, message: {...message, number: message.number ?? ++this.number}}
-      this.#say()
+      this.#sendAsked()
     }
   }
 
-  #say() {
+  #sendAsked() {
     this.#sendWithReminder(() => this.#sendWithReminder(() => this.overdue()))
   }
 
@@ -240,7 +240,7 @@ export class Messages {
     if (message.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
     if (asked.anew && "is_busy" in message && message.is_busy) {
-      this.reminder = setTimeout(() => this.#say(), AGAIN) // later messages depend on this state
+      this.reminder = setTimeout(() => this.#sendAsked(), AGAIN) // later messages depend on this state
       return
     }
     this.asked = null

@@ -46,11 +46,11 @@ export async function connect(token, receive, lost) {
   const session = await Bokeh.require("client/connection").pull_session(address.href, token, null)
   const {document: shared} = session
   const [wire] = shared.roots()
-  const hear = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
-  shared.on_message(FROM_SERVER, hear)
+  const forward = (/** @type {ArrayBuffer} */ message) => receive(packetIn(message))
+  shared.on_message(FROM_SERVER, forward)
   shared.on_event("connection_lost", lost)
   shared.notify_idle(wire) // Panel sends nothing before it has received this event
-  return {send: message => wire.send(message), close: () => close(session, hear)}
+  return {send: message => wire.send(message), close: () => close(session, forward)}
 }
 
 /** The parts of a message: components/state/wire.py. @param {ArrayBuffer} message @returns {Packet} */
@@ -62,10 +62,10 @@ function packetIn(message) {
 
 /**
  * Closes a session, and removes it from Bokeh's list of all documents, which would keep it in memory.
- * @param {BokehModel} session @param {(message: ArrayBuffer) => void} hear
+ * @param {BokehModel} session @param {(message: ArrayBuffer) => void} forward
  */
-function close(session, hear) {
-  session.document.remove_on_message(FROM_SERVER, hear)
+function close(session, forward) {
+  session.document.remove_on_message(FROM_SERVER, forward)
   session.close()
   const index = Bokeh.documents.indexOf(session.document)
   if (index >= 0) Bokeh.documents.splice(index, 1)

@@ -133,10 +133,10 @@ export class Pad {
     Object.assign(this.pen, {column, height})
     if (this.pen.down) this.#reach(column, height)
     this.place()
-    this.#say()
+    this.#describePen()
   }
 
-  #say() {
+  #describePen() {
     const {column, height, down} = this.pen
     const x = withUnit(short(this.#abscissa(column), 2), this.plot.x.unit)
     const y = withUnit(short(height, 2), this.plot.y.unit)

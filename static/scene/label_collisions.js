@@ -78,8 +78,8 @@ export class Clear {
    * @param {Element} host @param {DOMRect} picture @param {Canvas} [under]
    */
   measure(host, picture, under) {
-    const stand = [...(under?.over.querySelectorAll("text") ?? [])].filter(({style}) => style.display === "")
-    this.standing = stand.map(text => aired(this.box(text)))
+    const texts = [...(under?.over.querySelectorAll("text") ?? [])].filter(({style}) => style.display === "")
+    this.standing = texts.map(text => aired(this.box(text)))
     if (under && this.labels.some(({beside}) => beside)) {
       const {left, top, height} = under.frame
       const flags = [...under.controls.querySelectorAll(".flag")].map(flag => flag.getBoundingClientRect())

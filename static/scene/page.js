@@ -90,8 +90,8 @@ export class Page {
   /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
     const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice, tools} = this
-    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before other parts change the layout
-    return [stand, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice, tools]
+    const freeze = {update: (/** @type {Drawn} */ shown) => compare.freeze(shown)} // before other parts
+    return [freeze, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice, tools]
   }
 
   #aboutNumbers() {

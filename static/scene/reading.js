@@ -31,7 +31,7 @@ export class Reading {
     const lines = [...this.#curves(place), ...this.#bands(place)]
     if (!lines.length) return this.hide()
     this.box.replaceChildren(element("b", {}, measured(place, plot.x, 0)), ...lines)
-    this.#stand(plot.px(place))
+    this.#showAt(plot.px(place))
   }
 
   /** @param {number} place */
@@ -82,7 +82,7 @@ export class Reading {
   }
 
   /** @param {number} x */
-  #stand(x) {
+  #showAt(x) {
     const {left, top, width, height} = this.plot.frame
     this.box.hidden = false
     this.box.style.left = long(x > left + width / 2 ? x - this.box.offsetWidth / unitSize() - 10 : x + 10)

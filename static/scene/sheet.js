@@ -171,19 +171,19 @@ export class Sheet {
    * left.
    * @param {page.Block} block @param {Drawn} shown @returns {boolean}
    */
-  #stand(block, shown) {
+  #updateBlock(block, shown) {
     const {settings, state, view} = shown
     const parts = state.show ?? []
     const isInView = parts.length > 0 || !block.views.length || block.views.includes(viewOf(settings))
-    let stands = isInView && (!block.form || Boolean(view.forms[block.form]))
-    if (stands && (block.kind === "row" || block.kind === "column"))
-      stands = block.blocks.map(child => this.#stand(child, shown)).includes(true)
-    else if (parts.length) stands &&= parts.includes(block.part)
+    let isShown = isInView && (!block.form || Boolean(view.forms[block.form]))
+    if (isShown && (block.kind === "row" || block.kind === "column"))
+      isShown = block.blocks.map(child => this.#updateBlock(child, shown)).includes(true)
+    else if (parts.length) isShown &&= parts.includes(block.part)
     const host = /** @type {HTMLElement} */ (this.hosts.get(block))
     host.classList.toggle("at-desk", !block.hall && !parts.length) // visible in hall mode too if a step lists it
-    host.hidden = !stands
-    host.classList.toggle("listed", stands && parts.includes(block.part))
-    return stands
+    host.hidden = !isShown
+    host.classList.toggle("listed", isShown && parts.includes(block.part))
+    return isShown
   }
 
   /** @param {Drawn} shown */
@@ -193,7 +193,7 @@ export class Sheet {
       settings,
       state: {covered, before},
     } = shown
-    this.#stand(this.paper, shown)
+    this.#updateBlock(this.paper, shown)
     for (const {term, part, variants} of this.headings) {
       const wanted = forms[term.form] ?? "formula"
       let hasText = false

@@ -47,7 +47,7 @@ export class Hall {
   }
 
   /** A walk has smaller text, because its card needs room. @param {page.State} state */
-  stand({step}) {
+  applyStep({step}) {
     if (root.hasAttribute(WALK) === Boolean(step)) return
     root.toggleAttribute(WALK, Boolean(step))
     if (this.on) this.lecture.page?.place()

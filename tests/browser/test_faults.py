@@ -44,7 +44,7 @@ BREAKABLE = """() => {
   const stages = page.stages.map((stage, i) => [stage, "frame", `stage ${i}`])
   const plots = page.plots.map((plot, i) => [plot, "draw", `plot ${i}`])
   const others = [[page.live, "draw", "live"], [page.compare, "frame", "compare"], [lecture.undo, "record", "undo"],
-    [lecture.hall, "stand", "hall"], [lecture.hall, "shown", "hall shown"], [lecture.address, "write", "address"],
+    [lecture.hall, "applyStep", "hall"], [lecture.hall, "shown", "hall shown"], [lecture.address, "write", "address"],
     [lecture.walks, "shown", "walks"]]
   globalThis.counts = {}
   const all = [...parts, ...stages, ...plots, ...others]

@@ -65,7 +65,7 @@ def typed(page: Page, name: str, text: str) -> None:
     field.press("Enter")
 
 
-def ghosts_stand(page: Page) -> None:
+def wait_for_earlier_curves(page: Page) -> None:
     page.wait_for_function(f"({GHOSTS})() > 0")
     page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
     assert page.evaluate(GHOSTS) > 0, "until the next change"
@@ -85,7 +85,7 @@ def test_a_sweep_by_mouse_is_one_change(page: Page, open_scene: Open) -> None:
     is_wide(page)  # a drag only widens it
     page.mouse.up()
     is_fitted(page)
-    ghosts_stand(page)
+    wait_for_earlier_curves(page)
     page.get_by_role("button", name="Undo", exact=True).click()
     page.wait_for_function(f"{END} === {opens} && !oscillations.shown.state.frame")
     expect(page.get_by_role("button", name="Undo", exact=True)).to_be_disabled()
@@ -102,7 +102,7 @@ def test_keys_let_go_when_they_rest(page: Page, open_scene: Open) -> None:
     is_wide(page)
     page.evaluate(PRESS, ["PageUp", 12])
     is_fitted(page)
-    ghosts_stand(page)
+    wait_for_earlier_curves(page)
     assert page.evaluate("rest") > 490, "a key that comes sooner goes on with the same change"
 
 
@@ -117,7 +117,7 @@ def test_the_curves_of_before_await_what_the_server_makes_of_letting_go(page: Pa
     page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
     page.evaluate("sent()")
     is_fitted(page)
-    ghosts_stand(page)
+    wait_for_earlier_curves(page)
 
 
 def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
@@ -126,7 +126,7 @@ def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
     is_wide(page)
     typed(page, "k", "40")
     is_fitted(page)
-    ghosts_stand(page)
+    wait_for_earlier_curves(page)
     page.keyboard.press("Control+Shift+Z")  # it belongs to the field and undoes nothing in the scene
     page.locator("input[name=m]").blur()
     typed(page, "m", "1.5")
@@ -220,7 +220,7 @@ def test_twice_as_far_is_seen_to_be_twice_as_far(page: Page, open_scene: Open) -
     page.evaluate("oscillations.walks.walk.show(true)")
     page.wait_for_function("oscillations.walks.walk.lesson && oscillations.shown.settings.x_0.value === 0.2")
     assert page.evaluate(END) == start, "question and answer share one scale"
-    ghosts_stand(page)
+    wait_for_earlier_curves(page)
     typed(page, "x_0", "0.15")
     page.wait_for_function("oscillations.shown.settings.x_0.value === 0.15")
     assert page.evaluate(END) == start, "no step of a walk is fitted anew by a hand"

@@ -27,11 +27,11 @@ function anew() {
 }
 
 /** Messages over a wire, one of which waits for its answer; `failed` and `reported` are what they are told of. */
-function asking(unpack, hear) {
+function asking(unpack, handle) {
   const [sent, failed, reported] = [[], [], []]
   const messages = new Messages(
     unpack,
-    hear,
+    handle,
     error => failed.push(error.message),
     error => reported.push(error.message),
   )
