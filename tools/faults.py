@@ -85,7 +85,7 @@ MUTANTS = (
         "tests/live_class/test_abuse.py",
     ),
     Mutant(
-        "listener", "components/live_class/store.py", "self._listeners.remove(hear)", "pass",
+        "listener", "components/live_class/store.py", "self._listeners.remove(receive)", "pass",
         "tests/live_class/test_stores.py",
     ),
     Mutant(

@@ -178,7 +178,7 @@ class Events(Follower):
         self._known = self._room.number
         return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
 
-    def hear(self, event: bytes) -> bool:
+    def receive(self, event: bytes) -> bool:
         """Send a chunk, encoded once for all followers, straight to the connection."""
         if self._behind:
             if monotonic() - self._behind > GIVEN_UP:
@@ -208,7 +208,7 @@ class Events(Follower):
     def _catch_up(self) -> None:
         if self._behind and not self._gone.is_set():
             self._behind = 0.0
-            self.hear(self._all())
+            self.receive(self._all())
 
     def end(self) -> None:
         self._gone.set()

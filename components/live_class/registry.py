@@ -401,7 +401,7 @@ class Registry:
         if not room.used and self.rooms.get(room.code) is room:
             del self.rooms[room.code]
 
-    def hear(self, code: str, parts: Parts) -> None:
+    def receive(self, code: str, parts: Parts) -> None:
         """Pass on an update from the store; one without parts means that the room has ended."""
         room = self.rooms.get(code)
         if not parts:

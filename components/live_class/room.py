@@ -45,7 +45,7 @@ class RoomListener(Protocol):
     def name(self) -> str:
         """The name of a follower; two tabs of one browser share it."""
 
-    def hear(self, event: bytes) -> bool:
+    def receive(self, event: bytes) -> bool:
         """Take an event; return False if it was left out because earlier ones are still being sent."""
 
     def end(self) -> None: ...
@@ -227,7 +227,7 @@ class ClassRoom:
         event = as_event(news)
         for listener in list(self.listeners):
             if listener.leads or not leaders:
-                listener.hear(event)
+                listener.receive(event)
 
     def end(self) -> None:
         """End the class for everyone in the room."""

@@ -34,8 +34,8 @@ from components.live_class.store import (
     SLOTS,
     AwayError,
     FullError,
-    Hear,
     Parts,
+    Receive,
     Store,
     size_of,
     slot_of,
@@ -321,7 +321,7 @@ class SharedStore(Store):
             seconds, micros = await self._redis.time()
         return float(seconds + micros / 1e6 + (time() - begun) / 2)
 
-    async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
+    async def listen(self, receive: Receive, ready: Callable[[], None]) -> None:
         async with _asked(), self._listener.pubsub() as heard:
             await heard.subscribe(CHANNEL)
             is_asked = False
@@ -336,7 +336,7 @@ class SharedStore(Store):
                     ready()
                 elif message["type"] == "message":
                     code, parts = msgspec.msgpack.decode(message["data"], type=tuple[str, dict[str, bytes]])
-                    hear(code, parts)
+                    receive(code, parts)
 
     async def close(self) -> None:
         await self._listener.aclose()

@@ -40,7 +40,7 @@ SEEN = 30.0
 
 Parts = Mapping[str, bytes]
 """The data of a room: its parts by name."""
-Hear = Callable[[str, Parts], None]
+Receive = Callable[[str, Parts], None]
 """A listener to the store: called with the code of a room and its new parts, or with no parts if the room has ended."""
 
 
@@ -155,8 +155,8 @@ class Store(ABC):
         """Return the time of the store's clock, with which replicas compare theirs, in seconds since 1970."""
 
     @abstractmethod
-    async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
-        """Call `hear` with all updates after the call of `ready`. Raises AwayError when the updates end."""
+    async def listen(self, receive: Receive, ready: Callable[[], None]) -> None:
+        """Call `receive` with all updates after the call of `ready`. Raises AwayError when the updates end."""
 
     @abstractmethod
     async def close(self) -> None:
@@ -208,7 +208,7 @@ class MemoryStore(Store):
         self._counts: dict[str, _Count] = {}
         self._counts_looked = 0.0
         self._lent: dict[str, _Lent] = {}
-        self._listeners: list[Hear] = []
+        self._listeners: list[Receive] = []
 
     async def open(self, code: str, parts: Parts) -> bool:
         self._forget()
@@ -242,8 +242,8 @@ class MemoryStore(Store):
         return True
 
     async def tell(self, code: str, parts: Parts) -> None:
-        for hear in self._listeners:
-            hear(code, parts)
+        for receive in self._listeners:
+            receive(code, parts)
 
     async def end(self, code: str) -> None:
         self._rooms.pop(code, None)
@@ -348,13 +348,13 @@ class MemoryStore(Store):
     async def time(self) -> float:
         return time()
 
-    async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
-        self._listeners.append(hear)
+    async def listen(self, receive: Receive, ready: Callable[[], None]) -> None:
+        self._listeners.append(receive)
         ready()
         try:
             await Event().wait()
         finally:
-            self._listeners.remove(hear)
+            self._listeners.remove(receive)
 
     async def close(self) -> None:
         """Do nothing, because there are no connections."""
@@ -364,5 +364,5 @@ class MemoryStore(Store):
         now = self._clock()
         for code in [code for code, room in self._rooms.items() if min(room.ends, room.led) <= now]:
             del self._rooms[code]
-            for hear in self._listeners:
-                hear(code, {})
+            for receive in self._listeners:
+                receive(code, {})

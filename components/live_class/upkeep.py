@@ -93,7 +93,7 @@ class Upkeep:
     def _hear(self, code: str, parts: Parts) -> None:
         """Pass an update on. An unreadable one, for example from another version, is ignored."""
         try:
-            self.registry.hear(code, parts)
+            self.registry.receive(code, parts)
         except Exception:
             log.exception("News of a live class could not be read")
 
@@ -124,7 +124,7 @@ class Upkeep:
         changed = {name: part for name, part in parts.items() if name != "by" and room.parts.get(name) != part}
         room.missed = 0 if parts else room.missed + 1
         if room.missed == PATIENCE:
-            self.registry.hear(room.code, {})
+            self.registry.receive(room.code, {})
         elif changed:
             room.tell(changed)
 

@@ -17,7 +17,7 @@ import msgspec
 from components.processes import started
 from components.serving.visitors import Rate
 from components.session.measured import Fitting
-from components.session.worker import BUDGET, Errand, Reading, Replied, Teaching, receive, send
+from components.session.worker import BUDGET, Reading, Replied, Teaching, WorkerJob, receive, send
 
 WAITING, OF_A_NETWORK = 64, 16
 """Maximum number of waiting jobs: of all networks, and of one."""
@@ -47,7 +47,7 @@ SOON = 2.0
 class _Waiting:
     """A waiting job."""
 
-    job: Errand
+    job: WorkerJob
     network: str
     reply: Future[Replied] = field(default_factory=Future)
 
@@ -71,7 +71,7 @@ class ReadingProcess:
         """The number of jobs that run or wait."""
         return len(self._line) + (self._running is not None)
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         """Queue a job. A job without a network belongs to the server; only the length of the line limits it."""
         waiting = _Waiting(asked, network)
         with self._lock:
@@ -133,7 +133,7 @@ class ReadingProcess:
         self._served = [*(one for one in self._served if one in waiting), chosen.network]
         return chosen
 
-    def _replied(self, job: Errand) -> Replied:
+    def _replied(self, job: WorkerJob) -> Replied:
         process = self._ready()
         if process is None:
             return Replied(refused=GONE)
@@ -156,7 +156,7 @@ class ReadingProcess:
         return self._process
 
 
-def _over(job: Errand) -> str:
+def _over(job: WorkerJob) -> str:
     """Return the sentence for a job that exceeded its budget."""
     if isinstance(job, Fitting):
         return FIT_TOO_LONG

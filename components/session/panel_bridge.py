@@ -52,7 +52,7 @@ class SceneView(Widget):
     def _get_model(self, doc: Document, root: Any = None, parent: Any = None, comm: Any = None) -> Model:
         model = super()._get_model(doc, root, parent, comm)
         # Bypass Panel's counting of events for its busy indicator, which takes a fifth of the cost of a change.
-        model.on_event(SaidEvent.event_name, lambda event: self.session.hear(event.data))
+        model.on_event(SaidEvent.event_name, lambda event: self.session.handle(event.data))
         self.session.send = partial(self._tell, doc)
         return model
 

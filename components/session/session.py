@@ -38,7 +38,7 @@ from components.scene.about import no_numbers
 from components.scene.running import Later, Running
 from components.session.exports import AboutExport, PageExport
 from components.session.measured import Fitting, MeasuredRows
-from components.session.worker import Apart, Errand, Here, Reading, Replied, Teaching
+from components.session.worker import Apart, Here, Reading, Replied, Teaching, WorkerJob
 from components.state.commands import Errors, RefusalError
 from components.state.comparison import told_beside
 from components.state.encoding import view_of
@@ -126,7 +126,7 @@ class Session:
         """Return the first page, with the rejected parts of its link."""
         return self._packed(self.now, problems=self._problems)
 
-    def hear(self, data: object) -> None:
+    def handle(self, data: object) -> None:
         """Handle a message and always answer, because the browser waits. The message may be malformed; its number is
         returned only if it is a number."""
         number = data.get("number") if isinstance(data, dict) else None
@@ -157,15 +157,15 @@ class Session:
         its first answer was lost."""
         match message:
             case AskCsv(page=page):
-                return self._ask_apart(PageExport(self.now.state, page, answer), answer)
+                return self._ask_worker(PageExport(self.now.state, page, answer), answer)
             case AskAbout():
-                return self._ask_apart(AboutExport(self.now.state, answer), answer)
+                return self._ask_worker(AboutExport(self.now.state, answer), answer)
             case GiveAnswer(answer=given) if step := self._own_step(given):
-                return self._ask_apart(Teaching(given, step), answer)
+                return self._ask_worker(Teaching(given, step), answer)
             case GiveAnswer(answer=given):
                 return packed(replace(taught(given, self.walks, self.scenes), answer=answer))
             case RunWalk():
-                return self._ask_apart(Reading(message.name, message.text), answer)
+                return self._ask_worker(Reading(message.name, message.text), answer)
             case SendRows():
                 return self._take_rows(message, answer)
             case CancelFit():
@@ -197,7 +197,7 @@ class Session:
             job = self._rows.take(message)
         except ValueError as reason:
             return packed(Fitted(answer=answer, refused=str(reason)))
-        return self._ask_apart(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
+        return self._ask_worker(job, answer) if job else packed(Fitted(answer=answer, piece=self._rows.next))
 
     def _cancel_fit(self) -> None:
         """Cancel the fit of an earlier record if it still waits for its turn."""
@@ -249,10 +249,10 @@ class Session:
         steps = self.now.own[given.walk].steps if given.walk in self.now.own else ()
         return next((step for step in steps if step.id == given.step), None)
 
-    def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
+    def _ask_worker(self, asked: WorkerJob, answer: int | None) -> Packet | None:
         """Give the worker a job, one at a time, and send its result later."""
         if self._apart and not self._apart[1].done():
-            return None if self._apart[0] == answer else self._told_apart(asked, AT_ONCE, answer)
+            return None if self._apart[0] == answer else self._worker_packet(asked, AT_ONCE, answer)
         worker = self.apart
         if worker is None:
             worker = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
@@ -262,12 +262,12 @@ class Session:
 
         def tell(done: Future[Replied]) -> None:
             if not done.cancelled():
-                self.later(lambda: self.send(self._told_apart(asked, done.result(), answer)))
+                self.later(lambda: self.send(self._worker_packet(asked, done.result(), answer)))
 
         future.add_done_callback(tell)
         return None
 
-    def _told_apart(self, asked: Errand, replied: Replied, answer: int | None) -> Packet:
+    def _worker_packet(self, asked: WorkerJob, replied: Replied, answer: int | None) -> Packet:
         if replied.packet:
             return replied.packet
         match asked:

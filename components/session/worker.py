@@ -52,7 +52,7 @@ class Teaching(Struct, frozen=True, tag=True):
     step: Step
 
 
-Errand: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport | Fitting
+WorkerJob: TypeAlias = Reading | Teaching | PageExport | LinkExport | AboutExport | Fitting
 
 
 class Replied(Struct, frozen=True, kw_only=True):
@@ -77,7 +77,7 @@ class Replied(Struct, frozen=True, kw_only=True):
 class Apart(Protocol):
     """A worker, whose jobs may come from any thread; `network` is the visitor's network, if known."""
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]: ...
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]: ...
 
 
 class Here:
@@ -86,13 +86,13 @@ class Here:
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks, self._scenes = walks, scenes
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         future: Future[Replied] = Future()
         future.set_result(replied(asked, self._walks, self._scenes))
         return future
 
 
-def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
+def replied(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
     """Return the result of a job, or a reason in words; it raises nothing."""
     try:
         return _result(asked, walks, scenes)
@@ -103,7 +103,7 @@ def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
         return Replied(refused=SORRY)
 
 
-def _result(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
+def _result(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
     match asked:
         case Reading():
             return _read(asked, walks, scenes)
@@ -141,7 +141,7 @@ def work(walks: Walks, scenes: Scenes, come_in: BinaryIO, go_out: BinaryIO) -> N
     while message := receive(come_in):
         begun = process_time()
         with _budget():
-            reply = replied(msgspec.msgpack.decode(message, type=Errand), walks, scenes)
+            reply = replied(msgspec.msgpack.decode(message, type=WorkerJob), walks, scenes)
         send(go_out, msgspec.msgpack.encode(replace(reply, seconds=process_time() - begun)))
 
 

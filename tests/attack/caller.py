@@ -90,10 +90,10 @@ class Caller:
         page = await asyncio.to_thread(ask, url, "/?scene=coupled")
         caller = cls(await connect(url, token_of(page.text)))
         for _ in range(3):  # the welcome
-            await caller.hear()
+            await caller.receive()
         return caller
 
-    async def hear(self) -> str | bytes | None:
+    async def receive(self) -> str | bytes | None:
         """The next frame; None where the server has closed."""
         return await asyncio.wait_for(self.socket.read_message(), PATIENCE)
 
@@ -104,12 +104,12 @@ class Caller:
     async def depart(self) -> None:
         """Close, and wait for the end."""
         self.socket.close()
-        while await self.hear() is not None:
+        while await self.receive() is not None:
             pass
 
     async def closed(self) -> tuple[int | None, str]:
         """The code and the reason that the server closes with, whatever it still says before."""
-        while await self.hear() is not None:
+        while await self.receive() is not None:
             pass
         self.socket.close()
         return self.socket.close_code, self.socket.close_reason or ""

@@ -11,7 +11,7 @@ from components.quantities.refusals import SORRY
 from components.scenes import SCENES
 from components.session.exports import AboutExport, LinkExport, PageExport
 from components.session.opening import opened
-from components.session.worker import Errand, replied
+from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
 from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.attack.extremes import EXTREMES, Values, values
@@ -59,7 +59,7 @@ def check_page(link: Link) -> State:
     return session.now.state
 
 
-def check_job(job: Errand, budget: int) -> None:
+def check_job(job: WorkerJob, budget: int) -> None:
     reply, calls = counted(lambda: replied(job, {}, SCENES))
     assert calls <= budget, f"{type(job).__name__} takes {calls} calls"
     assert SORRY not in reply.refused

@@ -15,7 +15,7 @@ from components.scenes import SCENES
 from components.serving.apart import ReadingProcess
 from components.session.opening import opened
 from components.session.session import ONE_AT_A_TIME, Session
-from components.session.worker import Errand, Replied
+from components.session.worker import Replied, WorkerJob
 from components.state.link import Link
 from physics import sinusoids, transient
 from physics.precision import exact
@@ -44,7 +44,7 @@ class Counted:
         self.replies: list[Future[Replied]] = []
         self.told: Future[Replied] = Future()
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         self.replies.append(self.process.ask(asked, network))
         return self.told
 
@@ -69,7 +69,7 @@ def test_a_huge_walk_costs_one_reading_elsewhere_and_gets_its_sentence(process: 
     held: list[Any] = []
     session.later = held.append
     for number in (1, *[1] * 20, *range(2, 22)):
-        session.hear({**GREEDY[name], "number": number})
+        session.handle({**GREEDY[name], "number": number})
     assert len(apart.replies) == 1
     assert [(one["answer"], one["refused"]) for one in told] == [(number, ONE_AT_A_TIME) for number in range(2, 22)]
     reply = apart.fetch()
@@ -100,7 +100,7 @@ def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytes
     monkeypatch.setattr(transient, "expansion", expanded)
     for number in (1, 2, 3):
         motions[:] = [[]]
-        session.hear({**GREEDY[name], "values": {**GREEDY[name]["values"], "x2_0": number / 1e3}, "number": number})
+        session.handle({**GREEDY[name], "values": {**GREEDY[name]["values"], "x2_0": number / 1e3}, "number": number})
         assert told[-1]["answer"] == number and SORRY not in told[-1]["problems"]
         assert all(" Still drawn " in said for said in told[-1]["errors"].values())
         assert motions != [[]] and len(motions) < 6
@@ -137,6 +137,6 @@ def test_a_far_window_reduces_a_frequency_once_for_each_binary_exponent(monkeypa
     for module in (exact, sinusoids):
         monkeypatch.setattr(module, "remainders", counted, raising=False)
     session, told = page("forced", {})
-    session.hear({**GREEDY["an enormous window"], "number": 1})
+    session.handle({**GREEDY["an enormous window"], "number": 1})
     assert told[-1]["answer"] == 1
     assert len(reduced) == sum(exponents) and 10 * sum(exponents) < sum(points)

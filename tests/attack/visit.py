@@ -41,7 +41,7 @@ class Visit:
     def say(self, message: Message, number: int) -> dict[str, str]:
         """Send a message; what of it is refused."""
         before, begun = self.now, process_time()
-        self.session.hear({**message, "number": number})
+        self.session.handle({**message, "number": number})
         self.slowest = max(self.slowest, process_time() - begun)
         told = unpacked(self.packets.pop())
         assert not self.packets, "a message has two answers"

@@ -79,7 +79,7 @@ def test_bokeh_adds_little_to_a_message() -> None:
     document.on_change(events.append)
     send, packets = session.send, []
     session.send = lambda packet: (packets.append(packet), send(packet))  # type: ignore[func-returns-value]
-    session.hear({"type": "set", "values": {"k2": 3.0}, "number": 1})
+    session.handle({"type": "set", "values": {"k2": 3.0}, "number": 1})
     ((packet,), (event,)) = packets, events
     message = Protocol().create("PATCH-DOC", [event])
     (buffer,) = message.buffers

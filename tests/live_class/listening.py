@@ -29,7 +29,7 @@ class Listener:
         self.news: list[News] = []
         self.ended = False
 
-    def hear(self, event: bytes) -> bool:
+    def receive(self, event: bytes) -> bool:
         self.news.append(msgspec.json.decode(event.removeprefix(b"data: "), type=News))
         return True
 

@@ -57,7 +57,7 @@ async def rooms() -> AsyncIterator[tuple[Wayward, Registry, Upkeep, str, str]]:
     """A registry whose store is heard, and an open room."""
     store = Wayward()
     registry = Registry(store, BANK)
-    listening = asyncio.create_task(store.listen(registry.hear, lambda: None))
+    listening = asyncio.create_task(store.listen(registry.receive, lambda: None))
     await asyncio.sleep(0)
     yield store, registry, Upkeep(registry), *await registry.open()
     listening.cancel()
@@ -127,7 +127,7 @@ async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monk
         monkeypatch.setattr(registry, "led", counted)
         before = len(asyncio.all_tasks())
         for number in range(50):
-            session.hear({"type": "lead", "code": code, "key": key, "number": number})
+            session.handle({"type": "lead", "code": code, "key": key, "number": number})
             await asyncio.sleep(0)
         assert len(asyncio.all_tasks()) - before <= 2  # the last one, and the one before it on its way out
         await until(lambda: asked > 60)

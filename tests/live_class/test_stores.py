@@ -266,8 +266,8 @@ async def test_who_no_longer_listens_hears_nothing(on: Kept) -> None:
         tasks = {}
         for name, updates in heard.items():
             ready = asyncio.Event()
-            hear = partial(_append, updates)
-            tasks[name] = asyncio.create_task(kept.listen(hear, ready.set))
+            receive = partial(_append, updates)
+            tasks[name] = asyncio.create_task(kept.listen(receive, ready.set))
             await asyncio.wait_for(ready.wait(), 5)
         tasks["left"].cancel()
         await asyncio.gather(tasks["left"], return_exceptions=True)

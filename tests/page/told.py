@@ -87,7 +87,7 @@ class Page:
     def say(self, data: object) -> dict[str, Any]:
         """The answer to a message."""
         before = len(self.packets)
-        self.session.hear(data)
+        self.session.handle(data)
         assert len(self.packets) == before + 1, "every message has one answer"
         return self.told
 
@@ -102,12 +102,12 @@ class Page:
 
 def unpacked(packet: Packet) -> dict[str, Any]:
     """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
-    known = _usual(packet["sheet"])
+    known = _preset_dictionary(packet["sheet"])
     msgspec.json.decode(scripts.text_of(packet, known), type=AnyServerMessage)
     return scripts.unpacked(packet, known)
 
 
-def _usual(sheet: str) -> bytes:
+def _preset_dictionary(sheet: str) -> bytes:
     """The text in the sheet at an address, of whatever scenes there are."""
     kinds = (*SCENES.values(), *Scene.__subclasses__())
     named = [scene for scene in kinds if f"/{vars(scene).get('slug')}." in sheet]

@@ -8,12 +8,12 @@ import time
 from components.session import worker
 from components.session.exports import LinkExport
 from components.session.measured import Fitting
-from components.session.worker import Errand, Reading, Replied
+from components.session.worker import Reading, Replied, WorkerJob
 from components.walks import Walks
 from components.walks.links import Scenes
 
 
-def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
+def replied(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
     is_endless = asked.size > 1 if isinstance(asked, Fitting) else isinstance(asked, LinkExport)
     while is_endless or (isinstance(asked, Reading) and asked.name == "endless"):
         pass

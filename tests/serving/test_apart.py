@@ -28,7 +28,7 @@ from components.serving.apart import (
 from components.session.exports import LinkExport
 from components.session.measured import Fitting
 from components.session.session import ONE_AT_A_TIME, Session
-from components.session.worker import Errand, Reading, Replied, Teaching
+from components.session.worker import Reading, Replied, Teaching, WorkerJob
 from components.state.page_state import fitted
 from components.state.wire import Packet
 from tests.page.told import unpacked
@@ -90,12 +90,12 @@ def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monke
     rows = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]]}
     try:
         endless = beside.ask(Reading("endless", MINE))
-        session.hear({**rows, "number": 1})
+        session.handle({**rows, "number": 1})
         assert beside.pending == 2 and not sent
-        session.hear({**rows, "number": 1})
+        session.handle({**rows, "number": 1})
         assert beside.pending == 2 and not sent, "a repeated message is answered once"
-        session.hear({"type": "cancel_fit", "number": 2})
-        session.hear({**rows, "size": 2, "number": 3})
+        session.handle({"type": "cancel_fit", "number": 2})
+        session.handle({**rows, "size": 2, "number": 3})
         assert [unpacked(one)["answer"] for one in sent] == [2]
         assert endless.result(120).refused == WALK_TOO_LONG
         beside.ask(READ).result(120)
@@ -172,10 +172,10 @@ class Slow:
     """Replies when it is told to."""
 
     def __init__(self) -> None:
-        self.asked: list[tuple[Errand, Future[Replied]]] = []
+        self.asked: list[tuple[WorkerJob, Future[Replied]]] = []
         self.networks: list[str] = []
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         future: Future[Replied] = Future()
         self.asked.append((asked, future))
         self.networks.append(network)
@@ -186,8 +186,8 @@ def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
     session, apart, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
     session.send, session.apart, session.network = packets.append, apart, "192.0.2.0/24"
     for number in (1, 1, 2):  # the second is the first, said again by a page that has waited long
-        session.hear({"type": "walk", "name": "mine", "text": MINE, "number": number})
-    session.hear({"type": "set", "values": {"k2": 3.0}, "number": 3})
+        session.handle({"type": "walk", "name": "mine", "text": MINE, "number": number})
+    session.handle({"type": "set", "values": {"k2": 3.0}, "number": 3})
     refused, moved = map(unpacked, packets)
     assert (refused["answer"], refused["refused"]) == (2, ONE_AT_A_TIME)
     assert (moved["answer"], moved["errors"]) == (3, {})
@@ -196,6 +196,6 @@ def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
     future.set_result(Replied(refused=WALK_TOO_LONG))
     told = unpacked(packets[-1])
     assert (told["answer"], told["sheet"], told["refused"]) == (1, None, WALK_TOO_LONG)
-    session.hear({"type": "walk", "name": "mine", "text": MINE, "number": 4})
+    session.handle({"type": "walk", "name": "mine", "text": MINE, "number": 4})
     session.close()
     assert apart.asked[1][1].cancelled()

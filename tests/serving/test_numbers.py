@@ -22,7 +22,7 @@ from components.serving.csv_route import NumbersRoute
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from components.session.exports import LinkExport, link_file
-from components.session.worker import Errand, Replied
+from components.session.worker import Replied, WorkerJob
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
 from tests.bench.visitor import Visitor
@@ -111,9 +111,9 @@ class Worker:
     """Keeps jobs, and their replies back."""
 
     def __init__(self) -> None:
-        self.jobs: list[tuple[Errand, str, Future[Replied]]] = []
+        self.jobs: list[tuple[WorkerJob, str, Future[Replied]]] = []
 
-    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         self.jobs.append((asked, network, Future()))
         return self.jobs[-1][-1]
 

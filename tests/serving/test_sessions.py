@@ -198,7 +198,7 @@ async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
                 socket.pulse()
             await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
             for _ in range(3):  # the answer comes after the pong
-                await caller.hear()
+                await caller.receive()
         assert await silent.closed() == (1001, "No answer to two pings.")
         assert len(server.context.admission.sockets) == 1
         await caller.depart()
@@ -211,9 +211,9 @@ async def test_a_page_has_one_socket() -> None:
         assert await first.closed() == (1008, "This page has a newer connection.")
         await until(lambda: len(server.context.admission.sockets) == 1)
         for _ in range(3):  # the welcome
-            await second.hear()
+            await second.receive()
         await second.say(header("PULL-DOC-REQ"), "{}", "{}")
-        assert await second.hear()
+        assert await second.receive()
         await second.depart()
 
 

@@ -120,7 +120,7 @@ def test_a_step_holds_all_that_its_link_says() -> None:
         assert state.frame == Frame(ranges={"x": (-4.0, 4.0)}, window=50.0, given=True)
     at_address = visited({"walk": [b"mine"], "step": [b"1"]}, {"mine": walk}).now.state
     session = Session(fitted(SCENES["oscillator"]().value), scenes=SCENES)
-    session.hear({"type": "open", "number": 1, "state": to_builtins(card.opens)})
+    session.handle({"type": "open", "number": 1, "state": to_builtins(card.opens)})
     assert at_address == session.now.state == replace(card.opens, frame=session.now.state.frame)
     assert session.now.state.frame and session.now.state.frame.ranges["x"] == (-4.0, 4.0)
     standing = standing_at(link, SCENES)

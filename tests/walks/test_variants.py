@@ -151,10 +151,10 @@ def test_an_answer_with_a_seed_that_is_none_is_refused() -> None:
 def test_a_walk_of_one_s_own_is_answered_with_its_seed() -> None:
     session, said = Session(fitted(SCENES["oscillator"]().value), scenes=SCENES), []
     session.send = said.append
-    session.hear({"type": "walk", "number": 1, "name": "mine", "text": SWING})
+    session.handle({"type": "walk", "number": 1, "name": "mine", "text": SWING})
     true = Oscillator(m=4, k=numbers_drawn(mine().steps[0], 3)["k"]).period
     answer = {"walk": "mine", "step": "swing", "seed": 3, "text": f"{true:.3f}"}
-    session.hear({"type": "given", "number": 2, "answer": answer})
+    session.handle({"type": "given", "number": 2, "answer": answer})
     assert unpacked(said[-1])["lesson"]["right"]
 
 
