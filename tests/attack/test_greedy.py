@@ -22,7 +22,7 @@ from physics.precision import exact
 from physics.transient import DRAWING, EXACT, DampedModes, Effort
 from tests.attack.extremes import Values
 from tests.attack.greedy import GREEDY
-from tests.page.told import unpacked
+from tests.page.headless_page import unpacked
 
 WALKS = [name for name, message in GREEDY.items() if message["type"] == "walk"]
 ABSORBER: Values = {"damping": "added"}

@@ -12,7 +12,7 @@ from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link, read_query
 from tests.attack.extremes import Message, Values
-from tests.page.told import unpacked
+from tests.page.headless_page import unpacked
 from tests.scenes.checks import as_arguments, check_picture
 
 PASSING = ("answer", "errors", "problems")

@@ -17,7 +17,7 @@ from components.quantities.parameters import displacement, mass, stiffness
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.serving.assets import TYPES, static_files, written_files
-from tests.page.told import Page as SessionPage
+from tests.page.headless_page import Page as SessionPage
 
 HOME = "http://controls.test/"
 HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>

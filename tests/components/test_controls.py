@@ -26,7 +26,7 @@ from components.quantities.parameters import (
 )
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
-from tests.page.told import apply_message, take_preset
+from tests.page.headless_page import apply_message, take_preset
 from tests.scenes.checks import solves
 
 

@@ -18,8 +18,8 @@ from components.scene import Picture, Scene
 from components.scene.frames import FITTED, checked, grown, unfitted
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
+from tests.page.headless_page import Page
 from tests.page.scripts import played
-from tests.page.told import Page
 from tests.scenes.checks import check_picture
 
 scenes = pytest.mark.parametrize("slug", SCENES)

@@ -16,7 +16,7 @@ from components.scene import Picture, Scene
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
 from tests.grids import WHOLE
-from tests.page.told import Page
+from tests.page.headless_page import Page
 from tests.scenes.checks import check_picture, quantities
 
 scenes = pytest.mark.parametrize("slug", SCENES)

@@ -23,7 +23,7 @@ from components.session.opening import opened
 from components.state.link import read_query
 from components.state.wire import Packet
 from tests.page.hand import grabs
-from tests.page.told import Page, put
+from tests.page.headless_page import Page, put
 from tests.scenes.checks import as_arguments, quantities
 
 MOVING = [slug for slug in SCENES if slug != "accuracy"]

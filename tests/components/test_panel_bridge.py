@@ -16,7 +16,7 @@ from components.session.panel_bridge import SceneView
 from components.session.session import Session
 from components.state.page_state import fitted
 from components.state.wire import in_one
-from tests.page.told import Page
+from tests.page.headless_page import Page
 
 LONG = "x" * 100_000
 MOST_AROUND = 195

@@ -22,7 +22,7 @@ from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link, read_query
 from components.state.page_state import with_values
-from tests.page.told import Page, unpacked
+from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import EXTREME_LINKS
 
 LOST: dict[object, int] = {}

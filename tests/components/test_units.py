@@ -10,7 +10,7 @@ from components.quantities.typed import typed_number
 from components.quantities.units import Unit
 from components.scenes.phugoid import Phugoid
 from components.state.scene_sheet import scene_sheet
-from tests.page.told import apply_message
+from tests.page.headless_page import apply_message
 
 FOOT_PER_SECOND, KNOT = Unit("ft/s", 0.3048), Unit("knots", 1852 / 3600)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from components.scenes import SCENES
 from tests.deploy.guest import Guest
 from tests.deploy.site import Site, upgraded
-from tests.page.told import Page
+from tests.page.headless_page import Page
 
 PACE = 0.25
 """Seconds from one change of a guest to the next."""

@@ -13,7 +13,7 @@ from playwright.sync_api import expect
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
 from components.state.scene_sheet import plots
-from tests.page.told import Page
+from tests.page.headless_page import Page
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 

@@ -9,7 +9,7 @@ import pytest
 from components.language.messages import BrowserMessage
 from components.quantities.refusals import SORRY
 from components.scenes import SCENES
-from tests.page.told import Page
+from tests.page.headless_page import Page
 
 TIMES = [0.1 * i for i in range(40)]
 STATE = "components.session.session.changed"

@@ -16,7 +16,7 @@ from components.session.opening import opened
 from components.state.encoding import COARSE, span
 from components.state.link import read_query
 from components.state.scene_sheet import column_axes
-from tests.page.told import Page, change, put, unpacked
+from tests.page.headless_page import Page, change, put, unpacked
 from tests.scenes.checks import as_arguments, moved
 
 scenes = pytest.mark.parametrize("slug", SCENES)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from components.quantities.formatting import parse_number
 from components.scenes import SCENES
-from tests.page.told import Page
+from tests.page.headless_page import Page
 from tests.serving.server import ROOT
 from tools.measured_examples import EXAMPLES
 

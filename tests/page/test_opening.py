@@ -7,7 +7,7 @@ import pytest
 from app import visited
 from components.scenes import SCENES
 from components.state.page_state import fitted
-from tests.page.told import Page
+from tests.page.headless_page import Page
 from tests.scenes.checks import as_arguments
 
 PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}

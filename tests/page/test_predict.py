@@ -20,7 +20,7 @@ from components.session.opening import opened
 from components.state.csv_export import tables
 from components.state.link import read_query
 from components.state.wire import as_json
-from tests.page.told import Page, change, put
+from tests.page.headless_page import Page, change, put
 from tests.scenes.checks import as_arguments, moved, quantities
 
 NUMBER = re.compile(r"[0-9][0-9.]*")

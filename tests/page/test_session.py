@@ -14,7 +14,7 @@ from components.session.opening import opened
 from components.state.link import read_query
 from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
-from tests.page.told import Page, unpacked
+from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import as_arguments, choices, quantities
 
 scenes = pytest.mark.parametrize("slug", SCENES)

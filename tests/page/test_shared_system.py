@@ -7,7 +7,7 @@ from typing import Any
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import read_query
-from tests.page.told import Page, change, put
+from tests.page.headless_page import Page, change, put
 from tests.scenes.checks import as_arguments
 
 CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}

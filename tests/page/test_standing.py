@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from components.scenes import SCENES
-from tests.page.told import Page
+from tests.page.headless_page import Page
 
 HUGE = {"scene": "forced", "parameters": {"omega": 1e300}}
 REFUSED: dict[str, tuple[str, dict[str, Any]]] = {

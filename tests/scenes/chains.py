@@ -6,7 +6,7 @@ from typing import Any
 
 import mpmath as mp
 
-from tests.scenes.said import Draw
+from tests.scenes.visible_sentences import Draw
 
 mp.mp.dps = 40
 

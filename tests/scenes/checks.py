@@ -19,7 +19,7 @@ from components.scene import Picture, Scene
 from components.scene.traces import Columns
 from components.state.page_state import PageState
 from tests.grids import WHOLE
-from tests.page.told import picture_wire
+from tests.page.headless_page import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")

@@ -20,7 +20,7 @@ from components.scene import Scene
 from components.scene.about import NO_BAND, SHARES, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
 from physics.reference.driven_chain import Point
-from tests.page.told import Page
+from tests.page.headless_page import Page
 from tests.scenes.about_truth import chain_flow, damped_flow, flight_flow, oscillator_flow, pendulum_flow, swing_at
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]

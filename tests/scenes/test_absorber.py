@@ -20,10 +20,10 @@ from components.scenes.absorber.duty import Duty
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from tests.grids import tries
+from tests.page.headless_page import Page, change, put
 from tests.page.scripts import played, values_of
-from tests.page.told import Page, change, put
 from tests.scenes.checks import check_picture
-from tests.scenes.said import said, sentences
+from tests.scenes.visible_sentences import sentences, visible_text
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
 
@@ -301,7 +301,7 @@ def test_at_a_natural_frequency_only_the_steady_form_is_denied(m2: float, k2: fl
     chain = TwoMassChain(m1=M1, m2=16 * m2, k1=K1, k2=36864 * k2)
     omega = float(chain.modes().omega[mode])
     scene = Absorber(m2=16 * m2, k2=36864 * k2, omega=omega, tuning="free", view=view)
-    text = said(scene)
+    text = visible_text(scene)
     if scene.shown.forms["why"] != "grow":
         return  # a mode of almost mass 2 alone: its sentence speaks of mass 2
     assert "no particular solution of the form Xsinωt exists" in text.replace("\N{FUNCTION APPLICATION}", "")

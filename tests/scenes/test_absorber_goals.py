@@ -14,7 +14,7 @@ from components.session.opening import opened
 from components.state.link import read_query
 from components.state.page_state import fitted
 from physics.absorber import den_hartog
-from tests.page.told import Page, apply_message, change, put, take_preset
+from tests.page.headless_page import Page, apply_message, change, put, take_preset
 from tests.scenes.checks import as_arguments, check_picture, solves
 
 M1, K1, F_0 = 100.0, 250e3, 500.0

@@ -15,7 +15,7 @@ from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from tests.grids import tries
 from tests.physics.braked_cases import sizes
-from tests.scenes.said import said
+from tests.scenes.visible_sentences import visible_text
 
 OFF = st.just(0.0) | st.tuples(st.sampled_from((-1, 1)), sizes(-6, -1)).map(lambda parts: parts[0] * parts[1])
 many = settings(max_examples=tries(400), suppress_health_check=[HealthCheck.too_slow])
@@ -36,7 +36,7 @@ def test_two_equal_forces_leave_nothing_to_move_the_machine(
     omega, m2 = math.sqrt(k1 / m1) * (1 + off), share * m1
     k2 = m2 * omega**2 * (1 + untuned)
     scene = Absorber(own=True, m1=m1, k1=k1, F_0=F_0, omega=omega, m2=m2, k2=k2, tuning="free", view="formulas")
-    why, text = scene.shown.forms["why"], said(scene)
+    why, text = scene.shown.forms["why"], visible_text(scene)
     assume(why in ("less", "own", "little"))
     pull, swing = forces(scene)
     assert -2.001 < pull < 0
@@ -50,7 +50,7 @@ def test_two_equal_forces_leave_nothing_to_move_the_machine(
 
 def test_at_its_own_frequency_the_machine_swings_though_the_forces_are_equal() -> None:
     scene = Absorber(omega=50.0, k2=30e3, tuning="free", view="formulas")
-    text = said(scene)
+    text = visible_text(scene)
     assert "spring 2 must pull as hard as the drive pushes, with 500 N" in text and "is left" not in text
     assert scene.shown.values["swing"] in text
 
@@ -61,7 +61,7 @@ def test_the_drive_adds_what_grows_from_any_start(x1_0: float, mode: int) -> Non
     chain = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
     omega = float(chain.modes().omega[mode])
     scene = Absorber(omega=omega, k2=36864.0, tuning="free", view="rest", x1_0=x1_0)
-    assert "the drive adds" in said(scene)
+    assert "the drive adds" in visible_text(scene)
 
     def added(late: float) -> float:
         t = late + np.linspace(0.0, 4 * math.pi / omega, 200)

@@ -19,7 +19,7 @@ from components.scenes.accuracy.studies import LASTING, step_explosion
 from physics.coupled import TwoMassChain
 from physics.integrators.accuracy import MARKS, SYSTEMS, Run, entered
 from physics.integrators.solvers import METHODS
-from tests.page.told import Page, unpacked
+from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import check_picture
 
 

@@ -16,8 +16,8 @@ from components.scenes.analogues.reach import REACHES, REMARKS
 from components.state.link import read_query
 from components.state.page_state import fitted
 from physics.analogues import ANALOGUES
+from tests.page.headless_page import apply_message
 from tests.page.scripts import played
-from tests.page.told import apply_message
 from tests.scenes.checks import EXTREMES, check_picture, quantities
 
 systems = pytest.mark.parametrize("slug", ANALOGUES)

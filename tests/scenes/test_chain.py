@@ -16,8 +16,8 @@ from components.scenes.chain import Chain
 from components.session.exports import link_file
 from components.state.covers import without
 from physics.oscillator import Oscillator
+from tests.page.headless_page import Page
 from tests.page.scripts import call
-from tests.page.told import Page
 from tests.scenes.presets import taken
 
 U = 2.0**-53

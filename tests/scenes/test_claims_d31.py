@@ -17,7 +17,7 @@ from components.scenes.phugoid import Phugoid
 from components.state.commands import sentence
 from physics.analogues import ANALOGUES
 from tests.page.scripts import played
-from tests.scenes.said import Draw, said, sentences
+from tests.scenes.visible_sentences import Draw, sentences, visible_text
 
 DRAWS = 120
 
@@ -33,7 +33,7 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
             m=draw.size(), k=draw.some(draw.size(-1, 3)), x_0=draw.some(draw.number()) * moves,
             v_0=draw.some(draw.number(), 0.3) * moves, view=draw.pick.choice(("motion", "speed", "formulas")),
         )  # fmt: skip
-        text, why = said(scene), scene.shown.forms["why"]
+        text, why = visible_text(scene), scene.shown.forms["why"]
         seen.add(why)
         still = not scene.v_0 and not (scene.k and scene.x_0)
         assert ("nothing moves" in text) == still
@@ -49,7 +49,7 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
 
 def test_the_arrows_are_as_high_as_what_they_are_said_to_show() -> None:
     scene = OscillatorScene(**OscillatorScene.opens)
-    assert "as high as" in said(scene) and "atan" not in said(scene)
+    assert "as high as" in visible_text(scene) and "atan" not in visible_text(scene)
     w, unit = math.sqrt(scene.k / scene.m), scene.shown.axes["t"]
     data, C = scene.sources["time"].data, scene.x_0
     for i in range(0, len(data["t"]), 17):
@@ -77,7 +77,7 @@ def test_what_is_said_of_the_largest_energies() -> None:
         v = scene.v_0 * np.cos(w * t) - w * scene.x_0 * np.sin(w * t)
         T, V = scene.m * v**2 / 2, scene.k * (x + delta) ** 2 / 2 - scene.m * scene.g * x
         more = V.max() - T.max()
-        claim, text = scene.shown.forms["claim"], said(scene)
+        claim, text = scene.shown.forms["claim"], visible_text(scene)
         seen.add(claim)
         assert ("Nothing moves" in text) == (not T.any() and not np.ptp(x))
         assert ("are one" in text) == (claim == "weightless") == (scene.datum == "separate" and not scene.g and moves)
@@ -125,7 +125,7 @@ def test_linear_is_said_of_the_model_with_its_reach_in_truth(slug: str) -> None:
     for _ in range(20):
         start = draw.some(draw.number(-6, 3))
         scene = Analogues(system=slug, view="large", **{f"{slug}_start": start})
-        text = said(scene)
+        text = visible_text(scene)
         assert ("Nothing moves" in text) == (not start)
         assert ("This model is linear at any size" in text and "That is true while" in text) == bool(start)
         assert bool(np.ptp(scene.sources["time"].data["q"])) == bool(start)
@@ -208,7 +208,7 @@ def test_the_equation_of_lift_holds_on_a_loop_too() -> None:
     """m h'' = L cos(theta) - m g: h'' of the heights that are drawn, L and the angle of the aircraft that is drawn."""
     for excess in (0.1, 0.4, 0.6, 1.0, 1.5, 2.5):
         scene = Phugoid(excess=excess, view="lift")
-        assert "Lcosθ−mg" in "".join(said(scene).split())
+        assert "Lcosθ−mg" in "".join(visible_text(scene).split())
         data, unit = scene.sources["time"].data, scene.shown.axes["t"]
         t = data["t"]
         rise = np.gradient(np.gradient(data["h"], t), t)

@@ -14,7 +14,7 @@ from components.scenes.modes import ModesScene
 from components.scenes.modes.hunt import FOUND
 from physics.coupled import TwoMassChain, free_motion
 from tests.scenes.chains import chain, matrix, number, squares, starts
-from tests.scenes.said import Draw, said
+from tests.scenes.visible_sentences import Draw, visible_text
 
 DRAWS = 150
 
@@ -36,7 +36,7 @@ def test_what_is_said_of_beats() -> None:
         seen.add(beat)
         slow, fast = (float(mp.sqrt(square)) for square in squares(scene))
         moved = free_motion(TwoMassChain(**values), *starts(scene), np.linspace(0.0, 7.0, 9)).v
-        assert (beat == "rest") == (not np.any(moved)) == ("Nothing moves" in said(scene))
+        assert (beat == "rest") == (not np.any(moved)) == ("Nothing moves" in visible_text(scene))
         assert (period == "none") == (beat != "both")
         if beat == "both":
             assert number(period.removesuffix(" s")) == pytest.approx(2 * math.pi / (fast - slow), rel=6e-3)
@@ -47,7 +47,7 @@ def test_what_is_said_of_beats() -> None:
         if beat == "drift":
             assert not (scene.k1 and scene.k2)
     assert seen >= {"both", "apart", "drift", "rest"}
-    assert "Nothing moves" in said(Coupled(x1_0=0.0))
+    assert "Nothing moves" in visible_text(Coupled(x1_0=0.0))
     assert Coupled(m1=1.0, m2=1.0, k1=1.0, k2=1e12).shown.forms["beat"] == "apart"
     for label in ("Slow", "Fast"):
         assert Coupled(**Coupled.presets[label]).shown.forms["beat"] == "one"
@@ -250,5 +250,5 @@ def test_the_limits_of_a_sweep_are_those_of_its_formulas() -> None:
                 shapes = [float(-matrix(limit, s)[0, 0] / matrix(limit, s)[0, 1]) for s in squares(limit)]
                 assert shapes == pytest.approx([slow_ratio, fast_ratio], rel=1e-3), (kind, swept)
         coupled = bool(values["k2"]) or swept == "k2"
-        assert ("mirror each other" in said(scene)) == coupled == ("avoid each other" in said(scene))
+        assert ("mirror each other" in visible_text(scene)) == coupled == ("avoid each other" in visible_text(scene))
     assert seen == FORMULAS.keys()

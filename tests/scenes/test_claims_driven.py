@@ -15,7 +15,7 @@ from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from tests.grids import WHOLE
 from tests.scenes.chains import chain, matrix, number, squares, starts
-from tests.scenes.said import Draw, said
+from tests.scenes.visible_sentences import Draw, visible_text
 
 DRAWS = 200 if WHOLE else 80
 
@@ -56,7 +56,7 @@ def test_what_is_said_of_the_particular_solution() -> None:
     draw, seen = Draw("forced"), set()
     for _ in range(2 * DRAWS):
         scene = driven(draw)
-        steady, text, values = scene.shown.forms["steady"], said(scene), scene.shown.values
+        steady, text, values = scene.shown.forms["steady"], visible_text(scene), scene.shown.values
         seen.add(steady)
         v = forced_motion(system(scene), scene.F_0, scene.omega, np.linspace(0, 7, 9), *starts(scene)).v
         assert (steady == "rest") == (not v.any()) == ("Nothing moves" in text)
@@ -97,7 +97,7 @@ def test_the_swing_grows_by_what_is_told_whatever_the_start() -> None:
         scene.set({"omega": float(mp.sqrt(squares(scene)[j])), "x1_0": draw.number()})
         if scene.shown.forms["steady"] != "resonance":
             continue
-        told = said(scene)
+        told = visible_text(scene)
         assert "the swing of" in told and "envelope" not in str(scene.sheet())
         for i in (0, 1):
             rate = scene._case().growth[i]
@@ -209,14 +209,14 @@ def test_a_tuned_absorber_however_light_grows_as_is_said(omega: float, m2: float
 def test_far_from_its_resonances_no_resonance_is_blamed(omega: float, why: str) -> None:
     scene = Absorber(own=True, omega=omega, k2=36864.0, tuning="free", view="formulas")
     assert scene.shown.forms["why"] == why
-    assert "too near" not in said(scene)
+    assert "too near" not in visible_text(scene)
 
 
 def test_exactly_is_said_of_the_tuned_spring_alone() -> None:
     scene = Absorber(view="formulas")
-    assert "exactly" in said(scene) and "almost" not in said(scene)
+    assert "exactly" in visible_text(scene) and "almost" not in visible_text(scene)
     scene = Absorber(k2=36900.0, tuning="free", view="formulas")
-    assert "exactly" not in said(scene) and "almost as hard" in said(scene)
+    assert "exactly" not in visible_text(scene) and "almost as hard" in visible_text(scene)
 
 
 def test_a_machine_that_is_hardly_moved_is_not_said_to_grow() -> None:

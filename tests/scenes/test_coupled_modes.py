@@ -20,7 +20,7 @@ from components.state.link import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from tests.page.hand import Hand, grabs, sets
-from tests.page.told import Page, change, put
+from tests.page.headless_page import Page, change, put
 from tests.physics.braked_cases import sizes
 from tests.scenes.checks import as_arguments
 

@@ -22,7 +22,7 @@ from components.state.csv_export import tables
 from components.state.link import read_query
 from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes, plots
-from tests.page.told import Page, put
+from tests.page.headless_page import Page, put
 from tests.scenes.checks import as_arguments, choices, quantities
 
 HERE = "http://lectures.example/oscillations/"

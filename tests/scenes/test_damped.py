@@ -20,9 +20,9 @@ from components.scenes import SCENES
 from components.state.csv_export import tables
 from physics.damped import DampedOscillator
 from tests.grids import tries
-from tests.page.told import Page, put
+from tests.page.headless_page import Page, put
 from tests.scenes.presets import taken
-from tests.scenes.said import read
+from tests.scenes.visible_sentences import read
 
 DAMPED = SCENES["damped"]
 

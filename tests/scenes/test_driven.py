@@ -20,11 +20,11 @@ from components.scenes.driven.forces import BASE, PX, polygon
 from physics.bode import driven_resonances
 from physics.driven import Drive, DrivenOscillator, highest, magnification
 from tests.grids import tries
+from tests.page.headless_page import Page, put
 from tests.page.scripts import each
-from tests.page.told import Page, put
 from tests.scenes.chains import number
 from tests.scenes.presets import readout, taken
-from tests.scenes.said import read, said
+from tests.scenes.visible_sentences import read, visible_text
 
 DRIVEN = SCENES["driven"]
 KINDS = ("force", "base", "unbalance")
@@ -68,8 +68,8 @@ def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> Non
         power = (r * np.abs(magnification(r, 0.2, "force" if kind == "force" else "unbalance"))) ** 2
         half = r[power >= power.max() / 2]
         peaks = math.isclose(half[-1] - half[0], 0.4, rel_tol=1e-3)
-        assert peaks == (kind == "force") == ("Δω" in "".join(said(scene).split()))
-        assert ("Q=" in "".join(said(scene).split())) == (kind != "base")
+        assert peaks == (kind == "force") == ("Δω" in "".join(visible_text(scene).split()))
+        assert ("Q=" in "".join(visible_text(scene).split())) == (kind != "base")
         assert "by itself" in str(DRIVEN.param["zeta"].doc), "a driven mass swings at any damping"
 
 
@@ -307,13 +307,13 @@ def test_next_to_resonance_it_says_how_it_grows_at_first_and_how_far(
     told, forms = sentence(scene), scene.shown.forms
     one = DrivenOscillator(m=scene.m, c=0.0, k=scene.k)
     exactly = one.at_resonance(scene.omega)
-    assert (forms["size"] == "grows") == exactly and ("no steady size" in said(scene)) == exactly
+    assert (forms["size"] == "grows") == exactly and ("no steady size" in visible_text(scene)) == exactly
     if "grow" not in told and "adds" not in told:
         return
     assert ("at first" in told or "At first" in told) == (forms["size"] == "nearly") == (not exactly)
     if not exactly:
         size = abs(one.response(scene.omega, getattr(scene, SIZES[kind]), kind))
-        assert readout(scene, "X") == size and f"X={scene.shown.values['X']}" in "".join(said(scene).split())
+        assert readout(scene, "X") == size and f"X={scene.shown.values['X']}" in "".join(visible_text(scene).split())
     growth, period = number(scene.shown.values["growth"]), 2 * math.pi / scene.omega
     swings = np.linspace(0, 6 * period, 6000)
     x = one.motion(scene.omega, getattr(scene, SIZES[kind]), t=swings, kind=kind).x

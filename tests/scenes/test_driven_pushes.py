@@ -17,7 +17,7 @@ from physics.driven import highest, magnification
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
 from tests.grids import tries
-from tests.scenes.said import read
+from tests.scenes.visible_sentences import read
 
 DRIVEN = SCENES["driven"]
 PUSHES = ("square", "triangle", "pulses", "impulses")

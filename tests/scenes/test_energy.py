@@ -11,8 +11,8 @@ from scipy.integrate import solve_ivp
 
 from components.scenes.energy import Energy
 from components.scenes.energy.case import PLANETS
+from tests.page.headless_page import take_preset
 from tests.page.scripts import played
-from tests.page.told import take_preset
 from tests.scenes.checks import check_picture, columns, corners, typed
 
 CASE = {"m": 0.8, "k": 17.0, "g": 3.71, "x_0": -0.12, "v_0": 0.9}

@@ -14,7 +14,7 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.state.encoding import COARSE, span
 from components.state.scene_sheet import column_axes
-from tests.page.told import Page, apply_message, take_preset
+from tests.page.headless_page import Page, apply_message, take_preset
 from tests.scenes.checks import check_picture, choices, corners, quantities, solves, typed
 
 MOST_BYTES = {"phugoid": 5000}

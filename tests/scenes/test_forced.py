@@ -15,8 +15,8 @@ from components.scenes.forced import Forced
 from components.scenes.forced.response import response_plot
 from physics.coupled import TwoMassChain
 from physics.forced import particular_solution
+from tests.page.headless_page import apply_message, take_preset
 from tests.page.scripts import played
-from tests.page.told import apply_message, take_preset
 
 GOLDEN = (math.sqrt(5) + 1) / 2
 

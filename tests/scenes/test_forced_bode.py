@@ -14,7 +14,7 @@ from physics.bode import chain_resonances
 from physics.bode_curves import locus_frequencies
 from physics.damped_chain import DampedChain
 from tests.page.hand import Hand, grabs
-from tests.scenes.said import Draw, said
+from tests.scenes.visible_sentences import Draw, visible_text
 
 LIGHT = {"c1": 0.1, "c2": 0.1}
 STRONG = {"c1": 1.0, "c2": 2.0}
@@ -59,7 +59,7 @@ def test_the_push_never_takes_back_in_a_cycle_and_its_work_is_a_depth() -> None:
         damped = chain_of(values)
         works = damped.works(omega, F_0)
         assert sum(works) == pytest.approx(-math.pi * F_0 * damped.response(omega, F_0)[0].imag, rel=1e-12)
-        assert ("no work in a cycle" in said(scene)) == (not any(works))
+        assert ("no work in a cycle" in visible_text(scene)) == (not any(works))
 
 
 def test_with_little_damping_lag_1_falls_back_and_lag_2_goes_on() -> None:
@@ -86,7 +86,7 @@ def test_peaks_widths_and_dips_are_marked_in_the_view_that_shows_them() -> None:
             low, high = peak.half_power
             assert (f"is_wide{i}_{n}" in scalars) == bool(low and high)
         assert scalars[f"dip{i}"] == pytest.approx(math.log10(one.dips[0].omega))
-    assert "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s" in said(scene)
+    assert "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s" in visible_text(scene)
     assert not any(name.startswith("peak") for name in SCENES["forced"](**LIGHT).shown.scalars)
 
 
@@ -103,7 +103,7 @@ def test_without_dashpots_the_lags_jump_and_a_mass_at_rest_has_none() -> None:
     scene = SCENES["forced"](view="bode", omega=1.0)
     assert set(np.round(scene.sources["lag"].data["phi1"] / math.pi, 12)) == {0.0, 1.0}
     assert set(np.round(scene.sources["lag"].data["phi2"] / math.pi, 12)) == {0.0, 1.0, 2.0}
-    assert "Mass 1 is still: no lag" in said(scene) and "mass 2 lags 180°" in said(scene)
+    assert "Mass 1 is still: no lag" in visible_text(scene) and "mass 2 lags 180°" in visible_text(scene)
 
 
 def dot(i: int) -> AnyShape:

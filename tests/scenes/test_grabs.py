@@ -16,8 +16,8 @@ from components.scenes import SCENES
 from components.scenes.coupled import BY_MODES
 from components.state.page_state import fitted
 from tests.page.hand import Hand, grabs, sets
+from tests.page.headless_page import Page
 from tests.page.scripts import played
-from tests.page.told import Page
 from tests.scenes.checks import choices
 
 AT = 0.37

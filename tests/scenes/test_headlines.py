@@ -16,7 +16,7 @@ from physics.analogues import ANALOGUES
 from physics.coupled import TwoMassChain
 from tests.grids import tries
 from tests.physics.braked_cases import sizes
-from tests.scenes.said import said
+from tests.scenes.visible_sentences import visible_text
 
 SPRINGS = sizes() | sizes() | st.just(0.0)
 MASSES = {"m1": sizes(), "m2": sizes()}
@@ -51,7 +51,7 @@ def test_with_both_springs_two_lines_can_be_found_and_without_one_every_start_gi
     scene = ModesScene(view="hunt", x1_0=x1, x2_0=x2, **values)
     coupled, ratios = values["k1"] > 0 < values["k2"], TwoMassChain(**values).modes().ratio
     assert ModesScene.views[0].task.endswith("With both springs there are two.")
-    assert not coupled or "Every start gives a line here" not in said(scene)
+    assert not coupled or "Every start gives a line here" not in visible_text(scene)
     if coupled:
         assert ratios[0] > 0 > ratios[1]
     else:
@@ -63,7 +63,7 @@ def test_with_both_springs_two_lines_can_be_found_and_without_one_every_start_gi
 @many
 @given(CHAINS, st.sampled_from(("m1", "m2", "k1", "k2")))
 def test_the_shapes_of_a_sweep_mirror_each_other_with_spring_2_only(values: dict[str, float], swept: str) -> None:
-    text, ratio = said(ModesScene(view="sweep", swept=swept, **values)), TwoMassChain(**values).modes().ratio
+    text, ratio = visible_text(ModesScene(view="sweep", swept=swept, **values)), TwoMassChain(**values).modes().ratio
     assert ("With spring 2 the two shapes mirror each other" in text) == bool(values["k2"] or swept == "k2")
     if values["k2"]:
         np.testing.assert_allclose(-ratio[0] * ratio[1], values["m1"] / values["m2"], rtol=1e-12)

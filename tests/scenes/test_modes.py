@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from components.scenes.modes import VIEWS, ModesScene
-from tests.page.told import apply_message, take_preset
+from tests.page.headless_page import apply_message, take_preset
 from tests.scenes.checks import check_picture
 
 views = pytest.mark.parametrize("view", VIEWS)

@@ -22,7 +22,7 @@ from tests.grids import tries
 from tests.page.scripts import played
 from tests.physics.braked_cases import Case, cases, eigenvectors
 from tests.scenes.chains import number
-from tests.scenes.said import said, sentences
+from tests.scenes.visible_sentences import sentences, visible_text
 
 NUMBER = r"[−+]?[0-9]+(?:\.[0-9]+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 
@@ -94,7 +94,7 @@ def test_no_frequency_is_named_of_what_does_not_swing(case: Case) -> None:
 @given(cases())
 def test_the_statement_on_the_motions_is_true(case: Case) -> None:
     chain, c1, c2 = case
-    text, true = said(scene_of(case)), eigenvectors(case)
+    text, true = visible_text(scene_of(case)), eigenvectors(case)
     ratios = [ratio for _, ratio in upper(case)]
     swinging, drifts = len(ratios), not (chain.k1 or c1) or not (chain.k2 or c2)
     assert drifts == ("Nothing brakes the drift" in text)

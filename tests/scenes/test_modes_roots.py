@@ -18,7 +18,7 @@ from physics.root_paths import RootPath, Varied, exceptional_point
 from tests.grids import tries
 from tests.page.hand import Hand, grabs
 from tests.physics.braked_cases import BRAKED, CASES, Case, case_of, cases
-from tests.scenes.said import said
+from tests.scenes.visible_sentences import visible_text
 
 each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
 WAYS: tuple[Varied, ...] = ("c1", "c2", "both")
@@ -155,10 +155,10 @@ def test_undone_its_decay_a_motion_in_its_plane_is_the_ellipse_of_the_reference(
 
 def test_without_dashpots_nothing_dies_and_both_modes_are_on_the_axis() -> None:
     scene = ModesScene(view="roots")
-    assert "No dashpot: all roots are on the imaginary axis, and nothing dies" in said(scene)
+    assert "No dashpot: all roots are on the imaginary axis, and nothing dies" in visible_text(scene)
     assert sorted(s.imag for s in crosses(scene)) == pytest.approx([-2, -1, 1, 2])
     assert all(abs(s.real) < 1e-9 for s in crosses(scene))
-    assert "ζ" not in said(scene) and "slow mode: " in said(scene)
+    assert "ζ" not in visible_text(scene) and "slow mode: " in visible_text(scene)
 
 
 def test_motions_begin_again_when_they_have_died() -> None:

@@ -16,10 +16,10 @@ from components.scene.frames import framed
 from components.scenes.phugoid import Phugoid
 from components.scenes.phugoid.swing import AIRCRAFT, SPEEDS
 from physics.phugoid import CUSP_EXCESS, flight, linear_flight, linear_phugoid, period_excess
+from tests.page.headless_page import apply_message, picture_wire
 from tests.page.scripts import played
-from tests.page.told import apply_message, picture_wire
 from tests.scenes.chains import number
-from tests.scenes.said import said
+from tests.scenes.visible_sentences import visible_text
 
 EXCESSES = (0.1, 0.6, 1.0, 2.5, -0.5)
 
@@ -306,7 +306,7 @@ def test_lift_is_upright_to_the_path_and_grows_with_the_square_of_the_speed() ->
 @given(st.floats(-0.99, 1.1))
 def test_the_middle_term_alone_is_traded_only_where_the_disturbance_is_small(excess: float) -> None:
     scene = Phugoid(excess=excess, view="energy")
-    assert "Of a small v′ the last term is too small to count" in said(scene)
+    assert "Of a small v′ the last term is too small to count" in visible_text(scene)
     v_0, g = scene.v_0, scene.g
     swung = flight(v_0, g, excess, np.linspace(0.0, scene.shown.axes["t"].end, 300))
     v = swung.V - v_0

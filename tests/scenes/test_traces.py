@@ -15,7 +15,7 @@ from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from physics.sampling import drawable
-from tests.page.told import picture_wire
+from tests.page.headless_page import picture_wire
 
 NEAR = {"absorber": 1e-7}
 """Of the frame."""

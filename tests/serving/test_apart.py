@@ -31,7 +31,7 @@ from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Reading, Replied, Teaching, WorkerJob
 from components.state.page_state import fitted
 from components.state.wire import Packet
-from tests.page.told import unpacked
+from tests.page.headless_page import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 READ = Reading("mine", MINE)

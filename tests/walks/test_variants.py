@@ -21,7 +21,7 @@ from components.walks.subject import Subject
 from components.walks.variants import STRIDES, VARIANTS, numbers_drawn, varied
 from components.walks.walk import Walk
 from physics.oscillator import Oscillator
-from tests.page.told import unpacked
+from tests.page.headless_page import unpacked
 
 WALKS = load_walks(())
 SWING = """

@@ -18,7 +18,7 @@ from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
-from tests.page.told import Page, unpacked
+from tests.page.headless_page import Page, unpacked
 from tests.walks.strokes import heights, strokes
 
 WALKS = load_walks(())

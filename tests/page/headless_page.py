@@ -1,4 +1,4 @@
-"""A scene's conversation without a browser: what a message of the page does, and what the browser is told."""
+"""A page without a browser: sends messages to a session and reads its answers."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:
 
 
 class Page:
-    """A session, and all that it has told."""
+    """A session, and all packets that it has sent."""
 
     def __init__(self, shown: Scene | SceneFace, problems: tuple[str, ...] = ()) -> None:
         scene = value_of(shown)
@@ -85,7 +85,7 @@ class Page:
         return self.now.shown
 
     def say(self, data: object) -> dict[str, Any]:
-        """The answer to a message."""
+        """Send a message and return the answer."""
         before = len(self.packets)
         self.session.handle(data)
         assert len(self.packets) == before + 1, "every message has one answer"
@@ -101,21 +101,21 @@ class Page:
 
 
 def unpacked(packet: Packet) -> dict[str, Any]:
-    """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
+    """Return a message as the browser decodes it. A number that is not finite would be null and is an error."""
     known = _preset_dictionary(packet["sheet"])
     msgspec.json.decode(scripts.text_of(packet, known), type=AnyServerMessage)
     return scripts.unpacked(packet, known)
 
 
 def _preset_dictionary(sheet: str) -> bytes:
-    """The text in the sheet at an address, of whatever scenes there are."""
+    """Return the preset dictionary in the sheet at an address."""
     kinds = (*SCENES.values(), *Scene.__subclasses__())
     named = [scene for scene in kinds if f"/{vars(scene).get('slug')}." in sheet]
     return next((preset_dictionary(scene) for scene in named if sheet_address(scene) == sheet), b"")
 
 
 def change(page: Page, **to: Any) -> dict[str, Any]:
-    """Another state of the scene that stands, as the page asks for it."""
+    """Open another state of the current scene, and return the answer."""
     state = msgspec.to_builtins(page.now.state) | to
     return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
 

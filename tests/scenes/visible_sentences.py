@@ -1,4 +1,4 @@
-"""The words of a scene as a visitor reads them; and random parameters under which they must hold."""
+"""The visible sentences of a scene, and random parameters with which they must be true."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^
 
 
 def sentences(scene: Scene) -> list[str]:
-    """The sentences of the sheet that stand, formulas without their markup, live numbers in place."""
+    """Return the visible sentences of a scene, with live numbers filled in and formulas as plain text."""
     shown = set(map(id, shown_blocks(scene.sheet(), scene.values.get("view", ""))))
     seen = (block for block in in_force(scene.sheet(), scene.shown.forms) if id(block) in shown)
     return [text for block in seen for text in _texts(scene, block)]
 
 
-def said(scene: Scene) -> str:
-    """All of them, in one text."""
+def visible_text(scene: Scene) -> str:
+    """Return the visible sentences of a scene as one text."""
     return "\n".join(sentences(scene))
 
 
