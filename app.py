@@ -122,6 +122,10 @@ ELSEWHERE = """The whole lecture, with guided walks and live classes, runs on an
 Start it in this folder by `make run`, or by `python -m components.serving --show`."""
 
 
+NARROW = "@media (width < 600px) { .title { font-size: 20px } }"
+"""On a phone the title leaves room for the mark of a busy page."""
+
+
 def scene_page(query: Query) -> pn.template.FastListTemplate:
     """The page of `panel serve`: a menu of the scenes, and the scene of the link with its values. The address of the
     page
@@ -147,7 +151,7 @@ def scene_page(query: Query) -> pn.template.FastListTemplate:
         title=f"Oscillations: {kind.title}",
         sidebar=[menu, face.panel],
         main=[pn.Column(*said, face.paper, ELSEWHERE, sizing_mode="stretch_width")],
-        raw_css=[math_font()],
+        raw_css=[math_font(), NARROW],
         theme_toggle=False,
         main_layout=None,
         sidebar_width=300,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +12,8 @@ from bokeh.models import Plot as BokehPlot
 
 from components.language.shapes import AnyShape, Grab
 from components.panel_face.colours import colours
-from components.panel_face.shapes import evaluated, marks, words
+from components.panel_face.label_collisions import TextBox, clear
+from components.panel_face.shapes import GlyphRow, evaluated, marks, words
 from components.panel_face.ways import dragged
 from components.quantities.axes import Axis
 
@@ -39,8 +40,10 @@ GRIP = 26  # pixels
 
 
 class Plane(NamedTuple):
-    """Converts pixels of a drawing to coordinates of its figure: `left` + `right` x, and `top` + `down` y."""
+    """Converts pixels of a drawing to coordinates of its figure: `left` + `right` x, and `top` + `down` y. Texts stay
+    in `room`."""
 
+    room: TextBox
     left: float = 0.0
     right: float = 1.0
     top: float = 0.0
@@ -79,16 +82,19 @@ def draggable(grab: Grab | None) -> bool:
 
 
 class ShapeGlyphs:
-    """The shapes of a stage or of a plot, drawn in a figure. `moved` gets the values that a drag sets."""
+    """The shapes of a stage or of a plot, drawn in a figure. `moved` gets the values that a drag sets; the paper
+    under texts covers what is below them by the share `paper`."""
 
     def __init__(
-        self, figure: BokehPlot, shapes: tuple[AnyShape, ...], moved: Callable[[Grab, dict[str, float]], None]
-    ) -> None:
+        self, figure: BokehPlot, shapes: tuple[AnyShape, ...], moved: Callable[[Grab, dict[str, float]], None],
+        paper: float = 0.0,
+    ) -> None:  # fmt: skip
         self.shapes, self._moved = shapes, moved
         self.sources = {of: ColumnDataSource(_columns(of, ())) for of in GLYPHS}
+        look = {"text_baseline": "alphabetic", "background_fill_color": "white", "background_fill_alpha": paper}
         for of, (glyph, columns, first) in GLYPHS.items():
             places = {first: "x", first.replace("x", "y"): "y"}
-            figure.add_glyph(self.sources[of], glyph(**places, **columns))
+            figure.add_glyph(self.sources[of], glyph(**places, **columns, **(look if of == "texts" else {})))
         self.grips = ColumnDataSource({"x": [], "y": []})
         self._held: list[Grab] = []
         self._at: dict[str, list[float]] = {"x": [], "y": []}
@@ -104,9 +110,10 @@ class ShapeGlyphs:
         self.grips.on_change("data", lambda attr, old, new: self._dragged())
 
     def show(
-        self, named: Mapping[str, float], texts: Mapping[str, str], axes: Mapping[str, Axis], plane: Plane
-    ) -> None:
-        """Draw all shapes at an instant, except shapes that need a missing quantity."""
+        self, named: Mapping[str, float], texts: Mapping[str, str], axes: Mapping[str, Axis], plane: Plane,
+        flags: Iterable[GlyphRow] = (),
+    ) -> None:  # fmt: skip
+        """Draw flags, and all shapes at an instant except shapes that need a missing quantity."""
         self._named, self._axes, self._plane = named, axes, plane
         found: dict[str, list[dict[str, Any]]] = {of: [] for of in GLYPHS}
         self._held, places = [], []
@@ -116,14 +123,16 @@ class ShapeGlyphs:
             try:
                 drawn = list(marks(shape, named))
                 for of, row in drawn:
-                    found[of].append(self._placed(of, row, texts))
+                    found[of].append(row)
                 if draggable(shape.grab):
                     places.append(_hold(shape, named))
                     self._held.append(shape.grab)  # type: ignore[arg-type]
             except KeyError:
                 continue
+        written = [row | {"text": words(row["text"], texts)} for row in found["texts"]]
+        found["texts"] = list(clear([*written, *(row for _, row in flags)], plane.room))
         for of, rows in found.items():
-            update(self.sources[of], _columns(of, rows))
+            update(self.sources[of], _columns(of, map(self._placed, rows)))
         self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}
         self._put_grips()
 
@@ -132,10 +141,9 @@ class ShapeGlyphs:
         if self.grips.data != self._at:
             self.grips.data = {name: list(column) for name, column in self._at.items()}
 
-    def _placed(self, of: str, row: dict[str, Any], texts: Mapping[str, str]) -> dict[str, Any]:
+    def _placed(self, row: dict[str, Any]) -> dict[str, Any]:
         x, y = self._plane.drawn(row["x"], row["y"])
-        text = {"text": words(row["text"], texts)} if of == "texts" else {}
-        return row | {"x": x, "y": y} | text
+        return row | {"x": x, "y": y}
 
     def _dragged(self) -> None:
         """Set the values of the dot that a visitor has moved."""
@@ -157,6 +165,6 @@ def _hold(shape: AnyShape, named: Mapping[str, float]) -> tuple[float, float]:
     return (s.x2, s.y2) if hasattr(s, "x2") else (s.x, s.y)
 
 
-def _columns(of: str, rows: Any) -> dict[str, list[Any]]:
-    names = ("x", "y", *GLYPHS[of][1].values())
-    return {name: [row[name] for row in rows] for name in names}
+def _columns(of: str, rows: Iterable[dict[str, Any]]) -> dict[str, list[Any]]:
+    drawn = list(rows)
+    return {name: [row[name] for row in drawn] for name in ("x", "y", *GLYPHS[of][1].values())}

@@ -4,6 +4,7 @@ time."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -28,7 +29,7 @@ from components.layout.controls import settings
 from components.layout.sheet import blocks, in_force
 from components.layout.views import shown_blocks
 from components.panel_face.colours import colours
-from components.panel_face.live_figure import LiveFigure, LiveStage, plot_under
+from components.panel_face.live_figure import WIDEST, LiveFigure, LiveStage, plot_under
 from components.panel_face.widgets import ChoiceControl, ModeControl, QuantityControl
 from components.quantities.axes import TIME_AXIS
 from components.quantities.instant import instant
@@ -74,8 +75,9 @@ class PanelFace(Viewer):
         self.parts: list[tuple[Viewable, str, tuple[str, ...]]] = []
         self.refused = pn.pane.Alert(alert_type="danger", visible=False)
         self.player = pn.widgets.Player(
-            label="Time", interval=1000 // FRAMES, loop_policy="loop", show_loop_controls=False, height=70,
-            visible_buttons=["first", "previous", "play", "pause", "next"], sizing_mode="stretch_width", max_width=760,
+            label="Time", interval=1000 // FRAMES, loop_policy="loop", show_loop_controls=False,
+            visible_buttons=["first", "previous", "play", "pause", "next"], sizing_mode="stretch_width", height=70,
+            max_width=WIDEST,
         )  # fmt: skip
         self.player.param.watch(lambda _: self._tick(), "value")
         self._lay_out()
@@ -96,6 +98,9 @@ class PanelFace(Viewer):
             f"## {sheet.headline}", self.tabs, self.player, paper, self._html(notes),
             min_width=NARROWEST, sizing_mode="stretch_width",
         )  # fmt: skip
+        self._drawn: tuple[LiveStage | LiveFigure, ...] = (*self.stages.values(), *self.figures.values())
+        for one in self._drawn:
+            one.model.on_change("inner_width", partial(self._measured, one))
         self.widgets = {one.row.name: one.field for one in self.controls}
         self.sliders = {one.row.name: one.slider for one in self.controls if isinstance(one, QuantityControl)}
 
@@ -145,8 +150,7 @@ class PanelFace(Viewer):
         view = self.scene.value.values.get(VIEW)
         seen = {id(block) for block in shown_blocks(self.sheet.paper, view or "")}
         seen &= {id(block) for block in in_force(self.sheet.paper, picture.forms)}
-        figures: tuple[LiveStage | LiveFigure, ...] = (*self.stages.values(), *self.figures.values())
-        self.seen = [one for one in figures if id(one.block) in seen]
+        self.seen = [one for one in self._drawn if id(one.block) in seen]
         with pn.io.unlocked():  # Panel does not send these Bokeh models automatically
             for one in self.seen:
                 one.show(self.scene.value, picture)
@@ -156,6 +160,14 @@ class PanelFace(Viewer):
         for part, form, views in self.parts:
             part.visible = (not form or bool(picture.forms.get(form))) and (not views or view in views)
         self._tick()
+
+    def _measured(self, one: LiveStage | LiveFigure, attr: str, old: int, new: int) -> None:
+        """Draw a figure again in the width that the browser has given it; a hidden one has none."""
+        one.width = float(new or one.width)
+        if new and one in self.seen:
+            with pn.io.unlocked():
+                one.show(self.scene.value, self.scene.value.shown)
+            self._tick()
 
     def _tick(self) -> None:
         """Draw the player's current time: shapes, dots, and numbers that move."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from html import unescape
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,6 @@ from bokeh.models import (
     ColumnDataSource,
     FixedTicker,
     HoverTool,
-    Label,
     Legend,
     LegendItem,
     LinearColorMapper,
@@ -34,6 +34,8 @@ from components.language.signals import Modal
 from components.layout.plots import figure_of
 from components.panel_face.colours import colours, diverging
 from components.panel_face.drawing import Plane, ShapeGlyphs, update
+from components.panel_face.label_collisions import TextBox, text_width
+from components.panel_face.shapes import GlyphRow, text_row
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.motion import displacements
 from components.scene import Picture, Scene
@@ -41,13 +43,21 @@ from components.scene import Picture, Scene
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
 LOWEST = 240  # pixels
 FRAME = 560.0
-"""The width of the frame of a plot in the pixels of shapes over it. Bokeh scales it to the page."""
+"""The width of the frame of a plot in pixels until the browser has measured it."""
 STAGE = 520.0
-"""The width of a stage in the pixels of its shapes."""
+"""The width of a stage in pixels until the browser has measured it."""
+WIDEST = 760
+"""The largest width of a stage and of the player."""
+EDGE = 4.0
+"""Pixels between a text and the edges of a stage; the most by which it leaves its lower edge."""
 HEAD = 12.0
-"""Pixels added above a stage for texts, which do not become smaller with it on a phone."""
-LONGEST = 34
-"""Largest number of characters of the text at an axis."""
+"""Pixels above a stage, for texts."""
+SQUARE = 720
+"""The largest width of a plot with one scale."""
+SMALL, WORDS = 12, 13
+"""Sizes of the names of curves and marks, and of the words at an axis."""
+SAMPLE = 44.0
+"""Pixels of the sample of a line in a legend, with the room around it and its name."""
 LAYOUT = {"wide": 0.0, "narrow": 1.0, "stacked": 1.0, "hall": 0.0, "desk": 1.0, "low": 0.0}
 """The layout that shapes see: a stage above its plots, as on a phone."""
 ROWS = 240
@@ -57,13 +67,14 @@ SetByHand = Callable[[dict[str, float], bool], None]
 
 
 class LiveStage:
-    """One visitor's figure of a stage: its shapes, in pixels that scale with the page."""
+    """One visitor's figure of a stage: its shapes, in pixels. `width` is as wide as the browser has made it."""
 
     def __init__(self, block: StageBlock, moved: SetByHand) -> None:
-        self.block, self.height = block, float(block.height or 180)
+        self.block, self.height, self.width = block, float(block.height or 180), STAGE
         self.model = figure(
-            x_range=Range1d(0, STAGE), y_range=Range1d(self.height, -HEAD), toolbar_location=None, tools="",
-            aspect_ratio=STAGE / (self.height + HEAD), sizing_mode="scale_width", max_width=760, min_border=0,
+            x_range=Range1d(0, STAGE), y_range=Range1d(self.height + EDGE, -HEAD), toolbar_location=None, tools="",
+            height=int(HEAD + self.height + EDGE), sizing_mode="stretch_width", min_border=0,
+            max_width=WIDEST,
             outline_line_color=None, background_fill_color=None, border_fill_color=None,
         )  # fmt: skip
         self.model.axis.visible = self.model.grid.visible = False
@@ -72,26 +83,30 @@ class LiveStage:
         self.drawing = ShapeGlyphs(self.model, own, lambda grab, values: moved(values, grab.begins))
 
     def show(self, scene: Scene, picture: Picture) -> None:
-        """Do nothing: all shapes are drawn for each instant."""
+        """Fit the figure to its width; all shapes are drawn for each instant."""
+        self.model.x_range.end = self.width
 
     def tick(self, picture: Picture, named: Mapping[str, float], texts: Mapping[str, str]) -> None:
         """Draw the instant of `named`."""
-        size = {"W": STAGE, "H": self.height}
-        self.drawing.show({**named, **self.nowhere, **LAYOUT, **size}, texts, picture.axes, Plane())
+        size = {"W": self.width, "H": self.height}
+        plane = Plane(TextBox(EDGE, self.width - EDGE, -HEAD, self.height + EDGE))
+        self.drawing.show({**named, **self.nowhere, **LAYOUT, **size}, texts, picture.axes, plane)
 
 
 class LiveFigure:
-    """One visitor's figure of a plot. Its columns are in the units of its axes, as on the page."""
+    """One visitor's figure of a plot. Its columns are in the units of its axes, as on the page; `width` is the width
+    of its frame in pixels, as the browser reports it."""
 
     def __init__(self, block: PlotBlock, shapes: tuple[AnyShape, ...], moved: SetByHand) -> None:
         self.block, self.model = block, figure_of(block)
-        self.height = float(max(block.height or 0, LOWEST))
+        height = block.height or LOWEST
+        self.height, self.width = float(height if block.square else max(height, LOWEST)), FRAME
         self._size()
         self.parts = {one: self._painted(one) for one in self.model.renderers}
         self.field = self._field() if block.modal else None
         self._tools()
         self._legend()
-        self.drawing = ShapeGlyphs(self.model, shapes, lambda grab, values: moved(values, grab.begins))
+        self.drawing = ShapeGlyphs(self.model, shapes, lambda grab, values: moved(values, grab.begins), 0.7)
         self.dots = ColumnDataSource({"x": [], "y": [], "colour": []})
         self.model.add_glyph(self.dots, Scatter(x="x", y="y", size=9, fill_color="colour", line_color="white"))
         self.cursor = Span(dimension="width" if block.y == TIME_AXIS else "height", line_color=colours()["ink"])
@@ -99,25 +114,18 @@ class LiveFigure:
             self.model.add_layout(self.cursor)
         lines: tuple[Mark | Handle, ...] = (*block.marks, *block.handles)
         self.lines = {one: self._line(one, moved) for one in lines}
-        self.flags = {
-            one: Label(x=0, y=0, text_font_size="12px", text_color=colours()[one.tint], visible=False)
-            for one in block.marks
-        }
-        for flag in self.flags.values():
-            self.model.add_layout(flag)
 
     def _size(self) -> None:
         """Give the figure the width of the page, and room for numbers at both axes."""
         self.model.update(min_border_left=62, min_border_right=16, min_border_bottom=46, min_border_top=8)
         self.model.axis.visible = True
         for axis in self.model.axis:
-            axis.update(axis_label_text_font_size="13px", axis_label_text_font_style="normal")
+            axis.update(axis_label_text_font_size=f"{WORDS}px", axis_label_text_font_style="normal")
         for grid in self.model.grid:
             grid.ticker = None  # the unit of the axis
+        self.model.update(frame_height=int(self.height), sizing_mode="stretch_width")
         if self.block.square:
-            self.model.update(aspect_ratio=(FRAME + 78) / (self.height + 54), sizing_mode="scale_width", max_width=720)
-        else:
-            self.model.update(height=int(self.height) + 54, sizing_mode="stretch_width")
+            self.model.max_width = SQUARE
 
     def _tools(self) -> None:
         """Bokeh's own tools: the wheel zooms only after a click on its tool, so that the page scrolls."""
@@ -130,14 +138,18 @@ class LiveFigure:
     def _legend(self) -> None:
         """The names of the curves; a click on one hides it."""
         self.items: list[LegendItem] = []
+        self.legend = Legend(
+            border_line_color=None, orientation="horizontal", click_policy="hide", label_text_font_size=f"{SMALL}px",
+            padding=2, margin=0,
+        )  # fmt: skip
         named: dict[str, list[Any]] = {}
         for renderer, part in self.parts.items():
             if part.read:
                 named.setdefault(part.read, []).append(renderer)
         if len(named) > 1:
             self.items = [LegendItem(label=name, renderers=renderers) for name, renderers in named.items()]
-            look = {"orientation": "horizontal", "click_policy": "hide", "label_text_font_size": "12px", "padding": 2}
-            self.model.add_layout(Legend(items=self.items, border_line_color=None, ncols=4, **look), "above")
+            self.legend.items = self.items
+            self.model.add_layout(self.legend, "above")
 
     def _line(self, one: Mark | Handle, moved: SetByHand) -> Span:
         """The line of a mark, or of a handle, which can be dragged."""
@@ -195,24 +207,18 @@ class LiveFigure:
         says, _, against = re.split("[,:]", self.block.title)[0].partition(" against ")
         if self.block.y == TIME_AXIS:
             says, against = against, ""
-        for span, scale, axis, ends, text in (
-            (self.model.x_range, self.model.xaxis, x, self._ends[0], against),
-            (self.model.y_range, self.model.yaxis, y, self._ends[1], says),
+        for span, scale, axis, ends, text, length in (
+            (self.model.x_range, self.model.xaxis, x, self._ends[0], against, self.width),
+            (self.model.y_range, self.model.yaxis, y, self._ends[1], says, self.height),
         ):
             span.update(start=ends[0], end=ends[1], reset_start=ends[0], reset_end=ends[1])
-            _label(scale, axis, text)
+            _label(scale, axis, text, length)
         self._fill(picture, x, y, scene.values["hidden"])
         self._show_field(picture, y.ruler.end)
         self._at = {one: _place(one, scene, picture, self._axes[one.axis]) for one in self.lines}
         for one, line in self.lines.items():
             place = self._at[one]
             line.update(location=place or 0.0, visible=place is not None)
-            if isinstance(one, Mark):
-                side = {
-                    one.axis: place or 0.0,
-                    "y" if one.axis == "x" else "x": self._ends[one.axis == "x"][one.axis == "x"],
-                }
-                self.flags[one].update(**side, text=plain_html(one.html, picture), visible=place is not None)
 
     def has(self, picture: Picture) -> bool:
         """Return whether a picture has the axes of this plot."""
@@ -224,8 +230,8 @@ class LiveFigure:
         if not self.block.square:
             return ends
         unit = 10.0 ** (x.exponent - y.exponent)
-        scale = max(unit * (ends[0][1] - ends[0][0]) / FRAME, (ends[1][1] - ends[1][0]) / self.height)
-        half, half_y = scale * FRAME / unit / 2, scale * self.height / 2
+        scale = max(unit * (ends[0][1] - ends[0][0]) / self.width, (ends[1][1] - ends[1][0]) / self.height)
+        half, half_y = scale * self.width / unit / 2, scale * self.height / 2
         middle, middle_y = sum(ends[0]) / 2, sum(ends[1]) / 2
         return (middle - half, middle + half), (middle_y - half_y, middle_y + half_y)
 
@@ -234,17 +240,30 @@ class LiveFigure:
         if not self.has(picture):
             return
         (left, right), (low, high) = self._ends
-        per_x, per_y, name = FRAME / (right - left), -self.height / (high - low), self.block.name
-        frame = {"left": 0.0, "right": FRAME, "top": 0.0, "bottom": self.height, "x0": -left * per_x, "x1": per_x,
+        per_x, per_y, name = self.width / (right - left), -self.height / (high - low), self.block.name
+        frame = {"left": 0.0, "right": self.width, "top": 0.0, "bottom": self.height, "x0": -left * per_x, "x1": per_x,
                  "y0": -high * per_y, "y1": per_y}  # fmt: skip
-        here = {f"{name}.{what}": value for what, value in frame.items()} | LAYOUT | {"W": FRAME, "H": self.height}
-        self.drawing.show({**named, **here}, texts, picture.axes, Plane(left, 1 / per_x, high, 1 / per_y))
+        here = {f"{name}.{what}": value for what, value in frame.items()} | LAYOUT
+        here |= {"W": self.width, "H": self.height}
+        plane = Plane(TextBox(0.0, self.width, 0.0, self.height), left, 1 / per_x, high, 1 / per_y)
+        self.drawing.show({**named, **here}, texts, picture.axes, plane, self._flags(picture, plane))
         self.cursor.location = named["t"]
         seen = [one for renderer, one in self.parts.items() if renderer.visible and isinstance(one, Curve)]
         moving = [(one, named.get(one.signal_x or "t"), named.get(one.signal)) for one in seen if one.signal]
         dots = [(one, x, y) for one, x, y in moving if x is not None and y is not None]
         columns = {"x": [x for _, x, _ in dots], "y": [y for _, _, y in dots]}
         update(self.dots, {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]})
+
+    def _flags(self, picture: Picture, plane: Plane) -> Iterator[GlyphRow]:
+        """The names of the marks: of an upright line at its upper end, of a level one at its right end."""
+        for one, place in self._at.items():
+            if not isinstance(one, Mark) or place is None:
+                continue
+            x, y = plane.pixels(place, place)
+            upright, text = one.axis == "x", plain_html(one.html, picture)
+            if text and 0 <= (x if upright else y) <= (self.width if upright else self.height):
+                at, anchor = ((x, SMALL / 2), "beside") if upright else ((self.width, y - 4), "end")
+                yield text_row(*at, text, one.tint, "t0", anchor)
 
     def _fill(self, picture: Picture, x: Axis, y: Axis, hidden: list[str]) -> None:
         """Set the columns of all sources. Curves that lack a column, or are switched off, are not drawn."""
@@ -259,6 +278,9 @@ class LiveFigure:
                     renderer.visible = needed <= data.keys() and part.group not in hidden
         for item in self.items:
             item.visible = any(renderer.visible for renderer in item.renderers)
+        widths = [SAMPLE + text_width(item.label.value, SMALL) for item in self.items if item.visible]
+        fits = (n for n in range(len(widths), 1, -1) if sum(max(widths[i::n]) for i in range(n)) <= self.width)
+        self.legend.ncols = next(fits, 1)
 
 
 def plot_under(shape: AnyShape) -> str:
@@ -273,8 +295,9 @@ def _names(shape: AnyShape) -> set[str]:
     return {name for field in shape.__struct_fields__ for name in names_in(getattr(shape, field))}
 
 
-def _label(scale: Any, axis: Axis, says: str) -> None:
-    """Set the ticks and the text of an axis: round numbers that follow a zoom, or the scene's own ticks."""
+def _label(scale: Any, axis: Axis, says: str, length: float) -> None:
+    """Set the ticks and the text of an axis: round numbers that follow a zoom, or the scene's own ticks. A text longer
+    than the axis is left out, except its unit."""
     own = axis.log or axis.labels
     kind = FixedTicker if own else BasicTicker
     if not isinstance(scale[0].ticker, kind):
@@ -283,13 +306,15 @@ def _label(scale: Any, axis: Axis, says: str) -> None:
         scale.ticker.ticks = list(axis.ruler.ticks)
     scale.major_label_overrides = dict(zip(axis.ruler.ticks, axis.ruler.labels, strict=True)) if own else {}
     unit = f"[{axis.full_unit}]" if axis.full_unit else ""
-    scale.axis_label = f"{says if len(says) <= LONGEST else ''} {unit}".strip() or None
+    label = f"{says} {unit}".strip()
+    scale.axis_label = (label if text_width(label, WORDS) <= length else unit) or None
 
 
 def plain_html(html: str, picture: Picture) -> str:
     """Return the words of a text in HTML, with its live numbers."""
     filled = re.sub(r'data-value="(\w+)"></\w+>', lambda found: ">" + picture.values.get(found[1], ""), html)
-    return re.sub("<[^>]*>", "", filled)
+    joined = re.sub(r"</?m(?!ath)\w+[^>]*>", "", filled)  # the parts of a formula
+    return unescape(" ".join(re.sub("<[^>]*>", " ", joined).split()))
 
 
 def _place(one: Mark | Handle, scene: Scene, picture: Picture, axis: Axis) -> float | None:

@@ -23,8 +23,9 @@ from components.quantities.instant import number
 
 NamedNumbers = Mapping[str, float]
 TEETH = 9
-BIG = 14.0
-"""Radius in pixels; smaller circles are dots, whose size does not change with the size of the figure."""
+BIG = 8.0
+"""Radius in pixels from which a circle is an area, under the lines; smaller ones are dots over them, whose size a zoom
+does not change."""
 STYLES: dict[str, dict[str, Any]] = {
     "sum": {"width": 3.0},
     "wall": {"width": 3.0},
@@ -143,7 +144,8 @@ def _box(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:
     yield look.area([a, b, b, a], [s.y, s.y, top, top])
     if s.label and s.side >= 24:
         place = (a + 14, s.y - 9) if s.corner else (s.x, s.y - s.side / 2 + 6)
-        yield _text(*place, s.label, "paper" if look.fill == "" else look.tint, "t3", "start" if s.corner else "middle")
+        tint, align = "paper" if look.fill == "" else look.tint, "left" if s.corner else "center"
+        yield text_row(*place, s.label, tint, "t3", "inside", align=align)
 
 
 def _line(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:
@@ -201,14 +203,16 @@ def _layers(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:
 
 def _label(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:
     size = next((word for word in s.style.split() if word in SIZES), "t1")
-    yield _text(s.x, s.y, s.words, look.tint, size, s.anchor, "b" in s.style.split())
+    yield text_row(s.x, s.y, s.words, look.tint, size, s.anchor, "b" in s.style.split())
 
 
-def _text(x: float, y: float, runs: Runs, tint: str, size: str, anchor: str, bold: bool = False) -> GlyphRow:
-    """A text whose live numbers are still to be filled in."""
-    align = {"start": "left", "beside": "left", "middle": "center", "end": "right"}[anchor]
+def text_row(
+    x: float, y: float, text: Runs | str, tint: str, size: str, anchor: str, bold: bool = False, align: str = ""
+) -> GlyphRow:
+    """A text on its base line; live numbers in its runs are still to be filled in. Its anchor says how it may move."""
+    align = align or {"middle": "center", "end": "right"}.get(anchor, "left")
     look = {"font": f"{SIZES[size]}px", "bold": "bold" if bold else "normal", "colour": colours()[tint]}
-    return GlyphRow("texts", {"x": x + 6 * (anchor == "beside"), "y": y, "text": runs, "align": align, **look})
+    return GlyphRow("texts", {"x": x, "y": y, "text": text, "anchor": anchor, "align": align, **look})
 
 
 def _wall(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:

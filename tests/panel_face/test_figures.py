@@ -1,0 +1,125 @@
+"""The figures of the Panel face on a phone: every text is drawn, none overlaps another or is cut."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from playwright.sync_api import Browser
+
+from components.panel_face.drawing import ShapeGlyphs
+from components.panel_face.face import PanelFace
+from components.panel_face.label_collisions import TextBox, box_of, clear, text_width
+from components.panel_face.live_figure import SMALL, WORDS, LiveFigure, LiveStage
+from components.panel_face.shapes import text_row
+from components.scene.face import face_of
+from components.scenes import SCENES
+
+STAGE, FRAME = 366, 290
+"""Pixels of a stage and of the frame of a plot in a page that is 390 wide."""
+WIDE = 700
+
+
+def fitted(slug: str, stage: int, frame: int) -> PanelFace:
+    """A face whose figures have the widths that a browser would report."""
+    face = PanelFace(face_of(SCENES[slug])())
+    figures: list[LiveStage | LiveFigure] = [*face.stages.values(), *face.figures.values()]
+    for one in figures:
+        one.model.set_from_json("inner_width", stage if isinstance(one, LiveStage) else frame)
+    return face
+
+
+def rows(drawing: ShapeGlyphs, one: LiveStage | LiveFigure) -> list[dict[str, object]]:
+    """The drawn texts of a figure, at pixels from the upper left corner of its frame."""
+    columns = drawing.sources["texts"].data
+    x, y = one.model.x_range, one.model.y_range
+    top = one.height if isinstance(one, LiveFigure) else y.start
+    high = top / (y.end - y.start) if isinstance(one, LiveFigure) else -1.0
+    found = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    for row in found:
+        row["x"] = (row["x"] - x.start) * one.width / (x.end - x.start)
+        row["y"] = (y.end - row["y"]) * high if isinstance(one, LiveFigure) else row["y"]
+    return found
+
+
+@pytest.mark.parametrize(("stage", "frame"), [(STAGE, FRAME), (WIDE, WIDE)])
+@pytest.mark.parametrize("slug", SCENES)
+def test_no_text_is_cut_or_overlaps_another(slug: str, stage: int, frame: int) -> None:
+    face, seen = fitted(slug, stage, frame), 0
+    for view in face.scene.views:
+        face.scene.view = view.slug
+        for one in face.seen:
+            boxes = {str(row["text"]): box_of(row) for row in rows(one.drawing, one)}
+            low = one.height if isinstance(one, LiveFigure) else one.model.y_range.start
+            for text, box in boxes.items():
+                assert box.left >= -0.5 and box.right <= one.width + 0.5, (view.slug, text, box)
+                assert box.top >= -12.5 and box.bottom <= low + 0.5, (view.slug, text, box)
+            for (text, box), (other, its) in itertools.combinations(boxes.items(), 2):
+                assert not box.meets(its), (view.slug, text, other)
+            seen += len(boxes)
+    assert seen or slug == "accuracy"
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_words_at_an_axis_and_legends_fit_a_phone(slug: str) -> None:
+    face = fitted(slug, STAGE, FRAME)
+    for view in face.scene.views:
+        face.scene.view = view.slug
+        for one in face.seen:
+            if isinstance(one, LiveFigure) and one.has(face.scene.shown):
+                for axis, length in ((one.model.xaxis[0], FRAME), (one.model.yaxis[0], one.height)):
+                    assert text_width(axis.axis_label or "", WORDS) <= length, (view.slug, axis.axis_label)
+                names = [text_width(item.label.value, SMALL) for item in one.items if item.visible]
+                count = one.legend.ncols
+                assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < FRAME, view.slug
+
+
+def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
+    face = fitted("absorber", STAGE, FRAME)
+    stage = face.stages["stage"]
+    narrow = max(map(max, stage.drawing.sources["lines"].data["x"]))
+    assert stage.model.x_range.end == STAGE
+    stage.model.set_from_json("inner_width", WIDE)
+    assert stage.model.x_range.end == WIDE
+    assert max(map(max, stage.drawing.sources["lines"].data["x"])) > narrow
+    stage.model.set_from_json("inner_width", 0)  # of a hidden figure
+    assert stage.model.x_range.end == WIDE
+
+
+def test_of_two_overlapping_texts_the_later_one_moves_or_is_left_out() -> None:
+    same = [text_row(50, 20, text, "ink", "t1", "middle").row for text in ("first", "other")]
+    one, other = clear(same, TextBox(0, 100, 0, 100))
+    assert (one["x"], one["y"]) == (50, 20) and other["x"] == 50 and other["y"] != 20
+    assert not box_of(one).meets(box_of(other))
+    assert [row["text"] for row in clear(same, TextBox(0, 100, 5, 25))] == ["first"]
+    (edge,) = clear([text_row(98, 20, "cut", "ink", "t1", "start").row], TextBox(0, 100, 0, 100))
+    assert box_of(edge).right <= 100
+    left, right = (text_row(x, 20, "beside", "ink", "t1", "beside").row for x in (95, 5))
+    assert [row["align"] for row in clear([left, right], TextBox(0, 100, 0, 100))] == ["right", "left"]
+
+
+@pytest.mark.browser
+def test_the_estimated_widths_are_those_of_a_browser(browser: Browser) -> None:
+    """Within an eighth of the text or 3 pixels, for every text of the first views."""
+    texts = set()
+    for slug in SCENES:
+        face = fitted(slug, WIDE, WIDE)
+        for one in face.seen:
+            columns = one.drawing.sources["texts"].data
+            texts |= set(zip(columns["text"], columns["font"], columns["bold"], strict=True))
+    page = browser.new_page()
+    widths = page.evaluate(
+        """texts => {
+            const canvas = document.createElement("canvas").getContext("2d")
+            return texts.map(([text, size, weight]) => {
+                canvas.font = `${weight} ${size} helvetica`
+                return canvas.measureText(text).width
+            })
+        }""",
+        [list(one) for one in sorted(texts)],
+    )
+    page.close()
+    assert len(texts) > 30
+    for (text, size, weight), width in zip(sorted(texts), widths, strict=True):
+        found = text_width(text, float(size.removesuffix("px")), weight == "bold")
+        assert abs(found - width) <= max(3, width / 8), (text, found, width)
