@@ -35,6 +35,22 @@ class WordSelector(param.Selector[Any]):
             raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: choose one of {words}.")
 
 
+class WordList(param.List[Any]):
+    """A list of words, which says in words that it is one."""
+
+    def _validate(self, val: object) -> None:
+        if not (isinstance(val, list) and all(isinstance(word, str) for word in val)):
+            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: give a list of words.")
+
+
+class Switch(param.Boolean[Any]):
+    """A choice of True or False, which says in words what is possible."""
+
+    def _validate(self, val: object) -> None:
+        if not isinstance(val, bool):
+            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: choose True or False.")
+
+
 def one_of(
     default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:

@@ -13,7 +13,7 @@ from param.parameterized import ParameterizedMetaclass
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.sheet import axes_of_columns, sources_of_plots
-from components.quantities.parameters import Quantity, Values, one_of
+from components.quantities.parameters import Quantity, Values, WordList, one_of
 from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.refusals import in_words
 from components.quantities.units import Unit
@@ -63,7 +63,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
     )
     view: str
     """The current view, in a scene with views."""
-    hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
+    hidden = WordList(default=[], doc="The curves switched off, by group.")
 
     @classmethod
     @abstractmethod

@@ -73,6 +73,35 @@ def test_a_wrong_name_or_word_is_refused_with_those_that_there_are() -> None:
     assert scene.value.key == SCENES["coupled"]().value.key
 
 
+ODD: tuple[object, ...] = (
+    None, "", "2", True, [], ["x"], [1], {}, {"k": 1}, (), 3, b"2", 1j, object(),
+    float("nan"), float("inf"), -float("inf"), 1e300, -1e300, 10**400,
+)  # fmt: skip
+"""Values of all types, most of them wrong for any parameter."""
+
+
+@scenes
+def test_an_odd_value_is_taken_or_refused_in_words(kind: type[Scene]) -> None:
+    scene: Any = kind()
+    before, taken = scene.value, 0
+    for name in kind.linked():
+        for odd in ODD:
+            try:
+                setattr(scene, name, odd)
+            except ValueError as error:
+                assert re.match(r"[^'].* .*\w", str(error)), (name, odd, error)
+                if not isinstance(odd, (int, float)):
+                    assert str(error).startswith(f"{name} = "), (name, odd, error)
+                    with pytest.raises(ValueError, match=re.escape(str(error))):
+                        kind(**{name: odd})
+            else:
+                taken += 1
+                assert type(scene.values[name]) in (type(odd), float) and scene.shown, (name, odd)
+                scene.show(before)
+            assert scene.value.key == before.key, (name, odd)
+    assert taken
+
+
 @scenes
 def test_numbers_outlive_copies(kind: type[Scene]) -> None:
     scene = kind(window=12.5)

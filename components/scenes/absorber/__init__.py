@@ -8,8 +8,6 @@ import math
 from functools import lru_cache
 from typing import Any, Self
 
-import param
-
 from components import chain
 from components.language.state import Frame
 from components.layout.controls import Group
@@ -17,7 +15,16 @@ from components.layout.views import View
 from components.quantities.axes import nice_axis
 from components.quantities.declared import Declared, Form, by_name
 from components.quantities.motion import pace
-from components.quantities.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
+from components.quantities.parameters import (
+    Switch,
+    Values,
+    angular_frequency,
+    mass,
+    not_negative,
+    one_of,
+    positive,
+    stiffness,
+)
 from components.quantities.readouts import Readout, SceneNumber
 from components.quantities.units import Unit
 from components.scene import Picture, Scene
@@ -106,7 +113,7 @@ class Absorber(Scene):
         says="is the machine's running speed. Type any value above 0.",
         allowed="a running speed is a finite number above 0",
     )  # fmt: skip
-    own = param.Boolean(default=False, label="Own machine")
+    own = Switch(default=False, label="Own machine")
     m2 = mass(
         16.0,
         symbol="m_2",

@@ -11,7 +11,7 @@ from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.views import View
-from components.quantities.parameters import angular_frequency, count, force, one_of, positive
+from components.quantities.parameters import WordList, angular_frequency, count, force, one_of, positive
 from components.quantities.readouts import SceneNumber
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED, framed
@@ -73,10 +73,8 @@ class Accuracy(Scene):
     equal = one_of("error", {"error": "Equal error", "cost": "Equal cost"}, "Compared at")
     clock = one_of("python", {"python": "In Python", "compiled": "Compiled"}, "Time of the steps")
     unit = one_of("app", {"app": "As the app runs it", "doubles": "In doubles"}, "Closed form compared with")
-    picked = param.List(
-        default=["rec_verlet", "5"], item_type=str, doc="The run picked: source and place among its points."
-    )
-    hidden = param.List(default=[MORE], item_type=str, doc="The curves switched off, by group.")
+    picked = WordList(default=["rec_verlet", "5"], doc="The run picked: source and place among its points.")
+    hidden = WordList(default=[MORE], doc="The curves switched off, by group.")
     m1, m2, k1, k2 = chain.masses_and_springs(1.0, 1.0, 1.0, 1.0)
     x1_0, x2_0 = chain.start_positions(1.0)
     v1_0, v2_0 = chain.start_velocities()
