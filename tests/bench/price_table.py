@@ -37,9 +37,11 @@ def price_table(runs: list[Run], wanted: float, record: Record | None = None) ->
             if price and price.time is not None:
                 cells += _price_cells(price, first, second)
             else:
+                one = time_of_one(known, runs[0].system, slug, kind)
                 own = [run for run in runs if (run.method, run.compiled) == (slug, kind)]
-                why = _reason(own, price)
-                told = why or _guessed(guess, runs[0].system, time_of_one(known, runs[0].system, slug, kind), slug)
+                if not own and one and not counts:  # it has the errors that it has in Python
+                    own = [run for run in runs if run.method == slug]
+                told = _reason(own, price) or _guessed(guess, runs[0].system, one, slug)
                 cells += [told, *[""] * (1 if kind else 2)]
         guessed = guess and not counts and any(cell.startswith(("about", "at least")) for cell in cells)
         count = guess.text(evaluations_text(slug, guess.evaluations)) if guess and guessed else ""
