@@ -140,10 +140,9 @@ def test_every_price_that_was_not_measured_has_an_estimate_or_says_why() -> None
 
 
 def test_a_solver_that_was_not_compiled_here_gets_an_estimate_by_the_time_of_an_evaluation_elsewhere() -> None:
-    facts = {"method": "rk45", "evaluations": 1000, "error": 1e-7, "end": "finest"}
-    benign = [Run(system="benign", setting=1e-6, time=t, compiled=kind, **facts) for kind, t in ((0, 2e-3), (1, 1e-3))]  # type: ignore[arg-type]
-    beats = [Run(system="beats", setting=1e-6, time=4e-3, **facts)]  # type: ignore[arg-type]
-    record = {"benign": benign, "beats": beats}
+    python = Run(system="benign", method="rk45", setting=1e-6, time=2e-3, evaluations=1000, error=1e-7, end="finest")
+    beats = [replace(python, system="beats", time=4e-3)]
+    record = {"benign": [python, replace(python, time=1e-3, compiled=True)], "beats": beats}
     assert "| 4 ms |  |  | about 1 ms |  |  |" in price_table(beats, 1e-6, record)[2]
     assert "|  | never |  |  | never |  | 1.0e-07 |" in price_table(beats, 1e-9, record)[2], "its errors are the same"
 
