@@ -6,7 +6,6 @@ Factors are decimals: no product of them leaves the range of doubles before the 
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -22,7 +21,7 @@ V = TypeVar("V")
 ONE = Decimal(1)
 
 
-class ExactMotion(ABC):
+class ExactMotion:  # an abstract class would be slower to recognize
     """A quantity that changes with time, in SI units.
 
     `omega` is the frequency of its fastest oscillation in rad/s, 0 if it does not oscillate. `symbol` names it if a
@@ -33,21 +32,21 @@ class ExactMotion(ABC):
     symbol: str
     size: Callable[[], float]
 
-    @abstractmethod
     def at(self, t: Array) -> Array:
         """Return the exact values at the times t (n,) in s; infinite where they leave the range of doubles."""
+        raise NotImplementedError
 
     @property
-    @abstractmethod
     def mean(self) -> ExactMotion:
         """The average over a cycle, slow enough to draw."""
+        raise NotImplementedError
 
-    @abstractmethod
     def band(self, drawn: float) -> MotionBand | None:
         """Return the band that it fills, or None if that is not known.
 
         Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
         """
+        raise NotImplementedError
 
     def extremes(self, t: Array) -> tuple[float, float]:
         """Return the least and the largest value at the times t (n,) in s, or of the band that they show."""

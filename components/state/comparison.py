@@ -21,7 +21,7 @@ from components.quantities.readouts import Readout, became, is_same
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
 from components.state.compared import moved
-from components.state.covers import VALUE, spoken_of, without
+from components.state.covers import VALUE, with_needs, without
 from components.state.encoding import columns_of, signals_of, traces_of
 from components.state.page_state import PageState
 from components.state.sent_picture import drawn_on, sent_picture
@@ -113,10 +113,7 @@ def _quantities(shape: AnyShape) -> Iterator[str]:
 
 def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySignal], dict[str, float]]:
     """Return the named signals and scalars, with all that they depend on."""
-    wanted = set(names)
-    for name, signal in reversed(list(picture.signals.items())):
-        if name in wanted:
-            wanted |= spoken_of(signal)
+    wanted = with_needs(names, picture.signals)
     signals = {name: signal for name, signal in picture.signals.items() if name in wanted}
     return signals, {name: value for name, value in picture.scalars.items() if name in wanted}
 

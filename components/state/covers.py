@@ -302,3 +302,12 @@ def spoken_of(signal: AnySignal) -> frozenset[Any]:
     if isinstance(signal, Modal):
         return frozenset((signal.at, signal.of))
     return frozenset((signal.of,)) if isinstance(signal, (SineOf, CosineOf)) else frozenset()
+
+
+def with_needs(names: Iterable[str], signals: Mapping[str, AnySignal]) -> set[str]:
+    """Return the names with all signals and scalars that the signals of these names depend on."""
+    wanted = set(names)
+    for name, signal in reversed(list(signals.items())):
+        if name in wanted:
+            wanted |= spoken_of(signal)
+    return wanted

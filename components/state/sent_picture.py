@@ -13,7 +13,7 @@ from components.layout.sheet import axes_of_columns
 from components.layout.views import shown_blocks
 from components.scene import Picture, Scene
 from components.scene.scene import VIEW
-from components.state.covers import spoken_of
+from components.state.covers import with_needs
 from components.state.encoding import ColumnAxes
 from components.state.page_state import PageState
 from components.state.scene_sheet import LIVE, column_axes, scene_sheet
@@ -74,12 +74,10 @@ def sent_picture(now: PageState, picture: Picture) -> Picture:
     drawn = {name: one for name, one in picture.traces.items() if name in axes}
     gone = {name: set(one.names) - axes[name].keys() for name, one in drawn.items()}
     traces = {name: one.less(gone[name]) if gone[name] else one for name, one in drawn.items()}
-    wanted = parts.names.union(*(one.needed for one in traces.values()))
+    names = parts.names.union(*(one.needed for one in traces.values()))
     if now.step:
-        wanted = wanted.union(picture.live)  # the texts of a step may have any of them
-    for name, signal in reversed(list(picture.signals.items())):
-        if name in wanted:
-            wanted |= spoken_of(signal)
+        names = names.union(picture.live)  # the texts of a step may have any of them
+    wanted = with_needs(names, picture.signals)
     return replace(
         picture,
         traces=traces,
