@@ -1,1 +1,1 @@
-"""The physics of the lecture: pure functions of numbers, without a trace of the page that shows them."""
+"""The physics of the lecture: pure functions of numbers, independent of the page."""

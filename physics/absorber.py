@@ -28,7 +28,7 @@ from physics.forced import particular_solution
 from physics.precision.exact import Array, exact, precise, rounded
 from physics.valid import DOUBLES, check_finite, check_not_negative, check_positive, finite_array
 
-_BITS = 120  # of a modulus before it is rounded to the 53 of a double
+_BITS = 120  # bits of a modulus before it is rounded to the 53 of a double
 
 Band = tuple[float, float]
 
@@ -122,7 +122,9 @@ def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     inf as the upper end if it helps at every higher frequency; None if it never helps.
     """
     check_not_negative("a damping in N s/m", c=c)
-    m1, m2, k1, k2, damping, _, *_ = _Whole.of(chain, c)  # A, B and C have the same power of the scale, which cancels
+    m1, m2, k1, k2, damping, _, *_ = _Whole.of(
+        chain, c
+    )  # the scale cancels, because A, B and C have the same power of it
     A = damping**2 * (2 * m1 + m2) - 2 * m1 * m2 * k2
     B = k2**2 * (2 * m1 + m2) + 2 * k1 * (m2 * k2 - damping**2)
     C = -2 * k1 * k2**2

@@ -21,7 +21,7 @@ from physics.coupled import TwoMassChain
 from physics.particular import from_roots, particular_solution
 from physics.precision.exact import Array, binary, exact, precise
 
-_COMFORT = 2.0**60  # omega, the damping and F_0/m1 within this and its inverse: no product leaves the doubles
+_COMFORT = 2.0**60  # if omega, the damping and F_0/m1 are between 1/this and this, no product leaves the doubles
 
 
 class _Scaled(NamedTuple):

@@ -34,7 +34,7 @@ from physics.precision.polynomials import (
 )
 from physics.precision.roots import horner, roots
 
-_SAME = 1e-50  # relative distance of two roots of 120 digits that are one
+_SAME = 1e-50  # roots with 120 digits that are closer than this, relatively, are equal
 
 
 class ResponsePeak(NamedTuple):
@@ -76,7 +76,7 @@ class ChainResonances(NamedTuple):
     stroke: Resonances
 
 
-@lru_cache(64)  # a scene asks again while only its drive changes
+@lru_cache(64)  # cached, because a scene needs it again for each change of its drive
 def chain_resonances(chain: DampedChain) -> ChainResonances:
     """Peaks and dips of the chain under a force on mass 1."""
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)

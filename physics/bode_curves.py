@@ -33,11 +33,13 @@ from physics.particular import from_roots
 from physics.precision.exact import Array, binary, exact, precise
 from physics.valid import finite_array
 
-_COMFORT = 2.0**60  # omega, the dampings and F_0/m1 within this and its inverse: no product leaves the doubles
+_COMFORT = 2.0**60  # if omega, the dampings and F_0/m1 are between 1/this and this, no product leaves the doubles
 
 
 _EVEN = np.concatenate([np.linspace(0.002, 1.6, 160), np.geomspace(1.6, 100.0, 40)])
-_WIDTHS = np.array([0.0, *np.geomspace(0.02, 60.0, 64)])  # so close together that a loop is round
+_WIDTHS = np.array(
+    [0.0, *np.geomspace(0.02, 60.0, 64)]
+)  # distances from a root in its widths, so dense that a loop is round
 
 
 class BodeCurves(NamedTuple):

@@ -22,7 +22,7 @@ from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, Sampl
 from physics.precision.exact import Array
 
 _FEWEST = 400  # steps of a window at which the sum is sampled
-_LATER = 8  # steps beyond the window: samples repeat
+_LATER = 8  # extra steps beyond the window, because samples are periodic
 
 
 class Tail(NamedTuple):

@@ -34,7 +34,7 @@ from physics.valid import check_not_negative, in_range, keep_doubles
 DIGITS = 120
 NEAR = 1e-6
 """Roots that are closer than this share of their modulus count as one root."""
-_NOISE = 1e-25  # of a modulus: four roots that are one are known to a quarter of the digits
+_NOISE = 1e-25  # relative to a modulus; a fourfold root is known to a quarter of the digits
 
 Complexes = NDArray[np.complex128]
 Roots = tuple[Any, ...]  # numbers of mpmath
@@ -53,7 +53,7 @@ class Kind(StrEnum):
     REST_TWO = "rest_two"  # k2 = 0, c2 > 0
     PROPORTIONAL = "proportional"
     EXCEPTIONAL = "exceptional"  # both modes have become one
-    PARTED = "parted"  # two pairs of equal modulus, beyond the exceptional point
+    PARTED = "parted"  # two pairs with equal modulus, beyond the exceptional point
     TWO_PAIRS = "two_pairs"
     ONE_PAIR = "one_pair"
     CREEPING = "creeping"  # four real roots: two creep, two die quickly

@@ -38,7 +38,7 @@ Drive = Literal["force", "base", "unbalance"]
 QUANTITIES = "the displacement", "the velocity"
 _NEAR = np.geomspace(1e-4, 0.6, 24)
 _FEWEST, _TERMS = 12, 34
-_EARLY = 2.0  # rad, up to which the power series of E has every digit
+_EARLY = 2.0  # rad; up to here the power series of E is exact to the last digit
 
 
 class DrivenMotion(NamedTuple):

@@ -2,8 +2,8 @@
 
     T_i = m_i v_i^2/2,   V_i = k_i e_i^2/2,   e_1 = x_1 and e_2 = x_2 - x_1 the elongations of the springs
 
-The elongations are carried by the motion: where k2 is 1e12 times k1, x2 - x1 of rounded displacements has no
-digit left, and the energy of a free motion would seem to change. The energies of the modes are
+A motion has the elongations too. If k2 is 1e12 times k1, x2 - x1 of rounded displacements has no correct digit, and the
+energy of a free motion would seem to change. The energies of the modes are
 FreeModes.energy.
 """
 

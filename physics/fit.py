@@ -28,8 +28,8 @@ from physics.valid import doubles
 MOST_SHARE = 0.1
 """Largest standard error of a frequency over itself; beyond it the numbers are not to be trusted."""
 FEW_ROWS = 30
-_EVEN = 0.05  # of a time step: times in a file are rounded
-_MOST_ROWS = 250  # for a matrix pencil, which takes the cube of their number
+_EVEN = 0.05  # tolerance of a time step, because times in a file are rounded
+_MOST_ROWS = 250  # largest number of rows for the matrix pencil, whose cost grows like its cube
 _SIGNIFICANT = 4.0  # standard deviations: by chance in 1 of 16,000
 _WEAK = 25.0  # sum of squares of the motion over 4 sigma^2: below it a wrong peak is taken in 0.3 % or more
 _ROUNDS = 8
@@ -292,7 +292,7 @@ def _fitted(data: _Data, modes: int, start: Array | None = None) -> _Found:
 
 
 def _attempted(data: _Data, start: Array) -> list[_Found]:
-    """A rough search; none where it runs away."""
+    """Search roughly; return None if the search diverges."""
     try:
         return [_searched(data, start, _ROUGH)]
     except np.linalg.LinAlgError:
@@ -334,7 +334,7 @@ def _searched(data: _Data, start: Array, error: float = _CLOSE) -> _Found:
 def _projected(data: _Data, theta: Array) -> list[tuple[Array, Array, Array]]:
     """The residuals of each column, Kaufman's Jacobian, and the linear coefficients."""
     basis, parts = _basis(theta, data.t, data.powers), []
-    if not np.isfinite(basis).all():  # the search has run away, and LAPACK would print this
+    if not np.isfinite(basis).all():  # the search has diverged; LAPACK would print an error
         return [(y * math.nan, np.zeros((y.size, len(theta))), np.zeros(basis.shape[1])) for y in data.Y]
     for y, w in zip(data.Y, data.W, strict=True):
         Q, R = np.linalg.qr(basis * w[:, None])

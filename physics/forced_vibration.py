@@ -84,7 +84,7 @@ class ForcedVibration:
     @cached_property
     def x(self) -> ExactMotion:
         """The displacement in m. It is played as the motion from rest and the free motion, which are always regular."""
-        twin = copy(self)  # which does not keep this motion
+        twin = copy(self)  # a copy that does not refer to this motion
         from_rest = Elementary(
             symbol="x_driven", exact=lambda t: twin.at(t)[0], played=self.push, size=twin._size, omega=self.fastest
         )

@@ -44,7 +44,7 @@ class FreeDecay:
     @cached_property
     def x(self) -> Elementary:
         """The displacement in m. If it oscillates, it fills its envelope, and the spring has half of the energy."""
-        one, motion, twin = self.oscillator, self._motion, replace(self)  # the twin does not keep this motion
+        one, motion, twin = self.oscillator, self._motion, replace(self)  # a copy that does not refer to this motion
         return Elementary(
             symbol="x", exact=lambda t: motion(t).x, played=self.fadings[0], size=twin._size, omega=one.omega_d,
             amplitude=lambda: twin.envelope, square=lambda: twin._decaying_energy / one.k,

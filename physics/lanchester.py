@@ -29,7 +29,7 @@ EXCESS_AT_LATENESS = {0.001: 0.15114630935641565, 0.01: 0.4585246908361407}  # T
 
 ORDER = 26
 LAST_TERM = 2e-17  # of a Taylor series, relative to the disturbance: less than its rounding
-FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
+FREE_FALL = 1e-9  # at this speed the lift is 1e-18 of the weight
 LINEAR = 1e-20  # below this excess the motion is linear to the last bit: one solution, scaled
 
 _Series: TypeAlias = tuple[list[float], list[float], list[float]]  # ORDER + 1 coefficients of x - t, p and w

@@ -4,7 +4,7 @@ import cmath
 
 
 def before_means(amplitude: complex, exponent: complex, step: float, size: int) -> complex:
-    """Return Z of the rows Z e^(p t), `step` s apart, from the amplitude that means of `size` rows have.
+    """Return the amplitude Z of rows Z e^(p t), `step` s apart, from the amplitude of the means of `size` rows.
 
     The mean of the rows around t is Z e^(p t) sinh(size p step/2)/(size sinh(p step/2)).
     """

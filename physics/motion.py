@@ -106,7 +106,7 @@ def computed_by(exact: Callable[[Array], Array], motion: ExactMotion) -> ExactMo
 
 
 def constant(value: float) -> ExactMotion:
-    """A motion that keeps its value."""
+    """A constant motion."""
     return MotionPolynomial(_terms(value))
 
 
@@ -304,7 +304,7 @@ def _slow(values: Callable[[Array], Array]) -> ExactMotion:
 
 
 def _product(factor: Decimal, motions: tuple[ExactMotion, ...], t: Array) -> Array:
-    """The values of a product (n,), also where a part of it alone leaves the range of doubles."""
+    """Return the values of a product (n,), even if a factor alone leaves the range of doubles."""
     if len(motions) == 1 and abs(factor) == 1:
         return motions[0].at(t) if factor > 0 else -motions[0].at(t)
     base, exponent = np.frexp(float(factor))

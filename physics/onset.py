@@ -16,7 +16,7 @@ from physics.coupled import TwoMassChain
 from physics.precision.exact import Array, binary, exact, pair_product, precise, shifted, two_product
 
 EARLY = 1.125  # rad
-_TERMS = 10  # the next one is below 1e-18 of the first
+_TERMS = 10  # number of terms; the next one is below 1e-18 of the first
 _RATES = np.arange(5.0, 2.0 * _TERMS + 7.0, 2.0)  # powers of t that follow the first
 
 

@@ -25,7 +25,7 @@ MOST_BYTES = 1_000_000
 
 
 def frames(page: Page) -> list[Image.Image]:
-    """The page at equal steps of its time window, once through."""
+    """Take pictures of the page at equal steps of its time window."""
     found = []
     for frame in range(FRAMES):
         page.evaluate(STOP, frame / FRAMES)
@@ -36,7 +36,7 @@ def frames(page: Page) -> list[Image.Image]:
 
 
 def moving() -> bytes:
-    """The animation, which begins again where it ends."""
+    """Return the animation, which repeats for ever."""
     with tempfile.TemporaryDirectory() as name, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=find())
         with serving(Path(name) / "log") as server:

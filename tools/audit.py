@@ -16,7 +16,7 @@ SILENT = ("--format", "json", "--progress-spinner", "off", "--timeout", "20")
 
 
 def findings(report: dict[str, Any]) -> Iterator[str]:
-    """The faults in a report of pip-audit's, a sentence a line; nothing where every package is known to be sound.
+    """Return the vulnerabilities in a report of pip-audit, one sentence per line; "" if no package has any.
 
     pip-audit calls a run in which it could look nothing up a success.
     """

@@ -1,4 +1,5 @@
-"""`python -m tools.cut FOLDER` takes out of a folder of packages what this app never reads, and says what that saves.
+"""`python -m tools.cut FOLDER` removes files that this app never reads from a folder of packages, and says what that
+saves.
 
 The container is built with it: tests that packages bring along, scripts for panes and widgets that no page has, and
 what only a developer of a script needs.
@@ -24,7 +25,7 @@ KEPT = ("bokeh/server/static/js/bokeh.min.js",)
 
 
 def cut(folder: Path) -> Iterator[tuple[str, float]]:
-    """Remove it; what each cut is called, and the MB that it saves."""
+    """Remove the files; return the kinds of removed files, each with the MB that it saves."""
     kept = {folder / name for name in KEPT}
     for name, patterns in CUTS.items():
         found = [path for pattern in patterns for path in folder.glob(pattern) if path not in kept]

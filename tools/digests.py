@@ -23,7 +23,7 @@ def digest(image: str) -> str:
 
 
 def pin(folder: Path) -> None:
-    """Write the digests into the recipes of a folder: all of them or, where one cannot be had, none."""
+    """Write the digests into the recipes of a folder; if one cannot be found, write none."""
     texts = {path: path.read_text(encoding="utf-8") for path in (folder / "compose.yaml", folder / "Dockerfile")}
     for path, text in texts.items():
         texts[path] = IMAGE.sub(lambda line: f"{line[1]}{line[2]}@{digest(line[2])}", text)

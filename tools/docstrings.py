@@ -34,7 +34,7 @@ def gaps(folder: str = "physics") -> Iterator[Gap]:
             yield Gap(module, "", ("a source",))
         known = {name.rpartition(".")[2] for name, node in public(tree) if ast.get_docstring(node)}
         for name, node in public(tree):
-            # A method may leave its docstring to the class of which its own is a kind.
+            # A method may inherit its docstring from a base class.
             if (lacks := tuple(_lacking(node))) and not (lacks == (NONE,) and name.rpartition(".")[2] in known):
                 yield Gap(module, name, lacks)
 

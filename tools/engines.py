@@ -42,7 +42,7 @@ def shoot(window: Any, url: str, folder: Path, engine: str, slugs: list[str]) ->
 
 
 def joined(pictures: list[Path]) -> Image.Image:
-    """The pictures next to each other, in the order of the engines."""
+    """Join pictures side by side, in the order of the engines."""
     opened = [Image.open(path).convert("RGB") for path in pictures]
     whole = Image.new("RGB", (sum(one.width for one in opened), max(one.height for one in opened)), "white")
     left = 0

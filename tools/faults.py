@@ -1,6 +1,7 @@
-"""Faults that were found once, for `make mutants`: what is written in a file in place of what, and who must notice.
+"""Faults that were found once, for `make mutants`: each replaces a text in a file, and names the tests that must
+notice.
 
-They are written for the code of today. A pattern must occur exactly once in its file; otherwise the tool stops, so that
+They fit the current code. A pattern must occur exactly once in its file; otherwise the tool stops, so that
 no fault is skipped.
 """
 
@@ -12,7 +13,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Mutant:
-    """A fault: what is written in a file in place of what, and the files of tests that must find it."""
+    """A fault: a file, a text in it, its replacement, and the test files that must find the fault."""
 
     name: str
     file: str

@@ -24,9 +24,10 @@ from tests.serving.server import serving
 
 SIZES = ((1280, 720), (853, 480))
 LEAST = {"a plot beside another": 0.25, "the only plot": 0.35, "the stage": 0.17}
-"""The least heights of what is drawn, its axes included, as shares of the height of the window."""
+"""The least heights of stages and plots with their axes, as shares of the window's height."""
 USED = 0.1
-"""The share of its height that the curves of a plot use, where none is hidden and the scale of the axes is free."""
+"""The least share of a plot's height that its curves must use, if none is hidden and the axes need not have one
+scale."""
 MEASURED = """() => {
   const stands = part => part.checkVisibility() && part.getBoundingClientRect().height > 1
   const high = part => part.getBoundingClientRect().height / innerHeight
@@ -61,7 +62,7 @@ MEASURED = """() => {
 
 
 def look(walk: Walk, path: Path) -> Iterator[str]:
-    """Serve a walk, from its file where it is not one of the lecture's, and yield its faults."""
+    """Serve a walk, built in or from a file, and yield its faults."""
     with served(walk, path) as (browser, url):
         yield from faults(walk, browser, url)
 

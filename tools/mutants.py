@@ -38,11 +38,12 @@ ENDLESS = 900.0
 """Seconds after which tests count as stopped by the fault."""
 WORKERS = 2
 MutantTrial = Callable[[Path], tuple[str, bool]]
-"""Puts a fault into a copy of the project; returns what is to be said, and whether a test has found it."""
+"""A function that puts a fault into a copy of the project. It returns a message, and whether a test has found the
+fault."""
 
 
 def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list[str]:
-    """The tests that fail, or what else stops them, in a copy of the project while the fault is in it."""
+    """Return the tests that fail in a copy of the project with the fault, or another reason why they stop."""
     path = folder / file
     sound = path.read_bytes()
     command = [sys.executable, "-m", "pytest", "-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests]
@@ -59,13 +60,13 @@ def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list
 
 
 def known(mutant: Mutant, folder: Path) -> tuple[str, bool]:
-    """Return what is to be said of a fault of the register, and whether it is found."""
+    """Return a message about a fault of the register, and whether it is found."""
     found = failures(folder, mutant.file, broken(mutant, folder), mutant.tests.split())
     return f"{mutant.name:12} {'; '.join(found) or 'NOT FOUND by ' + mutant.tests}", bool(found)
 
 
 def drawn(fault: RandomFault, tests: Sequence[str], folder: Path) -> tuple[str, bool]:
-    """Return what is to be said of a random fault, and whether it is found."""
+    """Return a message about a random fault, and whether it is found."""
     found = failures(folder, fault.site.file, fault.text, tests) if tests else []
     place = f"{fault.site.file}:{fault.site.line}"
     change = f"{_short(fault.old)} -> {_short(fault.new)}"
@@ -77,7 +78,8 @@ def _short(text: str) -> str:
 
 
 def in_copies(top: Path, jobs: Sequence[MutantTrial]) -> list[bool]:
-    """Do jobs, each in one of the copies of the project, print what they say, and return which found their fault."""
+    """Run jobs, each in one of the copies of the project, print their messages, and return whether each fault was
+    found."""
     free: Queue[Path] = Queue()
     for number in range(WORKERS):
         free.put(copied(top / str(number)))

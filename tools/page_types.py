@@ -106,7 +106,7 @@ def _made_of(whole: str) -> frozenset[str]:
 
 
 def _parts(name: str) -> set[str]:
-    """The types of the package that a type speaks of."""
+    """Return the types of the package that a type refers to."""
     if name in aliases():
         types = [aliases()[name].type]
     else:
@@ -120,7 +120,7 @@ def _chapter(module: ModuleType) -> Chapter:
     types: list[Alias | Record] = []
     for statement, following in zip(body, [*body[1:], None], strict=True):
         if isinstance(statement, ast.ClassDef):
-            # Types that only look names up are not sent.
+            # Skip protocols, which are never sent.
             if issubclass(made := getattr(module, statement.name), msgspec.Struct):
                 types.append(_record(made))
         elif isinstance(statement, ast.AnnAssign) and ast.unparse(statement.annotation) == "TypeAlias":

@@ -32,13 +32,13 @@ SIZES = {"desk": (1280, 720), "phone": (390, 844), "hall": (1920, 1080)}
 INSTANT = 0.3
 """Fraction of the time window at which all motions have left their initial positions."""
 LEVELS = 32
-"""Difference, of 255, from which a pixel counts as changed."""
+"""A pixel counts as changed from this difference on (of 255)."""
 SHARE = 0.001
 """Fraction of changed pixels from which a picture is listed."""
 TRIES = 20
-"""Pictures, of which the last two have to be the same."""
+"""Largest number of attempts until two pictures in a row are equal."""
 BEFORE = "localStorage.setItem('seed', '1')"
-"""Answers are listed in one order."""
+"""A script that fixes the seed, so that options are always in the same order."""
 STOP = """share => {
   const {clock} = oscillations
   clock.playing = false
@@ -73,7 +73,7 @@ def views() -> Iterator[Sight]:
 
 
 def shoot(folder: Path, only: str) -> int:
-    """Take all pictures into a folder; how many there are."""
+    """Save all pictures in a folder, and return their number."""
     folder.mkdir(parents=True, exist_ok=True)
     wanted = [view for view in views() if re.search(only, view.name)]
     with tempfile.TemporaryDirectory() as name, sync_playwright() as playwright:
@@ -129,7 +129,7 @@ def _take(page: Page, path: Path, whole: bool = True) -> None:
 
 
 def differing(before: Path, after: Path) -> Iterator[str]:
-    """The differences between two folders of pictures, a picture a line."""
+    """Return the differences between two folders of pictures, one line for each picture."""
     old, new = ({path.name: path for path in folder.glob("*.png")} for folder in (before, after))
     if not old and not new:
         yield "There are no pictures."
@@ -141,7 +141,7 @@ def differing(before: Path, after: Path) -> Iterator[str]:
 
 
 def _difference(before: Path, after: Path) -> str:
-    """The difference of two pictures, in words; "" where they do not differ, for the eye."""
+    """Return the difference of two pictures as text; "" if the eye sees none."""
     old, new = (np.asarray(Image.open(path).convert("RGB"), dtype=np.int16) for path in (before, after))
     if old.shape != new.shape:
         return f"{old.shape[1]} x {old.shape[0]} before, {new.shape[1]} x {new.shape[0]} after"

@@ -33,7 +33,8 @@ STEP = "<section><div><h2>{name}</h2><ul>{problems}</ul></div>{pictures}</sectio
 
 
 def preview(walk: Walk | None, path: Path, found: Sequence[str], is_served: bool) -> None:
-    """Write pictures and page of a walk; without pictures where it cannot be served. Then serve it until Ctrl-C."""
+    """Write the page of a walk with its pictures, or without them if the walk cannot be served. Then serve it until
+    Ctrl-C."""
     folder = BUILD / path.stem
     folder.mkdir(parents=True, exist_ok=True)
     page = folder / "index.html"

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 AREAS = ("physics", "components/scenes", "components/state", "components/walks", "components/live_class")
 SKIPPED = ("physics/reference/", "__main__.py", "_worker.py")
-"""Solutions that only tests use, and programs that run in a process of their own."""
+"""Files without random faults: solutions that only tests use, and programs that run in separate processes."""
 NOT_CODE = ("annotation", "returns", "decorator_list", "type_comment")
 NEGATED: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.GtE, ast.GtE: ast.Lt, ast.Gt: ast.LtE, ast.LtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
@@ -28,7 +28,7 @@ SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class Site(NamedTuple):
-    """A place in a file where a fault of a kind can be put, by its number among the nodes of the syntax tree."""
+    """A place in a file for a fault of a kind: the index of a node in the syntax tree."""
 
     file: str
     kind: str
@@ -63,7 +63,7 @@ def random_faults(root: Path, seed: int, count: int) -> list[RandomFault]:
 
 
 def sites(root: Path, area: str) -> Iterator[Site]:
-    """The places of an area where a fault fits."""
+    """Return the places in an area where a fault is possible."""
     for path in sorted((root / area).rglob("*.py")):
         name = path.relative_to(root).as_posix()
         if not any(part in name for part in SKIPPED):
@@ -86,7 +86,7 @@ def put(root: Path, site: Site) -> RandomFault:
 
 
 def nodes(tree: ast.AST) -> Iterator[ast.AST]:
-    """All nodes that are run, in the order of the text: no annotations, decorators and texts with numbers in them."""
+    """Yield the nodes that are executed, in the order of the text, without annotations, decorators and f-strings."""
     for field, value in ast.iter_fields(tree):
         if field not in NOT_CODE:
             for node in value if isinstance(value, list) else [value]:

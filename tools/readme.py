@@ -21,7 +21,7 @@ def table() -> str:
 
 
 def write(name: str, first: str, rows: str) -> None:
-    """Put a table in place of the one with that first column."""
+    """Replace the table that has the same first column."""
     page = ROOT / name
     old = re.compile(rf"^\| {first} \|.*?(?=\n\n)", re.M | re.S)
     page.write_text(old.sub(lambda _: rows, page.read_text(encoding="utf-8")), encoding="utf-8")

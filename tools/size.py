@@ -20,7 +20,7 @@ LAYOUT = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,
 }  # fmt: skip
-"""The tokens that do not count."""
+"""Kinds of tokens that do not count."""
 
 
 class Size(NamedTuple):

@@ -29,7 +29,7 @@ class TestsByLine:
         self.kept = kept / _digest(folder)[:16]
 
     def measure(self) -> None:
-        """Run all fast tests without a browser, unless the measurement of this code is there."""
+        """Run all fast tests without a browser, unless this code has been measured already."""
         if (self.kept / "times.xml").exists():
             return
         self.kept.mkdir(parents=True, exist_ok=True)

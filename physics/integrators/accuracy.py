@@ -27,7 +27,7 @@ from physics.precision.exact import Array
 PERIODS, OUTPUTS = 50, 1000
 MARKS = (0, 1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 35, 40, 45, 50)
 """The slow periods after which a run reports its worst error so far."""
-REPEATS = 1.2  # a run time repeats where the longest is at most so many times the shortest
+REPEATS = 1.2  # a run time counts as repeatable if the longest is at most so many times the shortest
 
 
 @dataclass(frozen=True, kw_only=True)

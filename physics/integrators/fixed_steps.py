@@ -42,7 +42,7 @@ YOSHIDA_6 = (
     0.78451361047755726382,
 )
 WEIGHTS = {"verlet": (1.0,), "yoshida4": YOSHIDA_4, "yoshida6": YOSHIDA_6}
-CHUNK = 1024  # steps between two looks at the clock
+CHUNK = 1024  # steps between two checks of the time limit
 
 
 def interpreted(function: Any) -> Any:

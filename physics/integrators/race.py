@@ -27,9 +27,9 @@ from physics.precision.exact import Array
 from physics.reference.driven_chain import Reference, reference
 from physics.valid import DOUBLES
 
-EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
+EXPLODED = 1e3  # a method counts as unstable if a displacement exceeds the largest exact one by this factor
 SMALLEST_ENERGY = 1e-290  # J: below, doubles run out of digits
-GLANCE = 64  # steps of SciPy's solvers, or outputs, between two looks at the clock
+GLANCE = 64  # steps of SciPy's solvers, or outputs, between two checks of the time limit
 STANDS, GAIN, RESOLVED = 2, 2.0, 0.1  # so many rungs without such a gain, the fast mode resolved so well: the floor
 FORESEEN, GLIMPSE = 0.7, 0.01  # a run is not tried that would get so far, by a run before it of so many seconds
 

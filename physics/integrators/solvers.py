@@ -44,11 +44,11 @@ IN_PYTHON = ("rk23", "rk45", "dop853", "radau", "bdf")
 """Solvers that choose their steps and are Python themselves: at best their right-hand side is compiled."""
 TOLERANCES = tuple(float(f"1e-{n}") for n in range(2, 14))
 FINEST = 2.0**40
-"""Steps an output: nobody waits for more."""
+"""Largest number of steps per output."""
 ATOL = 1e-3
 """The absolute tolerance over the relative one, in units of what is to be expected."""
 STRETCH = 500
-"""Steps of a compiled solver between two looks at the clock."""
+"""Steps of a compiled solver between two checks of the time limit."""
 MUSED, BDF = 18, 2
 """Location of the formulas of LSODA's last step, and the number of the stiff ones."""
 

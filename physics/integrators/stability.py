@@ -12,8 +12,8 @@ from physics.integrators.fixed_steps import STEPPING, advance_of, begun, right_h
 from physics.integrators.problem import Problem
 from physics.precision.exact import Array
 
-GROWS = 1e-9  # a growth a step below this is rounding
-REACH = 4.0  # no explicit method here is stable at this h omega
+GROWS = 1e-9  # smaller growth per step is rounding error
+REACH = 4.0  # h omega at which no explicit method here is stable
 ONE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=0.0)
 PAIR = TwoMassChain(m1=2.0, m2=2.0, k1=0.0, k2=1.0)
 """Two masses on the coupling spring alone: they swing against each other with omega = 1 rad/s."""

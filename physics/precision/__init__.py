@@ -1,1 +1,1 @@
-"""Numbers carried beyond double precision, and what is computed with them."""
+"""Numbers with more than double precision, and functions of them."""

@@ -26,9 +26,9 @@ from physics.precision.exact import (
     two_sum,
 )
 
-SMALLEST_EXPONENT, LARGEST_EXPONENT = -600.0, 700.0  # between them exp and its low part are doubles
+SMALLEST_EXPONENT, LARGEST_EXPONENT = -600.0, 700.0  # limits between which exp and its low part are doubles
 _PARTS = 32  # of an octave, tabulated
-_CARRIED = 7  # terms of a series that need two doubles
+_CARRIED = 7  # number of terms of a series that need two doubles
 
 
 def exponential(exponent: DoubleDouble) -> DoubleDouble:

@@ -36,7 +36,7 @@ DoubleDouble = tuple[Array, Array]  # hi, lo: an unevaluated sum
 
 DIGITS = 80
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534")
-NOISE = Decimal("1e-60")  # what is left of a sum that cancels so far is rounding of the 80 digits
+NOISE = Decimal("1e-60")  # if a sum cancels to this share, the rest is rounding error of the 80 digits
 
 _CONTEXT = Context(
     prec=DIGITS,
@@ -46,8 +46,8 @@ _CONTEXT = Context(
     traps=[InvalidOperation, DivisionByZero, Overflow],
 )
 _STAY: AbstractContextManager[None] = nullcontext()
-_POINTS = 32  # of the circle, with tabulated sine and cosine
-_FAR = 2.0**50  # rad; past it a phase is reduced in integers, angle by angle
+_POINTS = 32  # points of the circle with tabulated sine and cosine
+_FAR = 2.0**50  # rad; larger phases are reduced in integers, one by one
 _MANTISSA = 53  # bits of a double
 FINE = 384  # bits after the point of a phase; a time of 53 bits leaves more than the 80 digits of them
 _FACTORS = 1000  # powers of two up to here, and their inverses, are doubles
