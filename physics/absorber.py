@@ -34,7 +34,17 @@ Band = tuple[float, float]
 
 
 class Optimum(NamedTuple):
-    """Den Hartog's stiffness (N/m) and damping (N s/m), and the height of the fixed points over F_0/k1."""
+    """The absorber of Den Hartog's rule.
+
+    Attributes
+    ----------
+    k2 : float
+        Its stiffness in N/m.
+    c : float
+        Its damping in N s/m.
+    height : float
+        The amplitude of the machine at the two fixed points, over F_0/k1.
+    """
 
     k2: float
     c: float
@@ -42,9 +52,26 @@ class Optimum(NamedTuple):
 
 
 def tuned_stiffness(m2: float, omega: float) -> float:
-    """The k2 in N/m for which the machine is at rest: m2 omega^2, within 2 ulp.
+    """Return the stiffness for which the machine is at rest, m2 omega^2 (lecture D34, notes).
 
     It is worked out from the digits in which both are written: 16.7 kg at 48 rad/s need 38476.8 N/m.
+
+    Parameters
+    ----------
+    m2 : float
+        The mass of the absorber in kg, above 0.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+
+    Returns
+    -------
+    float
+        k2 in N/m, within 2 ulp.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     check_positive("a mass in kg", m2=m2)
     check_not_negative("a drive frequency in rad/s", omega=omega)
@@ -53,15 +80,46 @@ def tuned_stiffness(m2: float, omega: float) -> float:
 
 
 def alone(chain: TwoMassChain) -> TwoMassChain:
-    """The machine without its absorber: mass 2 has no spring."""
+    """Return the machine without its absorber: mass 2 has no spring.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+
+    Returns
+    -------
+    TwoMassChain
+        The same chain with k2 = 0.
+    """
     return TwoMassChain(m1=chain.m1, m2=chain.m2, k1=chain.k1, k2=0.0)
 
 
 def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float, c1: float = 0.0) -> NDArray[np.complex128]:
-    """X1, X2 (2,) in m, complex: x_i = Im(X_i exp(i omega t)); both parts rounded once.
+    """Return the complex amplitudes of both masses, x_i = Im(X_i exp(i omega t)); c = c1 = 0 is particular_solution.
 
-    c, c1 >= 0 in N s/m, between the masses and parallel to spring 1; c = c1 = 0 is particular_solution. inf if no
-    steady amplitude exists. ValueError if a part leaves the range of doubles.
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on the machine in N, finite.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Returns
+    -------
+    ndarray (2,) of complex
+        X1, X2 in m, both parts rounded once; inf if no steady amplitude exists.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     checked_damping(c, F_0, omega=[omega], c1=c1)
     parts = _Whole.of(chain, c, F_0, c1).at(omega)
@@ -77,10 +135,30 @@ def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float, c1:
 
 
 def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
-    """|X1|, |X2| in m: (2,) for one drive frequency omega in rad/s, (2, n) for n of them, within 0.51 ulp.
+    """Return the amplitudes of both masses; without dashpots those of particular_solution.
 
-    c, c1 as in damped_solution; without both it is |particular_solution| itself. inf where no steady amplitude
-    exists. ValueError if an amplitude leaves the range of doubles.
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on the machine in N, finite.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, 0 or more.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Returns
+    -------
+    ndarray (2,) or (2, n)
+        |X1|, |X2| in m, within 0.51 ulp; inf where no steady amplitude exists.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     frequencies = checked_damping(c, F_0, omega, c1)
     if not (c or c1):
@@ -91,11 +169,32 @@ def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
 
 
 def damped_lags(chain: TwoMassChain, c: float, omega: ArrayLike, c1: float = 0.0) -> Array:
-    """The lags in rad of both masses behind the force: (2,), or (2, n) for n omega.
+    """Return the lags of both masses behind the force.
 
     Lag 1 is in [0, pi] within 2 u of a radian, lag 2 in [0, 2 pi] within 8 u. Both are continuous in omega, without
     unwrapping. Where mass 1 is at rest, and at a natural frequency without dashpots, they jump: the value is the limit
     of the frequencies just below. If nothing moves mass 2 it has the lag of mass 1.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, 0 or more.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Returns
+    -------
+    ndarray (2,) or (2, n)
+        The lags of mass 1 and mass 2 in rad.
+
+    Raises
+    ------
+    ValueError
+        If a damping or a frequency is not possible.
     """
     frequencies = checked_damping(c, 0.0, omega, c1)
     whole = _Whole.of(chain, c, 0.0, c1)
@@ -104,9 +203,32 @@ def damped_lags(chain: TwoMassChain, c: float, omega: ArrayLike, c1: float = 0.0
 
 
 def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
-    """|X1| and the absorber's stroke |X2 - X1| in m, which is what its spring must allow: (2,), or (2, n) for n omega.
+    """Return the amplitude of the machine and the stroke of the absorber, which is what its spring must allow.
 
-    X2 - X1 = m2 omega^2 F_0/D, whatever c. Both within 0.51 ulp; otherwise as damped_amplitude.
+    X2 - X1 = m2 omega^2 F_0/D, whatever c.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on the machine in N, finite.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, 0 or more.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Returns
+    -------
+    ndarray (2,) or (2, n)
+        |X1| and |X2 - X1| in m, within 0.51 ulp; inf where no steady amplitude exists.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or a result leaves the range of doubles.
     """
     frequencies = checked_damping(c, F_0, omega, c1)
     whole = _Whole.of(chain, c, F_0, c1)
@@ -115,11 +237,28 @@ def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
 
 
 def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
-    """The drive frequencies in rad/s, from and to, at which the machine swings less than without an absorber.
+    """Return the band of drive frequencies at which the machine swings less than without an absorber.
 
     With and without absorber |X1| is equal if A s^2 + B s + C = 0 in s = omega^2, with A = c^2 (2 m1 + m2) -
     2 m1 m2 k2, B = k2^2 (2 m1 + m2) + 2 k1 (m2 k2 - c^2), C = -2 k1 k2^2: it helps where this is positive.
-    inf as the upper end if it helps at every higher frequency; None if it never helps.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+
+    Returns
+    -------
+    tuple of two floats, or None
+        The ends of the band in rad/s. The upper one is inf if it helps at every higher frequency; None if it never
+        helps.
+
+    Raises
+    ------
+    ValueError
+        If the damping is not possible.
     """
     check_not_negative("a damping in N s/m", c=c)
     m1, m2, k1, k2, damping, _, *_ = _Whole.of(
@@ -140,10 +279,20 @@ def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
 
 
 def fixed_points(chain: TwoMassChain) -> Array:
-    """The two frequencies (2,) in rad/s at which |X1| is the same whatever the damping; rounded once.
+    """Return the two drive frequencies at which |X1| is the same whatever the damping.
 
     There no damping and a rigid link give the same amplitude: m2 (2 m1 + m2) s^2 - 2 (k1 m2 +
-    k2 (m1 + m2)) s + 2 k1 k2 = 0 in s = omega^2.
+    k2 (m1 + m2)) s + 2 k1 k2 = 0 in s = omega^2. Source: Den Hartog, section 3.3.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+
+    Returns
+    -------
+    ndarray (2,)
+        The frequencies in rad/s, the lower one first, rounded once.
     """
     m1, m2, k1, k2 = chain.exact_parameters
     with precise():
@@ -187,10 +336,24 @@ def den_hartog(m1: float, k1: float, m2: float) -> Optimum:
 
 
 def highest_peak(mu: float, tuning: float, damping: float) -> float:
-    """The largest |X1| over F_0/k1 at any drive frequency, to 1e-9 for mu from 0.001 on; inf without damping.
+    """Return the largest |X1| at any drive frequency.
 
-    mu = m2/m1, tuning = omega_2/omega_1, damping = c/(2 m2 omega_1). At Den Hartog's optimum the fixed points miss it
+    At Den Hartog's optimum the fixed points miss it
     by 0.27 % at mu = 0.16, by 1.3 % at mu = 1.
+
+    Parameters
+    ----------
+    mu : float
+        The ratio of the masses, m2/m1.
+    tuning : float
+        The ratio of the frequencies of the absorber and of the machine, omega_2/omega_1.
+    damping : float
+        The damping of the absorber over its scale, c/(2 m2 omega_1).
+
+    Returns
+    -------
+    float
+        |X1| over F_0/k1, to 1e-9 for mu from 0.001 on; inf without damping.
     """
     if not damping:
         return math.inf
@@ -285,7 +448,29 @@ def _turned_back(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int]:
 
 
 def checked_damping(c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
-    """omega (n,), one frequency included."""
+    """Check dampings, a force and drive frequencies.
+
+    Parameters
+    ----------
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on the machine in N, finite.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, 0 or more.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Returns
+    -------
+    ndarray (n,)
+        The drive frequencies in rad/s; one frequency becomes (1,).
+
+    Raises
+    ------
+    ValueError
+        If one of them is not possible.
+    """
     check_not_negative("a damping in N s/m", c=c, c1=c1)
     check_finite("a force in N", F_0=F_0)
     frequencies = finite_array("omega", omega)

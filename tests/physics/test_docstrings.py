@@ -22,8 +22,11 @@ FACE = {
     "phugoid": ("LinearPhugoid", "Flight", "linear_phugoid", "linear_flight", "flight"),
     "pendulum": ("Pendulum", "Pendulum.period", "Pendulum.motion"),
     "hanging": ("HangingMass",),
-    "absorber": ("den_hartog",),
-}
+    "absorber": (
+        "Optimum", "den_hartog", "tuned_stiffness", "damped_solution", "damped_amplitude", "damped_lags",
+        "swing_and_stroke", "helped_band", "checked_damping",
+    ),
+}  # fmt: skip
 """The names that notebooks use, by module."""
 
 
