@@ -1,4 +1,4 @@
-"""Chains with dashpots to try statements on, and their free motions as eigenvectors in 120 digits."""
+"""Chains with dashpots for tests, and their free motions as eigenvectors with 120 digits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DIGITS = 120
 
 
 class Case(NamedTuple):
-    """A chain and its dashpots, at least one of which is there."""
+    """A chain and its dashpots, at least one of which is not 0."""
 
     chain: TwoMassChain
     c1: float
@@ -40,7 +40,7 @@ def case_of(values: dict[str, Any]) -> Case:
 
 
 def sizes(low: float = -3.0, high: float = 3.0) -> st.SearchStrategy[float]:
-    """Numbers over decades, in three digits."""
+    """Numbers with three digits, over several decades."""
     return st.floats(low, high).map(lambda power: float(f"{10**power:.3g}"))
 
 

@@ -21,7 +21,7 @@ def chain_of(case):
 
 
 def chain_with(parameters):
-    """The chain with (m1, m2, k1, k2), as a family draws them."""
+    """A strategy for chains whose (m1, m2, k1, k2) are drawn from a family."""
     return TwoMassChain(**dict(zip(("m1", "m2", "k1", "k2"), parameters, strict=True)))
 
 
@@ -37,5 +37,5 @@ def law_of(chain, c, F_0, omega):
 
 
 def log_uniform(low, high):
-    """Doubles between two powers of two, each octave as often."""
+    """A strategy for doubles between two powers of two; all octaves are equally likely."""
     return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))

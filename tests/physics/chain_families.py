@@ -1,4 +1,4 @@
-"""Families of chains, from the classroom to the edges of the doubles.
+"""Families of chains, from ordinary values to the limits of doubles.
 
 Each takes uniform(low, high) and returns m1, m2, k1, k2, so that hypothesis can draw from it for the property
 tests and a plain generator for the accuracy table.
@@ -19,7 +19,7 @@ def decades(uniform: Uniform, reach: float) -> float:
 
 
 def any_double(uniform: Uniform) -> float:
-    """Positive, subnormals included; one exponent is as likely as another."""
+    """Positive doubles, including subnormal ones; all exponents are equally likely."""
     return math.ldexp(uniform(0.5, 0.999), round(uniform(-1072.0, 1024.0)))
 
 

@@ -1,4 +1,4 @@
-"""The two-mass chain in arbitrary precision: the lecture's formulas as they stand, with digits to burn.
+"""The two-mass chain in arbitrary precision, by the lecture's formulas without rearrangement.
 
 Independent of physics/, but for the size of an envelope: mpmath instead of decimal, the formulas of the slides instead
 of the rearranged ones.
@@ -30,7 +30,7 @@ def exactly():
 
 
 def close(value, true, ulps):
-    """Whether a double is within so many ulp of a number, or infinite like one past all doubles."""
+    """Return True if a double is within so many ulp of a number, or infinite if the number is beyond all doubles."""
     if math.isinf(value):
         return bool(abs(true) > LARGEST)
     return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))

@@ -1,4 +1,4 @@
-"""Chains to try claims on, and their equations and squared natural frequencies in 40 digits."""
+"""Chains for tests of claims, and their equations and squared natural frequencies with 40 digits."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def squares(scene: Any) -> list[Any]:
 
 
 def number(text: str) -> float:
-    """A number as it is written: −1.23·10⁻⁷."""
+    """Return a number as the page writes it: −1.23·10⁻⁷."""
     plain = text.replace("−", "-").replace("·10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     return float(plain.replace("+", ""))
 

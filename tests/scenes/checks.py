@@ -1,4 +1,4 @@
-"""Checks of every scene's picture, whatever its parameters."""
+"""Checks that the picture of each scene must pass for any parameters."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tests.page.headless_page import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
-"""A hyphen in the place of a true minus."""
+"""Matches a hyphen that is used as a minus sign."""
 EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
 
 EXTREME_LINKS = (
@@ -51,7 +51,7 @@ def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:
 
 
 def corners(scene: type[Scene], most: int = 64 if WHOLE else 16) -> Iterator[dict[str, float]]:
-    """The corners of all sliders; where they are many, an even choice of them."""
+    """Yield the corners of all sliders; an even selection of them if there are many."""
     names = list(quantities(scene))
     whole = list(itertools.islice(itertools.product((0, 1), repeat=len(names)), 2 ** min(len(names), 16)))
     for pick in whole[:: max(1, len(whole) // most)]:
@@ -97,8 +97,8 @@ def check_picture(scene: Scene | PageState) -> None:
 
 
 def numbers_of(picture: Picture) -> dict[str, Columns]:
-    """All that can be read of a picture; of what the browser draws alone the doubles may not hold the numbers, in
-    words."""
+    """Read all numbers of a picture. Numbers that only the browser draws may raise ValueError, if doubles cannot hold
+    them."""
     try:
         return picture.sources
     except ValueError as reason:
@@ -119,7 +119,7 @@ def check_numbers(value: Any) -> None:
 
 
 def as_arguments(query: str) -> dict[str, list[bytes]]:
-    """The query of a link as the server has it."""
+    """Return the query of a link as the server parses it."""
     return {name: [v.encode() for v in values] for name, values in parse_qs(query, keep_blank_values=True).items()}
 
 

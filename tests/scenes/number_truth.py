@@ -1,4 +1,4 @@
-"""The numbers of the scenes by another route: the lecture's formulas in mpmath, with digits to burn.
+"""The numbers of the scenes, computed independently: the lecture's formulas in mpmath with many digits.
 
 Each function returns the true values of the numbers of a scene by name, some with the size of the terms that cancel in
 it. A name is missing if the physics has no such

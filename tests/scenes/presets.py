@@ -1,4 +1,4 @@
-"""Scenes with a preset taken, and their readouts by name."""
+"""Scenes after a preset was chosen, and their readouts by name."""
 
 from __future__ import annotations
 
