@@ -238,12 +238,43 @@ class DrivenOscillator:
 
 
 def lag(X: complex) -> float:
-    """The angle in rad by which x follows the drive: from 0 to pi for a force and an unbalance."""
+    """Return the angle by which x follows the drive.
+
+    Parameters
+    ----------
+    X : complex
+        The complex amplitude of the steady motion, as from `DrivenOscillator.response`.
+
+    Returns
+    -------
+    float
+        The lag in rad, from 0 to pi for a force and an unbalance.
+    """
     return math.atan2(0.0 - X.imag, X.real)
 
 
 def magnification(r: ArrayLike, zeta: float, kind: Drive = "force") -> Complexes:
-    """X (n,) at r = omega/omega_n, within 4 u: over F_0/k, over Y, or over mu e/m; inf where it is infinite."""
+    """Return the complex amplitude over its scale: over F_0/k, over Y, or over mu e/m.
+
+    Parameters
+    ----------
+    r : float or array_like (n,)
+        Ratios of frequencies omega/omega_n.
+    zeta : float
+        The damping ratio c/(2 m omega_n), 0 or more.
+    kind : {"force", "base", "unbalance"}
+        The drive.
+
+    Returns
+    -------
+    ndarray (n,) of complex
+        X over its scale, within 4 u; inf where it is infinite.
+
+    Raises
+    ------
+    ValueError
+        If r has more than one dimension, or values that are not finite.
+    """
     r = finite_array("r", r)
     below = (1 - r) * (1 + r) + 2j * zeta * r
     above = 1 + 2j * zeta * r if kind == "base" else r * r if kind == "unbalance" else np.ones_like(r)
@@ -252,7 +283,20 @@ def magnification(r: ArrayLike, zeta: float, kind: Drive = "force") -> Complexes
 
 
 def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
-    """The r of the peak of |X| and its height, as in `magnification`; None if there is no peak."""
+    """Return the peak of |X| over the frequency of the drive.
+
+    Parameters
+    ----------
+    zeta : float
+        The damping ratio c/(2 m omega_n), 0 or more.
+    kind : {"force", "base", "unbalance"}
+        The drive.
+
+    Returns
+    -------
+    tuple of two floats, or None
+        The r = omega/omega_n of the peak, and its height as in `magnification`; None if there is no peak.
+    """
     if not zeta:
         return 1.0, math.inf
     if kind == "base":
@@ -265,19 +309,56 @@ def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
 
 
 def half_power(zeta: float) -> tuple[float, float]:
-    """The r below and above 1 at which the dashpot takes half of its maximum: their difference is exactly 2 zeta."""
+    """Return the points of half power: there the dashpot takes half of its maximum.
+
+    Parameters
+    ----------
+    zeta : float
+        The damping ratio c/(2 m omega_n), 0 or more.
+
+    Returns
+    -------
+    tuple of two floats
+        The r = omega/omega_n below and above 1. Their exact difference is 2 zeta.
+    """
     above = math.sqrt(1 + zeta * zeta) + zeta
     return 1 / above, above
 
 
 def past_half(zeta: float) -> float:
-    """Return the r beyond which the response to a force and the power lost are both lower than half of theirs at 1."""
+    """Return the r beyond which the response to a force and the power lost are both lower than half of theirs at 1.
+
+    Parameters
+    ----------
+    zeta : float
+        The damping ratio c/(2 m omega_n), 0 or more.
+
+    Returns
+    -------
+    float
+        The ratio r = omega/omega_n.
+    """
     z = zeta * zeta
     return max(half_power(zeta)[1], math.sqrt(1 - 2 * z + 2 * zeta * math.sqrt(3 + z)))
 
 
 def ratios(zeta: float, low: float, high: float, log: bool = False) -> Array:
-    """Values of r from low to high for a curve, even or on a log axis, closer together about 1, where a peak may be."""
+    """Return values of r = omega/omega_n for a curve, closer together about 1, where a peak may be.
+
+    Parameters
+    ----------
+    zeta : float
+        The damping ratio c/(2 m omega_n), 0 or more.
+    low, high : float
+        The ends of the curve.
+    log : bool
+        True for even steps on a log axis.
+
+    Returns
+    -------
+    ndarray (n,)
+        The values of r in rising order.
+    """
     sharp = [1 - zeta * _NEAR * 10, 1 + zeta * _NEAR * 10] if 0 < zeta < 0.1 else []
     even = np.geomspace(low, high, 91) if log else high * np.linspace(0.0, 1.0, 91)
     r: Array = np.unique(np.concatenate([even, 1 - _NEAR, 1 + _NEAR, *sharp, [1.0]]))

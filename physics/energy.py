@@ -21,7 +21,15 @@ _NAMES = [f"the energy {name}" for name in ("T1", "T2", "V1", "V2")]
 
 @dataclass(frozen=True, eq=False)
 class ChainEnergy:
-    """Energies of the chain in J: T (2, n) of the masses, V (2, n) of the springs."""
+    """Energies of the chain.
+
+    Attributes
+    ----------
+    T : ndarray (2, n)
+        Kinetic energies of the masses in J.
+    V : ndarray (2, n)
+        Potential energies of the springs in J.
+    """
 
     T: Array
     V: Array
@@ -34,7 +42,25 @@ class ChainEnergy:
 
 
 def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
-    """The energies along a motion; ValueError names the one that leaves the range of doubles."""
+    """Return the energies along a motion (lecture D31, slides 4 to 6; D34, slide 5).
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The chain that moves.
+    motion : Motion
+        Its motion at n times, with velocities and elongations.
+
+    Returns
+    -------
+    ChainEnergy
+        Energies at the same n times, in J.
+
+    Raises
+    ------
+    ValueError
+        If an energy leaves the range of doubles; the message names it.
+    """
     return _energies(chain, np.concatenate([motion.v, motion.e]))
 
 
@@ -46,7 +72,27 @@ def _energies(chain: TwoMassChain, values: Array) -> ChainEnergy:
 
 
 def half_square(quantity: str, factor: float, values: Array) -> Array:
-    """factor values^2/2, also where values^2 alone is out of range."""
+    """Return factor values^2/2, also where values^2 alone is out of range.
+
+    Parameters
+    ----------
+    quantity : str
+        The name of the energy, for the message of an error.
+    factor : float
+        A mass in kg or a stiffness in N/m.
+    values : ndarray (n,)
+        Velocities in m/s or elongations in m.
+
+    Returns
+    -------
+    ndarray (n,)
+        Energies in J.
+
+    Raises
+    ------
+    ValueError
+        If an energy leaves the range of doubles.
+    """
     return in_range(f"the energy {quantity}", _half_squares(factor, values))
 
 

@@ -12,7 +12,7 @@ from tools.docstrings import gaps, public
 FACE = {
     "oscillator": ("Oscillator", "Oscillator.constants", "Oscillator.motion", "OscillatorMotion"),
     "damped": ("DampedOscillator", "DampedOscillator.motion", "DampedOscillator.steady"),
-    "driven": tuple(f"DrivenOscillator{method}" for method in ("", ".response", ".bode", ".motion")),
+    "driven": ("magnification", *(f"DrivenOscillator{method}" for method in ("", ".response", ".bode", ".motion"))),
     "coupled": ("TwoMassChain", "Modes", "Motion", "free_motion"),
     "particular": ("particular_solution",),
     "forced": ("forced_motion", "steady_start"),
@@ -22,6 +22,7 @@ FACE = {
     "phugoid": ("LinearPhugoid", "Flight", "linear_phugoid", "linear_flight", "flight"),
     "pendulum": ("Pendulum", "Pendulum.period", "Pendulum.motion"),
     "hanging": ("HangingMass",),
+    "energy": ("ChainEnergy", "chain_energy", "half_square"),
     "absorber": (
         "Optimum", "den_hartog", "tuned_stiffness", "damped_solution", "damped_amplitude", "damped_lags",
         "swing_and_stroke", "helped_band", "checked_damping",
