@@ -137,8 +137,6 @@ def _peak(above: Polynomial, below: Polynomial, w: Any, ends: tuple[Any, Any]) -
     top, bottom, longest = horner(A, w), horner(B, w), max(len(A), len(B))
     A, B = (one + [ctx.zero] * (longest - len(one)) for one in (A, B))
     level = [2 * a * bottom - top * b for a, b in zip(A, B, strict=True)]
-    while not level[-1]:
-        level.pop()
     first = next(i for i, one in enumerate(level) if one)
     half = [s.real for s in roots(ctx, level[first:]) if not s.imag]
     before = max((s for s in half if ends[0] < s < w), default=None)

@@ -1,6 +1,7 @@
 """Links: what differs from the default comes back; what is bad is named and the rest kept."""
 
 import sys
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -207,3 +208,27 @@ def test_link_brings_a_scene_back_exactly(values: dict[str, Any]) -> None:
     back = First(**link.values)
     assert link.problems == []
     assert {name: getattr(back, name) for name in values} == {name: getattr(scene, name) for name in values}
+
+
+near = st.floats(-6, 3).flatmap(lambda power: st.sampled_from((10**power, -(10**power))))
+spans = st.tuples(size := st.floats(-1e300, 1e300), size) | st.builds(
+    lambda end, by: (end, end + by * abs(end)), st.floats(-1e100, 1e100), near
+)
+
+
+@given(spans.filter(lambda span: span[0] != span[1]))
+def test_a_range_in_a_link_has_four_digits_if_these_widen_it_by_at_most_2_percent(span: tuple[float, float]) -> None:
+    state = State(scene="first", frame=Frame(ranges={"x": span}, given=True))
+    frame = read_query(query(write_query(state, First)), SCENES).frame
+    assert frame is not None
+    (low, high), (least, most) = sorted(span), sorted(frame.ranges["x"])
+    assert least <= low < high <= most and (frame.ranges["x"] == (least, most)) == (span == (low, high))
+    wide = four_digits(low, ROUND_FLOOR), four_digits(high, ROUND_CEILING)
+    widened = (wide[1] - wide[0]) / (high - low)
+    if abs(widened - 1.02) > 1e-9:
+        assert (least, most) == (wide if widened < 1.02 else (low, high))
+
+
+def four_digits(value: float, rounding: str) -> float:
+    exact = Decimal(repr(value))
+    return float(exact.quantize(Decimal((0, (1,), exact.adjusted() - 3)), rounding)) if value else value

@@ -7,11 +7,18 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from physics.driven import DrivenOscillator, drawn, half_power, highest, lag, magnification
-from physics.forced_vibration import ForcedVibration
+from physics.driven import Drive, DrivenOscillator, drawn, half_power, highest, lag, magnification, ratios
+from physics.forced_vibration import ForcedVibration, SampledVibration
+from physics.sampling import drawable
+from tests.grids import tries
+from tests.physics.chain_cases import log_uniform
 from tests.physics.chain_truth import U, ulps
+
+KINDS = ("force", "base", "unbalance")
 
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["driven"]
 each_case = pytest.mark.parametrize("case", CASES, ids=[f"{case['kind']}: {case['note']}" for case in CASES])
@@ -77,7 +84,7 @@ def test_magnification_peak_and_half_power(case):
     assert high - low == pytest.approx(2 * zeta, rel=1e-13, abs=4 * U)
 
 
-@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("c", [0.0, 0.4, 4.0, 30.0])
 def test_it_obeys_the_equation_of_motion(kind, c):
     m, k, omega, size = 1.0, 4.0, 1.7, 0.3
@@ -138,7 +145,7 @@ def test_refusals_name_the_value(call, words):
 
 
 @pytest.mark.parametrize("c", [0.0, 0.3, 9.0])
-@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_mean_powers_are_work_over_a_period(kind, c):
     """The work of each force is integrated with the motion by another method. Before t = 0 no work was done."""
     one = ForcedVibration(
@@ -161,3 +168,45 @@ def test_mean_powers_are_work_over_a_period(kind, c):
     work = solved.sol(found.t)[2:] - solved.sol(before)[2:]
     expected = work * w / (2 * math.pi)
     assert np.abs(np.array([found.P_in, found.P_lost]) - expected).max() < 1e-5 * np.abs(expected).max()
+
+
+@settings(max_examples=tries(200))
+@given(log_uniform(-13, 2), log_uniform(-6, -1), log_uniform(1, 6), st.booleans())
+def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(
+    zeta: float, low: float, high: float, log: bool
+) -> None:
+    r = ratios(zeta, low, high, log)
+    assert np.all(np.diff(r) > 0) and 1.0 in r and low <= r[0] <= low + high / 90 and high * (1 - 1e-9) <= r[-1] <= high
+    assert np.all(r[1:] - r[:-1] <= high / 89) if not log else np.all(r[1:] / r[:-1] <= (high / low) ** (1 / 89))
+    middle = (r[1:] + r[:-1]) / 2
+    for kind in KINDS:
+        curve, between = (np.abs(magnification(one, zeta, kind)) for one in (r, middle))
+        assert np.all(np.abs((curve[1:] + curve[:-1]) / 2 - between) <= 0.05 * curve.max())
+
+
+@settings(max_examples=tries(200))
+@given(st.sampled_from(KINDS), log_uniform(-3, 6), *[log_uniform(-3, 13)] * 2, log_uniform(-10, -1))
+def test_what_is_too_fast_for_a_line_is_a_band_until_it_has_died(
+    kind: Drive, end: float, omega: float, omega_n: float, zeta: float
+) -> None:
+    """The transient is seen while its amplitude is more than 0.2 % of the largest displacement."""
+    one = DrivenOscillator(m=1.0, c=2 * zeta * omega_n, k=omega_n**2)
+    forced = ForcedVibration(oscillator=one, kind=kind, size=0.1, omega=omega, x_0=0.2, v_0=0.0)
+    t = np.linspace(0.0, end, 300)
+    sampled = SampledVibration(vibration=forced, t=t, is_split=True)
+    fast = [not drawable(each, t) for each in (one.free.omega_d, omega)]
+    if not any(fast):
+        assert not sampled.bands
+    if not sampled.split:
+        return
+    rest = 0.2 - forced.X.imag, -omega * forced.X.real
+    size = math.hypot(rest[0], (rest[1] + zeta * omega_n * rest[0]) / one.free.omega_d) * np.exp(-zeta * omega_n * t)
+    seen = size > 0.002 * sampled.tallest
+    assert ("x_c" in sampled.bands) == bool(fast[0] and seen[0])
+    x = forced.at(t)[0]
+    for name, (low, high, late) in sampled.bands.items():
+        if name == "x":
+            assert np.all(low - x <= 1e-9 * sampled.tallest) and np.all(x - high <= 1e-9 * sampled.tallest)
+        if late is not None:
+            assert late.size == np.count_nonzero(~seen)
+            assert name != "x" or late == pytest.approx(x[seen.sum() :])

@@ -36,6 +36,10 @@ def test_values_sizes_and_what_is_played(k: float) -> None:
         np.testing.assert_allclose(motion.at(T), exact, rtol=1e-15, atol=4 * np.spacing(size or 1.0))
         assert isinstance(motion, Elementary) and isinstance(motion.played, Harmonic)
         np.testing.assert_allclose(played(motion.played, T), exact, atol=1e-12)
+        largest = (
+            abs(free.x_0) if name == "x" and not k else np.abs(exact).max()
+        )  # without a spring it has no largest x
+        assert size == pytest.approx(largest, rel=1e-3)
 
 
 def test_the_band_is_that_of_the_amplitude() -> None:
