@@ -44,16 +44,6 @@ def test_student_finds_the_lightest_absorber(
     assert page.evaluate(BROKEN) == 0
 
 
-def test_the_two_machines_play_at_the_same_instant(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="absorber")
-    page.get_by_role("button", name="Pause").click()
-    page.evaluate("oscillations.clock.seek(0.0327)")
-    expect(page.locator("[data-value=x_alone]").first).to_have_text("+25.5")
-    assert number(page, "x1").lstrip("+−") == "0.0"
-    assert number(page, "drive_now") == "+500"
-    assert number(page, "pull_now") == "−500"
-
-
 def test_own_machine_and_damping_open_when_asked_for(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="absorber", folded=True)
     expect(page.locator("input[name=omega]")).to_be_hidden()
@@ -66,14 +56,6 @@ def test_own_machine_and_damping_open_when_asked_for(page: Page, open_scene: Ope
     page.get_by_role("button", name="Own", exact=True).click()
     expect(page.locator("input[name=omega]")).to_be_visible()
     assert page.evaluate(CUT_OFF) <= 0
-
-
-def test_link_and_its_mistakes(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="absorber", omega=50, m2=20.25, k1="-1")
-    expect(page.get_by_role("alert").first).to_contain_text("k1")
-    expect(page.locator("[data-value=lightest]").first).to_have_text("20.25 kg")
-    expect(page.locator("[data-value=found1]").first).to_have_text("xₚ: 0.00 mm; from rest within 4.44 mm")
-    assert page.evaluate(BROKEN) == 0
 
 
 def test_phone_has_the_goals_before_the_plot(

@@ -36,20 +36,6 @@ def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screensho
     page.wait_for_url(re.compile("system=pipe"))
 
 
-def test_flags_set_the_angle_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="analogues", view="large", theta_0=10)
-    page.get_by_role("button", name="Start from 50.1°").click()
-    expect(page.locator("input[name=theta_0]")).to_have_value("50.104")
-    late = page.locator("[data-value=late_percent]").first
-    expect(late).to_have_text("5.00")
-    before = page.evaluate("oscillations.shown.view.scalars.size_angle")
-    slider = page.locator("input[name=theta_0-slider]")
-    slider.focus()
-    slider.press("ArrowRight")
-    expect(late).not_to_have_text("5.00")
-    assert page.evaluate("oscillations.shown.view.scalars.size_angle") != before
-
-
 def test_speed_is_stated_and_the_drawings_move(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="analogues", view="motion", system="circuit")
     speed = page.locator("[data-value=speed]").first
@@ -62,11 +48,3 @@ def test_speed_is_stated_and_the_drawings_move(page: Page, open_scene: Open) -> 
     before = page.evaluate(place)
     seek(page, 12)
     assert page.evaluate(place) != before
-
-
-def test_link_restores_and_a_bad_part_of_it_is_told(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="analogues", system="shaft", shaft_J="12.5", theta_0="200", pipe_n="2.5")
-    expect(page.locator("input[name=shaft_J]")).to_have_value("12.5")
-    notice = page.get_by_role("alert").first
-    expect(notice).to_contain_text("theta_0")
-    expect(notice).to_contain_text("whole number")

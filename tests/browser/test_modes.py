@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.waiting import redrawn, turned
+from tests.browser.waiting import turned
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -46,26 +46,6 @@ def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> No
     page.mouse.down()
     page.mouse.move(*end, steps=4)
     page.mouse.up()
-
-
-def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="modes", view="guess")
-    drag(page, at(page, "shape", 2.0, 1.5), at(page, "shape", 1.0, 2.0))
-    page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 1) < 0.02")
-    page.wait_for_function("Math.abs(oscillations.shown.settings.ratio.value - 2) < 0.05")
-
-
-def test_views(page: Page, open_scene: Open, screenshot: Keep) -> None:
-    open_scene(page, scene="modes")
-    for name, words in (("Solve", "sign"), ("Roots", "No dashpot"), ("Sweep", "Now"), ("Hunt", "Not yet")):
-        page.get_by_role("tab", name=name, exact=True).click()
-        page.wait_for_function(f"oscillations.shown.settings.view.value === '{name.lower()}'")
-        if name != "Solve":
-            expect(page.get_by_text(words).filter(visible=True).first).to_be_visible()
-        redrawn(page)
-        screenshot(page, f"modes-{name.lower()}")
-    page.get_by_role("tab", name="Guess", exact=True).click()
-    expect(page.get_by_role("slider", name="Trial frequency, squared")).to_be_visible()
 
 
 def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:

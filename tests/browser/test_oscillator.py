@@ -43,18 +43,6 @@ def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open, screens
     screenshot(page, "oscillator")
 
 
-def test_it_plays_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="oscillator")
-    page.wait_for_function("oscillations.clock.t > 0.05")
-    before = page.evaluate("[...oscillations.shown.view.columns.time.x]")
-    slider = page.locator("input[name=v_0-slider]")
-    slider.focus()
-    slider.press("PageUp")
-    page.wait_for_function("oscillations.shown.settings.v_0.value > -0.8")
-    assert page.evaluate("[...oscillations.shown.view.columns.time.x]") != before
-    page.wait_for_url(re.compile(r"v_0=(?!-0\.8(&|$))"))
-
-
 def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: Open, screenshot: Keep) -> None:
     open_scene(page, scene="energy", view="energy")
     for t in (0.3, 1.09):
@@ -66,30 +54,6 @@ def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: 
     assert page.evaluate(BROKEN) == 0
     assert page.evaluate(FITS)
     screenshot(page, "energy")
-
-
-def test_gravity_and_datum(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="energy", m="2", g="abc")
-    expect(page.get_by_role("alert").first).to_contain_text("g: “abc” is not a number")
-    expect(page.locator("input[name=m]")).to_have_value("2.00")
-    omega = page.locator("[data-value=omega]").first.text_content() or ""
-    page.get_by_role("button", name="Moon", exact=True).click()
-    expect(page.locator("input[name=g]")).to_have_value("1.62")
-    expect(page.locator("[data-value=omega]").first).to_have_text(omega)
-    told = page.get_by_text("a constant more; the motion does not change")
-    expect(told).to_be_hidden()
-    page.get_by_role("button", name="Spring + gravity").click()
-    expect(told).to_be_visible()
-    page.wait_for_url(re.compile("datum=separate"))
-
-
-@pytest.mark.parametrize("scene", ["oscillator", "energy"])
-def test_phone_has_the_same_in_one_column(new_page: Callable[..., Page], open_scene: Open, scene: str) -> None:
-    page = new_page(width=390, height=844, color_scheme="dark")
-    open_scene(page, scene=scene)
-    seek(page, 0.4)
-    assert page.evaluate("document.documentElement.scrollWidth") == 390
-    assert page.evaluate(BROKEN) == 0
 
 
 FOCUS = """() => (e => e === document.body ? null : (e.getAttribute('aria-label') || e.textContent).trim())
@@ -117,14 +81,6 @@ def test_the_tab_key_stops_only_where_keys_do_something_and_each_stop_has_its_ow
         and any(name.startswith("Time,") for name in paper)
     )
     assert stops.index("Pictures") == len(stops) - 1
-
-
-def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="energy")
-    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "true")
-    page.get_by_role("button", name="Moon").click()
-    expect(page.get_by_role("button", name="Moon")).to_have_attribute("aria-pressed", "true")
-    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "false")
 
 
 @pytest.mark.parametrize(

@@ -68,32 +68,6 @@ def test_another_unit_changes_labels_and_not_the_drawing(page: Page, open_scene:
     expect(page.locator("#problem-v_0")).to_contain_text("−5 knots is not possible")
 
 
-def test_mass_is_moved_in_vain_and_speed_is_not(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="phugoid")
-    before = page.evaluate(HEIGHTS)
-    page.locator("input[name=m-slider]").focus()
-    page.keyboard.press("ArrowRight")
-    page.wait_for_url("**m=*")
-    assert page.evaluate(HEIGHTS) == before
-    page.get_by_role("button", name="Speed of: Glider").click()
-    expect(page.locator("[data-value=tau]").first).to_have_text("12.4")
-    assert page.evaluate(HEIGHTS) != before
-
-
-def test_clock_moves_the_aircraft_and_a_link_restores(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="phugoid", excess=0.3, unit="km/h", v_0=250)
-    assert page.locator("input[name=v_0]").input_value() == "900"
-    page.evaluate(PAUSE)
-    places = []
-    for t in (0, 20, 40):
-        seek(page, t)
-        places.append(
-            page.evaluate("document.querySelectorAll('svg.stage g.m1 path.fill')[0].getAttribute('transform')")
-        )
-    assert len(set(places)) == 3
-    assert page.evaluate(BROKEN) == 0
-
-
 def test_on_a_phone_no_number_touches_another_and_no_heading_is_cut(
     new_page: Callable[..., Page], open_scene: Open
 ) -> None:

@@ -121,21 +121,6 @@ def test_a_preset_goes_into_what_was_set_just_before(page: Page, open_scene: Ope
     is_shown(page, k1=9, window=33, k2=5)
 
 
-def test_the_back_button_steps_through_presets_and_not_through_values(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    for label, name in (("Beats", "beats"), ("Beats", "beats"), ("All equal", "all-equal")):
-        page.get_by_role("button", name=label).click()
-        page.wait_for_function(f"oscillations.shown.preset === '{name}'")
-    type_in(page, "k2", "7")
-    is_shown(page, k2=7)
-    page.go_back()
-    page.wait_for_function("oscillations.shown.preset === 'beats'")
-    page.go_back()
-    page.wait_for_function("oscillations.shown.preset === 'both'")
-    page.go_forward()
-    page.wait_for_function("oscillations.shown.preset === 'beats'")
-
-
 def test_a_preset_that_is_refused_says_why(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="forced", window=1e-3)
     page.evaluate("oscillations.take({omega: 1e300})")

@@ -6,7 +6,6 @@ from typing import Any
 from urllib.parse import parse_qs
 
 import param
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -52,20 +51,6 @@ SCENES: dict[str, type[Scene]] = {"first": First, "second": Second}
 def query(text: str) -> dict[str, list[bytes]]:
     """The arguments as the server gives them."""
     return {key: [value.encode() for value in values] for key, values in parse_qs(text, keep_blank_values=True).items()}
-
-
-def test_link_restores_what_it_names() -> None:
-    link = read_query(query("scene=first&k2=3&x1_0=-1e-3&axes=lecture&log=true&hidden=x1.slow,x2&window=12"), SCENES)
-    assert link.slug == "first"
-    assert link.values == {
-        "k2": 3.0,
-        "x1_0": -1e-3,
-        "axes": "lecture",
-        "log": True,
-        "hidden": ["x1.slow", "x2"],
-        "window": 12.0,
-    }
-    assert link.problems == []
 
 
 def test_link_carries_what_is_covered_and_what_of_the_frame_is_not_fitted() -> None:
@@ -174,12 +159,6 @@ def test_default_scene_has_the_shortest_link() -> None:
 def test_link_is_short_and_in_a_stable_order() -> None:
     scene = First(hidden=["x1.slow", "x2"], k2=3, m1=1e22, axes="lecture", steps=0.5)
     assert fitted(scene.value).query == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
-
-
-@pytest.mark.parametrize("span", [None, 4.0])
-def test_automatic_value_comes_back_where_it_is_not_the_default(span: float | None) -> None:
-    link = read_query(query(fitted(Second(span=span).value).query), SCENES)
-    assert (link.slug, link.values, link.problems) == ("second", {"span": span}, [])
 
 
 above_0 = st.floats(min_value=0, exclude_min=True, allow_infinity=False)

@@ -8,7 +8,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.language.state import State
 from components.quantities.axes import TIME_AXIS
 from components.scene.picture import frame_of
 from components.scenes import SCENES
@@ -48,20 +47,6 @@ def test_what_is_held_is_the_picture_from_before_in_the_frame_that_stands(slug: 
             low, high = span(axis.ruler)
             true = np.clip(axis.places(wanted.sources[source][name]), low, high)
             assert np.allclose(np.clip(column, low, high), true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
-
-
-@scenes
-def test_the_state_and_the_link_bring_it_back(slug: str) -> None:
-    page = Page(SCENES[slug]())
-    put(page, **moved(SCENES[slug]))
-    hold(page)
-    told = change(page, parameters={})
-    assert told["errors"] == {} and told["state"]["held"]
-    link = read_query(as_arguments(told["query"]), SCENES)
-    assert link.problems == [] and opened(SCENES, link).now.state == page.now.state
-    again = Page(SCENES["coupled"]()).say({"type": "open", "state": told["state"], "number": 1})
-    assert (again["state"], again["held"]["ledger"]) == (told["state"], told["held"]["ledger"])
-    assert change(page, held=None)["held"] is None
 
 
 def test_the_ledger_says_what_became_of_each_number_and_what_is_the_same() -> None:
@@ -133,8 +118,3 @@ def test_what_cannot_be_held_is_refused() -> None:
     assert link.held is None
     told = unpacked(opened(SCENES, read_query(as_arguments("scene=coupled&held.k2=5"), SCENES)).opening())
     assert told["held"]["values"] == {"k2": 5.0}
-
-
-def test_a_state_without_anything_held_is_told_nothing_of_it() -> None:
-    assert Page(SCENES["coupled"]()).opening()["held"] is None
-    assert msgspec.convert({"scene": "coupled"}, State).held is None

@@ -46,10 +46,6 @@ def test_frequency_follows_the_table(slug):
     check()
 
 
-def test_the_nine_systems_of_the_lecture_in_its_order():
-    assert list(ANALOGUES) == list(OMEGA_SQUARED)
-
-
 @systems
 def test_defaults_are_those_of_a_system_that_swings(slug):
     system = ANALOGUES[slug]

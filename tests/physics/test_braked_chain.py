@@ -136,9 +136,3 @@ def test_at_resonance_a_dashpot_leaves_a_finite_swing_and_without_one_nothing_ch
     np.testing.assert_array_equal(
         damped_amplitude(PLAIN, 0.0, 1.0, [0.3, 1.7]), abs(particular_solution(PLAIN, 1.0, [0.3, 1.7]))
     )
-
-
-@pytest.mark.parametrize("c1", [-1.0, math.inf, math.nan])
-def test_a_dashpot_only_takes_energy(c1: float) -> None:
-    with pytest.raises(ValueError, match="c1"):
-        modes(PLAIN, c1, 0.1)

@@ -15,8 +15,6 @@ from hypothesis import strategies as st
 from scipy.special import jv
 
 from physics.chain import UniformChain
-from physics.coupled import TwoMassChain, free_motion
-from physics.oscillator import Oscillator
 from physics.reference.uniform_chain import chain_frequencies, chain_points
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
@@ -115,16 +113,6 @@ def test_one_mass_that_is_let_go_sends_waves_that_are_reflected_as_images(ends: 
     assert chain.motion(start, np.zeros(N), t).x == pytest.approx(wanted, abs=1e-13)
 
 
-def test_one_mass_is_the_oscillator_and_two_are_the_chain_of_the_lecture() -> None:
-    t = np.linspace(0, 7, 9)
-    one = UniformChain(N=1, m=2.0, k=3.0, ends="fixed-free").motion([0.3], [0.4], t)
-    assert one.x[0] == pytest.approx(Oscillator(m=2.0, k=3.0).motion(0.3, 0.4, t).x, abs=1e-15)
-    two = UniformChain(N=2, m=2.0, k=3.0, ends="fixed-free").motion([0.3, -1.0], [0.4, 0.0], t)
-    wanted = free_motion(TwoMassChain(m1=2.0, m2=2.0, k1=3.0, k2=3.0), (0.3, -1.0), (0.4, 0.0), t)
-    assert two.x == pytest.approx(wanted.x, abs=1e-15)
-    assert UniformChain(N=2, m=1.0, k=1.0, ends="fixed-free").omega == pytest.approx([0.6180339887, 1.6180339887])
-
-
 @each_case
 def test_a_pluck_has_the_modes_of_the_reference(case: dict[str, Any]) -> None:
     if not case.get("pluck"):
@@ -162,21 +150,6 @@ def test_a_mode_alone_keeps_its_shape() -> None:
     assert motion.x[:, 0] == pytest.approx(x * math.cos(1.3 * chain.omega[3]), abs=1e-15)
     energy = chain.modes(x, np.zeros(7)).energy
     assert np.abs(x).max() == 0.5 and energy.argmax() == 3 and energy[3] == pytest.approx(energy.sum())
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"N": 0}, "at least 1"),
-        ({"N": 2.5}, "whole"),
-        ({"ends": "loose"}, "fixed-free"),
-        ({"k": 0.0}, "above 0"),
-        ({"m": -1.0}, "m ="),
-    ],
-)
-def test_refusals_name_the_value(change: dict[str, Any], words: str) -> None:
-    with pytest.raises(ValueError, match=words):
-        UniformChain(**({"N": 3, "m": 1.0, "k": 1.0} | change))
 
 
 def test_a_free_chain_cannot_be_plucked_and_a_start_has_a_number_for_each_mass() -> None:

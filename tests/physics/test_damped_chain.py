@@ -246,9 +246,3 @@ def test_an_undamped_chain_has_the_modes_of_the_lecture() -> None:
     assert kind is Kind.UNDAMPED and [one.exponents for one in modes] == [(1j,), (2j,)]
     assert chain.roots.tolist() == [1j, -1j, 2j, -2j] and chain.shapes.tolist() == [2, 2, -1, -1]
     assert DampedChain(m1=1, m2=1, k1=0, k2=0).free_motions.modes[0].exponents == (0, 0)
-
-
-@pytest.mark.parametrize(("name", "value"), [("c2", -1.0), ("c1", math.nan), ("m1", 0.0), ("k2", math.inf)])
-def test_refusals_name_the_value(name: str, value: float) -> None:
-    with pytest.raises(ValueError, match=name):
-        DampedChain(**{"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0, name: value})

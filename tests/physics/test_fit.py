@@ -13,7 +13,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from physics.damped_chain import DampedChain
 from physics.fit import Caution, DampedFit, fit_damped
@@ -247,10 +246,3 @@ def test_known_errors_give_a_chi_square() -> None:
         values.append(fit.chi_square)
         assert fit.freedom == 195
     assert np.mean(values) == pytest.approx(195, abs=4 * math.sqrt(2 * 195 / 60))
-
-
-def test_the_chain_of_the_rows_is_that_of_the_lecture() -> None:
-    """Slide 8's chain without dashpots: the golden ratio and its inverse."""
-    chain, t = TwoMassChain(m1=1, m2=1, k1=1, k2=1), np.linspace(0, 40, 300)
-    x = DampedModes(chain=chain, c=0.0, F_0=0.0, omega=0.0, x_0=(1.0, 0.0)).motion(t).x
-    assert fit_damped(t, x, modes=2).omega == pytest.approx([0.6180339887, 1.6180339887], rel=1e-9)

@@ -169,42 +169,12 @@ def test_resonance_has_no_steady_amplitude(omega, F_0):
         steady_start(LECTURE, F_0, omega)
 
 
-def test_at_resonance_the_response_grows_like_t():
-    t = np.array([1e3, 1e6]) * 2 * np.pi
-    x = driven_modes(LECTURE, 6.0, 1.0).motion(t).x
-    assert -x[0] / t == pytest.approx([0.5, 0.5], rel=1e-3)
-    assert -x[1] / t == pytest.approx([1.0, 1.0], rel=1e-3)
-
-
-def test_no_seam_at_resonance():
-    """From exactly on it to a detuning of a millionth the motion changes smoothly."""
-    t = np.linspace(0.0, 60.0, 301)
-    still = forced_motion(LECTURE, 1.0, 2.0, t).x
-    for detuning in (1e-6, 1e-9, 1e-12, 4.5e-16):
-        for sign in (-1, 1):
-            moved = forced_motion(LECTURE, 1.0, 2.0 * (1 + sign * detuning), t).x
-            assert np.max(np.abs(moved - still)) <= 2000 * detuning + 1e-14
-
-
 def test_detuning_is_exact():
     chain = TwoMassChain(m1=1.0, m2=1.0, k1=3.0, k2=2.0)
     omega = chain.modes().omega
     modes = driven_modes(chain, 1.0, omega[1])
     assert modes.detuning[1] == pytest.approx(float(mp.mpf(float(omega[1])) - mp.sqrt(6)), rel=1e-15)
     assert modes.detuning[1] != 0.0
-
-
-def test_the_absorber_stops_mass_1():
-    chain, t = TwoMassChain(m1=3.0, m2=0.25, k1=2.0, k2=1.0), np.linspace(0.0, 30.0, 200)
-    assert antiresonance(chain) == 2.0
-    assert particular_solution(chain, 5.0, 2.0).tolist() == [0.0, -5.0]
-    assert particular_solution(chain, 5.0, [1.0, 2.0])[:, 1].tolist() == [0.0, -5.0]
-    x_0, v_0 = steady_start(chain, 5.0, 2.0)
-    assert x_0 == (0.0, 0.0) and v_0 == (0.0, -10.0)
-    motion = forced_motion(chain, 5.0, 2.0, t, x_0, v_0)
-    assert np.max(np.abs(motion.x[0])) <= 100 * U
-    assert motion.x[1] == pytest.approx(-5.0 * np.sin(2.0 * t), abs=1e-13)
-    assert -chain.k2 * motion.e[1] == pytest.approx(5.0 * np.sin(2.0 * t), abs=1e-13)
 
 
 @pytest.mark.parametrize("omega", [0.3, 0.9999, 1.4, 1.97, 7.0])
@@ -246,44 +216,6 @@ def test_coupling_and_g_give_the_motion():
     w = LECTURE.modes().omega[:, np.newaxis]
     g = (w * np.sin(omega * t) - omega * np.sin(w * t)) / (w * (w**2 - omega**2))
     assert 2.0 * modes.coupling.T @ g == pytest.approx(modes.motion(t).x, abs=1e-14)
-
-
-def test_without_a_wall_the_centre_of_mass_drifts():
-    chain, t = TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=3.0), np.linspace(0.0, 1000.0, 50)
-    x = forced_motion(chain, 6.0, 0.5, t).x
-    assert (2 * x[0] + x[1]) / 3 == pytest.approx(4.0 * t - 8.0 * np.sin(0.5 * t), rel=1e-14, abs=1e-13)
-    assert particular_solution(chain, 1.0, [0.0, 1.0])[:, 0].tolist() == [math.inf, math.inf]
-
-
-def test_without_coupling_mass_2_does_not_notice():
-    chain = TwoMassChain(m1=2.0, m2=1.0, k1=8.0, k2=0.0)
-    assert particular_solution(chain, 4.0, [0.0, 1.0, 2.0]).tolist() == [
-        [0.5, 2 / 3, math.inf],
-        [0.0, 0.0, 0.0],
-    ]
-    assert particular_solution(chain, 4.0, 0.0).tolist() == [0.5, 0.0]
-    assert particular_solution(chain, 4.0, 2.0).tolist() == [math.inf, 0.0]
-    assert not np.any(forced_motion(chain, 4.0, 2.0, [0.0, 1.0, 1e3]).x[1])
-
-
-@pytest.mark.parametrize(
-    ("F_0", "omega", "message"),
-    [
-        (math.nan, 1.0, "F_0 = nan"),
-        (math.inf, 1.0, "F_0 = inf"),
-        (1.0, -1.0, "omega = -1.0"),
-        (1.0, math.inf, "omega"),
-        (1.0, math.nan, "omega"),
-    ],
-)
-def test_refused_drives(F_0, omega, message):
-    for call in (particular_solution, driven_modes, steady_start):
-        with pytest.raises(ValueError, match=message):
-            call(LECTURE, F_0, omega)
-    with pytest.raises(ValueError, match=message):
-        particular_solution(LECTURE, F_0, [1.0, omega])
-    with pytest.raises(ValueError, match="shape"):
-        particular_solution(LECTURE, 1.0, [[1.0, 2.0]])
 
 
 @pytest.mark.parametrize(("m1", "omega"), [(1.0, 1e300), (1e-150, 1.0)])

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from physics.coupled import TwoMassChain, free_motion
 from physics.forced import (
@@ -37,15 +36,3 @@ def test_a_curve_at_the_edge_of_the_range():
     for n, omega in enumerate((0.0, 1e-10, 1e3, 1e200)):
         assert curve[:, n].tolist() == particular_solution(chain, 1e-300, omega).tolist()
     assert particular_solution(chain, 1e-300, []).shape == (2, 0)
-
-
-def test_against_an_integrator():
-    def rate(t, y):
-        x1, x2, v1, v2 = y
-        pull = LECTURE.k2 * (x1 - x2)
-        return v1, v2, (1.5 * np.sin(1.1 * t) - LECTURE.k1 * x1 - pull) / LECTURE.m1, pull / LECTURE.m2
-
-    t = np.linspace(0.0, 20.0, 41)
-    steps = solve_ivp(rate, (0.0, 20.0), (0.5, 0.0, 0.0, -1.0), "DOP853", t, rtol=1e-12, atol=1e-12)
-    motion = forced_motion(LECTURE, 1.5, 1.1, t, (0.5, 0.0), (0.0, -1.0))
-    assert np.vstack([motion.x, motion.v]) == pytest.approx(steps.y, abs=1e-9)

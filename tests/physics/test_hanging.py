@@ -84,26 +84,6 @@ def test_the_spring_along_a_motion_is_that_of_each_place():
     np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
 
 
-def test_exchange_runs_at_twice_the_frequency():
-    t = np.linspace(0, 2, 50)
-    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.0)
-    swing = free.E / 2
-    np.testing.assert_allclose(MASS.well(free.x.at(t)), swing * (1 + np.cos(2 * MASS.omega_n * t)), atol=1e-15)
-
-
-def test_the_well_meets_the_energy_at_the_turning_points():
-    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.3)
-    C = free.constants.C
-    np.testing.assert_allclose(MASS.well([-C, C]), free.E, rtol=4 * U)
-    np.testing.assert_allclose(MASS.well([0.0], "separate"), MASS.datum_shift)
-
-
-@pytest.mark.parametrize(("name", "value"), [("m", 0.0), ("k", 0.0), ("k", math.inf), ("g", -9.81), ("g", math.nan)])
-def test_bad_parameters_are_refused(name, value):
-    with pytest.raises(ValueError, match=f"{name} = {value!r}"):
-        HangingMass(**{"m": 1.0, "k": 1.0, "g": 9.81, name: value})
-
-
 def test_what_leaves_the_range_of_doubles_is_named():
     with pytest.raises(ValueError, match="static deflection"):
         _ = HangingMass(m=1e300, k=1e-300, g=9.81).delta_st

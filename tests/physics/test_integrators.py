@@ -180,14 +180,6 @@ def test_newmark_is_the_implicit_midpoint_where_nothing_drives():
     assert np.max(np.abs(apart[0] - apart[1])) > 1e-5
 
 
-def test_verlet_is_the_central_difference():
-    x = run_fixed("verlet", FREE, 1, Watch()).x
-    h, chain = FREE.spacing, CHAIN
-    stretch = x[1] - x[0]
-    a = np.array([(chain.k2 * stretch - chain.k1 * x[0]) / chain.m1, -chain.k2 * stretch / chain.m2])
-    np.testing.assert_allclose(x[:, 2:] - 2 * x[:, 1:-1] + x[:, :-2], h * h * a[:, 1:-1], atol=1e-13)
-
-
 @pytest.mark.parametrize("method", WEIGHTS)
 def test_a_run_grows_by_the_amplification(method):
     """One mass alone, k2 = 0, a little past the limit: the growth a step approaches the spectral radius."""

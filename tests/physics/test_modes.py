@@ -103,19 +103,7 @@ def test_pole_of_the_second_row() -> None:
     assert second is not None and second.is_infinite()
 
 
-@pytest.mark.parametrize("omega", [-1.0, float("nan"), float("inf")])
-def test_a_trial_frequency_is_finite_and_not_negative(omega: float) -> None:
-    with pytest.raises(ValueError, match="omega"):
-        trial(GOOD, omega)
-
-
 # Forces
-
-
-def test_book_values_of_the_forces() -> None:
-    push = trial_forces(GOOD, 1.7, -0.8)
-    values = [[float(value) for value in pair] for pair in push]
-    np.testing.assert_allclose(values, [[1, -0.8], [-5.78, 2.312], [-7.6, 3.6], [1.82, -1.288]], rtol=1e-14)
 
 
 @thorough
@@ -252,28 +240,12 @@ def test_limits(name: str, chain: TwoMassChain, end: int) -> None:
     np.testing.assert_allclose(tends.ratio, run.ratio, rtol=1e-6)
 
 
-def test_limits_of_the_coupling_in_numbers() -> None:
-    values = np.array([1.0])
-    apart, rigid = limit(GOOD, "k2", 0, values), limit(GOOD, "k2", 1, values)
-    assert (apart.kind, rigid.kind) == ("apart", "rigid")
-    np.testing.assert_allclose(apart.omega[:, 0], [1.0, np.sqrt(2.0)])
-    np.testing.assert_allclose(rigid.omega[:, 0], [np.sqrt(4 / 3), np.sqrt(1.5)])
-    np.testing.assert_allclose(rigid.ratio[:, 0], [1.0, -2.0])
-
-
 def test_only_a_parameter_is_swept() -> None:
     with pytest.raises(ValueError, match="m1, m2, k1, k2"):
         sweep(GOOD, "omega", [1.0])
 
 
 # Shares
-
-
-@pytest.mark.parametrize(
-    ("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 5**0.5 / (5**0.5 + 8**0.5))]
-)
-def test_book_values_of_a_mixture(start: tuple[float, float], slow: float) -> None:
-    assert mixture(GOOD, start)[:2] == pytest.approx((slow, 1 - slow), abs=1e-15)
 
 
 @thorough

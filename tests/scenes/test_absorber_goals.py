@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import random
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -12,7 +9,6 @@ from components.scenes import SCENES
 from components.scenes.absorber import Absorber
 from components.session.opening import opened
 from components.state.link import read_query
-from components.state.page_state import fitted
 from physics.absorber import den_hartog
 from tests.page.headless_page import Page, apply_message, change, put, take_preset
 from tests.scenes.checks import as_arguments, check_picture, solves
@@ -157,54 +153,6 @@ def test_presets_choose_the_machine_and_leave_the_absorber() -> None:
         assert (scene.omega, scene.m2, scene.preset()) == (omega, 30.0, label)
         assert scene.shown.forms[kind]
         assert scene.k2 == pytest.approx(30.0 * omega**2, rel=1e-15)
-
-
-def test_refusals_leave_the_scene_as_it_was() -> None:
-    scene = Absorber()
-    before = scene.shown, scene.param.values()
-    for name, text, reason in (
-        ("m2", "0", "a mass is a finite number above 0"),
-        ("omega", "0", "a running speed is a finite number above 0"),
-        ("k1", "0", "a mounting is a finite number above 0"),
-        ("m2", "1e307", "the tuned stiffness"),
-    ):
-        errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
-        assert reason in errors[name].lower()
-    assert (scene.shown, scene.param.values()) == before
-
-
-@pytest.mark.parametrize(
-    "values",
-    [{"m2": 16.7}, {"k2": 30e3}, {"_valley": 43.21}, {"tuning": "detached", "m2": 3.0}, {"own": True, "omega": 31.0}],
-)
-def test_link_brings_the_absorber_back(values: dict[str, Any]) -> None:
-    scene = Absorber()
-    scene.set(values)
-    link = read_query(as_arguments(fitted(scene.value).query), SCENES)
-    again = Absorber()
-    again.set(link.values)
-    assert link.problems == []
-    assert again.param.values() | {"name": ""} == scene.param.values() | {"name": ""}
-    assert again.shown.values == scene.shown.values
-
-
-@pytest.mark.parametrize(("seed", "decades"), [(1, 300), (2, 100), (3, 10)])
-def test_any_machine_is_drawn_or_refused_in_words(seed: int, decades: int) -> None:
-    draw, scene, drawn = random.Random(seed), Absorber(), 0
-    for _ in range(25):
-        values: dict[str, Any] = {
-            name: 10.0 ** draw.uniform(-decades, decades) for name in ("m1", "k1", "F_0", "omega", "m2", "k2", "c")
-        }
-        values |= {"tuning": draw.choice(["tuned", "free", "detached"]), "damping": draw.choice(["none", "added"])}
-        try:
-            with np.errstate(all="raise", under="ignore"):
-                scene.set(values)
-        except ValueError as reason:
-            assert len(str(reason)) > 20
-            continue
-        drawn += 1
-        check_picture(scene)
-    assert drawn > 10
 
 
 def test_a_motion_from_rest_that_cannot_be_drawn_takes_its_view_alone_away() -> None:

@@ -13,12 +13,10 @@ from scipy.integrate import solve_ivp
 from components.scenes import SCENES
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.reach import REACHES, REMARKS
-from components.state.link import read_query
-from components.state.page_state import fitted
 from physics.analogues import ANALOGUES
 from tests.page.headless_page import apply_message
 from tests.page.scripts import played
-from tests.scenes.checks import EXTREMES, check_picture, quantities
+from tests.scenes.checks import quantities
 
 systems = pytest.mark.parametrize("slug", ANALOGUES)
 LINEAR = [slug for slug in ANALOGUES if slug not in ("pendulum", "rocking")]
@@ -42,13 +40,6 @@ def own(slug: str) -> list[str]:
     """The parameters of one system."""
     names = [name for name in quantities(Analogues) if name.startswith(f"{slug}_")]
     return [*names, "theta_0"] if ANALOGUES[slug].length_of else names
-
-
-def test_default_is_the_pendulum_from_sixty_degrees() -> None:
-    values = Analogues().shown.values
-    assert (values["omega"], values["small_period"], values["period"]) == ("3.13", "2.01", "2.15")
-    assert (values["late"], values["late_percent"]) == ("0.440", "7.32")
-    assert (values["m"], values["k"]) == ("1.00", "9.81")
 
 
 @pytest.mark.parametrize("slug", ["pendulum", "rocking"])
@@ -83,20 +74,6 @@ def test_what_is_linear_moves_with_its_spring(slug: str) -> None:
     assert data["q"][0] == 3.7 * ANALOGUES[slug].swing
     np.testing.assert_array_equal(data["q"], data["x"])
     assert scene.shown.forms["linear"] and not scene.shown.forms["swinging"]
-
-
-@systems
-def test_what_moves_is_what_is_drawn(slug: str) -> None:
-    scene = Analogues(system=slug, theta_0=150.0)
-    data, axes = scene.sources["time"].data, scene.shown.axes
-    for i in range(0, len(data["t"]), 37):
-        named = played(scene.shown, axes["t"].place(data["t"][i]))
-        assert named["level"] == pytest.approx(
-            axes["q"].place(data["q"][i]), abs=2e-5 * axes["q"].place(abs(data["q"][0]))
-        )
-        assert named["rule"] == pytest.approx(
-            axes["q"].place(data["x"][i]), abs=1e-9 * axes["q"].place(abs(data["q"][0]))
-        )
 
 
 def test_energies_of_the_pendulum_and_of_its_spring_part() -> None:
@@ -159,31 +136,6 @@ def test_only_the_chosen_systems_controls_stand(slug: str) -> None:
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])
 
 
-@systems
-def test_far_beyond_the_sliders_a_picture_or_a_reason(slug: str) -> None:
-    drawn = refused = 0
-    for name, value in itertools.product(own(slug), (0.0, *EXTREMES, -1.0)):
-        scene = Analogues(system=slug)
-        before = scene.shown
-        try:
-            scene.set({name: value})
-        except ValueError as reason:
-            assert str(reason) and scene.shown is before
-            refused += 1
-            continue
-        check_picture(scene)
-        drawn += 1
-    assert drawn >= len(own(slug))
-
-
-@systems
-def test_corners_of_the_sliders_of_each_system(slug: str) -> None:
-    scene = Analogues(system=slug)
-    for ends in itertools.product((0, 1), repeat=len(own(slug))):
-        scene.set({n: quantities(Analogues)[n].softbounds[end] for n, end in zip(own(slug), ends, strict=True)})
-        check_picture(scene)
-
-
 def test_too_fast_to_draw_is_a_band() -> None:
     scene = Analogues(system="circuit", window=1.0)
     band = scene.sources["band"].data
@@ -192,37 +144,12 @@ def test_too_fast_to_draw_is_a_band() -> None:
     assert "period_seen" not in scene.shown.scalars
 
 
-@pytest.mark.parametrize(
-    ("name", "text", "said"),
-    [
-        ("theta_0", "180", "not 180° itself"),
-        ("string_n", "1.5", "whole number"),
-        ("pendulum_l", "0", "above 0"),
-        ("circuit_C", "-1", "above 0"),
-    ],
-)
-def test_bad_values_are_refused_with_a_sentence(name: str, text: str, said: str) -> None:
-    scene = Analogues()
-    before = scene.shown
-    errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
-    assert said in errors[name] and errors[name].endswith(".")
-    assert scene.shown is before
-
-
 def test_many_half_waves_are_drawn_as_twelve_and_it_is_said() -> None:
     scene = Analogues(system="string", string_n=100.0)
     assert scene.shown.scalars["half_waves"] == 12
     assert "12 half waves" in scene.shown.notes[0]
     assert apply_message(scene, {"type": "typed", "name": "string_n", "text": "3"}) == {}
     assert (scene.shown.scalars["half_waves"], scene.shown.notes) == (3, ())
-
-
-def test_link_carries_the_system_and_its_parameters() -> None:
-    scene = Analogues(system="shaft", shaft_J=12.5, theta_0=100.0)
-    assert fitted(scene.value).query == "scene=analogues&system=shaft&theta_0=100&view=roles&shaft_J=12.5"
-    link = read_query({"scene": [b"analogues"], "system": [b"balloon"], "shaft_J": [b"2"]}, SCENES)
-    assert link.values == {"shaft_J": 2.0}
-    assert "balloon" in link.problems[0]
 
 
 def test_defaults_lie_on_their_sliders() -> None:

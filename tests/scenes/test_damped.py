@@ -57,38 +57,6 @@ def test_a_link_with_zeta_alone_sets_c() -> None:
     assert DAMPED.at({"zeta": 1.0, "c": 3.0, "keep": "zeta"}).c == pytest.approx(12.566622)
 
 
-@pytest.mark.parametrize(
-    ("values", "refusal"),
-    [
-        ({"c": -1.0}, "a dashpot only takes energy"),
-        ({"zeta": -0.1}, "a dashpot only takes energy"),
-        ({"k": 0.0, "zeta": 0.2}, "Without a spring"),
-    ],
-)
-def test_what_a_dashpot_cannot_be_is_a_sentence_and_loses_nothing(values: dict[str, float], refusal: str) -> None:
-    page = Page(DAMPED(x_0=0.2, **({"k": 0.0} if "k" in values else {})))
-    before = page.scene.key
-    told = put(page, **{name: value for name, value in values.items() if name != "k"})
-    assert refusal in " ".join(told["errors"].values()) and page.scene.key == before
-
-
-def test_without_a_dashpot_it_is_the_oscillator() -> None:
-    damped, plain = DAMPED(c=0.0, x_0=0.15, v_0=0.4), SCENES["oscillator"](k=39.48, x_0=0.15, v_0=0.4)
-    t = damped.sources["time"].data["t"]
-    motion = DampedOscillator(m=1.0, c=0.0, k=39.48).motion(0.15, 0.4, t)
-    assert np.array_equal(damped.sources["time"].data["x"], motion.x)
-    assert damped.shown.values["omega"] == plain.shown.values["omega"]
-    assert damped.shown.forms["upper"] == damped.shown.forms["heat"] == damped.shown.forms["power"] == ""
-    assert sentence(damped) == "Nothing is lost: every swing is as large as the last."
-
-
-def test_the_energies_add_up() -> None:
-    for values in DAMPED.presets.values():
-        columns = DAMPED(**values).sources["time"].data
-        assert np.all(np.diff(columns["E"]) <= 1e-12 * columns["E_0"][0])
-        assert np.all(columns["V"] <= columns["E"]) and np.all(columns["E"] <= columns["E_0"] * (1 + 1e-12))
-
-
 COLUMNS = {
     "Light": "t x upper lower V T E E_0 heat P",
     "Door closer": "t x slow fast V T E E_0 heat P",
@@ -107,19 +75,7 @@ def test_the_columns_of_a_file_keep_their_names_and_their_order(label: str) -> N
 def test_the_columns_of_bands_keep_their_order() -> None:
     _, band, _ = tables(DAMPED, DAMPED.at({"c": 1e-3, "window": 1e4}).shown)
     names = [head.split(" [")[0] for head in band.head]
-    assert names == [
-        "t",
-        "upper",
-        "lower",
-        "x_lo",
-        "x_hi",
-        "V_mean",
-        "T_mean",
-        "E_mean",
-        "E_0_mean",
-        "heat_mean",
-        "P_mean",
-    ]
+    assert " ".join(names) == "t upper lower x_lo x_hi V_mean T_mean E_mean E_0_mean heat_mean P_mean"
 
 
 def late(scene: Scene, share: float) -> float:
@@ -244,6 +200,7 @@ def test_next_to_critical_it_crosses_only_where_it_is_thrown_faster_than_is_said
     ("values", "told"),
     [
         ({"x_0": 0.0}, "It rests"),
+        ({"c": 0.0, "x_0": 0.15, "v_0": 0.4}, "Nothing is lost: every swing is as large as the last."),
         ({"x_0": 0.0, "v_0": 1.0, "c": 40.0}, "It never passes 0 again."),
         ({"x_0": 1e-12, "v_0": 1.0, "c": 40.0}, "It goes out to +0.0"),
         ({"k": 0.0, "v_0": 1.0}, "No spring: it glides to rest 0.796 m further on."),

@@ -73,10 +73,6 @@ def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> Non
         assert "by itself" in str(DRIVEN.param["zeta"].doc), "a driven mass swings at any damping"
 
 
-def test_the_title_over_the_start_holds_for_every_start() -> None:
-    assert [group.hint for group in DRIVEN.groups if "x_0" in group.names] == ["Start"]
-
-
 @pytest.mark.parametrize("zeta", [0.0, 0.05, 1.0])
 @pytest.mark.parametrize("beside", [-9e-4, -1e-5, 0.0, 1e-5, 4e-4, 9e-4])
 def test_it_swings_as_far_as_its_base_only_where_its_number_says_so(zeta: float, beside: float) -> None:
@@ -246,12 +242,6 @@ def test_the_height_at_one_sets_the_damping_and_c_follows() -> None:
     assert page.shown.scalars["peak"] == pytest.approx(5.0)
 
 
-def test_mass_spring_and_dashpot_come_along() -> None:
-    page = Page(SCENES["damped"](m=2.0, c=3.0))
-    told = page.say({"type": "open", "state": {"scene": "driven"}, "carried": True, "number": 1})
-    assert told["state"]["parameters"] == {"m": 2.0, "c": 3.0}
-
-
 def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
     follows a band."""
@@ -368,9 +358,3 @@ def test_log_axes_change_no_number_and_no_other_view() -> None:
     forces = DRIVEN(axes="log", view="forces").shown
     assert not forces.axes["M"].log and "natural" not in forces.scalars, "the arrows are on its scale"
     assert "omega_at" not in DRIVEN(axes="log", omega=0.0).shown.scalars, "0 is on no log axis"
-
-
-def test_the_width_of_the_response_is_not_that_of_the_pulses() -> None:
-    scene = SCENES["driven"](m=2.0, c=3.0, k=50.0, width=0.3)
-    assert scene.numbers["width"].value == pytest.approx(1.5)  # c/m in rad/s
-    assert scene.shown.values["width"] == "1.50"

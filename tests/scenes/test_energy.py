@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from contextlib import suppress
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -12,18 +9,10 @@ from scipy.integrate import solve_ivp
 from components.scenes.energy import Energy
 from components.scenes.energy.case import PLANETS
 from tests.page.headless_page import take_preset
-from tests.page.scripts import played
-from tests.scenes.checks import check_picture, columns, corners, typed
+from tests.scenes.checks import columns
 
 CASE = {"m": 0.8, "k": 17.0, "g": 3.71, "x_0": -0.12, "v_0": 0.9}
 datums = pytest.mark.parametrize("datum", ["equilibrium", "separate", "slide"])
-
-
-def test_book_values() -> None:
-    values = Energy(k=4 * math.pi**2).shown.values
-    assert (values["delta"], values["omega"], values["tau"]) == ("0.248", "6.28", "1.00")
-    assert values["v_max"] == "1.26"  # omega_n x_max
-    assert (values["E_total"], values["T_max"], values["omega_2"]) == ("0.790", "0.790", "12.6")
 
 
 @datums
@@ -46,27 +35,6 @@ def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
     if datum == "separate":
         np.testing.assert_allclose(data["spring"], spring, atol=1e-9)
         np.testing.assert_allclose(data["gravity"], gravity, atol=1e-9)
-
-
-@datums
-def test_signals_are_the_columns(datum: str) -> None:
-    scene = Energy(**CASE, datum=datum)
-    data, axes = columns(scene), scene.shown.axes
-    for i in (0, 37, 101, 200):
-        named = played(scene.shown, axes["t"].place(data["t"][i]))
-        assert named["x"] == pytest.approx(axes["x"].place(data["x"][i]), abs=1e-12)
-        for name in data.keys() & {"T", "V", "spring", "gravity"}:
-            assert named[name] == pytest.approx(axes["E"].place(data[name][i]), abs=1e-12)
-        assert named["V_share"] == pytest.approx(data["V"][i] / (data["V"][i] + data["T"][i]), abs=1e-12)
-
-
-def test_exchange_runs_at_twice_the_frequency() -> None:
-    scene = Energy()
-    data = columns(scene)
-    turn = 2 * math.sqrt(scene.k / scene.m) * data["t"]
-    half = scene.k * scene.x_0**2 / 4
-    np.testing.assert_allclose(data["V"], half + half * np.cos(turn), atol=1e-12)
-    np.testing.assert_allclose(data["T"], half - half * np.cos(turn), atol=1e-12)
 
 
 def test_the_datum_shifts_v_by_a_constant_and_takes_the_equality() -> None:
@@ -144,30 +112,6 @@ def test_presets_leave_gravity_and_datum() -> None:
     for label in scene.presets:
         assert not take_preset(scene, label)
         assert (scene.g, scene.datum) == (1.62, "separate")
-
-
-def test_what_leaves_the_doubles_is_refused() -> None:
-    scene = Energy()
-    before = scene.shown
-    with pytest.raises(ValueError, match="range of doubles"):
-        scene.set({"m": 1e200, "g": 1e200})
-    with pytest.raises(ValueError, match="range of doubles"):
-        scene.set({"m": 1e150, "k": 5e-324, "g": 1.0})
-    assert scene.shown is before
-
-
-@pytest.mark.parametrize("datum", ["separate", "slide"])
-def test_pictures_from_another_datum_at_the_ends_of_all_sliders_and_far_beyond(datum: str) -> None:
-    for values in (*corners(Energy), *typed(Energy)):
-        scene = Energy(datum=datum)
-        with suppress(ValueError):
-            scene.set(values)
-        check_picture(scene)
-
-
-def test_a_mass_at_rest_at_equilibrium_is_drawn() -> None:
-    for values in ({"x_0": 0.0}, {"x_0": 0.0, "g": 0.0}):
-        check_picture(Energy(**values))
 
 
 def test_the_button_of_the_planet_in_force_is_known() -> None:

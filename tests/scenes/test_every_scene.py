@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 import pytest
 
-from components.language.blocks import Block, WordsBlock
-from components.layout.sheet import blocks, in_force
 from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
 from components.scenes import SCENES
@@ -20,32 +16,6 @@ from tests.scenes.checks import check_picture, choices, corners, quantities, sol
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
 scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys())
-
-
-def test_scenes_stand_in_the_lectures_order() -> None:
-    order = ["oscillator", "energy", "analogues", "phugoid", "damped", "driven"]
-    order += ["modes", "coupled", "forced", "absorber", "chain", "accuracy"]
-    assert [slug for slug in SCENES if slug in order] == order
-
-
-@pytest.mark.parametrize("slug", [slug for slug, scene in SCENES.items() if slug != "accuracy" and not scene.views])
-def test_one_task_in_plain_words_opens_each_scene_without_views(slug: str) -> None:
-    """The task may depend on the state; it needs no formula."""
-    sheet = SCENES[slug].sheet()
-    for block in _tasks(blocks(sheet)):
-        (item,) = block.items
-        for text in item.variants.values():
-            assert "<math" not in text and len(text.split()) <= 25, text
-    assert len(_tasks(in_force(sheet, SCENES[slug]().shown.forms))) == 1
-
-
-def _tasks(found: Iterable[Block]) -> list[WordsBlock]:
-    return [block for block in found if isinstance(block, WordsBlock) and block.style == "task"]
-
-
-@scenes
-def test_first_picture(scene_class: type[Scene]) -> None:
-    check_picture(scene_class())
 
 
 @scenes

@@ -3,43 +3,17 @@
 from __future__ import annotations
 
 import math
-import random
 
 import numpy as np
 import pytest
 
 from components.scenes.modes import VIEWS, ModesScene
-from tests.page.headless_page import apply_message, take_preset
-from tests.scenes.checks import check_picture
+from tests.page.headless_page import apply_message
 
-views = pytest.mark.parametrize("view", VIEWS)
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 # Guess
-
-
-def test_the_guess_of_the_mockup() -> None:
-    values = ModesScene(view="guess").shown.values
-    assert [values[name] for name in ("a11", "a12", "a22", "D", "square")] == [
-        "−0.220",
-        "2.00",
-        "0.890",
-        "−4.20",
-        "2.89",
-    ]
-    assert [values[name] for name in ("row1", "row2", "apart")] == ["+0.110", "−2.25", "2.36"]
-    assert [values[f"{row}{i}_N"] for row in ("need", "give", "add") for i in (1, 2)] == [
-        "−5.78 N",
-        "+2.31 N",
-        "−7.60 N",
-        "+3.60 N",
-        "+1.82 N",
-        "−1.29 N",
-    ]
-    assert (values["omega_slow"], values["omega_fast"]) == ("1.00", "2.00")
-    assert (values["r_slow"], values["r_fast"]) == ("+2.00", "−1.00")
-    assert (values["k1k2"], values["k2k2"]) == ("8.00", "−4.00")
 
 
 def test_curves_cross_at_the_modes_and_D_vanishes_there() -> None:
@@ -136,22 +110,9 @@ def test_the_guess_swings_at_the_trial_frequency_from_full_swing() -> None:
 
 def test_the_lectures_numbers() -> None:
     values = ModesScene(view="solve").shown.values
-    assert [values[n] for n in ("m1m2", "b", "k1k2_", "Delta", "root", "difference", "coupling")] == [
-        "2.00",
-        "10.0",
-        "8.00",
-        "36.0",
-        "6.00",
-        "−2.00",
-        "32.0",
-    ]
-    assert [values[n] for n in ("gamma", "delta", "slow_ratio", "fast_ratio", "product")] == [
-        "−0.500",
-        "1.50",
-        "+2.00",
-        "−1.00",
-        "−2.00",
-    ]
+    wanted = {"m1m2": "2.00", "b": "10.0", "k1k2_": "8.00", "Delta": "36.0", "root": "6.00", "difference": "−2.00"}
+    wanted |= {"coupling": "32.0", "gamma": "−0.500", "delta": "1.50", "product": "−2.00"}
+    assert wanted.items() <= values.items()
 
 
 def test_arrows_of_a_mode_turn_together_or_opposite() -> None:
@@ -168,9 +129,6 @@ def test_no_wall_is_said() -> None:
     assert shown.values["slow_omega"] == "0.00"
 
 
-# Sweep
-
-
 # All views
 
 
@@ -178,41 +136,3 @@ def test_what_is_compared_has_the_names_by_which_the_views_tell_it() -> None:
     told = {name for view in VIEWS for name in ModesScene(view=view, answer="shown").shown.values}
     compared = {name for one in ModesScene().readouts() for name in (one.name, *one.also)}
     assert compared - told == {"ratio_slow", "ratio_fast"}
-
-
-@views
-def test_presets_in_every_view(view: str) -> None:
-    scene = ModesScene(view=view)
-    for label in scene.presets:
-        assert take_preset(scene, label) == {}
-        assert (scene.preset(), scene.values["view"]) == (label, view)
-        check_picture(scene)
-
-
-@views
-def test_corners_are_drawn_or_refused_in_words(view: str) -> None:
-    """Any combination of values that physics allows."""
-    pick = random.Random(view)
-    sizes = (1e-300, 1e-150, 1e-12, 1.0, 1e12, 1e150, 1e300)
-    drawn = 0
-    for _ in range(60):
-        values = {name: pick.choice(sizes) for name in ("m1", "m2")}
-        values |= {name: pick.choice((0.0, *sizes)) for name in ("k1", "k2", "omega", "x1_0", "x2_0")}
-        choices = {"swept": pick.choice(("m1", "m2", "k1", "k2"))}
-        scene = ModesScene()
-        try:
-            scene.set(
-                {
-                    **values,
-                    **choices,
-                    "ratio": pick.choice((-1, 1)) * pick.choice(sizes),
-                    "answer": "shown",
-                    "view": view,
-                }
-            )
-        except ValueError as reason:
-            assert "range of doubles" in str(reason)
-            continue
-        drawn += 1
-        check_picture(scene)
-    assert drawn > 20

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from components.scenes.modes import ModesScene
 
@@ -45,19 +44,6 @@ def test_without_coupling_there_are_no_ratios_to_draw() -> None:
 
 
 # Hunt
-
-
-def test_the_path_is_the_motion() -> None:
-    scene = ModesScene(view="hunt", k2=3.0, x2_0=-0.4)
-    data = scene.sources["path"].data
-
-    def rates(_: float, y: np.ndarray) -> list[float]:
-        x1, x2, v1, v2 = y
-        pull = 3.0 * (x2 - x1)
-        return [v1, v2, (-4.0 * x1 + pull) / 2.0, -pull]
-
-    motion = solve_ivp(rates, (0, data["t"][-1]), [1.0, -0.4, 0, 0], "DOP853", data["t"], rtol=1e-12, atol=1e-12).y
-    np.testing.assert_allclose([data["x1"], data["x2"]], motion[:2], atol=1e-8)
 
 
 @pytest.mark.parametrize(

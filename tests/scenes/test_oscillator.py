@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
-from components.scenes import SCENES
 from components.scenes.oscillator import OscillatorScene
-from components.state.link import read_query
 from tests.page.scripts import played
 from tests.scenes.checks import check_picture, columns
 
@@ -27,34 +23,6 @@ def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
     return size * played(scene.shown, t / 10.0 ** axes["t"].exponent)[name]
 
 
-def test_first_scene_of_the_lecture() -> None:
-    assert next(iter(SCENES)) == "oscillator"
-    assert read_query({}, SCENES).slug == "oscillator"
-
-
-def test_book_value_a_period_of_one_second() -> None:
-    scene = OscillatorScene(k=4 * math.pi**2)
-    assert scene.shown.values["tau"] == "1.00"
-    assert scene.sources["time"].data["t"][-1] == pytest.approx(2.0, rel=1e-15)
-
-
-@starts
-def test_curves_are_the_motion(x_0: float, v_0: float) -> None:
-    scene = OscillatorScene(m=0.7, k=11.0, x_0=x_0, v_0=v_0)
-    data = columns(scene)
-    found = solve_ivp(
-        lambda _, y: [y[1], -11.0 / 0.7 * y[0]],
-        (0, data["t"][-1]),
-        [x_0, v_0],
-        t_eval=data["t"],
-        rtol=1e-11,
-        atol=1e-13,
-    )
-    for name, column in (("x", found.y[0]), ("v", found.y[1]), ("a", -11.0 / 0.7 * found.y[0])):
-        np.testing.assert_allclose(data[name], column, atol=1e-9 * np.abs(column).max())
-        np.testing.assert_allclose(signal(scene, name, data["t"]), column, atol=1e-9 * np.abs(column).max())
-
-
 @starts
 def test_the_tip_of_the_arrow_stands_on_the_level_of_x(x_0: float, v_0: float) -> None:
     scene = OscillatorScene(x_0=x_0, v_0=v_0)
@@ -63,16 +31,6 @@ def test_the_tip_of_the_arrow_stands_on_the_level_of_x(x_0: float, v_0: float) -
     np.testing.assert_allclose(C * signal(scene, "sine", t), columns(scene)["x"], atol=1e-12)
     omega = math.sqrt(scene.k / scene.m)
     np.testing.assert_allclose(C * signal(scene, "cosine", t), columns(scene)["v"] / omega, atol=1e-12)
-
-
-@starts
-def test_constants_with_atan2(x_0: float, v_0: float) -> None:
-    scene = OscillatorScene(m=2.0, k=18.0, x_0=x_0, v_0=v_0)
-    with mp.workdps(30):
-        C, phi = mp.hypot(x_0, mp.mpf(v_0) / 3), mp.atan2(x_0, mp.mpf(v_0) / 3)
-    compared = {one.name: one.value for one in scene.readouts()}
-    assert (compared["C"], compared["phi"]) == pytest.approx((float(C), float(phi)), rel=1e-15)
-    assert scene.shown.forms["why"] == {-1: "wrong", 0: "zero", 1: "right"}[int(np.sign(v_0))]
 
 
 def test_atan_points_the_other_way_where_the_start_is_backwards() -> None:
@@ -119,15 +77,6 @@ def test_too_fast_to_draw_is_the_band_of_the_amplitude() -> None:
         np.testing.assert_allclose(band[f"{name}_hi"], top, rtol=1e-12)
         np.testing.assert_allclose(band[f"{name}_lo"], -top, rtol=1e-12)
     assert not any(scene.shown.scalars[f"peak{i}_seen"] for i in range(3))
-
-
-def test_what_leaves_the_doubles_is_refused() -> None:
-    scene = OscillatorScene()
-    before = scene.shown
-    with pytest.raises(ValueError, match="range of doubles"):
-        scene.set({"m": 1e-300, "k": 1e300})
-    assert scene.shown is before
-    assert scene.m == 1.0
 
 
 def test_the_force_on_demand_is_minus_k_x() -> None:
