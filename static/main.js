@@ -82,7 +82,7 @@ export class Lecture {
     return this.messages.state
   }
 
-  // For tests and the console.
+  // Available to tests and in the browser's console.
   get clock() {
     return this.page.clock
   }

@@ -43,7 +43,7 @@ class View:
 
 
 def in_views(block: Block, *views: str) -> Block:
-    """Return the block, shown only in these views, each by its word."""
+    """Return the block, which is then shown only in these views, each given by its word."""
     return replace(block, views=views)
 
 

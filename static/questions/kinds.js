@@ -1,4 +1,4 @@
-// The kinds of question by the names that walks give them: components/walks/walk.py has the same.
+// The kinds of question by the names that walks give them: components/walks/walk.py has the same names.
 
 import {Choice} from "./choice.js"
 import {Numeric} from "./number.js"

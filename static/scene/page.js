@@ -211,7 +211,7 @@ export class Page {
     try {
       await bokeh()
     } catch {
-      plot.figure.lacks() // wait for the next attempt to connect, which needs it too
+      plot.figure.lacks() // try again with the next connection
       return
     }
     if (this.left) return

@@ -204,7 +204,7 @@ export class Walk {
   }
 
   /**
-   * The presses after the answer.
+   * The next action after the answer.
    * @param {Card | null} card @param {{isOpen: boolean, close(): void} | undefined} votes @returns {Press}
    */
   #onward(card, votes) {

@@ -52,7 +52,7 @@ ROOTS = Plot(
 )
 LEVEL, MIDDLE = wide(X.y(0), 0.3 * H), wide(0.52 * W, 0.3 * W)
 STROKE = wide(0.8 * (X.bottom - X.top), 0.24 * H)
-"""The distance of the block from the lowest x of the frame to the highest, in pixels; shorter on a phone."""
+"""The range of motion of the block in pixels, from the lowest x of the frame to the highest; shorter on a phone."""
 SIDE = wide(56, 42) * c.side
 LONGEST = 0.36
 """Length of the longest arrow of a force, as a share of the stroke."""

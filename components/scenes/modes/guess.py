@@ -187,7 +187,7 @@ def sheet() -> Block:
 
 
 def _matrix(*rows: tuple[object, object]) -> str:
-    """A matrix whose rows have the tints of their masses."""
+    """A matrix in LaTeX; each row has the colour of its mass."""
     cells = (" & ".join(rf"{{\tint{{m{i}}}{{{cell}}}}}" for cell in row_) for i, row_ in enumerate(rows, start=1))
     return r"\begin{pmatrix} " + r" \\ ".join(cells) + r" \end{pmatrix}"
 
