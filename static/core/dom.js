@@ -148,6 +148,25 @@ export const surface = (/** @type {Element} */ part) =>
 
 const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"))
 
+/** The width of a text and the size of its letters, in units. @param {SVGTextElement} text */
+export function extent(text) {
+  text.style.display = ""
+  const [width, size] = [text.getComputedTextLength(), parseFloat(getComputedStyle(text).fontSize)]
+  return {width, size, font: text.style.fontSize}
+}
+
+/**
+ * Makes a text smaller if it is wider than its room, down to half its size; returns its width and size in units.
+ * @param {SVGTextElement} text @param {number} room
+ */
+export function shrunk(text, room) {
+  text.style.fontSize = ""
+  const {width, size} = extent(text)
+  const share = Math.max(0.5, Math.min(1, room / width))
+  if (share < 1) text.style.fontSize = `${share * size}px`
+  return {width: share * width, size: share * size, font: text.style.fontSize}
+}
+
 /** The width of a small text in units. @param {string} text */
 export function textWidth(text) {
   ruler.font = `${units("t0")}px ${colour("sans")}`

@@ -7,6 +7,7 @@ import {colour, element, unitSize, units} from "../core/dom.js"
 const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
 const LENGTHS = ["line_dash", "size"]
 
+const LEAST = 0.25 // of the width is the frame at least
 const NUMBERS = 30 // units under a frame with numbers: components/layout/plots.py
 
 const LACK = "The program that draws the curves could not be loaded. Trying again."
@@ -64,12 +65,13 @@ export class Figure {
     if (this.left) this.leave()
   }
 
-  /** The margins of the frame, in whole pixels. */
+  /** The margins of the frame, in whole pixels. The right one, for names, leaves the frame its least width. */
   get room() {
     const {left, right, top} = this.block.room
     const bottom = this.numbered ? Math.max(NUMBERS, this.block.room.bottom) : this.block.room.bottom
     const [l, r, t, b] = [left, right, top, bottom].map(size => Math.round(size * unitSize()))
-    return {left: l, right: r, top: t, bottom: b}
+    const most = Math.max(0, Math.floor((1 - LEAST) * this.element.clientWidth) - l)
+    return {left: l, right: Math.min(r, most), top: t, bottom: b}
   }
 
   /** Fits the width to the text. */

@@ -1,7 +1,7 @@
 // Label collisions on a stage: of two overlapping texts the later one moves up or down, or is hidden. A text next to a
 // point of a plot also avoids the plot's lines, if possible.
 
-import {surface, unitSize} from "../core/dom.js"
+import {extent, shrunk, surface, unitSize} from "../core/dom.js"
 import {EVERYWHERE, meet, moved, places} from "./places.js"
 
 /**
@@ -26,8 +26,11 @@ const OFF = 3 // units from such a point that texts avoid
 const BASE = 0.2 // share of a text's size below its base line
 
 export class Clear {
-  /** @type {Map<string, {width: number, size: number}>} sizes by style and text; all digits have the same width */
+  /** @type {Map<string, {width: number, size: number, font: string}>} sizes by style and text, digits alike */
   #sizes = new Map()
+
+  /** @type {Map<Element, number>} where texts begin that do not move */
+  #starts = new Map()
 
   room = {left: -Infinity, right: Infinity, bottom: Infinity}
 
@@ -56,6 +59,9 @@ export class Clear {
           beside: spec.kind === "text" && spec.anchor === "beside",
         })),
     )
+    for (const {spec, parts} of shapes)
+      if (spec.kind === "text" && spec.anchor === "start" && typeof spec.x === "number")
+        this.#starts.set(parts[0], spec.x)
   }
 
   /** The visible dots. @returns {Box[]} */
@@ -79,7 +85,7 @@ export class Clear {
    */
   measure(host, picture, under) {
     const texts = [...(under?.over.querySelectorAll("text") ?? [])].filter(({style}) => style.display === "")
-    this.standing = texts.map(text => aired(this.box(text)))
+    this.standing = texts.map(text => aired(this.box(text, false)))
     if (under && this.labels.some(({beside}) => beside)) {
       const {left, top, height} = under.frame
       const flags = [...under.controls.querySelectorAll(".flag")].map(flag => flag.getBoundingClientRect())
@@ -91,6 +97,7 @@ export class Clear {
     const paper = surface(host)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
+    if (left !== this.room.left || right !== this.room.right) this.forget()
     this.room = {left, right, bottom: picture.height / unitSize()}
   }
 
@@ -153,9 +160,12 @@ export class Clear {
     }
   }
 
-  /** The box of a text. @param {SVGTextElement} text @returns {Box} */
-  box(text) {
-    const {width, size} = this.#sizeOf(text)
+  /**
+   * The box of a text of this stage, or of the plot under it.
+   * @param {SVGTextElement} text @param {boolean} [isOwn] @returns {Box}
+   */
+  box(text, isOwn = true) {
+    const {width, size} = this.#sizeOf(text, isOwn)
     const [x, y] = ["x", "y"].map(name => Number(text.getAttribute(name)))
     const left = x - width * anchored(text)
     return {left, right: left + width, top: y - 0.75 * size, bottom: y + BASE * size}
@@ -168,15 +178,19 @@ export class Clear {
       if (Math.abs(to - Number(text.getAttribute(name))) > NEAR) text.setAttribute(name, String(to))
   }
 
-  /** @param {SVGTextElement} text */
-  #sizeOf(text) {
+  /** @param {SVGTextElement} text @param {boolean} [isOwn] */
+  #sizeOf(text, isOwn = true) {
     const key = `${text.getAttribute("class")}: ${text.textContent?.replace(/\d/g, "0")}`
-    const known = this.#sizes.get(key)
-    if (known) return known
-    text.style.display = ""
-    const size = {width: text.getComputedTextLength(), size: parseFloat(getComputedStyle(text).fontSize)}
-    this.#sizes.set(key, size)
-    return size
+    const known = this.#sizes.get(key) ?? (isOwn ? this.#fitted(text) : extent(text))
+    this.#sizes.set(key, known)
+    if (isOwn && text.style.fontSize !== known.font) text.style.fontSize = known.font
+    return known
+  }
+
+  /** Makes a text smaller that is wider than the paper after its start. @param {SVGTextElement} text */
+  #fitted(text) {
+    const start = Math.max(this.room.left + EDGE, this.#starts.get(text) ?? -Infinity)
+    return shrunk(text, this.room.right - EDGE - AIR - start)
   }
 }
 

@@ -1,7 +1,7 @@
 // Labels over a plot that move only with a change: numbers at the axes, names of curves and bands, flags at marks.
 
 import {toSI} from "../core/ruler.js"
-import {long, marked, setAttributes, svg, textWidth, units, unitSize, words} from "../core/dom.js"
+import {long, marked, setAttributes, shrunk, svg, textWidth, units, unitSize, words} from "../core/dom.js"
 import {everyWhich, inLine, places} from "./places.js"
 
 const LINE = 1.1 // distance of lines, relative to the size of the text
@@ -13,6 +13,8 @@ const ALIKE = 0.02 // a band that is thicker by less than this share counts as e
 const HALF = 7 // units: half the height of a line of a band's name
 const WIDER = 1.2 // width of its bold type, relative to small text
 const LIFT = 44 // units from a flag to the frame; stacked flags are higher
+const GAP = 6 // units from a flag to the next one
+const AROUND = 12 + GAP // with the edges of the flag
 
 export class Labels {
   /** @param {Canvas} plot */
@@ -40,7 +42,9 @@ export class Labels {
   place() {
     this.#numbers()
     this.#nameCurves()
-    const found = places(this.bands.map(({band}) => ({wishes: this.#thickest(band)})))
+    const {left, top, width, height} = this.plot.frame
+    const room = {left, right: left + width, top, bottom: top + height}
+    const found = places(this.bands.map(({band}) => ({wishes: this.#thickest(band), room})))
     for (const [i, {text}] of this.bands.entries()) {
       const place = found[i]
       text.style.display = place ? "" : "none"
@@ -92,7 +96,14 @@ export class Labels {
     const size = units("t1") + 2
     const spans = shown.map(({at}) => ({at, size}))
     const heights = inLine(spans, top + 4 - size / 2, top + height - 2 + size / 2)
-    for (const [i, {text}] of shown.entries()) setAttributes(text, {x: left + width + 7, y: heights[i] + 4})
+    // If the frame needs a part of their room, long names begin in the frame.
+    const edge = this.plot.host.clientWidth / unitSize()
+    const isTight = edge + 1 < left + width + this.plot.block.room.right
+    for (const [i, {text}] of shown.entries()) {
+      text.style.fontSize = ""
+      const most = isTight ? edge - shrunk(text, edge - left).width : Infinity
+      setAttributes(text, {x: Math.min(left + width + 7, most), y: heights[i] + 4})
+    }
   }
 
   /** The name of a curve that is drawn as a band is at the band's middle. @param {string} name */
@@ -178,18 +189,27 @@ export class Flags {
     flag.hidden = flag.innerHTML === ""
   }
 
-  // Flags that would overlap are moved to the side, within the plot; their lines stay in place.
+  // Flags that would overlap are moved to the side, within the plot; their lines stay in place. Flags that are too wide
+  // together are smaller.
   #spread() {
-    const flags = this.marks
-      .filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
-      .map(({flag, mark, at}) => ({flag, at, size: flag.offsetWidth / unitSize() + 6, lift: mark.lift}))
-    for (const row of new Set(flags.map(flag => flag.lift))) {
-      const side = flags.filter(flag => flag.lift === row)
+    const width = this.plot.host.clientWidth / unitSize()
+    const shown = this.marks.filter(
+      ({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden,
+    )
+    for (const row of new Set(shown.map(({mark}) => mark.lift))) {
+      const flags = shown.filter(({mark}) => mark.lift === row)
+      for (const {flag} of flags) flag.style.fontSize = ""
+      const around = AROUND * flags.length
+      const share = (width - around) / (flags.reduce((sum, {flag}) => sum + sizeOf(flag), 0) - around)
+      if (share < 1) for (const {flag} of flags) flag.style.fontSize = `calc(${share} * var(--t0))`
+      const side = flags.map(({flag, at}) => ({flag, at, size: sizeOf(flag)}))
       const starts = side.map(({at, size}) => at - size / 2)
       const ends = side.map(({at, size}) => at + size / 2)
-      const width = this.plot.host.clientWidth / unitSize()
       const middles = inLine(side, Math.min(0, ...starts), Math.max(width, ...ends))
       for (const [i, {flag}] of side.entries()) flag.style.left = long(middles[i])
     }
   }
 }
+
+/** The width of a flag with the gap to the next one, in units. @param {HTMLElement} flag */
+const sizeOf = flag => flag.offsetWidth / unitSize() + GAP

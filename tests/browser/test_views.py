@@ -73,11 +73,18 @@ def test_nothing_overlaps_or_is_cut_in_any_view(
     for width, height in SCREENS:
         if slug == "accuracy" and view.slug in ("time", "length") and height == 590:
             continue  # texts and tables leave no height for their small plots there
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        seek(page, 0.0)
-        found += [f"{width} x {height}: {fault}" for fault in faults(page)]
+        found += seen(page, width, height)
+    page.evaluate("document.documentElement.style.fontSize = '200%'")
+    found += [f"text of 200 %, {fault}" for fault in seen(page, 390, 844)]
     assert not found, "\n".join(found)
+
+
+def seen(page: Page, width: int, height: int) -> list[str]:
+    """The faults in a window of this size."""
+    page.set_viewport_size({"width": width, "height": height})
+    passed(page)
+    seek(page, 0.0)
+    return [f"{width} x {height}: {fault}" for fault in faults(page)]
 
 
 @pytest.mark.parametrize("slug", IN_VIEWS)

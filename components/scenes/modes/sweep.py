@@ -188,7 +188,7 @@ def _frequencies() -> Block:
             phrase("limits", "dash", "mute", formula="limits"),
         ),
         x_labels=False, room=Room(72, 60, top=30), handles=_handles(bare=True),
-        marks=(mark(at=Sweep.cross, tint="mute", style="dashed", html=rich("these cross"), lift=0),),
+        marks=(mark(at=Sweep.cross, tint="mute", style="dashed", html=rich("these cross"), lift=26),),
         phone=10, height=230,
     )  # fmt: skip
 
