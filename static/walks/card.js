@@ -6,6 +6,7 @@ import {SUCH, mark} from "../questions/question.js"
 import {claim, showQuestion} from "./headline.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
+const CHOOSE = "Choose an answer" // on the filled button of a tour that waits for one
 export const FOLLOWS = "How it follows"
 const CHOSEN = ".seg, .tiles, .window" // controls other than sliders
 const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // parts that are disabled before the answer
@@ -84,7 +85,7 @@ export class Card {
     const {words, needsAnswer} = this.walk.press
     this.skip.hidden = !needsAnswer
     const isReady = !needsAnswer || this.question.given() !== null
-    this.forward.textContent = words
+    this.forward.textContent = isReady || !this.walk.isTour ? words : CHOOSE
     this.forward.classList.toggle("waiting", !isReady)
     this.forward.title = isReady ? "" : ANSWER_FIRST
     this.refusal.textContent = ""

@@ -1,6 +1,6 @@
 // The end of a walk with scenes to try: which answers were right, and these scenes in motion.
 
-import {chip, element, marked} from "../core/dom.js"
+import {button, chip, element, marked} from "../core/dom.js"
 import {play} from "../core/moving.js"
 import {mark} from "../questions/question.js"
 
@@ -17,7 +17,9 @@ export class Finish {
     const {end, trials} = this.walk.sheet
     const cards = trials.map(card)
     const sentences = [this.#score(), ...end].filter(Boolean)
+    const close = () => this.element.close()
     this.element.replaceChildren(
+      button({class: "close", "aria-label": "Close"}, close, "×"),
       element("h1", {id: "finish-title"}, "Done"),
       marked("p", {}, sentences.join(" ")),
       this.#results(),
@@ -27,7 +29,7 @@ export class Finish {
         "div",
         {class: "chips"},
         element("a", {class: "chip", href: "./"}, "All scenes"),
-        chip("Back to the questions", () => this.element.close()),
+        chip("Back to the questions", close),
       ),
     )
     if (!this.element.open) this.element.showModal()

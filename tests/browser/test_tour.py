@@ -39,6 +39,10 @@ def bottom(page: Page, selector: str) -> float:
     return float(page.locator(selector).last.evaluate("one => one.getBoundingClientRect().bottom"))
 
 
+IS_ABOVE_FOOT = """one => one.getBoundingClientRect().bottom <=
+  document.querySelector(".foot").getBoundingClientRect().top"""
+
+
 @pytest.mark.parametrize("size", [(390, 844), (320, 568)], ids=str)
 def test_all_of_a_question_is_on_the_first_screen(tour: Page, size: tuple[int, int]) -> None:
     tour.set_viewport_size({"width": size[0], "height": size[1]})
@@ -61,6 +65,7 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
     for step in STEPS:
         tour.wait_for_function(AT, arg=step.id)
         forward = tour.locator(".foot .filled")
+        expect(forward).to_have_text("Choose an answer")
         if how == "nothing":
             forward.click()
             expect(tour.get_by_role("alert").filter(has_text="Answer first: a guess is fine.")).to_be_visible()
@@ -68,6 +73,7 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
             continue
         i = next(i for i, option in enumerate(step.options) if option.right == (how == "right"))
         tour.locator(f".answers [data-option='{i}']").tap()
+        expect(forward).to_have_text("Show the answer")
         forward.click()
         expect(tour.get_by_role("heading", level=1)).to_have_text(step.title)
         verdict = tour.get_by_role("status").filter(has_text=f"Your answer is {how}.")
@@ -81,6 +87,9 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
             bottom(tour, part) for part in (".block.plot:visible", ".transport", ".card .why", ".tries", ".answers")
         ]
         assert order == sorted(order), (step.id, order)
+        # The slider that a task names is above the buttons; the task of the third step names a dot.
+        slider = tour.locator(".tries .control").nth(1 if step.id == "tour-02" else 0)
+        assert step.id == "tour-03" or slider.evaluate(IS_ABOVE_FOOT), step.id
         forward.click()
     end = tour.get_by_role("dialog", name="Done")
     expect(end).to_be_visible()
@@ -94,6 +103,9 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
         expect(row).to_contain_text("skipped" if how == "nothing" else how)
     expect(end.locator("a.scene-card svg")).to_have_count(3)
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
+    end.get_by_role("button", name="Close").click()
+    expect(end).to_be_hidden()
+    tour.get_by_role("button", name="Skip" if how == "nothing" else "Finish").click()
     end.get_by_role("link", name="Calm a machine").click()
     tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
 

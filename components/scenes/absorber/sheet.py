@@ -94,7 +94,6 @@ def _swing_plot() -> Block:
             phrase(Sweep.alone, "dash", "m1", words="alone"),
             phrase(Sweep.free, "dots", "m1", undamped="undamped"),
             phrase(F.helped, "band", "k2fill", form=F.helped, **HELPED),
-            phrase("", "none", "ink", words="├─┤ goal"),
         ),
         room=Room(52, 8, top=42),
         handles=(KNOB,),

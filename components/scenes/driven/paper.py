@@ -285,7 +285,7 @@ def drives(y: Number) -> list[Shape]:
             arrow(ASIDE, LEVEL, ASIDE, strength(c.F), **moving),
             *shown_by(c.has_force, circle(ASIDE, push, 5, **ring, grab=grab("Force, amplitude", set_force))),
             *shown_by(c.is_impulsive, circle(ASIDE, push, 5, **ring, grab=grab("Impulse", set_impulse))),
-            *shown_by(c.has_force, text(ASIDE + 10, push + 5, "*F*_0", **name)),
+            *shown_by(c.has_force, text(ASIDE + 10, push + 5, "push *F*_0", **name)),
             *shown_by(c.is_impulsive, text(ASIDE + 10, push + 5, "*J*", **name)),
         ),
         *shown_by(
