@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
 from components.walks.loading import load_walks
 from components.walks.questions.choice import ChoiceStep
@@ -60,6 +60,18 @@ def test_all_of_a_question_is_on_the_first_screen(tour: Page, size: tuple[int, i
         tour.get_by_role("button", name="Skip").click()
 
 
+def judged(end: Locator, how: str) -> None:
+    """The last page counts the answers and names each step with its result."""
+    counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
+    expect(end.locator("p")).to_contain_text(counts[how])
+    results = end.locator(".results li")
+    expect(results).to_have_count(len(STEPS))
+    for row, step in zip(results.all(), STEPS, strict=True):
+        said = step.question if how == "nothing" else step.title
+        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
+        expect(row).to_contain_text("skipped" if how == "nothing" else how)
+
+
 @pytest.mark.parametrize("how", ["right", "wrong", "nothing"])
 def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
     for step in STEPS:
@@ -93,14 +105,7 @@ def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
         forward.click()
     end = tour.get_by_role("dialog", name="Done")
     expect(end).to_be_visible()
-    counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
-    expect(end.locator("p")).to_contain_text(counts[how])
-    results = end.locator(".results li")
-    expect(results).to_have_count(len(STEPS))
-    for row, step in zip(results.all(), STEPS, strict=True):
-        said = step.question if how == "nothing" else step.title
-        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
-        expect(row).to_contain_text("skipped" if how == "nothing" else how)
+    judged(end, how)
     expect(end.locator("a.scene-card svg")).to_have_count(3)
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
     end.get_by_role("button", name="Close").click()
