@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import panel as pn
 from bokeh.document import Document
+from panel.theme.fast import Fast
 
 from components.language.state import State
 from components.live_class.question_bank import QuestionBank
@@ -127,9 +128,10 @@ NARROW = "@media (width < 600px) { .title { font-size: 20px } }"
 
 
 def scene_page(query: Query) -> pn.template.FastListTemplate:
-    """The page of `panel serve`: a menu of the scenes, and the scene of the link with its values. The address of the
-    page
-    follows changes of the values."""
+    """Build the page of `panel serve`: a menu of the scenes, and the scene of the link with its values.
+
+    The address of the page follows changes of the values.
+    """
     link = read_query(query, SCENES).as_opened(SCENES)
     kind, problems = SCENES[link.slug], list(link.problems)
     scene = face_of(kind)()
@@ -152,6 +154,7 @@ def scene_page(query: Query) -> pn.template.FastListTemplate:
         sidebar=[menu, face.panel],
         main=[pn.Column(*said, face.paper, ELSEWHERE, sizing_mode="stretch_width")],
         raw_css=[math_font(), NARROW],
+        font="sans-serif",
         theme_toggle=False,
         main_layout=None,
         sidebar_width=300,
@@ -172,4 +175,5 @@ def math_font() -> str:
 
 
 if __name__.startswith("bokeh_app_"):  # `panel serve` runs this file under such a name
+    Fast._resources.pop("font", None)  # a font of another host; Panel has no option that leaves it out
     scene_page(pn.state.session_args).servable()

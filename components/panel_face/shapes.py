@@ -36,7 +36,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "fine": {"width": 1.25},
     "behind": {"width": 1.0, "alpha": 0.55},
     "dash": {"dash": [7, 5]},
-    "counter": {"dash": [7, 5]},
+    "counter": {"tint": "paper"},
     "dots": {"dash": [2, 3], "width": 1.5},
     "level": {"dash": [2, 3], "width": 1.5},
     "dotted": {"dash": [2, 3], "width": 1.0},

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import html
+import re
 import socket
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from urllib.parse import parse_qsl
+from urllib.parse import parse_qsl, urlsplit
 from urllib.request import urlopen
 
 import panel.models  # noqa: F401  # what is pulled is of its classes
@@ -64,6 +65,14 @@ def test_a_page_has_the_menu_of_scenes_and_says_how_the_lecture_is_started(panel
     assert all(f'href="?scene={slug}"' in text and scene.title in text for slug, scene in SCENES.items())
     assert "The whole lecture" in text
     assert "make run" in text and "python -m components.serving --show" in text
+
+
+def test_a_page_fetches_nothing_from_another_host(panel_serve: str) -> None:
+    with urlopen(panel_serve) as response:
+        page = response.read().decode()
+    fetched = re.findall(r"<(?:script|link|img)\b[^>]*?(?:src|href)=\"([^\"]+)", page)
+    assert any("bokeh.min.js" in address for address in fetched)
+    assert [address for address in fetched if urlsplit(address).netloc] == []
 
 
 def test_what_of_a_link_cannot_be_is_said(panel_serve: str) -> None:
