@@ -238,10 +238,14 @@ function sameStart({x, y}, plot) {
   const {left: start, top: high, width, height} = plot.frame
   const [left, size] = [x + RING + 5, units("t1")]
   const right = left + textWidth(SAME)
-  const room = {left: start, right: start + width, top: high, bottom: high + height - size} // above the time
   const wishes = [y - RING - 2, y + RING + size].map(foot => ({left, right, top: foot - size, bottom: foot}))
-  const [found] = places([{wishes, across: 4 * size, down: 4 * size, room}], piecesOf(plot))
-  const place = found ?? wishes[0]
+  const pieces = piecesOf(plot)
+  const placed = (/** @type {number} */ bottom) => {
+    const room = {left: start, right: start + width, top: high, bottom}
+    return places([{wishes, across: 4 * size, down: 4 * size, room}], pieces)[0]
+  }
+  const end = high + height
+  const place = placed(end - size) ?? placed(end) ?? wishes[0] // the last line is for the time
   return svg("text", {x: place.left, y: place.bottom}, SAME)
 }
 
