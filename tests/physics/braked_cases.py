@@ -1,8 +1,9 @@
-"""Chains with dashpots for tests, and their free motions as eigenvectors with 120 digits."""
+"""Chains with dashpots for tests, and their free motions as eigenvectors with 120 digits or more."""
 
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -87,7 +88,8 @@ def matrices(case: Case) -> tuple[mp.matrix, mp.matrix, mp.matrix]:
 
 def eigenvectors(case: Case) -> list[tuple[Any, Any, Any]]:
     """s, X1, X2 of each root that is not 0, from the state (x1, x2, v1, v2); the larger part of a shape is 1."""
-    with mp.workdps(DIGITS):
+    weakest = min(c for c in (case.c1, case.c2) if c)
+    with mp.workdps(DIGITS + 2 * max(0, -round(math.log10(weakest)))):  # its effect has as many digits as the others
         M, C, K = matrices(case)
         A = mp.zeros(4)
         for i in range(2):

@@ -113,7 +113,8 @@ def test_what_stepping_costs() -> None:
     assert fast_over_slow("wide") == pytest.approx(2000, rel=1e-3)
     assert fast_over_slow("light") == pytest.approx(1000, rel=1e-3) and SYSTEMS["light"].chain.m2 == 1e-6
     for slug in ("wide", "light"):
-        assert all((run.error or 0.0) > 1e-6 for method in STEPPING for run in runs(slug, method)), slug
+        close = [run for method in STEPPING for run in runs(slug, method) if (run.error or 0.0) <= 1e-6]
+        assert all(run.evaluations > 1e7 for run in close), slug
 
 
 def test_where_explicit_methods_get_nowhere() -> None:
