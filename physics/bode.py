@@ -103,7 +103,7 @@ def magnification_peak(oscillator: DrivenOscillator, kind: Drive = "force") -> R
 def quarter_lags(chain: DampedChain) -> tuple[float, ...]:
     """The frequencies in rad/s at which mass 1 lags by a quarter turn: Re X1 = 0, in which c1 has no part.
 
-    For c2 = 0 they are the natural frequencies and sqrt(k2/m2), where the lag jumps if mass 1 is at rest.
+    For c2 = 0 these frequencies are the natural ones and sqrt(k2/m2). There mass 1 may be at rest, and its lag jumps.
     """
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)
     real = added(product((p0, -p2, p4), (k2, -m2)), product((Fraction(0), c2), (p1, -p3)))

@@ -109,7 +109,7 @@ def _at(
 
 
 def _joined(one: ExactSinusoid, other: ExactSinusoid) -> ExactSinusoid:
-    """The quantities of both, at one frequency."""
+    """Return one sinusoid with the quantities of two sinusoids of the same frequency."""
     return ExactSinusoid(one.omega, [*one.cosine, *other.cosine], [*one.sine, *other.sine])
 
 

@@ -181,7 +181,7 @@ class RootPath:
 
     @property
     def unit(self) -> float:
-        """The unit of roots in doubles."""
+        """The frequency in rad/s by which roots are divided before they are computed in doubles."""
         return float(self.chain.modes().omega[1]) or 1.0
 
     @cached_property

@@ -95,7 +95,7 @@ def extremes(curves: Columns, bands: Columns) -> Extremes:
 
 
 def without_roundings(value: float) -> float:
-    """Round to twelve digits, so that rounding errors do not change the extreme of a motion that starts at it."""
+    """Round to twelve digits. Rounding errors then do not change the extreme of a motion that starts at its extreme."""
     return float(f"{value:.12g}")
 
 

@@ -155,8 +155,8 @@ class PutTo(Struct, frozen=True, kw_only=True):
     vote from 1 on, and its lesson once the answer is shown.
 
     `closed`: the vote takes no more answers. `answered`: its answer was shown before and is hidden again. `sure`:
-    followers are asked how sure they are. `until` is the end of a countdown in ms of the server's time, 0 for none; the
-    vote then closes if `closes`. `split` comes with the answer. If `step` is empty, there is no question.
+    followers are asked how sure they are. `until` is the end of a countdown in ms of the server's time, 0 for none; if
+    `closes`, the vote closes at that time. `split` comes with the answer. If `step` is empty, there is no question.
     """
 
     walk: str = ""

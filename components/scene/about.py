@@ -22,8 +22,8 @@ from physics.precision.exact import precise
 from physics.reference.driven_chain import Point
 
 SHARES = (0.21, 0.55, 0.93)
-"""Positions of the checked points in a column, as shares of its length. They are not round, so the points are ordinary
-ones."""
+"""Positions of the checked points in a column, as shares of its length. The shares are no round numbers, so that the
+points are at no special times."""
 PLACES = 20
 READING = (
     "**Shown**: the computed number that is drawn, a double of about 16 digits, in SI units and radians. **Exact**: "

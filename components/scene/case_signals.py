@@ -13,7 +13,7 @@ from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, Motio
 
 
 def signals_of(moving: Mapping[str, tuple[ExactMotion, Axis]], time: Axis) -> dict[str, AnySignal]:
-    """Return the signals of motions with their axes, by name, each after the signals that it needs."""
+    """Return the signals of motions in the units of their axes, by name. A signal comes after those that it needs."""
     return _Signals(moving, time).found
 
 

@@ -1,4 +1,4 @@
-"""Messages of a page: checked, while they are decoded, before Bokeh puts together or deserialises any of them.
+"""Check each message of a page while it is decoded, before Bokeh joins its frames and deserialises it.
 
 Bokeh trusts everything in a message: the number of buffers, compressed bytes, arrays of any type, models to create. Our
 page needs none of that. It asks for the document, says that it is ready, and sends our component's messages:

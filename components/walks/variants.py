@@ -19,7 +19,8 @@ from components.walks.walk import Step
 VARIANTS = 37
 """Number of variants of a step, with the seeds from 1 on; a prime, so that any stride reaches all values of a range."""
 STRIDES = (1, 8, 14, 5)
-"""Strides of the quantities, in order; different strides make them independent."""
+"""For each quantity, by how many values of its range the next variant moves on. The numbers differ, so that the
+quantities do not change together."""
 NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([\w\s.+*/^()-]+)\}")
 """A formula, which does not change, or an expression in braces."""
 

@@ -71,7 +71,7 @@ def _size(method: str) -> int:
 def stability_limit(method: str, slow: float | None = None) -> float:
     """The first h omega_+ at which the method explodes: 0 for one that always does, inf for one that never does.
 
-    With `slow`, as in `amplification`, the first h times the fast rate.
+    If `slow` is given (see `amplification`), return the first product of h and the fast rate instead.
     """
     z = np.linspace(0, REACH, 401)[1:]
     unstable = amplification(method, z, slow) > 1 + GROWS

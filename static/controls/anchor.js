@@ -8,7 +8,7 @@ let free = () => {}
 let isHeld = false
 let isDue = false
 
-/** Keeps the topmost visible part at its position between two scrolls. */
+/** While nobody scrolls, keeps the topmost visible part in place when the layout above it changes. */
 export function anchor() {
   if (CSS.supports("overflow-anchor", "auto")) return
   addEventListener("scroll", renew, {passive: true})

@@ -73,4 +73,4 @@ export const tabStorage = new Shelf(() => /** @type {Storage} */ (own ?? session
 // Names in a tab's storage that several modules use.
 export const LED = "class-room" // that the tab leads a class
 export const LEFT = "class-left" // the code of the class that a follower has left to look around
-export const SOUGHT = "class-sought" // the case that the excursion is about
+export const SOUGHT = "class-sought" // the state for which a follower has left the class

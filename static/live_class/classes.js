@@ -24,8 +24,8 @@ export class Classes {
   }
 
   /**
-   * Opens a class, or returns to the one that this browser leads. If this page leads one already, shows or hides its
-   * code.
+   * Opens a class, or returns to the one that this browser leads. If this page leads a class already,
+   * shows or hides the code of that class.
    */
   async begin() {
     if (this.led) return this.led.joinScreen.toggle()

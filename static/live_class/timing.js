@@ -43,8 +43,8 @@ export class Timing {
   }
 
   /**
-   * Measures with one request. The server read its clock during the round trip, so the middle of the trip is off by at
-   * most half of it.
+   * Measures with one request. It assumes that the server read its clock in the middle of the round trip; the error is
+   * at most half the duration of the trip.
    */
   async measure([least, most] = THEN) {
     const sent = clock()

@@ -9,7 +9,7 @@ const WIDTH = 280
 const HEIGHT = 96
 const GAP = 8 // units between two labels
 const LEAD = 12 // length of the line from a column to its label
-const TOP = 18 // space above the dots for the label of the right value
+const TOP = 18 // space above the dots for the label of the correct value
 
 export class Dots {
   /** @param {import("./question.js").Question} question */

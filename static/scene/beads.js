@@ -4,9 +4,9 @@ import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {atInstant} from "../core/signals.js"
 import {zigzag} from "./zigzag.js"
 
-const SIDE = 54 // the side of a single mass, in pixels; of n masses, each has 1/(n + 1) of its area
+const SIDE = 54 // pixels: the side of the square of one of n masses is at most this over √(n + 1)
 const WIDEST = 0.75 // of a spacing
-const REACH = 24 // pixels: the largest distance at which a pointer takes a mass
+const REACH = 24 // pixels: the largest distance at which a pointer grabs a mass
 
 /**
  * The position of each mass, its place at rest, and its displacement.

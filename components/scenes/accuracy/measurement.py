@@ -27,7 +27,7 @@ MOST_FOUND = 16
 
 
 class Measurable(Protocol):
-    """A scene with a system, a limit for each run in s, and what its page has been told of its measurement."""
+    """A scene with a system, a time limit for each run in s, and the results that its page has already received."""
 
     limit: Any
     measured: Any

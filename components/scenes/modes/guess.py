@@ -143,7 +143,7 @@ SHAPE = PlotFrame("shape")
 UNIT = 0.112 * W
 """Length of an amplitude of 1 m on the stage."""
 LEAST = 0.02
-"""The smallest amplitude in m that can be dragged; the other one is 1 m."""
+"""The smallest amplitude in m to which a mass can be dragged; the amplitude of the other mass is 1 m."""
 ARROWS = W - 0.36 * W * NARROW - 0.3 * W * HALL
 """The unit of length for force arrows. On a narrow stage it leaves room for numbers."""
 SWING = ARROWS * var(P.swing)

@@ -26,8 +26,9 @@ class Motions(Declared[BrakedChain]):
 
 
 def _root(place: str) -> Paragraph:
-    """The line on the roots of a motion, in one variant per kind of root. The first two motions may be modes, or may
-    oscillate.
+    """The line on the roots of a motion, in one variant per kind of root.
+
+    Only the first two motions can be modes and can oscillate.
     """
     name, rate = f"{B.name[place]}: $X_2/X_1 = {B.ratio[place]}$,", f"$s = {B.rate[place]}$"
     lines = {
