@@ -39,8 +39,8 @@ _WHOLE = Context(prec=10_000, Emin=MIN_EMIN, Emax=MAX_EMAX, traps=[Inexact])
 class Trial(NamedTuple):
     """The equations A X = 0 at one trial omega, in 80 digits.
 
-    `matrix` is A; `determinant` is D. `rows` are the shapes X2/X1 that the rows fix: infinite where a row asks for X1 =
-    0, None if it holds for every shape. `apart` is row 1 less row 2, None if one of them is not a number.
+    `matrix` is A; `determinant` is D. `rows` has the ratio X2/X1 that each row of A demands: infinite if it
+    demands X1 = 0, None if every ratio fulfils it. `apart` is row 1 less row 2, None if one of them is not a number.
     """
 
     matrix: tuple[Vector, Vector]

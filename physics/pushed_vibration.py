@@ -219,7 +219,10 @@ class PushHarmonics:
 
     @property
     def resonant(self) -> int:
-        """The n of a harmonic for which there is no steady motion, decided without error; 0 if there is none."""
+        """The number of the harmonic that is exactly at a resonance without damping, 0 if none is.
+
+        Then no steady motion exists.
+        """
         return 0 if self.mass.steady_exists else self.mass.resonant_line or 0
 
     @cached_property

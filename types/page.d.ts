@@ -702,8 +702,8 @@ declare namespace page {
     word: string
   }
 
-  /** A room that another computer led: the link of its page, the answers that the class saw, the walks from its files
-   * by name, and the saved state of its remote control. */
+  /** A room that another computer led: the link of its page, the answers that the class saw, the walks from files by
+   * their names, and the saved state of the remote control. */
   interface TakenOver extends Opened {
     query: string
     shown: Record<string, number>

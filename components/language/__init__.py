@@ -5,7 +5,7 @@ rejected before any other code sees them. `make protocol` writes docs/protocol.m
 them.
 
     numbers    numbers of a picture that the browser computes: polynomials in named quantities
-    text       sentences as HTML, and short texts of a drawing as runs
+    text       sentences as HTML, and short texts of a drawing as runs, pieces of one style
     shapes     the parts of a stage
     signals    numbers that depend on time, evaluated sixty times a second without the server
     plots      curves, bands, handles, marks and the heading of a plot

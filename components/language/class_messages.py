@@ -343,8 +343,8 @@ class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class TakenOver(Opened, frozen=True, kw_only=True):
-    """A room that another computer led: the link of its page, the answers that the class saw, the walks from its files
-    by name, and the saved state of its remote control."""
+    """A room that another computer led: the link of its page, the answers that the class saw, the walks from files by
+    their names, and the saved state of the remote control."""
 
     query: str
     shown: dict[str, int]

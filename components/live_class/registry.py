@@ -159,7 +159,7 @@ class Registry:
         return room if parts and is_open else nobody
 
     def _asked(self, room: ClassRoom) -> ClassRoom:
-        """Note that a room is in use. Return the known room with its code, or the given one, which is then stored."""
+        """Note that a room is in use. Return the stored room with its code; if there is none, store this one."""
         there = self.rooms.setdefault(room.code, room)
         there.asked = monotonic()
         return there

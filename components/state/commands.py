@@ -1,4 +1,4 @@
-"""Commands: find the values that a message of the page sets in a scene, or refuse it with a sentence."""
+"""Commands: find the values that a message of the page sets in a scene, or raise a RefusalError with the reason."""
 
 from __future__ import annotations
 

@@ -306,7 +306,7 @@ function rounded(value, pixel) {
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }
 
-/** True if a way is along an axis of a plot, which then must not be fitted again. @param {page.AnyWay} way */
+/** True if the drag is along an axis of a plot. This axis must not be fitted again. @param {page.AnyWay} way */
 const isOnPlot = way =>
   "zero" in way && typeof way.zero !== "number" && way.zero.terms.some(([, names]) => names.some(isOfPlot))
 

@@ -7,8 +7,8 @@ import {steady} from "./held.js"
 import {BEGINS_NUMBER, tidy, withTrueMinus, withUnit} from "../core/numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
-const STEPS = 1000 // steps of a slider
-const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
+const STEPS = 1000 // the number of steps of a slider
+const PATIENCE = 1000 // ms after a slider moved in which the answer to an older message does not move it back
 
 /** @type {Record<string, 1 | -1>} */
 const UPWARDS = {ArrowUp: 1, ArrowDown: -1}

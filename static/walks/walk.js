@@ -134,7 +134,7 @@ export class Walk {
     const isAsked = this.#isAsked(place, shown)
     const step = this.sheet.steps[place]
     if (step && isAsked && !numbers && this.numbered(step) !== step) {
-      page.root.classList.add("walked", "asked") // until the step arrives with other numbers
+      page.root.classList.add("walked", "asked") // until the server has sent the step with other numbers
       page.heading.textContent = ""
       return this.go(place)
     }

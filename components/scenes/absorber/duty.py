@@ -74,7 +74,7 @@ class Duty:
 
     @property
     def whence(self) -> str:
-        """Initial displacements and velocities of the motion from a start."""
+        """The words for how the motion starts."""
         return "from its start" if any((*self.x_0, *self.v_0)) else "from rest"
 
     @cached_property

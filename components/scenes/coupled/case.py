@@ -154,7 +154,7 @@ class CoupledCase(ChainCase):
         return About((points,), free_drift(self.free, columns["t"]), bands_among(shown.sources, bands))
 
     def _points(self, names: dict[str, str], columns: Columns) -> list[CheckedPoint]:
-        """Return the checked points of the displacements, or of the modes if the displacements are drawn as bands."""
+        """Return points whose errors are checked: of the displacements, or of the modes if displacements are bands."""
         if self.given_by == "values":
             return motion_rows(names, columns, self.chain, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
         given = (self.X_slow, self.X_fast), (self.phi_slow, self.phi_fast)
