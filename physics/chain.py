@@ -130,13 +130,44 @@ class UniformChain:
             return [2 * self.exact_Omega * self._sines[n] for n in self._numbers]
 
     def modes(self, x_0: ArrayLike, v_0: ArrayLike) -> "ChainModes":
-        """The modes of the motion from displacements in m and velocities in m/s, each (N,)."""
+        """Return the modes of the motion from given displacements and velocities.
+
+        Parameters
+        ----------
+        x_0, v_0 : array_like, shape (N,)
+            Displacements in m and velocities in m/s at t = 0.
+
+        Returns
+        -------
+        ChainModes
+            The coordinates and their velocities, to 80 digits.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or there are not N of them.
+        """
         return ChainModes(self, self._coordinates("x_0", x_0), self._coordinates("v_0", v_0))
 
     def drawn_modes(self, x_0: Array, v_0: Array) -> "DrawnModes":
-        """Return the modes in float64, as a picture needs them. ArithmeticError if they leave the range of doubles.
+        """Return the modes in float64, as a picture needs them.
 
         A coordinate is within a few u of the largest one.
+
+        Parameters
+        ----------
+        x_0, v_0 : ndarray, shape (N,)
+            Displacements in m and velocities in m/s at t = 0.
+
+        Returns
+        -------
+        DrawnModes
+            Amplitude, phase and energy of each mode, and the drift.
+
+        Raises
+        ------
+        ArithmeticError
+            If they leave the range of doubles, with NumPy set to raise errors.
         """
         q, v = self.shapes @ x_0, self.shapes @ v_0
         energy = self.m * (v**2 + (self.omega * q) ** 2) / 2
@@ -170,7 +201,25 @@ class UniformChain:
         return self.modes(x_0, v_0).motion(t)
 
     def pluck(self, p: int, height: float) -> Array:
-        """The displacements in m (N,) with mass p held at a height: straight lines, level beyond it to a free end."""
+        """Return the displacements with mass p held at a height: straight lines, level beyond it to a free end.
+
+        Parameters
+        ----------
+        p : int
+            The mass that is held, from 1 to N.
+        height : float
+            Its displacement in m.
+
+        Returns
+        -------
+        ndarray, shape (N,)
+            Displacements in m.
+
+        Raises
+        ------
+        ValueError
+            If there is no such mass, or both ends are free.
+        """
         self.check_mass(p)
         if self.ends == "free-free":
             raise ValueError("a chain whose ends are both free cannot be plucked: at least one fixed end is needed")
@@ -185,8 +234,20 @@ class UniformChain:
         return np.asarray(size * shape / np.abs(shape).max())
 
     def pulse(self, centre: float, width: float, height: float) -> tuple[Array, Array]:
-        """Displacements in m and velocities in m/s, each (N,), of a bell that runs to the right without a part that
-        runs back; its centre and its standard deviation are counted in masses."""
+        """Return the initial conditions of a bell that runs to the right without a part that runs back.
+
+        Parameters
+        ----------
+        centre, width : float
+            The place of its centre and its standard deviation, counted in masses.
+        height : float
+            Its height in m.
+
+        Returns
+        -------
+        tuple of two ndarrays, each (N,)
+            Displacements in m and velocities in m/s.
+        """
         Omega = float(self.exact_Omega)
 
         def bell(place: Array) -> Array:
@@ -272,7 +333,20 @@ class UniformChain:
 class DrawnModes:
     """A motion as the sum of its modes in float64: q_j = amplitude sin(omega_j t + phase), and the energy of each.
 
-    A drift of the whole chain is a + b t, with drift = (a, b).
+    A drift of the whole chain is a + b t.
+
+    Attributes
+    ----------
+    chain : UniformChain
+        The chain that moves.
+    amplitude : ndarray, shape (N,)
+        The amplitude in m of each coordinate; 0 for a drift.
+    phase : ndarray, shape (N,)
+        The phase in rad of each coordinate.
+    energy : ndarray, shape (N,)
+        The energy in J of each mode.
+    drift : tuple of two floats
+        (a, b) in m and m/s; both are 0 for a chain with a fixed end.
     """
 
     chain: UniformChain
@@ -289,7 +363,15 @@ class DrawnModes:
 
 @dataclass(frozen=True, eq=False)
 class ChainModes:
-    """A motion as the sum of its modes: coordinates and their velocities at t = 0, to 80 digits."""
+    """A motion as the sum of its modes: coordinates and their velocities at t = 0, to 80 digits.
+
+    Attributes
+    ----------
+    chain : UniformChain
+        The chain that moves.
+    coordinates, velocities : list of N Decimal
+        Each q_j in m and its rate of change in m/s at t = 0.
+    """
 
     chain: UniformChain
     coordinates: list[Decimal]
@@ -325,7 +407,23 @@ class ChainModes:
             return float(self.chain.rigid * self.coordinates[0]), float(self.chain.rigid * self.velocities[0])
 
     def displacement(self, p: int) -> ExactMotion:
-        """The displacement in m of mass p, from 1 on, as a motion that is played by its sinusoids."""
+        """Return the displacement of one mass as a motion that is played by its sinusoids.
+
+        Parameters
+        ----------
+        p : int
+            The number of the mass, from 1 to N.
+
+        Returns
+        -------
+        ExactMotion
+            Its displacement in m.
+
+        Raises
+        ------
+        ValueError
+            If there is no such mass.
+        """
         self.chain.check_mass(p)
         sizes, omega = self.amplitude * self.chain.shapes[:, p - 1], self.chain.omega
         waves = zip(sizes.tolist(), omega.tolist(), self.phase.tolist(), strict=True)
@@ -338,7 +436,23 @@ class ChainModes:
         return lru_cache(1)(lambda times: self.x(np.frombuffer(times)))
 
     def motion(self, t: ArrayLike) -> ChainMotion:
-        """x and v (N, n) at the times t (n,) in s."""
+        """Return displacements and velocities of all masses.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ChainMotion
+            x and v, each (N, n).
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, or a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         with precise():
             velocities = [(v, -w * w * q, w) for q, v, w in self._each()]
