@@ -89,16 +89,70 @@ class HangingMass:
             return rounded("the energy k delta_st^2/2", (exact(self.m) * exact(self.g)) ** 2 / (2 * exact(self.k)))
 
     def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
-        """x, v, a (n,) about equilibrium, from x(0) = x_0 downward and x'(0) = v_0."""
+        """Return the free motion about equilibrium, within 2 u of the amplitudes.
+
+        Parameters
+        ----------
+        x_0 : float
+            The displacement from equilibrium in m at t = 0, downward.
+        v_0 : float
+            The velocity in m/s at t = 0, downward.
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        OscillatorMotion
+            x, v and a, each (n,).
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or x, v or a leaves the range of doubles.
+        """
         return self.oscillator.motion(x_0, v_0, t)
 
     def well(self, x: ArrayLike, datum: Datum = "equilibrium") -> Array:
-        """V(x) for x (n,) in m, off by at most 2 u: no term cancels another."""
+        """Return V(x), off by at most 2 u: no term cancels another.
+
+        Parameters
+        ----------
+        x : array_like, shape (n,)
+            Displacements from equilibrium in m, downward.
+        datum : {"equilibrium", "separate"}
+            V counted from equilibrium, k x^2/2, or both energies counted separately: larger by `datum_shift`.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            V in J.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or k x^2/2 or `datum_shift` leaves the range of doubles.
+        """
         V = half_square("V", self.k, finite_array("x", x))
         return V + self.datum_shift if datum == "separate" else V
 
     def spring(self, x: ArrayLike) -> Array:
-        """The energy of the spring from its natural length for x (n,) in m; off by at most 4 u."""
+        """Return the energy of the spring, counted from its natural length; off by at most 4 u.
+
+        Parameters
+        ----------
+        x : array_like, shape (n,)
+            Displacements from equilibrium in m, downward.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            k (x + delta_st)^2/2 in J.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or an energy leaves the range of doubles.
+        """
         with precise():
             deflection, rest = split(snapped(exact(self.m) * exact(self.g) / exact(self.k)))
         with np.errstate(over="ignore", invalid="ignore"):
@@ -107,11 +161,43 @@ class HangingMass:
         return half_square("of the spring", self.k, stretch)
 
     def spring_along(self, x: ExactMotion) -> ExactMotion:
-        """The energy of the spring along a motion x in m."""
+        """Return the energy of the spring along a motion.
+
+        Parameters
+        ----------
+        x : ExactMotion
+            The displacement from equilibrium in m, downward.
+
+        Returns
+        -------
+        ExactMotion
+            The energy in J; its values are those of `spring`.
+
+        Raises
+        ------
+        ValueError
+            If the weight or `datum_shift` leaves the range of doubles.
+        """
         energy = 0.5 * self.k * x**2 + self.weight * x + self.datum_shift
         return computed_by(lambda t: self.spring(x.at(t)), energy)
 
     def gravity(self, x: ArrayLike) -> Array:
-        """The energy in gravity from x = 0, for x (n,) in m."""
+        """Return the energy in gravity, counted from x = 0.
+
+        Parameters
+        ----------
+        x : array_like, shape (n,)
+            Displacements from equilibrium in m, downward.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            -m g x in J.
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite, or the weight or an energy leaves the range of doubles.
+        """
         with np.errstate(over="ignore"):
             return in_range("the energy of gravity", -self.weight * finite_array("x", x))

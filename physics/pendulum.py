@@ -33,7 +33,15 @@ CLOSE = Decimal("1e-40")
 
 @dataclass(frozen=True, kw_only=True)
 class PendulumMotion:
-    """Times, angles, their rates and accelerations, each (n,); rad and s."""
+    """A swing of a pendulum.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    theta, theta_dot, theta_ddot : ndarray, shape (n,)
+        Angles in rad, their rates in rad/s and accelerations in rad/s^2.
+    """
 
     t: Array
     theta: Array
@@ -135,16 +143,47 @@ class Pendulum:
 
 
 def excess(theta_0: float) -> float:
-    """T/T_0 - 1 at the amplitude theta_0 in rad, rounded once, also where it is 1e-300."""
+    """Return T/T_0 - 1, rounded once, also where it is 1e-300.
+
+    Parameters
+    ----------
+    theta_0 : float
+        The amplitude in rad, less than pi to either side.
+
+    Returns
+    -------
+    float
+        How much longer the period is than that of small swings, over the latter.
+
+    Raises
+    ------
+    ValueError
+        If the angle is not possible.
+    """
     with precise():
         return float(_modulus_at(theta_0).excess)
 
 
 @lru_cache(maxsize=64)
 def amplitude_at_excess(wanted: float) -> float:
-    """The amplitude in rad, rounded once, at which T/T_0 - 1 has the wanted value.
+    """Return the amplitude at which T/T_0 - 1 has the wanted value.
 
     Newton's method from above: T is convex in theta_0, and theta_0 < 4 sqrt(wanted).
+
+    Parameters
+    ----------
+    wanted : float
+        T/T_0 - 1, from 0 at rest to its value at math.pi.
+
+    Returns
+    -------
+    float
+        The amplitude in rad, rounded once.
+
+    Raises
+    ------
+    ValueError
+        If no amplitude has this value.
     """
     largest = excess(HALF_TURN)
     if not 0 <= wanted <= largest:
