@@ -37,7 +37,25 @@ _Series: TypeAlias = tuple[list[float], list[float], list[float]]  # ORDER + 1 c
 
 @dataclass(frozen=True, kw_only=True)
 class LanchesterPeriod:
-    """One period from the lowest point, ends included, in units of v_0, v_0/g and v_0^2/g; arrays (n,)."""
+    """One period from the lowest point, ends included, in units of v_0, v_0/g and v_0^2/g.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in v_0/g.
+    x, h : ndarray, shape (n,)
+        Distance along the ground, and height above the level flight of equal energy, in v_0^2/g.
+    u, w : ndarray, shape (n,)
+        Speeds forward and up in v_0.
+    period : float
+        The period in v_0/g.
+    advance : float
+        The distance along the ground in a period, in v_0^2/g.
+    C : float
+        The constant u - V^3/3 of the motion.
+    loops : bool
+        True if the path loops.
+    """
 
     t: Array
     x: Array
@@ -51,7 +69,25 @@ class LanchesterPeriod:
 
 
 def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
-    """One period, at n equal steps of time, of the motion whose level flight has the speed 1 + excess."""
+    """Return one period, at n equal steps of time, ends included.
+
+    Parameters
+    ----------
+    excess : float
+        The speed in level flight is 1 + excess, in v_0; from -1, standstill, to 1e6.
+    n : int
+        The number of times.
+
+    Returns
+    -------
+    LanchesterPeriod
+        The motion from its lowest point on.
+
+    Raises
+    ------
+    ValueError
+        If the excess is not possible.
+    """
     half = half_period(bottom_excess(excess))
     t = np.linspace(0, 2 * half.duration, n)
     x, p, w = half.at(t)
@@ -62,18 +98,66 @@ def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
 
 
 def invariant(excess: float) -> float:
-    """C = V - V^3/3 at V = 1 + excess: 2/3 in level flight, 0 at the cusp, negative for loops."""
+    """Return C = V - V^3/3 at V = 1 + excess: 2/3 in level flight, 0 at the cusp, negative for loops.
+
+    Parameters
+    ----------
+    excess : float
+        The speed excess in v_0, from -1, standstill, to 1e6.
+
+    Returns
+    -------
+    float
+        C, without unit.
+
+    Raises
+    ------
+    ValueError
+        If the excess is not possible.
+    """
     excess = check_excess(excess)
     return 2 / 3 - excess * excess * (1 + excess / 3)
 
 
 def period_excess(excess: float) -> float:
-    """T/T_0 - 1 of the motion of this speed excess, to 1e-15; T_0 is the linear period."""
+    """Return T/T_0 - 1 of the motion of this speed excess, to 1e-15; T_0 is the linear period.
+
+    Parameters
+    ----------
+    excess : float
+        The speed excess in v_0, from -1, standstill, to 1e6.
+
+    Returns
+    -------
+    float
+        T/T_0 - 1.
+
+    Raises
+    ------
+    ValueError
+        If the excess is not possible.
+    """
     return 2 * half_period(bottom_excess(excess)).duration / LINEAR_PERIOD - 1
 
 
 def excess_at_period_excess(wanted: float) -> float:
-    """The speed excess, below the cusp's, at which T/T_0 - 1 has the wanted value."""
+    """Return the speed excess, below the cusp's, at which T/T_0 - 1 has the wanted value.
+
+    Parameters
+    ----------
+    wanted : float
+        T/T_0 - 1, from 0 to its value at the cusp.
+
+    Returns
+    -------
+    float
+        The speed excess in v_0, from 0 to sqrt(3) - 1.
+
+    Raises
+    ------
+    ValueError
+        If no such motion has this value.
+    """
     from scipy.optimize import brentq
 
     largest = period_excess(CUSP_EXCESS)
@@ -84,7 +168,21 @@ def excess_at_period_excess(wanted: float) -> float:
 
 @dataclass(frozen=True)
 class HalfPeriod:
-    """The flight from the lowest point to the highest: Taylor coefficients (ORDER + 1, 3, pieces) of x - t, p and w."""
+    """The flight from the lowest point to the highest, as Taylor series in pieces of time.
+
+    Attributes
+    ----------
+    starts : ndarray, shape (pieces,)
+        The time at which each piece starts, in v_0/g.
+    coefficients : ndarray, shape (ORDER + 1, 3, pieces)
+        Taylor coefficients of x - t, p and w.
+    duration : float
+        Half the period in v_0/g.
+    advance : float
+        The distance along the ground in that time, in v_0^2/g.
+    loops : bool
+        True if the path loops.
+    """
 
     starts: Array
     coefficients: Array
@@ -93,7 +191,18 @@ class HalfPeriod:
     loops: bool
 
     def at(self, t: Array) -> tuple[Array, Array, Array]:
-        """x, p, w at any times: the falling half is the mirror image of the rising one."""
+        """Return x, p, w at any times: the falling half is the mirror image of the rising one.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times from the lowest point in v_0/g.
+
+        Returns
+        -------
+        tuple of three ndarrays, each (n,)
+            x in v_0^2/g, and p = u - 1 and w in v_0.
+        """
         period = 2 * self.duration
         whole = np.floor(t / period)
         rest = t - whole * period
@@ -110,7 +219,18 @@ class HalfPeriod:
 
 @lru_cache(maxsize=256)
 def half_period(excess: float) -> HalfPeriod:
-    """Return the flight of this speed excess from its lowest point to its highest."""
+    """Return the flight of this speed excess from its lowest point to its highest.
+
+    Parameters
+    ----------
+    excess : float
+        The speed excess at the lowest point in v_0, 0 or more.
+
+    Returns
+    -------
+    HalfPeriod
+        The flight, as Taylor series.
+    """
     pieces = list(_pieces(max(excess, LINEAR)))
     scale = min(excess / LINEAR, 1.0)
     last = pieces[-1]
@@ -201,12 +321,39 @@ def _top(w: Sequence[float], step: float) -> float:
 
 
 def height(p: Array, w: Array) -> Array:
-    """h = (1 - V^2)/2 without cancellation."""
+    """Return h = (1 - V^2)/2 without cancellation.
+
+    Parameters
+    ----------
+    p, w : ndarray, shape (n,)
+        u - 1, the speed forward less that of level flight, and the speed up, in v_0.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        The height in v_0^2/g.
+    """
     return -(p * (2 + p) + w * w) / 2
 
 
 def bottom_excess(excess: float) -> float:
-    """The speed excess at the lowest point; a start with less speed than v_0 is the highest point."""
+    """Return the speed excess at the lowest point; a start with less speed than v_0 is the highest point.
+
+    Parameters
+    ----------
+    excess : float
+        The speed excess in v_0, from -1, standstill, to 1e6.
+
+    Returns
+    -------
+    float
+        The speed excess at the lowest point in v_0, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If the excess is not possible.
+    """
     excess = check_excess(excess)
     if excess >= 0:
         return excess
@@ -216,7 +363,23 @@ def bottom_excess(excess: float) -> float:
 
 
 def check_excess(excess: float) -> float:
-    """Return a speed excess in units of v_0 as a float. Raises ValueError if it is not possible."""
+    """Return a speed excess as a float.
+
+    Parameters
+    ----------
+    excess : float
+        The speed excess in v_0, from -1, standstill, to 1e6.
+
+    Returns
+    -------
+    float
+        The same number.
+
+    Raises
+    ------
+    ValueError
+        If it is not possible.
+    """
     if not (is_number(excess) and -1 <= excess <= LARGEST_EXCESS):
         raise ValueError(
             f"a speed excess of {shown(excess)} v_0 is not possible: choose from -1 (standstill) to {LARGEST_EXCESS:g}"

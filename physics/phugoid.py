@@ -94,17 +94,58 @@ class Flight:
     V: Array
 
     def gain(self, v_0: float, g: float) -> Array:
-        """V - v_0, from the height, so that a small one keeps its digits."""
+        """Return V - v_0, from the height, so that a small one keeps its digits.
+
+        It uses the energy of the exact flight: V^2 = v_0^2 - 2 g h.
+
+        Parameters
+        ----------
+        v_0 : float
+            The speed of level flight in m/s.
+        g : float
+            Gravity in m/s^2.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            V - v_0 in m/s.
+        """
         return -2 * g * self.h / (v_0 + self.V)
 
     def rates(self, v_0: float, g: float) -> tuple[Array, Array, Array]:
-        """du/dt, dw/dt and dV/dt, which at standstill is taken as 0 between its two limits -g and g."""
+        """Return du/dt, dw/dt and dV/dt.
+
+        At standstill, up to 1e-9 v_0, dV/dt is taken as 0, between its two limits -g and g.
+
+        Parameters
+        ----------
+        v_0 : float
+            The speed of level flight in m/s.
+        g : float
+            Gravity in m/s^2.
+
+        Returns
+        -------
+        tuple of three ndarrays, each (n,)
+            Accelerations forward, up and along the path in m/s^2.
+        """
         lift, moves = g * (self.V / v_0), FREE_FALL * v_0 < self.V
         sine = np.divide(self.w, self.V, out=np.zeros_like(self.V), where=moves)
         return -lift * (self.w / v_0), lift * (self.u / v_0) - g, -g * sine
 
     def split(self, sizes: Iterable[int]) -> "list[Flight]":
-        """Several flights, computed together at their joined times; each has its own arrays."""
+        """Return the several flights that were computed together at their joined times.
+
+        Parameters
+        ----------
+        sizes : iterable of int
+            How many of the times each flight has, in their order.
+
+        Returns
+        -------
+        list of Flight
+            The flights; each has its own arrays.
+        """
         parts = starmap(slice, pairwise(accumulate(sizes, initial=0)))
         return [Flight(**{name: column[part].copy() for name, column in vars(self).items()}) for part in parts]
 
