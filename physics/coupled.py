@@ -41,7 +41,19 @@ QUANTITIES = (
 
 
 class Mode(NamedTuple):
-    """One mode in 80 digits: the masses move as shape times one coordinate, shape = (1, X2/X1) or (0, 1)."""
+    """One mode in 80 digits: the masses move as shape times one coordinate, shape = (1, X2/X1) or (0, 1).
+
+    Attributes
+    ----------
+    omega : Decimal
+        The natural frequency in rad/s; 0 for a drift.
+    shape : tuple of Decimal
+        The changes of x1 and x2 by one unit of the coordinate.
+    stretch : Decimal
+        shape[1] - shape[0], the change of the elongation of spring 2, computed without cancellation.
+    mass : Decimal
+        m1 shape[0]^2 + m2 shape[1]^2 in kg.
+    """
 
     omega: Decimal
     shape: Vector
@@ -116,7 +128,13 @@ class TwoMassChain:
         check_not_negative("a stiffness in N/m", k1=self.k1, k2=self.k2)
 
     def modes(self) -> Modes:
-        """Both modes, rounded once from 80 digits."""
+        """Both modes, rounded once from 80 digits.
+
+        Returns
+        -------
+        Modes
+            Frequencies in rad/s and the ratios X2/X1, each (2,), with their beat, gamma and delta.
+        """
         return self._modes
 
     @cached_property
@@ -212,6 +230,15 @@ class FreeModes:
     A mode of zero frequency has amplitude and phase 0; it is the drift drift_a[i] + drift_b[i] t of mass i.
     energy[j] (J) is constant; for a drift it is kinetic. Everything is computed with 80 digits when asked
     for, and a ValueError names the quantity that leaves the range of doubles.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    coordinate : tuple of Decimal
+        The coordinate of each mode in m at t = 0, mass 1 (or the mass that moves) being its measure.
+    velocity : tuple of Decimal
+        The velocity of each coordinate in m/s at t = 0.
     """
 
     chain: TwoMassChain
@@ -283,13 +310,45 @@ class FreeModes:
         return np.array([rounded("the energy of a mode", energy) for energy in both])
 
     def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
-        """The motion of each mode at times t (n,), within 2 u of its amplitude."""
+        """The motion of each mode at times t (n,), within 2 u of its amplitude.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of Motion
+            The slow mode and the fast one; x, v and e are each (2, n).
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, or a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         slow, fast = (as_motion(t, values) for values in apart(self._sinusoids(), t, QUANTITIES))
         return slow, fast
 
     def motion(self, t: ArrayLike) -> Motion:
-        """The motion at times t (n,); see free_motion."""
+        """The motion at times t (n,); see free_motion.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        Motion
+            x, v and e, each (2, n).
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, or a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         return as_motion(t, self.values(t))
 
@@ -306,12 +365,48 @@ class FreeModes:
 
 
 def free_modes(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike) -> FreeModes:
-    """The modes of the free motion from displacements x_0 (2,) and velocities v_0 (2,)."""
+    """The modes of the free motion from displacements x_0 (2,) and velocities v_0 (2,).
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    x_0, v_0 : array_like, shape (2,)
+        Displacements in m and velocities in m/s at t = 0.
+
+    Returns
+    -------
+    FreeModes
+        The motion as the sum of its modes.
+
+    Raises
+    ------
+    ValueError
+        If x_0 or v_0 is not two finite numbers.
+    """
     return started(chain, each_mass("x_0", x_0), each_mass("v_0", v_0))
 
 
 def each_mass(name: str, values: ArrayLike) -> Vector:
-    """Two finite numbers, digit for digit."""
+    """Two finite numbers, digit for digit.
+
+    Parameters
+    ----------
+    name : str
+        The name of the values in an error message.
+    values : array_like, shape (2,)
+        A number for each mass.
+
+    Returns
+    -------
+    tuple of Decimal
+        The two doubles without rounding.
+
+    Raises
+    ------
+    ValueError
+        If the values are not two finite numbers.
+    """
     entries = finite_array(name, values)
     if entries.shape != (2,):
         raise ValueError(f"{name} = {values!r}: two numbers are needed, one for each mass")
@@ -329,6 +424,18 @@ def coordinates(chain: TwoMassChain, values: Vector) -> Vector:
 
     m1 x1 + m2 r x2 is written with r - 1 in place of r, and for the fast mode with the slow one's, since r =
     1 is where the digits would go.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    values : tuple of Decimal
+        Displacements in m, or velocities in m/s, of masses 1 and 2.
+
+    Returns
+    -------
+    tuple of Decimal
+        The coordinates of the slow and of the fast mode, in the unit of the values.
     """
     slow, fast = chain.exact_modes
     m1, m2, _, k2 = chain.exact_parameters
