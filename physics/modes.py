@@ -39,8 +39,16 @@ _WHOLE = Context(prec=10_000, Emin=MIN_EMIN, Emax=MAX_EMAX, traps=[Inexact])
 class Trial(NamedTuple):
     """The equations A X = 0 at one trial omega, in 80 digits.
 
-    `matrix` is A; `determinant` is D. `rows` has the ratio X2/X1 that each row of A demands: infinite if it
-    demands X1 = 0, None if every ratio fulfils it. `apart` is row 1 less row 2, None if one of them is not a number.
+    Attributes
+    ----------
+    matrix : tuple of tuple of Decimal
+        A in N/m, row by row.
+    determinant : Decimal
+        D = det A in N^2/m^2.
+    rows : tuple of Decimal or None
+        The ratio X2/X1 that each row of A demands: infinite if it demands X1 = 0, None if every ratio fulfils it.
+    apart : Decimal or None
+        Row 1 less row 2; None if one of them is not a number.
     """
 
     matrix: tuple[Vector, Vector]
@@ -50,7 +58,19 @@ class Trial(NamedTuple):
 
 
 class TrialForces(NamedTuple):
-    """The forces on each mass at full swing: needed by the motion, given by the springs, missing; N, in 80 digits."""
+    """The forces on each mass at full swing: needed by the motion, given by the springs, missing; N, in 80 digits.
+
+    Attributes
+    ----------
+    amplitude : tuple of Decimal
+        X1 and X2 in m.
+    needed : tuple of Decimal
+        The forces -m_j omega^2 X_j in N.
+    springs : tuple of Decimal
+        The forces of the springs in N.
+    missing : tuple of Decimal
+        Needed less springs in N: what a hand would have to add.
+    """
 
     amplitude: Vector
     needed: Vector
@@ -61,8 +81,26 @@ class TrialForces(NamedTuple):
 class Quadratic(NamedTuple):
     """m1 m2 omega^4 - b omega^2 + k1 k2 = 0 in 80 digits: why both roots are real and positive.
 
-    Delta = b^2 - fourfold, fourfold = 4 m1 m2 k1 k2, so sqrt(Delta) <= b; and Delta = difference^2 + coupling with
-    difference = m1 k2 - m2 (k1 + k2) and coupling = 4 m1 m2 k2^2, so Delta > 0.
+    Delta = b^2 - fourfold, so sqrt(Delta) <= b; and Delta = difference^2 + coupling, so Delta > 0.
+
+    Attributes
+    ----------
+    leading : Decimal
+        m1 m2 in kg^2.
+    b : Decimal
+        m1 k2 + m2 (k1 + k2) in kg N/m.
+    constant : Decimal
+        k1 k2 in N^2/m^2.
+    fourfold : Decimal
+        4 m1 m2 k1 k2 in kg^2 N^2/m^2.
+    difference : Decimal
+        m1 k2 - m2 (k1 + k2) in kg N/m.
+    coupling : Decimal
+        4 m1 m2 k2^2 in kg^2 N^2/m^2.
+    Delta : Decimal
+        The discriminant in kg^2 N^2/m^2.
+    root : Decimal
+        sqrt(Delta) in kg N/m.
     """
 
     leading: Decimal
@@ -76,7 +114,25 @@ class Quadratic(NamedTuple):
 
 
 def trial(chain: TwoMassChain, omega: float) -> Trial:
-    """The two equations at a trial omega in rad/s."""
+    """The two equations at a trial omega in rad/s.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    omega : float
+        The trial frequency in rad/s, 0 or more.
+
+    Returns
+    -------
+    Trial
+        A in N/m, its determinant in N^2/m^2, and the ratios of its rows.
+
+    Raises
+    ------
+    ValueError
+        If the frequency is not possible.
+    """
     k2 = exact(chain.k2)
     with localcontext(_WHOLE):
         one, two = _diagonal(chain, omega)
@@ -112,7 +168,27 @@ def _over(value: Decimal, unit: Decimal) -> Decimal:
 
 
 def trial_forces(chain: TwoMassChain, omega: float, ratio: float) -> TrialForces:
-    """The forces in a motion of the shape X2/X1 = ratio at omega; the larger amplitude is 1 m."""
+    """The forces in a motion of the shape X2/X1 = ratio at omega; the larger amplitude is 1 m.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    omega : float
+        The trial frequency in rad/s, 0 or more.
+    ratio : float
+        X2/X1, finite.
+
+    Returns
+    -------
+    TrialForces
+        Amplitudes in m and forces in N, two numbers each: of mass 1 and of mass 2.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
     check_finite("a ratio", ratio=ratio)
     _, _, k1, k2 = chain.exact_parameters
     r, size = exact(ratio), exact(max(1.0, abs(ratio)))
@@ -127,7 +203,18 @@ def trial_forces(chain: TwoMassChain, omega: float, ratio: float) -> TrialForces
 
 
 def quadratic(chain: TwoMassChain) -> Quadratic:
-    """The coefficients of the equation for omega^2, and its discriminant in both of its forms."""
+    """The coefficients of the equation for omega^2, and its discriminant in both of its forms.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+
+    Returns
+    -------
+    Quadratic
+        Sums and products without error, each rounded to 80 digits.
+    """
     m1, m2, k1, k2 = chain.exact_parameters
     with localcontext(_WHOLE):
         leading, constant, fourfold, coupling = m1 * m2, k1 * k2, 4 * m1 * m2 * k1 * k2, 4 * m1 * m2 * k2 * k2
@@ -151,6 +238,18 @@ def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int
 
     Computed from its factors, so that it is within 32 u also near a root (u = 2^-53). For omega up to some
     1e3 omega_+.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    omega : array_like, shape (n,)
+        Frequencies in rad/s, at least one.
+
+    Returns
+    -------
+    tuple of ndarray and int
+        D over 10**exponent N^2/m^2, (n,), and the exponent.
     """
     omega = np.asarray(omega, dtype=float)
     modes = chain.modes()
@@ -166,7 +265,15 @@ def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int
 
 
 class Branches(NamedTuple):
-    """A curve in pieces: frequencies (n,) and ratios X2/X1 (n,) of each."""
+    """A curve in pieces: frequencies (n,) and ratios X2/X1 (n,) of each.
+
+    Attributes
+    ----------
+    omega : list of ndarray
+        The frequencies of each piece in rad/s.
+    ratio : list of ndarray
+        The ratios X2/X1 of each piece.
+    """
 
     omega: list[Array]
     ratio: list[Array]
@@ -177,6 +284,23 @@ def row_curves(chain: TwoMassChain, end: float, largest: float, count: int = 120
 
     In the plane of omega^2 row 1 is a straight line, of which the ends are given; row 2 is a hyperbola with a pole at
     k2/m2. With k2 = 0 row 1 is the upright line at k1/m1 (X1 = 0 elsewhere) and row 2 is 0.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    end : float
+        The largest frequency in rad/s, above sqrt(k2/m2).
+    largest : float
+        The largest |X2/X1|, above 1.
+    count : int
+        The number of points of each branch of row 2.
+
+    Returns
+    -------
+    tuple of Branches
+        Row 1, one piece of 2 points, and row 2, a piece below the pole and one above it. With k2 = 0 row 2 is one piece
+        of 2 points.
     """
     if not chain.k2:
         upright = np.full(2, np.sqrt(chain.k1) / np.sqrt(chain.m1))
@@ -205,8 +329,16 @@ def _row_two(chain: TwoMassChain, end: float, largest: float, count: int) -> Bra
 
 
 class Mixture(NamedTuple):
-    """The shares of the slow and the fast mode in a motion from rest, over both masses, as parts of their sum; and the
-    width of the path in the plane (x1, x2) over its length, at most. All 0 where nothing moves."""
+    """The shares of both modes in a motion from rest, and the width of its path. All are 0 where nothing moves.
+
+    Attributes
+    ----------
+    slow, fast : float
+        The share of each mode: its amplitude over both masses, as a part of the sum of both modes. A drift has no
+        share.
+    width : float
+        The width of the path in the plane (x1, x2) over its length, at most.
+    """
 
     slow: float
     fast: float
@@ -214,7 +346,25 @@ class Mixture(NamedTuple):
 
 
 def mixture(chain: TwoMassChain, x_0: ArrayLike) -> Mixture:
-    """The mixture of a motion from rest at x_0 (2,); a small part keeps its digits."""
+    """The mixture of a motion from rest at x_0 (2,); a small part keeps its digits.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    x_0 : array_like, shape (2,)
+        Displacements in m at t = 0.
+
+    Returns
+    -------
+    Mixture
+        Shares and width without unit, computed with 80 digits.
+
+    Raises
+    ------
+    ValueError
+        If x_0 is not two finite numbers.
+    """
     with precise():
         (a, b), (c, d) = (
             [q * part if mode.omega else Decimal(0) for part in mode.shape]
