@@ -63,8 +63,12 @@ class Kind(StrEnum):
 class ComplexMode(NamedTuple):
     """Free motions of one shape: x_i = Re(shape[i] exp(s t)) for each of the `exponents` s in 1/s.
 
-    Exponents are real, the slowest first, or one of each conjugate pair, Im(s) > 0. The larger part of the shape has
-    modulus 1; X1 is real and not negative.
+    Attributes
+    ----------
+    exponents : tuple of complex
+        Real ones, the slowest first, or one of each conjugate pair, Im(s) > 0; in 1/s.
+    shape : tuple of complex
+        X1 and X2. The larger part has modulus 1; X1 is real and not negative.
     """
 
     exponents: tuple[complex, ...]
@@ -87,7 +91,13 @@ class ComplexMode(NamedTuple):
 class ComplexModes(NamedTuple):
     """Free motions of a chain, by their shapes.
 
-    Modes come slow first. Other motions come with the one that swings first, then by their rates; a rest is the last.
+    Attributes
+    ----------
+    kind : Kind
+        The kind of free motion.
+    modes : tuple of ComplexMode
+        Modes come slow first. Other motions come with the one that swings first, then by their rates; a rest is the
+        last.
     """
 
     kind: Kind
@@ -132,7 +142,25 @@ class DampedChain:
 
     @classmethod
     def of(cls, chain: TwoMassChain, c1: float, c2: float) -> "DampedChain":
-        """A chain with dashpots added."""
+        """A chain with dashpots added.
+
+        Parameters
+        ----------
+        chain : TwoMassChain
+            The masses and springs.
+        c1, c2 : float
+            Dampings in N s/m parallel to springs 1 and 2, 0 or more.
+
+        Returns
+        -------
+        DampedChain
+            The chain with its dashpots.
+
+        Raises
+        ------
+        ValueError
+            If a damping is not possible.
+        """
         return cls(m1=chain.m1, m2=chain.m2, k1=chain.k1, k2=chain.k2, c1=c1, c2=c2)
 
     @cached_property
@@ -395,7 +423,18 @@ class DampedChain:
 
 
 def written(value: float) -> Fraction:
-    """The rational number of a double's shortest decimal text."""
+    """The rational number of a double's shortest decimal text.
+
+    Parameters
+    ----------
+    value : float
+        A finite number.
+
+    Returns
+    -------
+    Fraction
+        The number as it is written: 3/10 for 0.3.
+    """
     return Fraction(repr(float(value)))
 
 

@@ -67,6 +67,17 @@ class DrivenModes:
 
     x_i(t) = (free motion of the start)_i + F_0 sum_j coupling[j, i] g(t; omega, omega_j), where
     g'' + omega_j^2 g = sin(omega t) from rest. free are the modes of the start alone.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+    x_0, v_0 : tuple of Decimal
+        Displacements in m and velocities in m/s of masses 1 and 2 at t = 0.
     """
 
     chain: TwoMassChain
@@ -124,7 +135,23 @@ class DrivenModes:
             return all(2 * PI * abs(drive - mode.omega) >= _CANCELS * drive for mode in pushed)
 
     def motion(self, t: ArrayLike) -> Motion:
-        """The motion at times t (n,), within 4 u of its envelope at every detuning, phases below 1e15."""
+        """The motion at times t (n,), within 4 u of its envelope at every detuning, phases below 1e15.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        Motion
+            x, v and e, each (2, n).
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, or a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         if not (self._pushes and t.size):
             return self.free.motion(t)
@@ -139,15 +166,63 @@ class DrivenModes:
         return FreeModes(self.chain, self.free.coordinate, coordinates(self.chain, (v1_0, v2_0)))
 
     def complementary(self, t: ArrayLike) -> Array:
-        """x_c (2, n); ValueError at resonance."""
+        """x_c (2, n); ValueError at resonance.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (2, n)
+            The complementary motion of masses 1 and 2 in m.
+
+        Raises
+        ------
+        ValueError
+            At resonance, if a time is not finite, or if a result leaves the range of doubles.
+        """
         return self.complementary_modes.motion(t).x
 
     def particular_motion(self, t: ArrayLike) -> Array:
-        """x_p (2, n) = Xp sin(omega t); ValueError at resonance."""
+        """x_p (2, n) = Xp sin(omega t); ValueError at resonance.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (2, n)
+            The particular motion of masses 1 and 2 in m.
+
+        Raises
+        ------
+        ValueError
+            At resonance, if a time is not finite, or if a result leaves the range of doubles.
+        """
         return added([self._swing], finite_array("t", t), _PARTICULAR)
 
     def apart(self, t: ArrayLike) -> tuple[Motion, Array, Array]:
-        """The motion, x_p and x_c, as above, from the same sines and cosines; ValueError at resonance."""
+        """The motion, x_p and x_c, as above, from the same sines and cosines; ValueError at resonance.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of Motion, ndarray and ndarray
+            The motion, then x_p and x_c in m, each (2, n).
+
+        Raises
+        ------
+        ValueError
+            At resonance, if a time is not finite, or if a result leaves the range of doubles.
+        """
         t = finite_array("t", t)
         if not (self._pushes and t.size):
             return self.motion(t), self.particular_motion(t), self.complementary(t)
@@ -173,6 +248,21 @@ class DrivenModes:
 
         Mode by mode the integral of sin(omega t) p'(t) is p' g' + omega_n^2 p g for its free part p, and
         (g'^2 + omega_n^2 g^2)/2 for its response; no displacement and no spring enters.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            The work in J; 0 without a drive.
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, or the work leaves the range of doubles.
         """
         t = finite_array("t", t)
         row: list[Decimal] = []
@@ -217,7 +307,29 @@ class DrivenModes:
 def driven_modes(
     chain: TwoMassChain, F_0: float, omega: float, x_0: ArrayLike = REST, v_0: ArrayLike = REST
 ) -> DrivenModes:
-    """The modes of the chain under F_0 sin(omega t) on mass 1, F_0 in N, omega >= 0 in rad/s."""
+    """The modes of the chain under F_0 sin(omega t) on mass 1, F_0 in N, omega >= 0 in rad/s.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N, finite.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+    x_0, v_0 : array_like, shape (2,)
+        Displacements in m and velocities in m/s at t = 0; at rest in equilibrium by default.
+
+    Returns
+    -------
+    DrivenModes
+        The motion, mode by mode.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
     check_drive(F_0, omega)
     return DrivenModes(chain, float(F_0), float(omega), each_mass("x_0", x_0), each_mass("v_0", v_0))
 
