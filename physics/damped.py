@@ -45,7 +45,21 @@ Regime = Literal["under", "critical", "over"]
 
 
 class Decay(NamedTuple):
-    """(amplitude + slope t) exp(-rate t) sin(omega t + phase); a plain exponential has omega = 0, phase = pi/2."""
+    """(amplitude + slope t) exp(-rate t) sin(omega t + phase); a plain exponential has omega = 0, phase = pi/2.
+
+    Attributes
+    ----------
+    amplitude : float
+        The amplitude at t = 0, in the unit of the motion.
+    slope : float
+        Its rise, in that unit per second.
+    rate : float
+        The rate of decay in 1/s.
+    omega : float
+        The frequency in rad/s.
+    phase : float
+        The phase in rad.
+    """
 
     amplitude: float
     slope: float
@@ -55,8 +69,23 @@ class Decay(NamedTuple):
 
 
 class Fading(NamedTuple):
-    """exp(-slow t) (start C + rate S) as above, for a signal: the rates in 1/s, `apart` = 2 beta, `swing` = omega_d;
-    `late` are the sizes of both exponentials where it does not swing."""
+    """exp(-slow t) (start C + rate S) for a signal, with C = cos(omega_d t) and S as above.
+
+    Attributes
+    ----------
+    start : float
+        The value at t = 0, in the unit of the motion.
+    rate : float
+        The factor of S, in that unit per second.
+    slow : float
+        The rate sigma in 1/s at which the slower part dies.
+    apart : float
+        2 beta in 1/s: how much faster the other part dies.
+    swing : float
+        omega_d in rad/s.
+    late : tuple of two floats
+        The sizes of the slow and of the fast exponential beyond critical damping, in the unit of the motion; else 0.
+    """
 
     start: float
     rate: float
@@ -66,7 +95,18 @@ class Fading(NamedTuple):
     late: tuple[float, float]
 
     def at(self, t: Array) -> Array:
-        """The motion at the times t in s, in doubles, for drawing."""
+        """The motion at the times t in s, in doubles, for drawing.
+
+        Parameters
+        ----------
+        t : ndarray
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape of t
+            The motion, in the unit of `start`.
+        """
         if self.apart:
             parted = self.apart * t > 1
             late = self.late[0] * np.exp(-self.slow * t) + self.late[1] * np.exp(-(self.slow + self.apart) * t)
@@ -126,7 +166,7 @@ class DampedOscillator:
 
     @property
     def regime(self) -> Regime:
-        """True if it swings: critical is the double nearest to 2 sqrt(k m), and its two neighbours."""
+        """The regime, "under" if it swings: critical is the double nearest to 2 sqrt(k m), and its two neighbours."""
         with precise():
             if self.k and within_an_ulp(self.c, 2 * (exact(self.k) * exact(self.m)).sqrt()):
                 return "critical"
@@ -179,7 +219,18 @@ class DampedOscillator:
         return OscillatorMotion(t=t, x=x, v=v, a=acceleration)
 
     def pushed(self, push: PeriodicPush) -> PushedMass:
-        """Its motions under a push."""
+        """Its motions under a push.
+
+        Parameters
+        ----------
+        push : PeriodicPush
+            The push on the mass.
+
+        Returns
+        -------
+        PushedMass
+            The same mass, dashpot and spring under this push.
+        """
         return PushedMass(self.m, self.c, self.k, push)
 
     def steady(self, push: PeriodicPush, t: ArrayLike) -> PushedMotion:
@@ -208,6 +259,21 @@ class DampedOscillator:
         """x as a sum for a signal, in doubles: one damped swing, or two exponentials.
 
         If the exponents differ by less than 1e-6, relatively, one exponential with a slope.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+
+        Returns
+        -------
+        tuple of Decay
+            One or two parts of x in m; of two exponentials the slow one is first.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or an amplitude or a slope leaves the range of doubles.
         """
         start = self.exact_starts(x_0, v_0)[0]
         with precise():
@@ -223,7 +289,23 @@ class DampedOscillator:
             return (_decay(x, w, sigma),)
 
     def fading(self, x_0: float, v_0: float) -> tuple[Fading, Fading, Fading]:
-        """x, v and a for signals: regular at critical damping."""
+        """x, v and a for signals: regular at critical damping.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+
+        Returns
+        -------
+        tuple of three Fading
+            x in m, v in m/s and a in m/s^2.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a number of the result leaves the range of doubles.
+        """
         found = []
         for row, (value, rate) in zip(QUANTITIES, self.exact_starts(x_0, v_0), strict=True):
             with precise():
@@ -270,7 +352,23 @@ class DampedOscillator:
             return exact(self.k) / exact(self.m) / (self._a + self.exact_beta) if self.exact_beta else self._a
 
     def exact_starts(self, x_0: float, v_0: float) -> list[Start]:
-        """The start of x, v and a, each with its rate."""
+        """The start of x, v and a, each with its rate.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+
+        Returns
+        -------
+        list of three tuples of two Decimals
+            (x_0, v_0), (v_0, a_0) and (a_0, a_0') in SI units; a_0 and a_0' are computed with 80 digits.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible.
+        """
         check_finite("a displacement in m", x_0=x_0)
         check_finite("a velocity in m/s", v_0=v_0)
         m, c, k = exact(self.m), exact(self.c), exact(self.k)

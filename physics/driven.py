@@ -42,7 +42,15 @@ _EARLY = 2.0  # rad; up to here the power series of E is exact to the last digit
 
 
 class DrivenMotion(NamedTuple):
-    """Times, displacements and velocities, each (n,)."""
+    """Times, displacements and velocities, each (n,).
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x, v : ndarray, shape (n,)
+        Displacements in m, velocities in m/s.
+    """
 
     t: Array
     x: Array
@@ -52,8 +60,16 @@ class DrivenMotion(NamedTuple):
 class Push(NamedTuple):
     """The numbers of a motion from rest, for a signal: F/m = re + i im in m/s^2, the drive omega, and the free motion.
 
-    `slow` is the rate at which its slower part dies, `apart` how much faster the other one does, `swing` its frequency,
-    `detuning` the exact omega - swing; all in 1/s or rad/s.
+    Attributes
+    ----------
+    re, im : float
+        Both parts of F/m in m/s^2.
+    omega, omega_n : float
+        The frequency of the drive and the natural frequency without damping, in rad/s.
+    slow, apart : float
+        The rate at which the slower part of the free motion dies, and how much faster the other one does, in 1/s.
+    swing, detuning : float
+        The frequency omega_d of the free motion, 0 from critical damping on, and the exact omega - omega_d, in rad/s.
     """
 
     re: float
@@ -99,7 +115,18 @@ class DrivenOscillator:
         return DampedOscillator(m=self.m, c=self.c, k=self.k)
 
     def at_resonance(self, omega: float) -> bool:
-        """True if no steady part exists: no damping, and the drive at omega_n to the nearest double."""
+        """True if no steady part exists: no damping, and the drive at omega_n to the nearest double.
+
+        Parameters
+        ----------
+        omega : float
+            The drive frequency in rad/s.
+
+        Returns
+        -------
+        bool
+            Whether this is so.
+        """
         with precise():
             return not self.c and within_an_ulp(omega, (exact(self.k) / exact(self.m)).sqrt())
 
@@ -204,7 +231,25 @@ class DrivenOscillator:
         return DrivenMotion(t, x, v)
 
     def push(self, omega: float, size: float = 1.0, kind: Drive = "force") -> Push:
-        """The motion from rest as numbers for a signal."""
+        """The motion from rest as numbers for a signal.
+
+        Parameters
+        ----------
+        omega, size, kind
+            The drive, as in `response`.
+
+        Returns
+        -------
+        Push
+            The numbers that `drawn` takes.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible.
+        OverflowError
+            If F/m leaves the range of doubles.
+        """
         re, im = (float(part / Fraction(self.m)) for part in self._force(omega, size, kind))
         one, (slow, _) = self.free, self.free.rates
         with precise():
