@@ -26,7 +26,15 @@ _HALVINGS = 80
 
 
 class Moment(NamedTuple):
-    """A time in s with x in m and v in m/s."""
+    """A time in s with x in m and v in m/s.
+
+    Attributes
+    ----------
+    t : float
+        The time in s.
+    x, v : float
+        The displacement in m and the velocity in m/s.
+    """
 
     t: float
     x: float
@@ -35,7 +43,15 @@ class Moment(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class FreeDecay:
-    """A motion of a damped oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s)."""
+    """A motion of a damped oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s).
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    """
 
     oscillator: DampedOscillator
     x_0: float
@@ -97,12 +113,44 @@ class FreeDecay:
         return max(moments, key=lambda moment: abs(moment.v))
 
     def peaks(self, count: int) -> list[Moment]:
-        """Return the first turns on the side of the first one, where it oscillates; at rest the start is a turn."""
+        """Return the first turns on the side of the first one, where it oscillates; at rest the start is a turn.
+
+        Parameters
+        ----------
+        count : int
+            The number of turns.
+
+        Returns
+        -------
+        list of Moment
+            The turns in order, a period 2 pi/omega_d apart.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a result leaves the range of doubles.
+        """
         first, tau = 0.0 if not self.v_0 else self.first_turn or 0.0, 2 * pi / self.oscillator.omega_d
         return self.moments([first + i * tau for i in range(count)])
 
     def reach(self, end: float = inf) -> float:
-        """Return the largest |x| in m up to the time `end` in s."""
+        """Return the largest |x| in m up to the time `end` in s.
+
+        Parameters
+        ----------
+        end : float
+            The last time in s, 0 or more; inf for the whole motion.
+
+        Returns
+        -------
+        float
+            The largest |x| in m.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a result leaves the range of doubles.
+        """
         turn = self.first_turn
         times = [0.0, *([] if turn is None or turn > end else [turn]), *([end] if end < inf else [])]
         return max(abs(moment.x) for moment in self.moments(times))
@@ -113,7 +161,23 @@ class FreeDecay:
         return max(abs(self.x_0), 0.0 if turn is None else abs(self._place(turn)))
 
     def moments(self, times: list[float]) -> list[Moment]:
-        """Return the motion at these times in s."""
+        """Return the motion at these times in s.
+
+        Parameters
+        ----------
+        times : list of float
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        list of Moment
+            A moment for each time, with x in m and v in m/s.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or a result leaves the range of doubles.
+        """
         motion = self.oscillator.motion(self.x_0, self.v_0, times)
         return list(map(Moment, times, motion.x.tolist(), motion.v.tolist()))
 
@@ -153,6 +217,16 @@ class FreeDecay:
         """The time in s from which |x| stays below that share (under 1) of |x_0|; None if there is none.
 
         Within 1e-8, relatively, near critical damping (within 1e-8), else exact to a double.
+
+        Parameters
+        ----------
+        share : float
+            The share of |x_0|, 0 or more and below 1.
+
+        Returns
+        -------
+        float or None
+            The time in s; None if x_0 or the share is 0, and without a dashpot or a spring.
         """
         one, level = self.oscillator, share * abs(self.x_0)
         turn, delta = self.first_turn, one.log_decrement
@@ -171,6 +245,21 @@ class FreeDecay:
 
         At first by quadrature of c v^2, whose terms are all positive; then by forms without a difference, or where none
         cancels as the difference of the energies.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        ndarray (n,)
+            The energy lost in J, 0 without a dashpot.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or the energy leaves the range of doubles.
         """
         t, one = finite_array("t", t), self.oscillator
         speed = max(abs(self.v_0), one.omega_n * abs(self.x_0))

@@ -1,6 +1,6 @@
 """Free motion of an oscillator from its initial conditions, as motions that can be drawn and played.
 
-The equations are in physics.oscillator; if k = 0, the mass drifts at constant speed.
+The equations are in physics.oscillator (lecture D31, slides 1 to 3); if k = 0, the mass drifts at constant speed.
 """
 
 from collections.abc import Callable
@@ -22,7 +22,15 @@ NAMES = ("displacement", "velocity", "acceleration")
 
 @dataclass(frozen=True, kw_only=True)
 class FreeOscillation:
-    """A motion of an oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s)."""
+    """A motion of an oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s).
+
+    Parameters
+    ----------
+    oscillator : Oscillator
+        The mass on its spring.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    """
 
     oscillator: Oscillator
     x_0: float
@@ -34,7 +42,23 @@ class FreeOscillation:
         return self.oscillator.constants(self.x_0, self.v_0)
 
     def amplitude(self, derivative: int) -> float:
-        """C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0."""
+        """C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0.
+
+        Parameters
+        ----------
+        derivative : {0, 1, 2}
+            0 for x, 1 for v, 2 for a.
+
+        Returns
+        -------
+        float
+            The amplitude in m, m/s or m/s^2.
+
+        Raises
+        ------
+        ValueError
+            If the amplitude leaves the range of doubles.
+        """
         if derivative not in self._amplitudes:
             self._amplitudes[derivative] = self._amplitude(derivative)
         return self._amplitudes[derivative]
@@ -119,6 +143,17 @@ class FreeOscillation:
         return remembered(partial(self.oscillator.motion, self.x_0, self.v_0))
 
     def last_peak(self, end: float) -> float:
-        """Return the last time in periods, up to `end` in s, at which x is largest; negative if it never is."""
+        """Return the last time in periods, up to `end` in s, at which x is largest; negative if it never is.
+
+        Parameters
+        ----------
+        end : float
+            The last time in s.
+
+        Returns
+        -------
+        float
+            The time of the peak in periods; the motion starts at t = 0.
+        """
         first = ((QUARTER - self.constants.phi) % (2 * pi)) / (2 * pi)
         return first + floor(end / self.oscillator.period - first)
