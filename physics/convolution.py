@@ -26,7 +26,15 @@ _LATER = 8  # extra steps beyond the window, because samples are periodic
 
 
 class Tail(NamedTuple):
-    """The motion that one impulse leaves: times t (n,) in s from the impulse on, displacements x (n,) in m."""
+    """The motion that one impulse leaves: times t (n,) in s from the impulse on, displacements x (n,) in m.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    x : ndarray, shape (n,)
+        Displacements in m.
+    """
 
     t: Array
     x: Array
@@ -36,7 +44,18 @@ class Tail(NamedTuple):
 class SlicedPush:
     """A push on a damped oscillator until `end` in s, cut into `count` slices, and a free motion from x_0, v_0.
 
-    `force` returns F (n,) in N at times (n,) in s.
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot.
+    force : callable
+        A function that returns F (n,) in N at times (n,) in s.
+    end : float
+        The end of the push in s.
+    count : int
+        The number of slices.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0 of the free motion.
     """
 
     oscillator: DampedOscillator
@@ -81,7 +100,18 @@ class SlicedPush:
         return MotionPolynomial(((ONE, (sliced,)), (ONE, (self._free.x,)))) if self.x_0 or self.v_0 else sliced
 
     def miss(self, x: Array) -> float:
-        """Return the largest distance in m of the sum from the motion from rest, given at `instants` (n,)."""
+        """Return the largest distance in m of the sum from the motion from rest, given at `instants` (n,).
+
+        Parameters
+        ----------
+        x : ndarray, shape (n,)
+            The displacement of the motion from rest in m at `instants`.
+
+        Returns
+        -------
+        float
+            The largest distance in m.
+        """
         return float(np.abs(self._sampled[0][: self._steps + 1] - x).max())
 
     @property
@@ -121,7 +151,26 @@ class SlicedPush:
 
 
 def tails(oscillator: DampedOscillator, times: Array, sizes: Array, end: float, points: int) -> list[Tail]:
-    """Return what impulses of these sizes in N s at these times in s leave until `end`, as so many points in all."""
+    """Return what impulses of these sizes in N s at these times in s leave until `end`, as so many points in all.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot.
+    times : ndarray, shape (m,)
+        The times of the impulses in s, up to `end`.
+    sizes : ndarray, shape (m,)
+        The impulses in N s.
+    end : float
+        The end of the window in s.
+    points : int
+        The points of all tails together. Each tail has at least 2, so there may be up to 2 m more.
+
+    Returns
+    -------
+    list of Tail
+        The tail of each impulse: times in s from that of the impulse to `end`, displacements in m.
+    """
     whole = float(np.sum(end - times)) or 1.0
     spans = [np.linspace(at, end, 2 + int(points * (end - at) / whole)) for at in times.tolist()]
     counts, t = [span.size for span in spans], np.concatenate(spans)
@@ -130,13 +179,37 @@ def tails(oscillator: DampedOscillator, times: Array, sizes: Array, end: float, 
 
 
 def joined(tails: list[Tail]) -> Tail:
-    """Return tails as one path, to the end of the window and back."""
+    """Return tails as one path, to the end of the window and back.
+
+    Parameters
+    ----------
+    tails : list of Tail
+        One tail or more.
+
+    Returns
+    -------
+    Tail
+        All times in s and displacements in m; every second tail is reversed.
+    """
     ways = [slice(None, None, -1 if i % 2 else 1) for i in range(len(tails))]
     return Tail(*(np.concatenate([tail[row][way] for tail, way in zip(tails, ways, strict=True)]) for row in (0, 1)))
 
 
 def outline(ends: Array, heights: Array) -> tuple[Array, Array]:
-    """Return the outline of slices between these ends (n, 2), of these heights (n,), from 0 up and down again."""
+    """Return the outline of slices between these ends (n, 2), of these heights (n,), from 0 up and down again.
+
+    Parameters
+    ----------
+    ends : ndarray, shape (n, 2)
+        The begin and the end of each slice in s.
+    heights : ndarray, shape (n,)
+        The height of each slice.
+
+    Returns
+    -------
+    tuple of ndarray, each (4 n,)
+        The times of the corners in s, and their heights in the unit of `heights`.
+    """
     up = np.zeros((heights.size, 4))
     up[:, 1:3] = heights[:, None]
     return np.repeat(ends, 2, axis=1).ravel(), up.ravel()

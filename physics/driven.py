@@ -125,7 +125,7 @@ class DrivenOscillator:
         Returns
         -------
         bool
-            Whether this is so.
+            True at a resonance without damping; False with a dashpot.
         """
         with precise():
             return not self.c and within_an_ulp(omega, (exact(self.k) / exact(self.m)).sqrt())

@@ -29,7 +29,17 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
 class MeanPowers(NamedTuple):
-    """The power of the drive and of the dashpot (n,) in W at the times t, each the mean of the last drive period."""
+    """The power of the drive and of the dashpot (n,) in W at the times t, each the mean of the last drive period.
+
+    Before t = 0 the powers count as 0.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times in s.
+    P_in, P_lost : ndarray, shape (n,)
+        What the drive puts in and what the dashpot takes, in W.
+    """
 
     t: Array
     P_in: Array
@@ -40,7 +50,18 @@ class MeanPowers(NamedTuple):
 class ForcedVibration:
     """A motion of a driven oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s).
 
-    `size` is F_0 in N, Y in m, or mu e in kg m; `omega` is the frequency of the drive in rad/s.
+    Parameters
+    ----------
+    oscillator : DrivenOscillator
+        The mass on its spring and its dashpot.
+    kind : {"force", "base", "unbalance"}
+        The kind of drive.
+    size : float
+        The amplitude of the drive, 0 or more: F_0 in N, Y in m, or mu e in kg m.
+    omega : float
+        The frequency of the drive in rad/s, 0 or more.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
     """
 
     oscillator: DrivenOscillator
@@ -101,17 +122,65 @@ class ForcedVibration:
         return rotating("drive", complex(self.size), self.omega)
 
     def at(self, t: Array) -> tuple[Array, Array]:
-        """Return x and v (n,) in doubles, as they are drawn."""
+        """Return x and v (n,) in doubles, as they are drawn.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m and v in m/s.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or t has more than one dimension.
+        """
         x, v = drawn(self.push, t)
         fading = self.free.fadings
         return x + fading[0].at(t), v + fading[1].at(t)
 
     def from_rest(self, t: Array) -> Array:
-        """Return x (n,) in m from rest in doubles."""
+        """Return x (n,) in m from rest in doubles.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        ndarray (n,)
+            x in m.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or t has more than one dimension.
+        """
         return drawn(self.push, t)[0]
 
     def powers(self, t: Array) -> tuple[Array, Array]:
-        """Return the power that the drive puts in and the power that the dashpot takes (n,), in W."""
+        """Return the power that the drive puts in and the power that the dashpot takes (n,), in W.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            The power of the drive and the power of the dashpot in W.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or t has more than one dimension.
+        """
         one, (x, v) = self.oscillator, self.at(t)
         if self.kind == "base":
             y = self.size * np.sin(self.omega * t)
@@ -121,7 +190,27 @@ class ForcedVibration:
         return force * np.sin(self.omega * t) * v, one.c * v * v
 
     def mean_powers(self, end: float, count: int) -> MeanPowers:
-        """Return the mean powers at `count` + 1 times up to `end` in s. ValueError beyond the range of doubles."""
+        """Return the mean powers at `count` + 1 times up to `end` in s.
+
+        Parameters
+        ----------
+        end : float
+            The last time in s, above 0. The first one is 0.
+        count : int
+            The number of steps between the times, 1 or more.
+
+        Returns
+        -------
+        MeanPowers
+            The times in s and the powers in W, each (count + 1,).
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible, or the powers or the work leave the range of doubles.
+        ZeroDivisionError
+            If the frequency of the drive is 0.
+        """
         period, step = 2 * math.pi / self.omega, end / count
         t = np.linspace(0.0, end, count + 1)
         earlier = np.maximum(np.arange(count + 1) - count * (period / end), 0.0)
@@ -146,8 +235,15 @@ class ForcedVibration:
 
 
 class VibrationBand(NamedTuple):
-    """The lower and the upper edge of a band (n,); `late` (m,) are the values at the last m instants, if a line shows
-    the motion there because what is too fast has died."""
+    """The lower and the upper edge of a band.
+
+    Attributes
+    ----------
+    low, high : ndarray, shape (n,)
+        The edges in m.
+    late : ndarray, shape (m,), or None
+        The values in m at the last m instants, if a line shows the motion there because what is too fast has died.
+    """
 
     low: Array
     high: Array
@@ -159,6 +255,15 @@ class SampledVibration:
     """A forced vibration over the instants t (n,) in s: which parts of it are too fast for a line there.
 
     With `is_split` it is shown in its parts, unless these are huge and opposite, as near an undamped resonance.
+
+    Parameters
+    ----------
+    vibration : ForcedVibration
+        The motion.
+    t : ndarray, shape (n,)
+        The instants in s.
+    is_split : bool
+        True to show the motion in its parts.
     """
 
     vibration: ForcedVibration
@@ -264,7 +369,22 @@ def _around(middle: Array, size: Array | float) -> VibrationBand:
 
 
 def rotating(symbol: str, X: complex, omega: float) -> ExactMotion:
-    """Return the motion Im(X exp(i omega t))."""
+    """Return the motion Im(X exp(i omega t)).
+
+    Parameters
+    ----------
+    symbol : str
+        The symbol of the motion.
+    X : complex
+        The complex amplitude, in the unit of the motion.
+    omega : float
+        The frequency in rad/s.
+
+    Returns
+    -------
+    ExactMotion
+        The motion, which the browser plays as one sinusoid.
+    """
     played = Harmonic((Sinusoid(abs(X), omega, phase(X)),))
     return harmonic_motion(symbol, played, lambda t: np.asarray((X * np.exp(1j * omega * t)).imag))
 
