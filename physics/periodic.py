@@ -27,7 +27,17 @@ PushKind = Literal["square", "triangle", "pulses", "impulses", "step", "impulse"
 
 
 class Piece(NamedTuple):
-    """A part of a period, from one share of it to another: the force in N at its start, and its rise in N a period."""
+    """A part of a period, from one share of it to another: the force in N at its start, and its rise in N a period.
+
+    Attributes
+    ----------
+    begin, end : Fraction
+        The shares of a period at which it begins and ends, from 0 to 1.
+    force : Fraction
+        The force at its start in N, without impulses.
+    rise : Fraction
+        The rise of the force in N per period.
+    """
 
     begin: Fraction
     end: Fraction
@@ -109,13 +119,40 @@ class PeriodicPush:
         return self.size * self.omega / (2 * math.pi) if self.kind == "impulses" else 0.0
 
     def has_line(self, n: int) -> bool:
-        """True if the line n > 0 is part of the push."""
+        """True if the line n > 0 is part of the push.
+
+        Parameters
+        ----------
+        n : int
+            The number of the line, above 0.
+
+        Returns
+        -------
+        bool
+            False if f_n is 0.
+        """
         if self.kind == "pulses":
             return bool((Fraction(self.width) * n) % 1)
         return self.kind == "impulses" or n % 2 == 1
 
     def line(self, n: int) -> complex:
-        """f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u; of one that does not repeat there is none."""
+        """f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u; of one that does not repeat there is none.
+
+        Parameters
+        ----------
+        n : int
+            The number of the line, 0 or more; 0 is the mean.
+
+        Returns
+        -------
+        complex
+            f_n in N, 0 for a line that is not part of the push.
+
+        Raises
+        ------
+        ValueError
+            If the push does not repeat.
+        """
         if self.once:
             raise ValueError(f"kind = {self.kind!r}: a push that repeats is needed")
         if not n:
@@ -135,7 +172,18 @@ class PeriodicPush:
         return complex(self.size * self.omega / math.pi)
 
     def sizes(self, n: Array) -> Array:
-        """|f_n| (n,) in N for n above 0, in doubles: a missing line may be a rounding error."""
+        """|f_n| (n,) in N for n above 0, in doubles: a missing line may be a rounding error.
+
+        Parameters
+        ----------
+        n : ndarray, shape (n,)
+            The numbers of the lines, above 0.
+
+        Returns
+        -------
+        ndarray (n,)
+            The amplitudes of the lines in N.
+        """
         over, size = np.pi * n, abs(self.size)
         match self.kind:
             case "square":

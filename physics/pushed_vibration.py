@@ -35,7 +35,17 @@ _ON_PEAK = 0.02  # distance of n r from the peak at which a harmonic without dam
 
 
 class Harmonics(NamedTuple):
-    """Lines n (count,) of a push: |f_n| in N, and the amplitudes |X_n| in m of the motion, infinite at a resonance."""
+    """Lines n (count,) of a push: |f_n| in N, and the amplitudes |X_n| in m of the motion, infinite at a resonance.
+
+    Attributes
+    ----------
+    n : ndarray, shape (count,)
+        The numbers of the lines.
+    f : ndarray, shape (count,)
+        |f_n| in N.
+    X : ndarray, shape (count,)
+        |X_n| in m.
+    """
 
     n: Array
     f: Array
@@ -47,6 +57,17 @@ class PushedVibration:
     """A motion of a damped oscillator with a spring from x_0 in m and v_0 in m/s, in a window with the instants t (n,).
 
     It has the names of ForcedVibration and of SampledVibration.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot; k is above 0.
+    push : PeriodicPush
+        The push on the mass.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    t : ndarray, shape (n,)
+        The instants of the window in s.
     """
 
     oscillator: DampedOscillator
@@ -78,13 +99,37 @@ class PushedVibration:
         return float(np.abs(self.steady.from_start(self.x_0, self.v_0, self.t)[0]).max())
 
     def mean_powers(self, end: float, count: int) -> MeanPowers | None:
-        """Return the mean powers of the last period up to `end` in s; None of a push that does not repeat."""
+        """Return the mean powers of the last period up to `end` in s; None of a push that does not repeat.
+
+        Parameters
+        ----------
+        end : float
+            The last time in s.
+        count : int
+            The number of times, at least.
+
+        Returns
+        -------
+        MeanPowers or None
+            The times in s and the powers in W.
+        """
         if isinstance(self.steady, RestAfterPush):
             return None
         return mean_powers(self.steady, self.x_0, self.v_0, end, count)
 
     def from_rest(self, t: Array) -> Array:
-        """Return x (n,) in m from rest at the times t (n,) in s, in rising order, in doubles."""
+        """Return x (n,) in m from rest at the times t (n,) in s, in rising order, in doubles.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s, 0 or more, in rising order.
+
+        Returns
+        -------
+        ndarray (n,)
+            x in m.
+        """
         return self.steady.from_start(0.0, 0.0, t)[0]
 
     @cached_property
@@ -176,7 +221,15 @@ class PushedVibration:
 
 @dataclass(frozen=True, kw_only=True)
 class PushHarmonics:
-    """The harmonics of a push on a damped oscillator with a spring."""
+    """The harmonics of a push on a damped oscillator with a spring.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot; k is above 0.
+    push : PeriodicPush
+        The push on the mass, which repeats.
+    """
 
     oscillator: DampedOscillator
     push: PeriodicPush
@@ -192,7 +245,18 @@ class PushHarmonics:
         return self.oscillator.pushed(self.push)
 
     def lines(self, n: Iterable[int]) -> Harmonics:
-        """Return these lines n > 0 in doubles: within 1e-12, next to a resonance within 5 u."""
+        """Return these lines n > 0 in doubles: within 1e-12, next to a resonance within 5 u.
+
+        Parameters
+        ----------
+        n : iterable of int
+            The numbers of the lines, above 0.
+
+        Returns
+        -------
+        Harmonics
+            n, |f_n| in N and |X_n| in m, in the order given.
+        """
         n, one = np.array(list(n), float), self.oscillator
         f, turn = self.push.sizes(n), n * self.push.omega
         with np.errstate(all="ignore"):
@@ -203,7 +267,18 @@ class PushHarmonics:
         return Harmonics(n, f, X)
 
     def drawn(self, end: float) -> Harmonics:
-        """Return the lines that the push has up to a frequency in rad/s, at most 100, and the first one."""
+        """Return the lines that the push has up to a frequency in rad/s, at most 100, and the first one.
+
+        Parameters
+        ----------
+        end : float
+            The highest frequency in rad/s.
+
+        Returns
+        -------
+        Harmonics
+            The lines n from 1 to 100 that are part of the push, with n omega up to `end`, and n = 1.
+        """
         n, f, X = self._first
         here = (n * self.push.omega <= max(end, self.push.omega)) & (f > _NONE * f[0])
         return Harmonics(n[here], f[here], X[here])
@@ -213,7 +288,18 @@ class PushHarmonics:
         return self.lines(range(1, _DRAWN + 1))
 
     def has_line(self, n: int) -> bool:
-        """True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth."""
+        """True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth.
+
+        Parameters
+        ----------
+        n : int
+            The number of the line, above 0.
+
+        Returns
+        -------
+        bool
+            True if |f_n| is more than 1e-12 times |f_1|.
+        """
         f = self.push.sizes(np.array([1.0, n]))
         return bool(f[1] > _NONE * f[0])
 

@@ -7,6 +7,9 @@ In a piece in which the force is F + F' tau the motion from x_0, v_0 is that of 
 with A, B, E2, E3 by the form that keeps its digits: a power series at first, then exponentials. The steady motion
 starts at the fixed point of a period, (1 - M) state = q. Where 1 - M loses more than five digits, near the resonance of
 a harmonic or for a very quick push, the state comes from numbers of mpmath.
+
+Source: beyond lecture D31, as in physics.pushed; J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.1
+and 3.1.
 """
 
 import math
@@ -36,7 +39,19 @@ V = TypeVar("V", float, Array)  # at one time or at several
 
 
 class PushResponse(NamedTuple):
-    """A, B, E2, E3 and the rate of B (n,) at some times after the start of a piece, in powers of s."""
+    """A, B, E2, E3 and the rate of B (n,) at some times after the start of a piece, in powers of s.
+
+    Attributes
+    ----------
+    A, slope : ndarray, shape (n,)
+        A and the rate of B, without a unit.
+    B : ndarray, shape (n,)
+        B in s.
+    E2 : ndarray, shape (n,)
+        E2 in s^2.
+    E3 : ndarray, shape (n,)
+        E3 in s^3.
+    """
 
     A: Array
     B: Array
@@ -50,6 +65,20 @@ class SteadyMotion:
     """The steady motion of a damped oscillator with a spring under a push that repeats, and other motions under it.
 
     The browser plays it by samples of a period, or if that is longer than the window up to `end` in s, of this window.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot; k is above 0.
+    push : PeriodicPush
+        The push on the mass, which repeats.
+    end : float
+        The end of the window in s.
+
+    Raises
+    ------
+    ValueError
+        If there is no spring, or the push does not repeat.
     """
 
     oscillator: DampedOscillator
@@ -112,11 +141,38 @@ class SteadyMotion:
         return self._through(((1 - d) * p + b * q) / below, (c * p + (1 - a) * q) / below)
 
     def at(self, t: Array) -> tuple[Array, Array]:
-        """The steady x and v (n,) at the times t (n,) in s."""
+        """The steady x and v (n,) at the times t (n,) in s.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m and v in m/s.
+
+        Raises
+        ------
+        ValueError
+            If no steady motion exists: at a resonance without a dashpot.
+        """
         return self._in_pieces(np.mod(t, self.period), self.starts)
 
     def force_at(self, t: Array) -> Array:
-        """F (n,) in N at the times t (n,) in s; impulses left out."""
+        """F (n,) in N at the times t (n,) in s; impulses left out.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray (n,)
+            F in N.
+        """
         share, F = np.mod(t, self.period) / self.period, np.zeros_like(t)
         for piece in self.push.pieces:
             began = float(piece.begin)
@@ -124,12 +180,40 @@ class SteadyMotion:
         return F
 
     def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s, in rising order, at a resonance too."""
+        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s, in rising order, at a resonance too.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+        t : ndarray, shape (n,)
+            Times in s, 0 or more, in rising order.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m and v in m/s.
+        """
         counts = np.floor(np.minimum(t / self.period, _PERIODS))
         return self.after(x_0, v_0, counts, np.maximum(t - counts * self.period, 0.0))
 
     def after(self, x_0: float, v_0: float, periods: Array, rest: Array) -> tuple[Array, Array]:
-        """x and v (n,) from such a start, at times `rest` (n,) in s after so many periods (n,), in rising order."""
+        """x and v (n,) from such a start, at times `rest` (n,) in s after so many periods (n,), in rising order.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0.
+        periods : ndarray, shape (n,)
+            Whole numbers of periods since t = 0, in rising order.
+        rest : ndarray, shape (n,)
+            Times in s since the last of these periods ended, from 0 to a period.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m and v in m/s.
+        """
         counts, places = np.unique(periods, return_inverse=True)
         state, states = np.array([x_0, v_0, 1.0]), []
         for before, count in pairwise((0.0, *counts.tolist())):
@@ -224,6 +308,13 @@ class RestAfterPush:
     """The rest in which a damped oscillator with a spring ends after a push that does not repeat.
 
     It has the names of SteadyMotion.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass on its spring and its dashpot.
+    push : PeriodicPush
+        A step or one impulse.
     """
 
     oscillator: DampedOscillator
@@ -257,11 +348,35 @@ class RestAfterPush:
         return constant(0.0 if self.push.impulsive else self.push.size)
 
     def at(self, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) of the rest."""
+        """x and v (n,) of the rest.
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m, the same at all times, and v in m/s, which is 0.
+        """
         return np.full_like(t, self.place), np.zeros_like(t)
 
     def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s."""
+        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s.
+
+        Parameters
+        ----------
+        x_0, v_0 : float
+            The displacement in m and the velocity in m/s at t = 0, before an impulse.
+        t : ndarray, shape (n,)
+            Times in s, 0 or more.
+
+        Returns
+        -------
+        tuple of ndarray, each (n,)
+            x in m and v in m/s.
+        """
         free = FreeDecay(oscillator=self.oscillator, x_0=x_0 - self.place, v_0=v_0 + self.jump)
         return self.place + free.fadings[0].at(t), free.fadings[1].at(t)
 
