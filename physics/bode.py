@@ -40,8 +40,15 @@ _SAME = 1e-50  # roots with 120 digits that are closer than this, relatively, ar
 class ResponsePeak(NamedTuple):
     """A peak or a dip: its frequency in rad/s, and the amplitude there, over the size of the drive.
 
-    `half_power` are the frequencies below and above a peak at which the amplitude is 1/sqrt(2) of it; None if
-    another extreme comes first, or 0.
+    Attributes
+    ----------
+    omega : float
+        The frequency in rad/s.
+    height : float
+        The amplitude over the size of the drive: in m/N for a force.
+    half_power : tuple of float or None
+        The frequencies in rad/s below and above a peak at which the amplitude is 1/sqrt(2) of it; None if another
+        extreme comes first, or 0.
     """
 
     omega: float
@@ -61,7 +68,15 @@ class ResponsePeak(NamedTuple):
 
 
 class Resonances(NamedTuple):
-    """Peaks, dips, and the frequencies in rad/s at which the amplitude is infinite, lowest first; all rounded once."""
+    """Peaks, dips, and the frequencies in rad/s at which the amplitude is infinite, lowest first; all rounded once.
+
+    Attributes
+    ----------
+    peaks, dips : tuple of ResponsePeak
+        The peaks and the dips.
+    poles : tuple of float
+        The frequencies in rad/s at which the amplitude is infinite.
+    """
 
     peaks: tuple[ResponsePeak, ...]
     dips: tuple[ResponsePeak, ...]
@@ -69,7 +84,15 @@ class Resonances(NamedTuple):
 
 
 class ChainResonances(NamedTuple):
-    """Peaks and dips of |X1|, |X2| and |X2 - X1| in m over F_0 in N."""
+    """Peaks and dips of |X1|, |X2| and |X2 - X1| in m over F_0 in N.
+
+    Attributes
+    ----------
+    X1, X2 : Resonances
+        Those of mass 1 and of mass 2.
+    stroke : Resonances
+        Those of X2 - X1.
+    """
 
     X1: Resonances
     X2: Resonances
@@ -78,7 +101,18 @@ class ChainResonances(NamedTuple):
 
 @lru_cache(64)  # cached, because a scene needs it again for each change of its drive
 def chain_resonances(chain: DampedChain) -> ChainResonances:
-    """Peaks and dips of the chain under a force on mass 1."""
+    """Peaks and dips of the chain under a force on mass 1.
+
+    Parameters
+    ----------
+    chain : DampedChain
+        The masses, springs and dashpots.
+
+    Returns
+    -------
+    ChainResonances
+        Frequencies in rad/s and heights in m/N, rounded once from 120 digits.
+    """
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)
     real, turned = (p0, -p2, p4), (p1, -p3)
     below = added(product(real, real), product((Fraction(0), Fraction(1)), turned, turned))
@@ -87,7 +121,20 @@ def chain_resonances(chain: DampedChain) -> ChainResonances:
 
 
 def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Resonances:
-    """Peaks of |X| over F_0, over Y or over mu e."""
+    """Peaks of |X| over F_0, over Y or over mu e.
+
+    Parameters
+    ----------
+    oscillator : DrivenOscillator
+        The mass, the dashpot and the spring.
+    kind : {"force", "base", "unbalance"}
+        The kind of drive.
+
+    Returns
+    -------
+    Resonances
+        Frequencies in rad/s; heights in m/N for a force, without unit for a base, in 1/kg for an unbalance.
+    """
     m, c, k = map(Fraction, (oscillator.m, oscillator.c, oscillator.k))
     none, one = Fraction(0), Fraction(1)
     above = {"force": (one,), "base": (k * k, c * c), "unbalance": (none, none, one)}[kind]
@@ -95,7 +142,20 @@ def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Re
 
 
 def magnification_peak(oscillator: DrivenOscillator, kind: Drive = "force") -> ResponsePeak | None:
-    """The peak of the magnification: |X| over F_0/k, over Y, or over mu e/m."""
+    """The peak of the magnification: |X| over F_0/k, over Y, or over mu e/m.
+
+    Parameters
+    ----------
+    oscillator : DrivenOscillator
+        The mass, the dashpot and the spring.
+    kind : {"force", "base", "unbalance"}
+        The kind of drive.
+
+    Returns
+    -------
+    ResponsePeak or None
+        Frequencies in rad/s and a height without unit; None if there is no peak.
+    """
     unit = {"force": oscillator.k, "base": 1.0, "unbalance": oscillator.m}[kind]
     return next((one._replace(height=unit * one.height) for one in driven_resonances(oscillator, kind).peaks), None)
 
@@ -104,6 +164,16 @@ def quarter_lags(chain: DampedChain) -> tuple[float, ...]:
     """The frequencies in rad/s at which mass 1 lags by a quarter turn: Re X1 = 0, in which c1 has no part.
 
     For c2 = 0 these frequencies are the natural ones and sqrt(k2/m2). There mass 1 may be at rest, and its lag jumps.
+
+    Parameters
+    ----------
+    chain : DampedChain
+        The masses, springs and dashpots.
+
+    Returns
+    -------
+    tuple of float
+        The frequencies in rad/s, the lowest first, rounded once from 120 digits.
     """
     p0, p1, p2, p3, p4, m2, k2, c2 = _coefficients(chain)
     real = added(product((p0, -p2, p4), (k2, -m2)), product((Fraction(0), c2), (p1, -p3)))
@@ -111,7 +181,18 @@ def quarter_lags(chain: DampedChain) -> tuple[float, ...]:
 
 
 def resonances(above: Polynomial, below: Polynomial) -> Resonances:
-    """Peaks, dips and poles of sqrt(above/below) over w > 0, polynomials in w; `below` is nowhere negative."""
+    """Peaks, dips and poles of sqrt(above/below) over w > 0, polynomials in w; `below` is nowhere negative.
+
+    Parameters
+    ----------
+    above, below : tuple of Fraction
+        Coefficients of the polynomials in w = omega^2, the constant first.
+
+    Returns
+    -------
+    Resonances
+        Frequencies sqrt(w) in rad/s, and heights sqrt(above/below); empty if `above` is 0.
+    """
     above, below = reduced(above, below)
     if not above:
         return Resonances((), (), ())
