@@ -47,7 +47,15 @@ _DISCRIMINANT = (
 
 
 class ExceptionalPoint(NamedTuple):
-    """Dashpots in N s/m at which both modes are one, and the double roots in 1/s: one of a pair, or two real ones."""
+    """Dashpots in N s/m at which both modes are one, and the double roots in 1/s: one of a pair, or two real ones.
+
+    Attributes
+    ----------
+    c1, c2 : float
+        The dampings in N s/m.
+    roots : tuple of complex
+        The double roots in 1/s: the one of a pair with Im(s) > 0, or two real ones, the slower first.
+    """
 
     c1: float
     c2: float
@@ -55,14 +63,33 @@ class ExceptionalPoint(NamedTuple):
 
 
 class RootMeeting(NamedTuple):
-    """The value on a path at which two roots meet, or, where it is `double`, two pairs."""
+    """The value on a path at which two roots meet, or, where it is `double`, two pairs.
+
+    Attributes
+    ----------
+    value : float
+        The value, above 0.
+    double : bool
+        True if two pairs meet.
+    """
 
     value: float
     double: bool
 
 
 def exceptional_point(chain: TwoMassChain) -> ExceptionalPoint | None:
-    """The exceptional point of a chain, each number rounded once, or None."""
+    """The exceptional point of a chain, each number rounded once, or None.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+
+    Returns
+    -------
+    ExceptionalPoint or None
+        Dampings in N s/m and double roots in 1/s; None if a stiffness is 0, or a damping would be negative.
+    """
     m1, m2, k1, k2 = chain.exact_parameters
     if not (k1 and k2):
         return None
@@ -87,7 +114,17 @@ def exceptional_point(chain: TwoMassChain) -> ExceptionalPoint | None:
 
 @dataclass(frozen=True, kw_only=True)
 class RootPath:
-    """Roots of a chain whose dashpots in N s/m are base + value direction, the value from 0 on."""
+    """Roots of a chain whose dashpots in N s/m are base + value direction, the value from 0 on.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    base : tuple of float
+        c1 and c2 in N s/m at the value 0.
+    direction : tuple of float
+        What a unit of the value adds to c1 and c2, in N s/m; at least one of them is above 0.
+    """
 
     chain: TwoMassChain
     base: Dashpots
@@ -95,7 +132,20 @@ class RootPath:
 
     @classmethod
     def of(cls, one: DampedChain, varied: Varied) -> "RootPath":
-        """The path of "c1", of "c2", or of "both" in proportion; undamped, both grow like their springs, if any."""
+        """The path of "c1", of "c2", or of "both" in proportion; undamped, both grow like their springs, if any.
+
+        Parameters
+        ----------
+        one : DampedChain
+            The chain; a dashpot that is not varied stays as it is.
+        varied : {"c1", "c2", "both"}
+            What grows with the value.
+
+        Returns
+        -------
+        RootPath
+            Its value is c1 or c2 in N s/m, or for "both" the factor of the direction.
+        """
         if varied == "both":
             pair = next((pair for pair in ((one.c1, one.c2), (one.k1, one.k2)) if any(pair)), (1.0, 1.0))
             return cls(chain=one.chain, base=(0.0, 0.0), direction=pair)
@@ -104,7 +154,23 @@ class RootPath:
         return cls(chain=one.chain, base=(one.c1, 0.0), direction=(0.0, 1.0))
 
     def at(self, value: float) -> DampedChain:
-        """The chain with the dashpots of a value."""
+        """The chain with the dashpots of a value.
+
+        Parameters
+        ----------
+        value : float
+            The value, 0 or more.
+
+        Returns
+        -------
+        DampedChain
+            The chain with c1 and c2 in N s/m.
+
+        Raises
+        ------
+        ValueError
+            If a dashpot is negative or not finite.
+        """
         c1, c2 = (a + value * b for a, b in zip(self.base, self.direction, strict=True))
         return DampedChain.of(self.chain, c1, c2)
 
@@ -137,7 +203,23 @@ class RootPath:
         return np.unique(np.concatenate([[0.0], spread, *(one.value * near for one in self.meetings)]))
 
     def roots(self, values: ArrayLike) -> Complexes:
-        """The roots (n, 4) in 1/s, for a drawing: by companion matrices, half of the digits where roots meet."""
+        """The roots (n, 4) in 1/s, for a drawing: by companion matrices, half of the digits where roots meet.
+
+        Parameters
+        ----------
+        values : array_like, shape (n,)
+            Values of the path.
+
+        Returns
+        -------
+        ndarray of complex, shape (n, 4)
+            The roots in 1/s, in no order.
+
+        Raises
+        ------
+        ValueError
+            If a value is not finite.
+        """
         values = finite_array("values", values)
         P = polynomial.polyval(values, self.scaled.T)
         companion = np.zeros((values.size, 4, 4))
@@ -149,6 +231,21 @@ class RootPath:
         """The roots in 1/s for a drawing (n, 4), along the path and through a value, which is the last row once more.
 
         Each column is one root: from row to row they move least.
+
+        Parameters
+        ----------
+        value : float
+            The value whose roots are the last row.
+
+        Returns
+        -------
+        ndarray of complex, shape (n, 4)
+            The roots in 1/s: a row for each of `values` and for the value, in rising order, then the last row.
+
+        Raises
+        ------
+        ValueError
+            If the value is not finite.
         """
         values = np.union1d(self.values, value)
         found = self.roots(values)
@@ -171,7 +268,18 @@ class RootPath:
         return (*point.roots, *(s.conjugate() for s in point.roots))[:2] if is_on_it else ()
 
     def dragged(self, z: complex) -> float:
-        """The value at which |P(z)| is least, in doubles: a root that is dragged to z sets it."""
+        """The value at which |P(z)| is least, in doubles: a root that is dragged to z sets it.
+
+        Parameters
+        ----------
+        z : complex
+            The point in 1/s.
+
+        Returns
+        -------
+        float
+            The value, 0 or more.
+        """
         at = polynomial.polyval(z / self.unit, self.scaled)
         square = polynomial.polymul(at, at.conj()).real
         slope = np.trim_zeros(polynomial.polyder(square), "b")
