@@ -50,7 +50,17 @@ class Effort(NamedTuple):
     """Exactness that a sum must reach, and the work that it may take.
 
     A value is good if its uncertainty is at most `error`, relative to it, or to its curve's maximum if `of_largest`.
-    `digits` bounds the digits at one time, `work` the digits of all times together: 2,500 take about 0.02 s.
+
+    Attributes
+    ----------
+    error : float
+        The largest relative uncertainty of a value.
+    of_largest : bool
+        True if it is relative to the maximum of the curve.
+    digits : int
+        The bound on the digits at one time.
+    work : float
+        The bound on the digits of all times together: 2,500 take about 0.02 s.
     """
 
     error: float = 2.0**-60  # once rounded within 0.51 ulp
@@ -78,9 +88,12 @@ _LEFT = 1e-85  # of the sizes that a residue was summed from, what can be wrong 
 class Decaying(NamedTuple):
     """A term Re(sum_j amplitudes[j] t^j exp(exponent t)): the part of one complex mode.
 
-    amplitudes (1, 3), in m for x1, x2 and x2 - x1; (2, 3) for two equal exponents, or where the chain drifts, and so
-    on. The real part of the exponent (1/s) is minus the rate of decay, its imaginary part the frequency in rad/s, 0 or
-    more.
+    Attributes
+    ----------
+    exponent : complex
+        Its real part (1/s) is minus the rate of decay, its imaginary part the frequency in rad/s, 0 or more.
+    amplitudes : ndarray of complex
+        (1, 3), in m for x1, x2 and x2 - x1; (2, 3) for two equal exponents, or where the chain drifts, and so on.
     """
 
     exponent: complex
@@ -93,15 +106,46 @@ class Decaying(NamedTuple):
         return Decaying(self.exponent, self.exponent * self.amplitudes + np.vstack([slopes, 0 * self.amplitudes[:1]]))
 
     def at(self, t: Array) -> Array:
-        """x1, x2 and x2 - x1 (3, n)."""
+        """x1, x2 and x2 - x1 (3, n).
+
+        Parameters
+        ----------
+        t : ndarray, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (3, n)
+            The term in m.
+        """
         with np.errstate(under="ignore"):
             return np.asarray((polyval(t, self.amplitudes) * np.exp(self.exponent * t)).real)
 
 
 @dataclass(frozen=True, kw_only=True)
 class DampedModes:
-    """The motion under F_0 sin(omega t) on mass 1, from any start, with a dashpot c (N s/m) between the masses and one,
-    c1, parallel to spring 1."""
+    """The motion of a chain with dashpots under F_0 sin(omega t) on mass 1, from any start.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on mass 1 in N, finite.
+    omega : float
+        The drive frequency in rad/s, 0 or more.
+    x_0, v_0 : tuple of float
+        Displacements in m and velocities in m/s of masses 1 and 2 at t = 0; at rest in equilibrium by default.
+    c1 : float
+        The damping parallel to spring 1 in N s/m, 0 or more.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible.
+    """
 
     chain: TwoMassChain
     c: float
@@ -135,7 +179,23 @@ class DampedModes:
     def motion(self, t: ArrayLike, effort: Effort = EXACT) -> Motion:
         """Return the motion at times t (n,): with damping as exact as `effort` says, without see forced_motion.
 
-        ValueError where that takes more work than `effort` allows.
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+        effort : Effort
+            The exactness, and the limit of the work; ignored without damping.
+
+        Returns
+        -------
+        Motion
+            x, v and e, each (2, n).
+
+        Raises
+        ------
+        ValueError
+            If a time is not finite, if a result leaves the range of doubles, or if the motion takes more work than
+            `effort` allows.
         """
         t = finite_array("t", t)
         if not (self.c or self.c1):
@@ -149,16 +209,64 @@ class DampedModes:
         return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
 
     def complementary(self, t: ArrayLike) -> Array:
-        """The transient alone, x1, x2, x2 - x1 (3, n), from its terms in doubles."""
+        """The transient alone, x1, x2, x2 - x1 (3, n), from its terms in doubles.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (3, n)
+            The transient in m.
+
+        Raises
+        ------
+        ValueError
+            At an undamped resonance, if a time is not finite, or if an amplitude leaves the range of doubles.
+        """
         t = finite_array("t", t)
         return sum((term.at(t) for term in self.transient), np.zeros((3, t.size)))
 
     def particular_motion(self, t: ArrayLike) -> Array:
-        """The particular motion alone, x1, x2, x2 - x1 (3, n)."""
+        """The particular motion alone, x1, x2, x2 - x1 (3, n).
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray, shape (3, n)
+            The particular motion in m.
+
+        Raises
+        ------
+        ValueError
+            At an undamped resonance, if a time is not finite, or if an amplitude leaves the range of doubles.
+        """
         return np.asarray((self.particular[:, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
 
     def drawn(self, t: ArrayLike) -> tuple[Array, Array]:
-        """x1, x2, x2 - x1 and their rates of change (3, n), from the terms in doubles."""
+        """x1, x2, x2 - x1 and their rates of change (3, n), from the terms in doubles.
+
+        Parameters
+        ----------
+        t : array_like, shape (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of ndarray, each (3, n)
+            Displacements in m, and their rates of change in m/s.
+
+        Raises
+        ------
+        ValueError
+            At an undamped resonance, if a time is not finite, or if an amplitude leaves the range of doubles.
+        """
         t = finite_array("t", t)
         turned = self.particular[:, None] * np.exp(1j * self.omega * t)
         rates = sum((term.rate.at(t) for term in self.transient), (1j * self.omega * turned).imag)
@@ -189,7 +297,24 @@ class DampedModes:
 def summed(expand: Callable[[int], Expansion], t: Array, effort: Effort = EXACT) -> Array:
     """Return x1, x2, x2 - x1, v1, v2 (5, n) of a sum at the times t (n,), except at t = 0, as exact as `effort` says.
 
-    `expand` gives the sum in so many digits. ValueError where it takes more work than `effort` allows.
+    Parameters
+    ----------
+    expand : callable
+        Gives the sum, an Expansion, in so many digits.
+    t : ndarray, shape (n,)
+        Times in s.
+    effort : Effort
+        The exactness, and the limit of the work.
+
+    Returns
+    -------
+    ndarray, shape (5, n)
+        Displacements in m, then velocities in m/s.
+
+    Raises
+    ------
+    ValueError
+        If a value takes more work than `effort` allows, or one that needs more digits leaves the range of doubles.
     """
     values, sure = in_pairs(expand(DIGITS), t, effort)
     left = effort.work
@@ -209,7 +334,22 @@ class _Summand(NamedTuple):
 
 
 def in_pairs(modes: Expansion, t: Array, effort: Effort) -> tuple[Array, NDArray[np.bool_]]:
-    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says."""
+    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says.
+
+    Parameters
+    ----------
+    modes : Expansion
+        The sum.
+    t : ndarray, shape (n,)
+        Times in s.
+    effort : Effort
+        The exactness; its limits of work have no effect.
+
+    Returns
+    -------
+    tuple of ndarray
+        The values (5, n) in m and m/s, and bools (n,): True where all five are exact enough.
+    """
     summands = [*_waves(modes, t), *_drift(modes, t)]
     rows = list(zip(*(summand.row for summand in summands), strict=True))
     with np.errstate(over="ignore", invalid="ignore"):
