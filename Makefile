@@ -113,6 +113,7 @@ load: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tests.bench.load $(ARGS)
 	$(BIN)/python -m tests.bench.course
 	$(BROWSER) $(BIN)/python -m tests.bench.slow_phone
+	$(BROWSER) $(BIN)/python -m tests.bench.player
 
 # Only the second half of make load: every scene, and a class that arrives and drags.
 course: $(VENV)/test.stamp

@@ -122,7 +122,7 @@ class LiveFigure:
         for axis in self.model.axis:
             axis.update(axis_label_text_font_size=f"{WORDS}px", axis_label_text_font_style="normal")
         for grid in self.model.grid:
-            grid.ticker = None  # the unit of the axis
+            grid.ticker = None  # then the grid has the ticks of its axis
         self.model.update(frame_height=int(self.height), sizing_mode="stretch_width")
         if self.block.square:
             self.model.max_width = SQUARE

@@ -1,6 +1,6 @@
 """The frame rate of each scene on a slow phone: the first view at 390 x 844, with the processor slowed six times.
 
-`make load` runs it last; it prints a table and keeps it as build/load/slow_phone.md. Work is CPU time of the page's
+`make load` runs it; it prints a table and keeps it as build/load/slow_phone.md. Work is CPU time of the page's
 main thread without slowing, so it hardly depends on the load of the machine.
 """
 
