@@ -427,7 +427,7 @@ def impulse(push: Push, t: Array) -> Array:
 
 
 def from_rest(push: Push, t: Array) -> Complexes:
-    """E (n,) by the one of its four forms that keeps the digits."""
+    """E (n,) by that one of three forms that keeps the digits."""
     _, _, omega, omega_n, slow, apart, swing, _ = push
     E = np.empty(t.shape, complex)
     early = max(omega, omega_n, slow + apart) * t <= _EARLY
