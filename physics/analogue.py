@@ -1,6 +1,7 @@
 """Analogues: oscillating systems by their parameters, their coordinate, and the quantities in the roles of m and k.
 
-Formulas are functions of 80-digit decimals and rounded once.
+Formulas are functions of 80-digit decimals and rounded once. The systems of lecture D31, slide 7, are in
+physics.analogues.
 """
 
 from collections.abc import Callable, Mapping
@@ -20,7 +21,21 @@ Formula = Callable[[Any], Decimal]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter above 0, or a whole number from 1 on."""
+    """A parameter above 0, or a whole number from 1 on.
+
+    Attributes
+    ----------
+    name : str
+        Its name in the formulas of the code.
+    symbol : str
+        Its symbol in LaTeX.
+    unit : str
+        Its unit; empty for a plain number.
+    default : float
+        Its default in that unit.
+    whole : bool
+        True if only whole numbers are allowed.
+    """
 
     name: str
     symbol: str
@@ -31,7 +46,19 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Constant:
-    """A constant of the system, which visitors cannot change."""
+    """A constant of the system, which visitors cannot change.
+
+    Attributes
+    ----------
+    name : str
+        Its name in the formulas of the code.
+    symbol : str
+        Its symbol in LaTeX.
+    unit : str
+        Its unit.
+    value : float
+        Its value in that unit.
+    """
 
     name: str
     symbol: str
@@ -41,7 +68,32 @@ class Constant:
 
 @dataclass(frozen=True, kw_only=True)
 class Analogue:
-    """One system: its parameters, its coordinate, and the quantities in the roles of m and k (formulas in LaTeX)."""
+    """One system: its parameters, its coordinate, and the quantities in the roles of m and k (formulas in LaTeX).
+
+    Attributes
+    ----------
+    slug, name : str
+        Its short name in the code, and its name for readers.
+    parameters : tuple of Parameter
+        What visitors can change.
+    constants : tuple of Constant
+        What they cannot change.
+    coordinate, unit : str
+        The symbol of the coordinate in LaTeX, and its unit.
+    swing : float
+        A small first displacement, in that unit.
+    inertia_formula, stiffness_formula : str
+        The quantities in the roles of m and k.
+    inertia_unit, stiffness_unit : str
+        Their units.
+    T_formula, V_formula, omega_formula : str
+        Kinetic energy, potential energy and natural frequency.
+    inertia_of, stiffness_of : callable
+        Both quantities as decimals, from a record of all numbers by name.
+    length_of : callable or None
+        The length in m of the simple pendulum with the same motion at any angle, from the same record; None if the
+        system is linear.
+    """
 
     slug: str
     name: str
@@ -67,7 +119,23 @@ class Analogue:
         return {parameter.name: parameter.default for parameter in self.parameters}
 
     def at(self, p: Mapping[str, float]) -> "Tuned":
-        """Return the system with numbers for its parameters, by name. Raises ValueError if a number is not possible."""
+        """Return the system with numbers for its parameters.
+
+        Parameters
+        ----------
+        p : mapping of str to float
+            The number of each parameter by name, in its unit.
+
+        Returns
+        -------
+        Tuned
+            The system with these numbers and its constants.
+
+        Raises
+        ------
+        ValueError
+            If a number is not possible.
+        """
         for parameter in self.parameters:
             value = p[parameter.name]
             check_positive(f"{self.name}, {parameter.unit or 'a number'}", **{parameter.name: value})
@@ -80,7 +148,15 @@ class Analogue:
 
 @dataclass(frozen=True)
 class Tuned:
-    """One system with a number for each parameter and constant, as decimals by name."""
+    """One system with a number for each parameter and constant.
+
+    Attributes
+    ----------
+    system : Analogue
+        The system.
+    values : SimpleNamespace
+        The numbers as decimals, by name.
+    """
 
     system: Analogue
     values: SimpleNamespace
@@ -114,13 +190,45 @@ class Tuned:
             )
 
     def energy(self, q_0: float) -> float:
-        """T + V in J of the linear system released at rest from q_0: stiffness q_0^2/2."""
+        """Return T + V of the linear system released at rest from q_0: stiffness q_0^2/2.
+
+        Parameters
+        ----------
+        q_0 : float
+            The first displacement, in the unit of the coordinate.
+
+        Returns
+        -------
+        float
+            The energy in J, or in J/m^2 if the stiffness is in N/m^3; rounded once.
+
+        Raises
+        ------
+        ValueError
+            If q_0 is not finite, or the energy leaves the range of doubles.
+        """
         check_finite(f"a start in {self.system.unit}", q_0=q_0)
         with precise():
             return rounded("the energy", self._stiffness * exact(q_0) ** 2 / 2)
 
     def exact_energy(self, q_0: float) -> float:
-        """T + V in J at any angle, stiffness (1 - cos q_0) for a pendulum; for a linear system it is `energy`."""
+        """Return T + V at any angle, stiffness (1 - cos q_0) for a pendulum; for a linear system it is `energy`.
+
+        Parameters
+        ----------
+        q_0 : float
+            The first displacement, in the unit of the coordinate.
+
+        Returns
+        -------
+        float
+            The energy in J, or in J/m^2 if the stiffness is in N/m^3.
+
+        Raises
+        ------
+        ValueError
+            If q_0 is not finite, or the energy leaves the range of doubles.
+        """
         if self.system.length_of is None or not q_0:
             return self.energy(q_0)
         with precise():
