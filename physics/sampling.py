@@ -25,7 +25,17 @@ NOTHING_OSCILLATES = 10.0  # s, the window of two free masses
 
 
 class Sinusoid(NamedTuple):
-    """amplitude sin(omega t + phase); SI and rad, omega >= 0."""
+    """amplitude sin(omega t + phase); SI and rad, omega >= 0.
+
+    Attributes
+    ----------
+    amplitude : float
+        The amplitude in SI units.
+    omega : float
+        The frequency in rad/s, 0 or more.
+    phase : float
+        The phase in rad at t = 0.
+    """
 
     amplitude: float
     omega: float
@@ -33,7 +43,15 @@ class Sinusoid(NamedTuple):
 
 
 class CurveOrBand(NamedTuple):
-    """A motion on a grid as it can be drawn: a curve, or None and the band (lo, hi) that the motion fills."""
+    """A motion on a grid as it can be drawn: a curve, or None and the band (lo, hi) that the motion fills.
+
+    Attributes
+    ----------
+    curve : ndarray (n,) or None
+        The values of the motion; None if it is too fast for the grid.
+    lo, hi : ndarray (n,)
+        The lower and the upper edge of the band; both are the curve if there is one.
+    """
 
     curve: Array | None
     lo: Array
@@ -41,10 +59,24 @@ class CurveOrBand(NamedTuple):
 
 
 def time_window(omega_slow: float, omega_fast: float) -> float:
-    """Four slow or two beat periods in s, the longer, but at most 100 slow ones.
+    """Return four slow or two beat periods, the longer, but at most 100 slow ones.
 
     A zero frequency is a drift: then the fast one counts; without any frequency the window is 10 s.
-    ValueError if the window leaves the range of doubles.
+
+    Parameters
+    ----------
+    omega_slow, omega_fast : float
+        Frequencies in rad/s, 0 or more.
+
+    Returns
+    -------
+    float
+        The window in s.
+
+    Raises
+    ------
+    ValueError
+        If the window leaves the range of doubles.
     """
     slow = omega_slow or omega_fast
     if not slow:
@@ -55,7 +87,25 @@ def time_window(omega_slow: float, omega_fast: float) -> float:
 
 
 def periods(omega: float, count: float) -> float:
-    """count periods of one frequency in s."""
+    """Return the duration of a number of periods of one frequency.
+
+    Parameters
+    ----------
+    omega : float
+        The frequency in rad/s, above 0.
+    count : float
+        The number of periods, above 0.
+
+    Returns
+    -------
+    float
+        The duration in s.
+
+    Raises
+    ------
+    ValueError
+        If it leaves the range of doubles, as it does at omega = 0.
+    """
     window = 2.0 * math.pi * count / float(omega) if omega else math.inf
     if not 0.0 < window < math.inf:
         raise ValueError(f"a time window of {count:g} periods at omega = {omega:.6g} rad/s leaves {DOUBLES}")
@@ -63,22 +113,72 @@ def periods(omega: float, count: float) -> float:
 
 
 def drawable(omega: float, t: Array) -> bool:
-    """True if the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
+    """Return True if a grid has at least SAMPLES_PER_CYCLE samples in a cycle of omega.
+
+    Parameters
+    ----------
+    omega : float
+        The frequency in rad/s; its sign does not matter.
+    t : ndarray (n,)
+        The grid: rising times in s.
+
+    Returns
+    -------
+    bool
+        True if a line on this grid shows the oscillation.
+    """
     return abs(omega) <= highest_drawn(t)
 
 
 def highest_drawn(t: Array) -> float:
-    """Return the highest frequency in rad/s that the grid t (n,) shows as a line."""
+    """Return the highest frequency that a grid shows as a line.
+
+    Parameters
+    ----------
+    t : ndarray (n,)
+        The grid: rising times in s.
+
+    Returns
+    -------
+    float
+        The frequency in rad/s at the largest step of the grid; inf without a step.
+    """
     return highest_at(float((t[1:] - t[:-1]).max(initial=0.0)))
 
 
 def highest_at(step: float) -> float:
-    """Return the highest frequency in rad/s that instants `step` s apart show as a line."""
+    """Return the highest frequency that instants at equal steps show as a line.
+
+    Parameters
+    ----------
+    step : float
+        The step in s.
+
+    Returns
+    -------
+    float
+        The frequency in rad/s; inf for a step of 0.
+    """
     return 2.0 * math.pi / SAMPLES_PER_CYCLE / step if step else math.inf
 
 
 def curve_or_band(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> CurveOrBand:
-    """The sum of components and a smooth base (n,) as a curve if t resolves all of them, else as a band."""
+    """Return the sum of components and a smooth base as a curve if t resolves all of them, else as a band.
+
+    Parameters
+    ----------
+    components : iterable of Sinusoid
+        The oscillations.
+    t : ndarray (n,)
+        The grid: rising times in s.
+    base : ndarray (n,) or None
+        The base at these times; None is 0.
+
+    Returns
+    -------
+    CurveOrBand
+        The curve or the band, in the unit of the amplitudes.
+    """
     line, groups = _resolved(components, t, base)
     if not groups:
         return CurveOrBand(line, line, line)
@@ -87,11 +187,25 @@ def curve_or_band(components: Iterable[Sinusoid], t: Array, base: Array | None =
 
 
 def root_mean_square(components: Sequence[Sinusoid], t: Array, base: Array | None = None) -> Array:
-    """The size of the same sum (n,): the root of its square, averaged over cycles that t does not resolve.
+    """Return the size of a sum of components and a base: the root of its square, averaged over unresolved cycles.
 
     With velocities this gives the mean kinetic energy: products of different fast groups average out, and
     each has half the square of its amplitude. It is formed in units of the largest term, so that no square
     overflows.
+
+    Parameters
+    ----------
+    components : sequence of Sinusoid
+        The oscillations.
+    t : ndarray (n,)
+        The grid: rising times in s.
+    base : ndarray (n,) or None
+        The base at these times; None is 0.
+
+    Returns
+    -------
+    ndarray (n,)
+        The size, in the unit of the amplitudes.
     """
     line = np.zeros_like(t) if base is None else base
     unit = max([abs(c.amplitude) for c in components] + [float(np.max(np.abs(line), initial=0.0))])
