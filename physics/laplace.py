@@ -7,6 +7,8 @@ f = F_0 omega/(s^2 + omega^2) and own = m1 s^2 + c1 s + k1 the equations of phys
     P (x2 - x1) = own rho_2 - m2 s^2 (rho_1 + f),     P = own (m2 s^2 + kappa) + m2 s^2 kappa.
 
 Coefficients are rational numbers, without error; exponents and residues have the digits asked for.
+
+Source of the equations: see physics.transient.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -29,7 +31,23 @@ _MOST_DIGITS = 4000  # even doubles at both their ends need no more
 
 
 class Driven(NamedTuple):
-    """The chain, its dashpots, c between the masses and c1 parallel to spring 1, the drive and the start."""
+    """The chain, its dashpots, the drive and the initial conditions.
+
+    Attributes
+    ----------
+    chain : TwoMassChain
+        Masses and springs.
+    c : float
+        The damping between the masses in N s/m.
+    F_0 : float
+        The amplitude of the force F_0 sin(omega t) on mass 1 in N.
+    omega : float
+        The drive frequency in rad/s.
+    x_0, v_0 : tuple of two floats
+        Displacements in m and velocities in m/s of both masses at t = 0.
+    c1 : float
+        The damping parallel to spring 1 in N s/m.
+    """
 
     chain: TwoMassChain
     c: float
@@ -41,7 +59,15 @@ class Driven(NamedTuple):
 
 
 class Transform(NamedTuple):
-    """A Laplace transform: x1, x2, x2 - x1 are (start + drive/(s^2 + omega^2))/P; common powers of s are left out."""
+    """A Laplace transform: x1, x2, x2 - x1 are (start + drive/(s^2 + omega^2))/P; common powers of s are left out.
+
+    Attributes
+    ----------
+    start, drive : tuple of three Polynomial
+        What the initial conditions and the drive give of x1, x2 and x2 - x1.
+    P : Polynomial
+        The common denominator. All coefficients are rational numbers in SI units, the constant first.
+    """
 
     start: tuple[Polynomial, ...]
     drive: tuple[Polynomial, ...]
@@ -49,7 +75,17 @@ class Transform(NamedTuple):
 
 
 class ExponentialTerm(NamedTuple):
-    """Re(amplitude exp(exponent t)), Im(exponent) >= 0; sizes are what the residues were summed from."""
+    """Re(amplitude exp(exponent t)), Im(exponent) >= 0.
+
+    Attributes
+    ----------
+    exponent : mpmath number
+        The exponent in 1/s.
+    amplitude : tuple of mpmath numbers
+        The complex amplitudes of x1, x2 and x2 - x1 in m, of v1 and v2 in m/s.
+    size : tuple of mpmath numbers
+        What the residues were summed from, as sizes, in the same units.
+    """
 
     exponent: Any
     amplitude: Rows
@@ -60,8 +96,20 @@ class ExponentialTerm(NamedTuple):
 class Expansion:
     """A motion as constant + drift t + the sum of terms + Im(steady exp(i omega t)), each of x1, x2 and x2 - x1.
 
-    P, start and drive are the transform's, in numbers of ctx; P is 0 as often at s = 0 as `zeros` says, its other roots
-    are the exponents.
+    Attributes
+    ----------
+    ctx : mpmath context
+        Makes the numbers below, with the digits asked for.
+    omega : mpmath number
+        The drive frequency in rad/s.
+    P : list of mpmath numbers
+        The coefficients of the transform's denominator, the constant first.
+    start, drive : list of lists of mpmath numbers
+        The coefficients of the transform's polynomials, one list for each quantity.
+    zeros : int
+        How many roots of P are 0.
+    exponents : list of mpmath numbers
+        The other roots of P in 1/s.
     """
 
     ctx: Any
@@ -123,9 +171,15 @@ class Expansion:
         return waves
 
     def distinct(self) -> Iterator[tuple[Any, list[Rows]]]:
-        """Exponents, none near another, each with the rows A_j of Re(sum_j A_j t^j exp(exponent t)).
+        """Return the exponents, none near another, each with the rows A_j of Re(sum_j A_j t^j exp(exponent t)).
 
         Near exponents m + d_k about their mean m add sum_k A_k exp(d_k t) exp(m t): a polynomial times exp(m t).
+
+        Returns
+        -------
+        iterator of (exponent, list of rows)
+            Exponents in 1/s, Im >= 0, and the rows A_j of x1, x2 and x2 - x1 in m/s^j. The last exponent is 0, with the
+            constant and, if there is one, the drift.
         """
         if self._apart:
             yield from ((p, [A]) for p, A in self.terms)
@@ -191,7 +245,18 @@ class Expansion:
 
 
 def transform(driven: Driven) -> Transform:
-    """The Laplace transform, without error, for any doubles."""
+    """Return the Laplace transform, without error, for any doubles.
+
+    Parameters
+    ----------
+    driven : Driven
+        The chain, its drive and its initial conditions.
+
+    Returns
+    -------
+    Transform
+        The transform, with rational coefficients.
+    """
     chain = driven.chain
     m1, m2, k1, k2, c, c1 = map(Fraction, (chain.m1, chain.m2, chain.k1, chain.k2, driven.c, driven.c1))
     (x1, x2), (v1, v2) = (map(Fraction, pair) for pair in (driven.x_0, driven.v_0))
@@ -211,14 +276,42 @@ def transform(driven: Driven) -> Transform:
 
 @lru_cache(maxsize=16)
 def expansion(driven: Driven, digits: int) -> Expansion:
-    """The sum in numbers of that many digits, computed on demand."""
+    """Return the sum in numbers of that many digits, computed on demand.
+
+    Parameters
+    ----------
+    driven : Driven
+        The chain, its drive and its initial conditions.
+    digits : int
+        The number of decimal digits.
+
+    Returns
+    -------
+    Expansion
+        The sum; the last 16 are remembered.
+    """
     exact = transform(driven)
     return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not (driven.c or driven.c1))
 
 
 def resolved(driven: Driven, digits: int) -> Expansion:
-    """The sum in that many digits, or in as many more as leave a double's digits in the real part of each exponent: of
-    a motion with little damping it is a small part."""
+    """Return the sum, with enough digits for the real part of each exponent.
+
+    It has that many digits, or as many more as leave a double's digits in the real parts: of a motion with little
+    damping each is a small part.
+
+    Parameters
+    ----------
+    driven : Driven
+        The chain, its drive and its initial conditions.
+    digits : int
+        The least number of decimal digits.
+
+    Returns
+    -------
+    Expansion
+        The sum.
+    """
     found = expansion(driven, digits)
     small = found.ctx.mpf(10) ** (_SPARE - digits)
     lost = any(p.imag and abs(p.real) < small * abs(p.imag) for p in found.exponents)
@@ -234,7 +327,26 @@ def expanded(
     *,
     undamped: bool = False,
 ) -> Expansion:
-    """The sum that (start + drive/(s^2 + omega^2))/P is the transform of, in numbers of that many digits."""
+    """Return the sum that (start + drive/(s^2 + omega^2))/P is the transform of, in numbers of that many digits.
+
+    Parameters
+    ----------
+    P : Polynomial
+        The denominator: rational coefficients, the constant first. ArithmeticError if its roots are not found.
+    start, drive : sequence of Polynomial
+        The parts of the numerators, one polynomial for each quantity.
+    omega : float
+        The drive frequency in rad/s.
+    digits : int
+        The number of decimal digits.
+    undamped : bool
+        True to set the real parts of all exponents to 0.
+
+    Returns
+    -------
+    Expansion
+        The sum.
+    """
     ctx = context(digits)
     coefficients = numbers(ctx, P)
     starts, drives = ([numbers(ctx, polynomial) for polynomial in many] for many in (start, drive))
