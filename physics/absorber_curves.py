@@ -63,9 +63,28 @@ class _Scaled(NamedTuple):
 
 
 def machine_curves(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
-    """|X1|, |X2 - X1| and |X1| of the machine alone (3, n) in m at n drive frequencies in rad/s, within 6 ulp.
+    """Return |X1|, |X2 - X1| and |X1| of the machine alone at n drive frequencies.
 
-    c >= 0 in N s/m. inf where no steady amplitude exists. ValueError if an amplitude leaves the range of doubles.
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The machine (mass 1 on spring 1) with its absorber (mass 2 on spring 2).
+    c : float
+        The damping between the masses in N s/m, 0 or more.
+    F_0 : float
+        The amplitude of the force on the machine in N, finite.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, 0 or more; one frequency counts as (1,).
+
+    Returns
+    -------
+    ndarray (3, n)
+        The amplitudes in m, within 6 ulp; inf where no steady amplitude exists.
+
+    Raises
+    ------
+    ValueError
+        If a number is not possible, or an amplitude leaves the range of doubles.
     """
     frequencies = checked_damping(c, F_0, omega)
     scaled = _Scaled.of(chain, c, F_0, frequencies)

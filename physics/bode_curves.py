@@ -43,17 +43,37 @@ _WIDTHS = np.array(
 
 
 class BodeCurves(NamedTuple):
-    """X1 and X2 (2, n) in m, complex, and the lags of both masses behind the force (2, n) in rad."""
+    """Response and lags at n drive frequencies.
+
+    Attributes
+    ----------
+    X : ndarray (2, n) of complex
+        The complex amplitudes X1 and X2 in m.
+    lags : ndarray (2, n)
+        The lags of both masses behind the force in rad.
+    """
 
     X: Complexes
     lags: Array
 
 
 def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeCurves:
-    """Return the response and the lags at n drive frequencies in rad/s, above 0.
+    """Return the response and the lags at n drive frequencies: those of DampedChain.response and DampedChain.lags.
 
-    Amplitudes are within 8 u, lags within 8 u of a radian; they are those of DampedChain.response and DampedChain.lags.
-    inf where no steady amplitude exists, and at all of them if one leaves the range of doubles.
+    Parameters
+    ----------
+    chain : DampedChain
+        Masses, springs and dashpots.
+    omega : float or array_like (n,)
+        Drive frequencies in rad/s, above 0. ValueError if one is negative or not finite.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+
+    Returns
+    -------
+    BodeCurves
+        Amplitudes within 8 u, lags within 8 u of a radian. X is inf where no steady amplitude exists, and at all
+        frequencies if an amplitude leaves the range of doubles.
     """
     frequencies = np.atleast_1d(finite_array("omega", omega))
     scaled = _ScaledChain.of(chain, F_0, frequencies)
@@ -80,8 +100,17 @@ def bode_curves(chain: DampedChain, omega: ArrayLike, F_0: float = 1.0) -> BodeC
 
 
 class Transfer(NamedTuple):
-    """X1 and X2 in m as functions of s = i omega/unit: polynomials `above`, constants first, over the product of all
-    s - p of the `poles`."""
+    """X1 and X2 as functions of s = i omega/unit: polynomials over the product of all s - p of the poles.
+
+    Attributes
+    ----------
+    unit : float
+        The unit of s in rad/s.
+    above : tuple of two tuples of three floats
+        The coefficients of X1 and of X2 in m, constants first.
+    poles : tuple of complex
+        The poles p, without unit.
+    """
 
     unit: float
     above: tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -91,7 +120,17 @@ class Transfer(NamedTuple):
 def transfer(chain: DampedChain, F_0: float = 1.0) -> Transfer | None:
     """Return the response as a function of i omega in doubles, for a hand on its curve.
 
-    None if its numbers may leave the range of doubles.
+    Parameters
+    ----------
+    chain : DampedChain
+        Masses, springs and dashpots.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+
+    Returns
+    -------
+    Transfer or None
+        None if its numbers may leave the range of doubles.
     """
     scaled = _ScaledChain.of(chain, F_0, np.ones(0))
     if not scaled.comfortable:
@@ -102,9 +141,21 @@ def transfer(chain: DampedChain, F_0: float = 1.0) -> Transfer | None:
 
 
 def locus_frequencies(roots: Iterable[complex], fast: float) -> Array:
-    """Return drive frequencies in rad/s, rising, at which X1 and X2 are smooth curves in the complex plane.
+    """Return drive frequencies at which X1 and X2 are smooth curves in the complex plane.
 
     They are closer together about the imaginary part of each root, in its widths, and reach 100 times `fast`.
+
+    Parameters
+    ----------
+    roots : iterable of complex
+        The exponents of the free motion in 1/s; only those that swing count.
+    fast : float
+        The frequency in rad/s that sets the range.
+
+    Returns
+    -------
+    ndarray (n,)
+        Drive frequencies in rad/s, rising, above 0.
     """
     swinging = [root for root in roots if root.imag]
     loops = [abs(root.imag) + side * -root.real * _WIDTHS for root in swinging for side in (-1, 1)]
