@@ -33,7 +33,18 @@ class ExactMotion:  # an abstract class would be slower to recognize
     size: Callable[[], float]
 
     def at(self, t: Array) -> Array:
-        """Return the exact values at the times t (n,) in s; infinite where they leave the range of doubles."""
+        """Return the exact values.
+
+        Parameters
+        ----------
+        t : ndarray (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray (n,)
+            Values in SI units; infinite where they leave the range of doubles.
+        """
         raise NotImplementedError
 
     @property
@@ -42,14 +53,33 @@ class ExactMotion:  # an abstract class would be slower to recognize
         raise NotImplementedError
 
     def band(self, drawn: float) -> MotionBand | None:
-        """Return the band that it fills, or None if that is not known.
+        """Return the band that it fills.
 
-        Oscillations up to the frequency `drawn` in rad/s do not count: a line shows them.
+        Parameters
+        ----------
+        drawn : float
+            Oscillations up to this frequency in rad/s do not count: a line shows them.
+
+        Returns
+        -------
+        tuple of two ExactMotion, or None
+            The lower and the upper edge; None if they are not known.
         """
         raise NotImplementedError
 
     def extremes(self, t: Array) -> tuple[float, float]:
-        """Return the least and the largest value at the times t (n,) in s, or of the band that they show."""
+        """Return the least and the largest value at some times, or of the band that they show.
+
+        Parameters
+        ----------
+        t : ndarray (n,)
+            Times in s.
+
+        Returns
+        -------
+        tuple of two floats
+            Both in SI units.
+        """
         low, high = self.band(highest_drawn(t)) or (self, self)
         return float(low.at(t).min()), float(high.at(t).max())
 
@@ -93,14 +123,36 @@ MotionTerm: TypeAlias = tuple[Decimal, tuple[ExactMotion, ...]]
 def remembered(values: Callable[[Array], V]) -> Callable[[Array], V]:
     """Return the function, which remembers its last result: the quantities of a motion share one computation.
 
-    `values` must not refer to an object that keeps a motion made with it: such a cycle waits for the garbage collector.
+    Parameters
+    ----------
+    values : callable
+        A function of times (n,). It must not refer to an object that keeps a motion made with it: such a cycle waits
+        for the garbage collector.
+
+    Returns
+    -------
+    callable
+        The same function, which computes only if the times differ from the last ones.
     """
     at_times = lru_cache(1)(lambda times: values(np.frombuffer(times)))
     return lambda t: at_times(t.tobytes())
 
 
 def computed_by(exact: Callable[[Array], Array], motion: ExactMotion) -> ExactMotion:
-    """Return a sum of motions whose values are computed in a way that loses fewer digits."""
+    """Return a sum of motions whose values are computed in a way that loses fewer digits.
+
+    Parameters
+    ----------
+    exact : callable
+        Returns the values (n,) at the times (n,) in s.
+    motion : ExactMotion
+        The sum, a MotionPolynomial.
+
+    Returns
+    -------
+    ExactMotion
+        The same sum with these values.
+    """
     assert isinstance(motion, MotionPolynomial)
     return replace(motion, exact=exact)
 
@@ -118,8 +170,22 @@ def _terms(one: ExactMotion | float) -> tuple[MotionTerm, ...]:
 class Elementary(ExactMotion):
     """A motion of a system.
 
-    `exact` returns its values, `played` are the numbers by which the browser plays it. `amplitude` returns half the
-    height of the band around 0 that it fills, `square` the mean of its square.
+    Attributes
+    ----------
+    symbol : str
+        Its name if a scene gives no other.
+    exact : callable
+        Returns its values (n,) at the times (n,) in s.
+    played : object
+        The numbers by which the browser plays it.
+    size : callable
+        Returns about its largest magnitude.
+    omega : float
+        The frequency of its fastest oscillation in rad/s; 0 if it does not oscillate.
+    amplitude : callable or None
+        Returns half the height of the band around 0 that it fills.
+    square : callable or None
+        Returns the mean of its square.
     """
 
     symbol: str
@@ -149,7 +215,15 @@ class Elementary(ExactMotion):
 
 @dataclass(frozen=True)
 class Harmonic:
-    """a + b t and a sum of sinusoids, by the numbers that the browser plays; line = (a, b)."""
+    """a + b t and a sum of sinusoids, by the numbers that the browser plays.
+
+    Attributes
+    ----------
+    sinusoids : tuple of Sinusoid
+        The oscillations.
+    line : tuple of two floats
+        (a, b): the value at t = 0 without the oscillations, and its rate of change per second.
+    """
 
     sinusoids: tuple[Sinusoid, ...]
     line: tuple[float, float] = (0.0, 0.0)
@@ -171,11 +245,33 @@ class Harmonic:
         return found
 
     def drawn(self, t: Array) -> CurveOrBand:
-        """Return its values at the times t (n,), or the band that it fills between them."""
+        """Return its values, or the band that it fills between the times.
+
+        Parameters
+        ----------
+        t : ndarray (n,)
+            Rising times in s.
+
+        Returns
+        -------
+        CurveOrBand
+            A curve if the times resolve all oscillations, else a band.
+        """
         return curve_or_band(self.sinusoids, t, self._base(t))
 
     def root_mean_square(self, t: Array) -> Array:
-        """Return its size (n,), on average over the cycles that the times t (n,) do not resolve."""
+        """Return its size, on average over the cycles that the times do not resolve.
+
+        Parameters
+        ----------
+        t : ndarray (n,)
+            Rising times in s.
+
+        Returns
+        -------
+        ndarray (n,)
+            The root of the mean square.
+        """
         return root_mean_square(self.sinusoids, t, self._base(t))
 
     def _base(self, t: Array) -> Array:
@@ -184,14 +280,33 @@ class Harmonic:
 
 
 class SampledCycle(NamedTuple):
-    """A motion that repeats after `period` in s: its values and rates of change (n,) at equal steps from 0 to it."""
+    """A motion that repeats after `period`: its values and rates of change at equal steps from 0 to it.
+
+    Attributes
+    ----------
+    period : float
+        The period in s.
+    values, rates : ndarray (n,)
+        Its values, and its rates of change per second, both ends included.
+    """
 
     period: float
     values: Array
     rates: Array
 
     def at(self, t: Array) -> Array:
-        """Return the values (n,) at the times t (n,) in s, as the browser joins the samples."""
+        """Return the values as the browser joins the samples.
+
+        Parameters
+        ----------
+        t : ndarray (n,)
+            Times in s.
+
+        Returns
+        -------
+        ndarray (n,)
+            Values in the unit of the samples.
+        """
         steps = len(self.values) - 1
         place = np.mod(t, self.period) / self.period * steps
         i = np.minimum(place.astype(int), steps - 1)
@@ -205,7 +320,14 @@ class SampledCycle(NamedTuple):
 class MotionPolynomial(ExactMotion):
     """A sum of products of motions, each with a factor.
 
-    `exact` returns its values, if the sum of the terms would lose digits.
+    Attributes
+    ----------
+    terms : tuple of MotionTerm
+        The factors, each with the motions that it multiplies.
+    exact : callable or None
+        Returns the values (n,) at the times (n,) in s, if the sum of the terms would lose digits.
+    symbol : str
+        Its name if a scene gives no other.
     """
 
     terms: tuple[MotionTerm, ...]
@@ -283,7 +405,22 @@ class Superposition(MotionPolynomial):
 
 
 def superposed(symbol: str, *parts: Elementary, exact: Callable[[Array], Array] | None = None) -> Superposition:
-    """Return the sum of motions that are played by harmonics; `exact` as in a polynomial."""
+    """Return the sum of motions that are played by harmonics.
+
+    Parameters
+    ----------
+    symbol : str
+        Its name if a scene gives no other.
+    *parts : Elementary
+        The motions.
+    exact : callable or None
+        Returns the values of the sum, if the sum of the parts would lose digits.
+
+    Returns
+    -------
+    Superposition
+        The sum, with the harmonic that plays it.
+    """
     harmonics = [one.played for one in parts if isinstance(one.played, Harmonic)]
     starts, rates = zip(*(one.line for one in harmonics), strict=True)
     whole = Harmonic(tuple(wave for one in harmonics for wave in one.sinusoids), (sum(starts), sum(rates)))
@@ -291,7 +428,22 @@ def superposed(symbol: str, *parts: Elementary, exact: Callable[[Array], Array] 
 
 
 def harmonic_motion(symbol: str, harmonic: Harmonic, exact: Callable[[Array], Array]) -> Elementary:
-    """Return the motion that a harmonic plays, with its exact values."""
+    """Return the motion that a harmonic plays, with its exact values.
+
+    Parameters
+    ----------
+    symbol : str
+        Its name if a scene gives no other.
+    harmonic : Harmonic
+        The numbers by which the browser plays it.
+    exact : callable
+        Returns the values (n,) at the times (n,) in s.
+
+    Returns
+    -------
+    Elementary
+        The motion.
+    """
     return Elementary(
         symbol=symbol, exact=exact, played=harmonic, size=harmonic.size, omega=harmonic.omega,
         amplitude=lambda: _slow(lambda t: harmonic.drawn(t).hi),
