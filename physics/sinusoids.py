@@ -61,7 +61,15 @@ _SMALL = [np.array([[(-1) ** k / math.factorial(2 * k + odd)] for odd in (0, 1)]
 
 
 class ExactSinusoid(NamedTuple):
-    """cosine[i] cos(omega t) + sine[i] sin(omega t)/omega for each quantity i."""
+    """cosine[i] cos(omega t) + sine[i] sin(omega t)/omega for each quantity i.
+
+    Attributes
+    ----------
+    omega : Decimal
+        The frequency in rad/s.
+    cosine, sine : sequence of Decimal
+        A coefficient for each quantity, in its unit and in its unit per second.
+    """
 
     omega: Decimal
     cosine: Coefficients
@@ -69,7 +77,17 @@ class ExactSinusoid(NamedTuple):
 
 
 class Beat(NamedTuple):
-    """sine[i] cos(d t) sin(s t) + (growing_cosine[i] cos(s t) + growing_sine[i] sin(s t)) sin(d t)/d."""
+    """sine[i] cos(d t) sin(s t) + (growing_cosine[i] cos(s t) + growing_sine[i] sin(s t)) sin(d t)/d.
+
+    Attributes
+    ----------
+    s, d : Decimal
+        Frequencies in rad/s: half the sum of two close ones, and half their difference.
+    sine : sequence of Decimal
+        A coefficient for each quantity, in its unit.
+    growing_cosine, growing_sine : sequence of Decimal
+        Coefficients in its unit per second.
+    """
 
     s: Decimal
     d: Decimal
@@ -79,16 +97,41 @@ class Beat(NamedTuple):
 
 
 class Weighted(NamedTuple):
-    """row[i] times a curve for each quantity i, the curve not above 1."""
+    """row[i] times a curve for each quantity i.
+
+    Attributes
+    ----------
+    curve : ScaledCurve
+        The curve, not above 1.
+    row : sequence of Decimal
+        A coefficient for each quantity.
+    """
 
     curve: ScaledCurve
     row: Coefficients
 
 
 def added(sinusoids: Iterable[ExactSinusoid], t: Array, quantities: Sequence[str]) -> Array:
-    """The sum as (quantities, n), each sinusoid slow or quick by the latest of the times.
+    """Return the sum of sinusoids, each slow or quick by the latest of the times.
 
-    ValueError names the quantity that leaves the range of doubles.
+    Parameters
+    ----------
+    sinusoids : iterable of ExactSinusoid
+        The sinusoids; those without amplitude are left out.
+    t : ndarray (n,)
+        Times in s.
+    quantities : sequence of str
+        The names of the quantities, for the message of an error.
+
+    Returns
+    -------
+    ndarray (quantities, n)
+        The values, each in its unit.
+
+    Raises
+    ------
+    ValueError
+        If a quantity, which the message names, leaves the range of doubles.
     """
     reach = exact(np.abs(t).max(initial=0.0))
     kinds: tuple[list[ExactSinusoid], list[ExactSinusoid]] = [], []
@@ -100,7 +143,18 @@ def added(sinusoids: Iterable[ExactSinusoid], t: Array, quantities: Sequence[str
 
 
 def on_heads(values: Sequence[Decimal]) -> tuple[Array, Array]:
-    """Numbers of at most 1 as heads of 22 bits and what is left of them, for combined()."""
+    """Return numbers of at most 1 as heads of 22 bits and what is left of them, for combined().
+
+    Parameters
+    ----------
+    values : sequence of Decimal
+        The numbers.
+
+    Returns
+    -------
+    tuple of two ndarrays, each (n,)
+        Heads and rests.
+    """
     with precise():
         heads = [round(float(value) * _UNIT) / _UNIT for value in values]
         rests = [float(value - Decimal(head)) for value, head in zip(values, heads, strict=True)]
@@ -110,10 +164,23 @@ def on_heads(values: Sequence[Decimal]) -> tuple[Array, Array]:
 def combined(
     rows: tuple[Array, Array], sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str]
 ) -> Array:
-    """The sum of sinusoids of one quantity each, times the row of each, as (quantities, n).
+    """Return the sum of sinusoids of one quantity each, times the row of each.
 
-    The rows, heads and rests of on_heads(), are (sinusoids, quantities). Errors are 0.5 ulp of the result and less than
-    0.01 u of the amplitudes; no frequency is 0. ValueError names the quantity that leaves the range of doubles.
+    Parameters
+    ----------
+    rows : tuple of two ndarrays, each (sinusoids, quantities)
+        Heads and rests of the rows, from on_heads().
+    sinusoids : sequence of ExactSinusoid
+        The sinusoids; no frequency is 0.
+    t : ndarray (n,)
+        Times in s.
+    quantities : sequence of str
+        Their names. ValueError names the quantity that leaves the range of doubles.
+
+    Returns
+    -------
+    ndarray (quantities, n)
+        The values. Errors are 0.5 ulp of the result and less than 0.01 u of the amplitudes.
     """
     if not sinusoids:
         return np.zeros((len(quantities), t.size))
@@ -134,7 +201,27 @@ def combined(
 
 
 def apart(sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str]) -> Array:
-    """Each of them as added() has it alone, (sinusoids, quantities, n); in one sum, of as many more rows."""
+    """Return each sinusoid as added() has it alone; in one sum, of as many more rows.
+
+    Parameters
+    ----------
+    sinusoids : sequence of ExactSinusoid
+        The sinusoids.
+    t : ndarray (n,)
+        Times in s.
+    quantities : sequence of str
+        The names of the quantities, for the message of an error.
+
+    Returns
+    -------
+    ndarray (sinusoids, quantities, n)
+        The values, each in its unit.
+
+    Raises
+    ------
+    ValueError
+        If a quantity, which the message names, leaves the range of doubles.
+    """
     count, none = len(sinusoids), [_NONE] * len(quantities)
     rows = [
         ExactSinusoid(one.omega, *([*none * i, *part, *none * (count - 1 - i)] for part in (one.cosine, one.sine)))
