@@ -239,13 +239,11 @@ function sameStart({x, y}, plot) {
   const [left, size] = [x + RING + 5, units("t1")]
   const right = left + textWidth(SAME)
   const wishes = [y - RING - 2, y + RING + size].map(foot => ({left, right, top: foot - size, bottom: foot}))
-  const pieces = piecesOf(plot)
-  const placed = (/** @type {number} */ bottom) => {
-    const room = {left: start, right: start + width, top: high, bottom}
-    return places([{wishes, across: 4 * size, down: 4 * size, room}], pieces)[0]
-  }
   const end = high + height
-  const place = placed(end - size) ?? placed(end) ?? wishes[0] // the last line is for the time
+  const room = {left: start, right: start + width, top: high, bottom: end}
+  const time = {left: start - 3 * size, right: start + 3 * size, top: end - size, bottom: end + size} // at the start
+  const [found] = places([{wishes, across: 6 * size, down: 4 * size, room}], [...piecesOf(plot), time])
+  const place = found ?? wishes[0]
   return svg("text", {x: place.left, y: place.bottom}, SAME)
 }
 
