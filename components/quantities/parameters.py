@@ -32,7 +32,7 @@ class WordSelector(param.Selector[Any]):
     def _validate(self, val: object) -> None:
         if val not in self.objects:
             words = ", ".join(map(str, self.objects))
-            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: choose one of {words}.")
+            raise _impossible(self, val, f"choose one of {words}")
 
 
 class WordList(param.List[Any]):
@@ -40,7 +40,7 @@ class WordList(param.List[Any]):
 
     def _validate(self, val: object) -> None:
         if not (isinstance(val, list) and all(isinstance(word, str) for word in val)):
-            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: give a list of words.")
+            raise _impossible(self, val, "give a list of words")
 
 
 class Switch(param.Boolean[Any]):
@@ -48,7 +48,12 @@ class Switch(param.Boolean[Any]):
 
     def _validate(self, val: object) -> None:
         if not isinstance(val, bool):
-            raise ValueError(f"{self.name or self.label} = {_shown(val)} is not possible: choose True or False.")
+            raise _impossible(self, val, "choose True or False")
+
+
+def _impossible(parameter: AnyParameter, value: object, possible: str) -> ValueError:
+    """The refusal of a value, with a sentence on what is possible."""
+    return ValueError(f"{parameter.name or parameter.label} = {_shown(value)} is not possible: {possible}.")
 
 
 def one_of(
