@@ -17,7 +17,7 @@ from components.quantities.parameters import displacement, mass, positive
 from components.scene.case import Case, CaseScene, ComparedNumber, example
 from physics.free_oscillation import FreeOscillation
 from physics.oscillator import Oscillator
-from physics.sampling import drawable, periods
+from physics.sampling import periods
 
 AVERAGED = "The energies change too fast to be drawn in this window: they are averages over a cycle."
 
@@ -43,7 +43,7 @@ class WallsCase(Case):
         return 2 * self.free.oscillator.omega_n
 
     def notes(self) -> tuple[str, ...]:
-        return () if drawable(self.highest, self.times) else (AVERAGED,)
+        return () if self.is_line(self.highest) else (AVERAGED,)
 
 
 value = Attributes(WallsCase)
