@@ -7,9 +7,6 @@ received and drawn a change. The Player asks for 20 frames a second.
 from __future__ import annotations
 
 import argparse
-import subprocess
-import sys
-import time
 
 import psutil
 from playwright.sync_api import Browser, sync_playwright
@@ -17,7 +14,7 @@ from playwright.sync_api import Browser, sync_playwright
 from components.scenes import SCENES
 from tests.bench.load import REPORT, machine
 from tests.browser.chromium import find
-from tests.serving.server import ROOT, free_port
+from tests.serving.server import Server, serving_panel
 
 SECONDS = 10.0
 WARM = 1.0
@@ -36,18 +33,19 @@ COUNT = """() => {
 """Count the animation frames before which the server has changed something other than the Player."""
 
 
-def line(browser: Browser, url: str, server: psutil.Process, slug: str) -> str:
+def line(browser: Browser, server: Server, slug: str) -> str:
     """A row of the table: frames a second, the server's CPU for one of them, and the bytes that it sends for one."""
+    process = psutil.Process(server.process.pid)
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     received = [0]
     page.on("websocket", lambda wire: wire.on("framereceived", lambda data: received.append(len(data))))
-    page.goto(f"{url}?scene={slug}")
+    page.goto(f"http://localhost:{server.port}/app?scene={slug}")
     page.locator("button.play").click(timeout=PATIENCE)
     page.evaluate(COUNT)
     page.wait_for_timeout(1000 * WARM)
 
     def state() -> tuple[int, float, float, int]:
-        cpu = server.cpu_times()
+        cpu = process.cpu_times()
         drawn, now = page.evaluate("[drawn, performance.now()]")
         return drawn, now / 1000, cpu.user + cpu.system, sum(received)
 
@@ -66,22 +64,10 @@ def main() -> None:
     head = ["| scene | frames a second | CPU of the server per frame | bytes per frame |", "|---|---|---|---|"]
     report = REPORT.with_name("player.md")
     report.parent.mkdir(parents=True, exist_ok=True)
-    port = free_port()
-    with report.with_suffix(".log").open("wb") as log:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "panel", "serve", "app.py", "--port", str(port)], cwd=ROOT, stdout=log, stderr=log
-        )
-    try:
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=find())
-            while process.poll() is None and b"running at" not in report.with_suffix(".log").read_bytes():
-                time.sleep(0.1)
-            server = psutil.Process(process.pid)
-            rows = [line(browser, f"http://localhost:{port}/app", server, slug) for slug in slugs]
-            browser.close()
-    finally:
-        process.terminate()
-        process.wait()
+    with serving_panel(report.with_suffix(".log")) as server, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=find())
+        rows = [line(browser, server, slug) for slug in slugs]
+        browser.close()
     text = "\n".join([machine(), "", *head, *rows, ""])
     report.write_text(text, encoding="utf-8")
     print(text)

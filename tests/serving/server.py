@@ -17,6 +17,7 @@ from tests.serving.nursery import WANTED, Forked
 
 ROOT = Path(__file__).parents[2]
 START = ("-m", "components.serving")
+PANEL = ("-m", "panel", "serve", "app.py")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,6 +83,14 @@ def serving(
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()
+
+
+@contextmanager
+def serving_panel(log: Path) -> Iterator[Server]:
+    """`panel serve app.py` on a free port."""
+    port = free_port()
+    with serving(log, port=port, command=(sys.executable, *PANEL, "--port", str(port))) as server:
+        yield server
 
 
 def _wait_until_listening(process: subprocess.Popen[bytes] | Forked, port: int, log: Path, limit: float = 180) -> None:

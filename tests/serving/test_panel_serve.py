@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import html
 import re
-import socket
-import subprocess
-import sys
-import time
 from collections.abc import Iterator
 from urllib.parse import parse_qsl, urlsplit
 from urllib.request import urlopen
@@ -18,35 +14,17 @@ from bokeh.client import ClientSession, pull_session
 from playwright.sync_api import Browser, expect
 
 from components.scenes import SCENES
-from tests.serving.server import ROOT
+from tests.serving.server import serving_panel
 
-PATIENCE = 120.0
 LAST = """() => [...Bokeh.documents[0]._all_models.values()].find(
     model => model.name === "time" && "x1_slow" in model.data).data.x1.at(-1)"""
 """The end of the curve x1."""
 
 
 @pytest.fixture(scope="module")
-def panel_serve() -> Iterator[str]:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    command = [sys.executable, "-m", "panel", "serve", "app.py", "--port", str(port)]
-    process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    url, end = f"http://localhost:{port}/app", time.monotonic() + PATIENCE
-    try:
-        while True:
-            try:
-                with urlopen(url) as page:
-                    assert page.status == 200
-                break
-            except OSError:
-                assert time.monotonic() < end and process.poll() is None
-                time.sleep(0.2)
-        yield url
-    finally:
-        process.terminate()
-        process.wait()
+def panel_serve(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with serving_panel(tmp_path_factory.mktemp("panel") / "log") as server:
+        yield f"http://localhost:{server.port}/app"
 
 
 def visit(address: str) -> ClientSession:
