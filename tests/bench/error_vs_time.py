@@ -167,7 +167,7 @@ def lengthened(options: argparse.Namespace) -> Report:
             for method in _every([slug])
             if method.slug in LONG[slug]
         ]
-        # Of the methods beside them only those without steps: the others have no end within so long a limit.
+        # The methods measured with them must have no steps, because others would run until this long limit.
         beside = [method for method in METHODS.values() if method.family in ("closed", "exact")]
         found |= measured([slug], [*beside, *solvers], limits)
     return changes.with_long(report, found, limits.seconds)

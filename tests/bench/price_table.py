@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import inf, ulp
 
+from components.scenes.accuracy.prices import NEVER
 from physics.integrators.accuracy import SYSTEMS, Run
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, grouped, in_doubles, prices
@@ -15,8 +16,6 @@ from tests.bench.estimates import Estimate, estimate, time_of_one
 HEAD = ["method", "evaluations", "Python", "× app", "× doubles", "compiled", "× doubles", "best error"]
 APART = 1.3
 """Ratios of two recordings that differ by more are marked."""
-NEVER = ("floor", "finest", "spacing")
-"""Why a method is refined no further although time is left."""
 SETTINGS = {"closed": "", "exact": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}, atol {:g}"}
 Quotes = dict[tuple[str, bool], Price]
 """Prices by method and by whether it was compiled."""

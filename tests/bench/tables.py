@@ -20,7 +20,7 @@ from tests.bench.record import Report
 WANTED = (1e-3, 1e-6, 1e-9)
 ASKED = (1e-3, 1e-6, 1e-9)
 FEW = 4
-INTRODUCTION = """What does a correct digit cost? Here many methods compute the same motions of two masses on springs.
+INTRODUCTION = """Many methods compute the same motions of two masses on springs. The tables show the cost of a digit.
 For each method the tables have the error and the time that it takes. A method that goes in steps takes longer for every
 further digit; the closed form does not. The scene `accuracy` shows the same record."""
 RULES = """
