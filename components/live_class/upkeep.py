@@ -76,7 +76,7 @@ class Upkeep:
         while True:
             task, reason = asyncio.create_task(self._return(back, lost)), "nothing is said"
             try:
-                await self.registry.store.listen(self._hear, back.set)
+                await self.registry.store.listen(self._receive, back.set)
             except AwayError as error:
                 reason = str(error.__cause__ or error)
             except Exception:
@@ -90,7 +90,7 @@ class Upkeep:
             self._say(lost=True)
             await asyncio.sleep(AGAIN)
 
-    def _hear(self, code: str, parts: Parts) -> None:
+    def _receive(self, code: str, parts: Parts) -> None:
         """Pass an update on. An unreadable one, for example from another version, is ignored."""
         try:
             self.registry.receive(code, parts)

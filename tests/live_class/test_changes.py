@@ -142,8 +142,8 @@ async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monk
 async def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
     async with rooms() as (_, registry, upkeep, code, _):
         room = await registry.room(code)
-        upkeep._hear(code, {"clock": b'{"type":"another version"}'})
-        upkeep._hear(code, {"clock": CLOCK_PART})
+        upkeep._receive(code, {"clock": b'{"type":"another version"}'})
+        upkeep._receive(code, {"clock": CLOCK_PART})
         assert room.whole().clock == CLOCK and "could not be read" in caplog.text
 
 

@@ -51,7 +51,7 @@ distance."""
 GROWN = 0.8
 """Length of forces that grow without limit, relative to the height of the response plot."""
 FILLED = 0.9
-"""Share of the stage's height that the polygon fills, if it has a stage of its own."""
+"""Share of the stage's height that the polygon fills, if it is alone on its stage."""
 APART_NOTE = "The steady and the complementary part are far larger than their sum here, so they are not drawn."
 RINGS_NOTE = "At first x rings too fast to be drawn as a line in this window: it stays within the band."
 BAND_NOTE = "The motion is too fast to be drawn as a line in this window: the band is what it stays within."
