@@ -110,18 +110,18 @@ reconnect: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tests.reconnect $(ARGS)
 
 load: $(VENV)/test.stamp
-	$(BROWSER) $(BIN)/python -m tests.bench.load $(ARGS)
-	$(BIN)/python -m tests.bench.course
-	$(BROWSER) $(BIN)/python -m tests.bench.slow_phone
-	$(BROWSER) $(BIN)/python -m tests.bench.player
+	$(BROWSER) $(BIN)/python -m tools.bench.load $(ARGS)
+	$(BIN)/python -m tools.bench.course
+	$(BROWSER) $(BIN)/python -m tools.bench.slow_phone
+	$(BROWSER) $(BIN)/python -m tools.bench.player
 
 # Only the second half of make load: every scene, and a class that arrives and drags.
 course: $(VENV)/test.stamp
-	$(BIN)/python -m tests.bench.course $(ARGS)
+	$(BIN)/python -m tools.bench.course $(ARGS)
 
 # Opens and closes a thousand sessions, five times, and reports the memory that remains.
 soak: $(VENV)/test.stamp
-	$(BIN)/python -m tests.bench.soak $(ARGS)
+	$(BIN)/python -m tools.bench.soak $(ARGS)
 
 # Starts two replicas behind the real proxy on this machine, kills one, then upgrades all.
 deploy-test: $(VENV)/test.stamp
@@ -129,7 +129,7 @@ deploy-test: $(VENV)/test.stamp
 
 # Measures a live class: 300 and 3,000 followers, answers, sketches, and two replicas of which one is killed.
 class: $(VENV)/test.stamp
-	$(BROWSER) $(BIN)/python -m tests.bench.classroom $(ARGS)
+	$(BROWSER) $(BIN)/python -m tools.bench.classroom $(ARGS)
 
 audit: $(VENV)/test.stamp
 	$(BIN)/python -m tools.audit
@@ -148,10 +148,10 @@ animation: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tools.animation
 
 accuracy: $(VENV)/test.stamp
-	$(BIN)/python -m tests.bench.accuracy_table $(ARGS)
+	$(BIN)/python -m tools.bench.accuracy_table $(ARGS)
 
 bench: $(VENV)/test.stamp
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.bench.error_vs_time $(ARGS)
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tools.bench.error_vs_time $(ARGS)
 
 # Checks a guided walk: make walk FILE=my-walk.toml. ARGS=--look also measures each step in a browser in hall mode,
 # ARGS=--pictures writes pictures of each step to build/walk, ARGS=--serve also serves the walk.

@@ -75,7 +75,7 @@ def files(root: Path, *endings: str) -> list[Path]:
     """Return the files of a checkout with these endings, without the measured tables and the tests."""
     folders = (root / name for name in ("components", "physics", "static", "tools", "docs"))
     places = (*root.glob("*"), *(path for folder in folders for path in folder.rglob("*")))
-    skipped = ("node_modules", "vendor", "bench", "CHANGELOG.md", "plain_english.py")
+    skipped = ("node_modules", "vendor", "error_vs_time.md", "CHANGELOG.md", "plain_english.py")
     return sorted(
         path for path in places if path.suffix in endings and not {*path.relative_to(root).parts} & {*skipped}
     )

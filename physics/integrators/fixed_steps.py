@@ -12,7 +12,7 @@
 - implicit methods: physics.integrators.implicit_steps; exponential ones: physics.integrators.exponential_steps.
 
 A stepping function is plain arithmetic on plain floats: for two masses NumPy's cost of a call would be most of the
-time, and a compiler can take it unchanged (tests/bench/compiled.py).
+time, and a compiler can take it unchanged (tools/bench/compiled.py).
 """
 
 from collections.abc import Callable, Mapping, Sequence

@@ -16,9 +16,9 @@ from time import monotonic
 from typing import Any, NamedTuple
 
 from tests.attack.finding import Finding
-from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, called
 from tests.live_class.messages import MESSAGES, SKETCH, Client, Send
+from tests.serving.visitor import Visitor
 
 OTHERS, ROUNDS, SECONDS, PAUSE = 30, 5, 2.0, 0.1
 """Other visitors; rounds of each kind; seconds of a round; seconds between two changes of a visitor."""

@@ -21,7 +21,7 @@ from tornado.websocket import WebSocketClosedError
 from tests.attack.caller import Caller, ask, contents, event, header, patch, refused, said, token_of
 from tests.attack.finding import Finding
 from tests.attack.greedy import greedy
-from tests.bench.visitor import Visitor
+from tests.serving.visitor import Visitor
 
 ALPHABET = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.="
 FLOODERS, SECONDS = 30, 3.0

@@ -8,7 +8,7 @@ from time import monotonic
 from typing import Any
 from urllib.parse import urlsplit
 
-from tests.bench.visitor import Visitor, token_in
+from tests.serving.visitor import Visitor, token_in
 
 PATIENCE = 30.0
 AGAIN = 0.1

@@ -12,10 +12,10 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
 from tests.attack.caller import ask
-from tests.bench.visitor import Visitor, token_in
 from tests.deploy.nginx import NGINX, behind_nginx, for_version, recipe, written
 from tests.deploy.site import Site, deployed
 from tests.deploy.trials import trial
+from tests.serving.visitor import Visitor, token_in
 
 with_nginx = pytest.mark.skipif(not NGINX, reason="nginx is not installed: apt-get install nginx-light")
 OWN = {"host", "http_upgrade", "proxy_add_x_forwarded_for", "request_id"}

@@ -16,10 +16,10 @@ from components.live_class import follower_routes
 from components.live_class.codes import join_key
 from components.serving import apart
 from components.serving.apart import ReadingProcess
-from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.served import CHOICE, served, teaching
 from tests.page.scripts import text_of
+from tests.serving.visitor import Visitor
 
 
 async def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:

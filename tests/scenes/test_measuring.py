@@ -17,8 +17,8 @@ import pytest
 from components.scenes.accuracy.measuring import WAITING, Job, Measuring
 from physics.integrators.accuracy import SYSTEMS, entered
 from physics.integrators.accuracy_worker import decoded_system, encoded_system
-from tests.bench.visitor import Visitor
 from tests.serving.server import ROOT, Server, serving
+from tests.serving.visitor import Visitor
 
 BENIGN = SYSTEMS["benign"]
 TWO = ("closed", "verlet")

@@ -12,8 +12,8 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
 from tests.attack.caller import Caller, ask, said
-from tests.bench.visitor import Visitor
 from tests.serving.server import ROOT, Server, serving
+from tests.serving.visitor import Visitor
 
 
 @pytest.mark.parametrize("name", ["liveness", "readiness"])

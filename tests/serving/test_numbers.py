@@ -25,9 +25,9 @@ from components.session.exports import LinkExport, link_file
 from components.session.worker import Replied, WorkerJob
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
-from tests.bench.visitor import Visitor
 from tests.scenes.checks import as_arguments
 from tests.serving.server import Server, serving
+from tests.serving.visitor import Visitor
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 COUPLED = "/data.csv?scene=coupled&k2=3"

@@ -23,7 +23,7 @@ from components.serving.settings import Settings
 from components.serving.sockets import CHEAP, MOST_MISSED, MOST_PINGS, SURCHARGE, Socket
 from components.serving.tokens import opens_session
 from tests.attack.caller import Caller, Reply, ask, connect, contents, event, header, patch, refused, said, token_of
-from tests.bench.visitor import Visitor
+from tests.serving.visitor import Visitor
 
 SECRET = "a secret of sixteen letters"
 

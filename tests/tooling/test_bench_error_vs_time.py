@@ -11,18 +11,18 @@ import pytest
 
 from physics.integrators.accuracy import SYSTEMS, Run, entered
 from physics.integrators.solvers import METHODS
-from tests.bench import changes, error_vs_time, studies
-from tests.bench.estimates import estimate
-from tests.bench.findings import findings
-from tests.bench.price_table import price_table
-from tests.bench.record import Report, recalled, record, slim
-from tests.bench.tables import markdown, reached_table
+from tools.bench import changes, error_vs_time, studies
+from tools.bench.estimates import estimate
+from tools.bench.findings import findings
+from tools.bench.price_table import price_table
+from tools.bench.record import Report, recalled, record, slim
+from tools.bench.tables import markdown, reached_table
 
 
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Studies of two places each, and nothing compiled."""
-    monkeypatch.setattr("tests.bench.compiled.compiled_methods", lambda systems: [])
+    monkeypatch.setattr("tools.bench.compiled.compiled_methods", lambda systems: [])
     for name, value in (("LENGTHS", (5, 10)), ("STEPPING", ("rk4",)), ("TOLERANCES", {"lsoda": 1e-6})):
         monkeypatch.setattr(studies, name, value)
     monkeypatch.setattr(studies, "NEIGHBOURS", (1.0,))
@@ -203,7 +203,7 @@ def test_long_runs_take_the_place_of_those_that_were_stopped() -> None:
 
 
 def test_estimates_of_the_record_are_near_what_was_measured() -> None:
-    from tests.bench.estimates import checked
+    from tools.bench.estimates import checked
 
     report = recalled(error_vs_time.RECORDED)
     ratios = checked(report.runs, (1e-3, 1e-6, 1e-9))
@@ -277,7 +277,7 @@ def test_a_tiny_record_is_made_and_changed_by_each_option(
 
 
 def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_counts_differ() -> None:
-    from tests.bench.methods import methods_table
+    from tools.bench.methods import methods_table
 
     names = [row.split(" | ")[0].removeprefix("| ") for row in methods_table() if row.startswith("| ")][2:]
     assert names == [method.name for slug, method in METHODS.items() if method.family in ("fixed", "adaptive")]
@@ -289,7 +289,7 @@ def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_co
 
 
 def test_every_source_is_a_book_with_its_section_or_a_paper_of_the_list() -> None:
-    from tests.bench.methods import PAPERS, SOLVERS, SOURCES
+    from tools.bench.methods import PAPERS, SOLVERS, SOURCES
 
     sources = [*SOURCES.values(), *(source for _, _, source in SOLVERS.values())]
     named = [one for source in sources for one in source.split("; ") if not one.startswith("Hairer")]
@@ -297,7 +297,7 @@ def test_every_source_is_a_book_with_its_section_or_a_paper_of_the_list() -> Non
 
 
 def test_neighbours_of_a_run_differ_by_one_unit_in_the_last_place() -> None:
-    from tests.bench.counting import neighbours
+    from tools.bench.counting import neighbours
 
     for system in ("benign", "near"):
         first, *others = neighbours(Run(system=system, method="rk45", setting=1e-3))

@@ -12,7 +12,7 @@ from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.solvers import METHODS
-from tests.bench.compiled import compiled_linear, run_compiled, run_modes, run_slides
+from tools.bench.compiled import compiled_linear, run_compiled, run_modes, run_slides
 
 DRIVEN = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))
 RUBBED = SYSTEMS["dashpot"].problem()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from tests.bench.decisions import QUESTIONS, modules
 from tests.serving.server import ROOT
+from tools.bench.decisions import QUESTIONS, modules
 
 RECORDS = sorted((ROOT / "docs" / "decisions").glob("*.md"))
 
@@ -23,7 +23,7 @@ def test_the_commands_of_the_records_are_those_that_are_there() -> None:
     named = {
         name
         for record in RECORDS
-        for name in re.findall(r"tests\.bench\.decisions (\w+)", record.read_text(encoding="utf-8"))
+        for name in re.findall(r"tools\.bench\.decisions (\w+)", record.read_text(encoding="utf-8"))
     }
     assert named == set(QUESTIONS)
 

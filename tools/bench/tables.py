@@ -11,11 +11,11 @@ from physics.integrators.accuracy import SYSTEMS, Run, System, entered
 from physics.integrators.price import at_error, grouped
 from physics.integrators.solvers import METHODS
 from physics.integrators.stiffness import stiffness
-from tests.bench.estimates import checked
-from tests.bench.findings import findings
-from tests.bench.methods import methods_table
-from tests.bench.price_table import evaluations_text, line, price_table, setting_text, time_text
-from tests.bench.record import Report
+from tools.bench.estimates import checked
+from tools.bench.findings import findings
+from tools.bench.methods import methods_table
+from tools.bench.price_table import evaluations_text, line, price_table, setting_text, time_text
+from tools.bench.record import Report
 
 WANTED = (1e-3, 1e-6, 1e-9)
 ASKED = (1e-3, 1e-6, 1e-9)

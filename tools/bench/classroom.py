@@ -23,13 +23,13 @@ from typing import Any
 import psutil
 from playwright.async_api import Browser
 
-from tests.bench.crowd import SETTINGS, p95
-from tests.bench.followers import Hearing, drag, followed, sizes, values
-from tests.bench.outage import outlived
-from tests.bench.screens import SKETCHED, Phones, chromium, taught, woken
-from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, called
 from tests.serving.server import Server, serving
+from tests.serving.visitor import Visitor
+from tools.bench.crowd import SETTINGS, p95
+from tools.bench.followers import Hearing, drag, followed, sizes, values
+from tools.bench.outage import outlived
+from tools.bench.screens import SKETCHED, Phones, chromium, taught, woken
 
 CHOICE = {"walk": "d31", "step": "d31-03"}
 SKETCH = {"walk": "d34", "step": "d34-14"}
@@ -42,7 +42,7 @@ PATIENCE = 10.0
 
 
 @dataclass
-class Figures:
+class ClassFigures:
     """The costs of a class of one size; times in s, with those that Chromium saw by themselves."""
 
     followers: int
@@ -90,9 +90,9 @@ def spread(waits: Sequence[float]) -> str:
 
 async def measured(
     server: Server, count: int, seconds: float, browser: Browser | None = None, room: Class | None = None
-) -> Figures:
+) -> ClassFigures:
     """A class of a size, in a new room or this one, whose instructor drags for a time, then plays and seeks."""
-    figures, room = Figures(count), room or await Class.open(server.url)
+    figures, room = ClassFigures(count), room or await Class.open(server.url)
     Hearing.EVENTS.clear()
     visitor = await Visitor.arrive(server.url, "scene=coupled")
     await visitor.say({"type": "lead", "code": room.code, "key": room.key})
@@ -175,7 +175,7 @@ def drawing() -> dict[str, Any]:
     return {"curves": {"Xp1": [round(500 + 400 * math.sin(i / 9)) for i in range(101)]}}
 
 
-def table(sizes: Sequence[Figures], more: Sequence[tuple[str, str, str]]) -> str:
+def table(sizes: Sequence[ClassFigures], more: Sequence[tuple[str, str, str]]) -> str:
     """Rows in Markdown; what was not measured for each size stands in the first column."""
     heads = [one.head for one in sizes]
     lines = [("a live class", *heads, "aim"), ("---",) * (len(heads) + 2)]
@@ -198,7 +198,9 @@ async def asked_all(server: Server, browser: Browser | None) -> list[tuple[str, 
     return rows
 
 
-async def restarted(folder: Path, count: int, seconds: float, browser: Browser | None = None) -> tuple[Figures, float]:
+async def restarted(
+    folder: Path, count: int, seconds: float, browser: Browser | None = None
+) -> tuple[ClassFigures, float]:
     """A class whose server was killed, and the seconds in which the next one has it again, with so many answers."""
     with serving(folder / "killed", environment=SETTINGS) as server:
         room = await Class.open(server.url)

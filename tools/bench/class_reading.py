@@ -1,4 +1,4 @@
-"""The time for which a class of many sketches holds the event loop: `python -m tests.bench.class_reading`.
+"""The time for which a class of many sketches holds the event loop: `python -m tools.bench.class_reading`.
 
 For each request: the seconds until the answer, and the longest turn of the event loop meanwhile; for one client, then
 for some at once of one network, then of as many networks.
@@ -20,7 +20,7 @@ from tests.live_class.served import served
 AT_ONCE = 4
 
 
-class Held:
+class BlockedTime:
     """The longest turn of the event loop, in processor seconds of its own thread."""
 
     def __init__(self) -> None:
@@ -34,7 +34,7 @@ class Held:
 
 
 async def measured(lesson: Class, path: str, addresses: list[str]) -> tuple[float, float]:
-    held, begun = Held(), monotonic()
+    held, begun = BlockedTime(), monotonic()
     looking = asyncio.create_task(held.look())
     asked = f"/class/{lesson.code}/{path.format(**SKETCH)}"
     requests = [called(lesson.url, asked, word=lesson.key, X_Forwarded_For=address) for address in addresses]

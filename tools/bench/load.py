@@ -23,14 +23,14 @@ from statistics import median
 import psutil
 from playwright.sync_api import Browser, Page, Response, WebSocket, sync_playwright
 
-from tests.bench.network import opened_slowly, start_slowly, turned
-from tests.bench.visitor import Visitor
 from tests.browser.chromium import find
 from tests.serving.server import ROOT, Server, free_port, serving
+from tests.serving.visitor import Visitor
+from tools.bench.network import opened_slowly, start_slowly, turned
 
 REPORT = ROOT / "build" / "load" / "load.md"
 EMPTY_LOG = REPORT.with_name("empty.log")
-EMPTY = "tests/bench/empty_page.py"
+EMPTY = "tools/bench/empty_page.py"
 PARAMETER = "k2"
 OTHERS = ["forced", "oscillator", "phugoid", "modes", "energy"]
 READY = "document.documentElement.dataset.ready === 'true'"
@@ -53,7 +53,7 @@ COUNT_FRAMES = """seconds => new Promise(counted => {
 
 
 @dataclass(frozen=True)
-class Row:
+class LoadRow:
     """One line of the table; `unit` formats a figure, `aim` is what is hoped for."""
 
     name: str
@@ -69,7 +69,7 @@ class Row:
         return f"| {self.name} | {show(median(self.figures))} | {spread} | {self.aim} |"
 
 
-async def measure_sessions(server: Server, query: str, batches: int, size: int, aims: bool = True) -> list[Row]:
+async def measure_sessions(server: Server, query: str, batches: int, size: int, aims: bool = True) -> list[LoadRow]:
     """CPU and memory for each session opened, in batches that stay open."""
     process = psutil.Process(server.process.pid)
     visitors = [await Visitor.arrive(server.url, query) for _ in range(size)]  # warms up
@@ -85,12 +85,12 @@ async def measure_sessions(server: Server, query: str, batches: int, size: int, 
         await visitor.depart()
     page = "a session" if aims else "an empty page of Panel's"
     return [
-        Row(f"open {page}: server CPU", cpu, "{:.0f} ms", "40 ms" if aims else ""),
-        Row(f"open {page}: server memory", memory, "{:.2f} MB", "0.25 MB" if aims else ""),
+        LoadRow(f"open {page}: server CPU", cpu, "{:.0f} ms", "40 ms" if aims else ""),
+        LoadRow(f"open {page}: server memory", memory, "{:.2f} MB", "0.25 MB" if aims else ""),
     ]
 
 
-async def measure_changes(server: Server, query: str, batches: int, size: int) -> list[Row]:
+async def measure_changes(server: Server, query: str, batches: int, size: int) -> list[LoadRow]:
     """CPU, bytes and messages for each move of a slider of one open session."""
     process = psutil.Process(server.process.pid)
     visitor = await Visitor.arrive(server.url, query)
@@ -106,13 +106,13 @@ async def measure_changes(server: Server, query: str, batches: int, size: int) -
         patches.append((visitor.traffic.patches - messages) / size)
     await visitor.depart()
     return [  # the first batch warms up
-        Row("one slider change: server CPU", cpu[1:], "{:.1f} ms", "5 ms"),
-        Row("one slider change: bytes to the browser", kilobytes[1:], "{:.1f} kB", "20 kB"),
-        Row("one slider change: messages to the browser", patches[1:], "{:.2g}", "1"),
+        LoadRow("one slider change: server CPU", cpu[1:], "{:.1f} ms", "5 ms"),
+        LoadRow("one slider change: bytes to the browser", kilobytes[1:], "{:.1f} kB", "20 kB"),
+        LoadRow("one slider change: messages to the browser", patches[1:], "{:.2g}", "1"),
     ]
 
 
-def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row]:
+def measure_first_load(browser: Browser, address: str, repeats: int) -> list[LoadRow]:
     """Requests and bytes until the page is drawn, each time with an empty cache."""
     requests, plain, served = [], [], []
     for _ in range(repeats):
@@ -133,23 +133,23 @@ def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row
         served.append(sent / 1e6 + total(frames))
         page.close()
     return [
-        Row("first load: requests", requests, "{:.0f}", "20"),
-        Row("first load: bytes, unpacked", plain, "{:.2f} MB"),
-        Row("first load: bytes, as served", served, "{:.2f} MB", "1 MB"),
+        LoadRow("first load: requests", requests, "{:.0f}", "20"),
+        LoadRow("first load: bytes, unpacked", plain, "{:.2f} MB"),
+        LoadRow("first load: bytes, as served", served, "{:.2f} MB", "1 MB"),
     ]
 
 
-def measure_repaint(page: Page, repeats: int) -> list[Row]:
+def measure_repaint(page: Page, repeats: int) -> list[LoadRow]:
     """From the input event of a slider to the repaint of what depends on it."""
     selector = f'input[type=range][name="{PARAMETER}-slider"]'
     times = []
     for step in range(repeats + 3):
         times.append(page.evaluate(MOVE_SLIDER, [selector, 0.3 + 0.4 * step / (repeats + 3)]))
         page.wait_for_timeout(150)
-    return [Row("slider to repaint in Chromium", times[3:], "{:.0f} ms", "60 ms")]  # the first three warm up
+    return [LoadRow("slider to repaint in Chromium", times[3:], "{:.0f} ms", "60 ms")]  # the first three warm up
 
 
-def measure_playing(page: Page, messages: list[object], repeats: int, seconds: float = 3) -> list[Row]:
+def measure_playing(page: Page, messages: list[object], repeats: int, seconds: float = 3) -> list[LoadRow]:
     """Frames a second of the stage while it plays, and messages in either direction meanwhile."""
     play = page.get_by_role("button", name="Play", exact=True)
     if play.count():
@@ -161,42 +161,42 @@ def measure_playing(page: Page, messages: list[object], repeats: int, seconds: f
         frames.append(page.evaluate(COUNT_FRAMES, seconds))
         sent.append(len(messages) - before)
     return [
-        Row("playing: frames a second", frames, "{:.0f}", "60"),
-        Row("playing: messages either way", sent, "{:.0f}", "0"),
+        LoadRow("playing: frames a second", frames, "{:.0f}", "60"),
+        LoadRow("playing: messages either way", sent, "{:.0f}", "0"),
     ]
 
 
-def measure_start(browser: Browser, url: str, repeats: int) -> list[Row]:
+def measure_start(browser: Browser, url: str, repeats: int) -> list[LoadRow]:
     """The start page with an empty cache at 1.6 Mbit/s and 150 ms."""
     loaded, sizes = zip(*(start_slowly(browser, url) for _ in range(repeats)), strict=True)
     return [
-        Row("start page: bytes, as served", sizes, "{:.0f} kB", "200 kB"),
-        Row("start page: loaded at 1.6 Mbit/s, 150 ms", [one / 1000 for one in loaded], "{:.1f} s", "1.0 s"),
+        LoadRow("start page: bytes, as served", sizes, "{:.0f} kB", "200 kB"),
+        LoadRow("start page: loaded at 1.6 Mbit/s, 150 ms", [one / 1000 for one in loaded], "{:.1f} s", "1.0 s"),
     ]
 
 
-def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[Row]:
+def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[LoadRow]:
     """A page with an empty cache at 1.6 Mbit/s and 150 ms, and then another scene."""
     seen = [opened_slowly(browser, address, OTHERS[0]) for _ in range(repeats)]
     aims = {"paint": ("first paint", 1.5), "moving": ("the stage moves", 2.5), "whole": ("all is drawn", 6.0)}
     aims["next"] = ("the next scene stands", 1.0)
     return [
-        Row(f"1.6 Mbit/s, 150 ms: {what}", [one[name] / 1000 for one in seen], "{:.1f} s", f"{aim:.1f} s")
+        LoadRow(f"1.6 Mbit/s, 150 ms: {what}", [one[name] / 1000 for one in seen], "{:.1f} s", f"{aim:.1f} s")
         for name, (what, aim) in aims.items()
     ]
 
 
-def measure_turns(page: Page, repeats: int) -> list[Row]:
+def measure_turns(page: Page, repeats: int) -> list[LoadRow]:
     """From scene to scene within a session, whose sheets have been fetched before."""
     turned(page, OTHERS)
     turns = [turn for _ in range(repeats) for turn in turned(page, OTHERS)]
     return [
-        Row("change of scene: stage and controls stand", [one["stands"] for one in turns], "{:.0f} ms", "150 ms"),
-        Row("change of scene: plots as well", [one["whole"] for one in turns], "{:.0f} ms"),
+        LoadRow("change of scene: stage and controls stand", [one["stands"] for one in turns], "{:.0f} ms", "150 ms"),
+        LoadRow("change of scene: plots as well", [one["whole"] for one in turns], "{:.0f} ms"),
     ]
 
 
-def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
+def measure_browser(address: str, options: argparse.Namespace) -> list[LoadRow]:
     path = find()
     if path is None:
         print("No Chromium: what a browser measures is left out.")
@@ -280,7 +280,7 @@ def stop(*_: object) -> None:
     raise TimeoutError("the measurement has reached its --limit")
 
 
-def report(rows: Sequence[Row], query: str) -> None:
+def report(rows: Sequence[LoadRow], query: str) -> None:
     head = f"`/?{query}`, {time.strftime('%Y-%m-%d')}: {machine()}"
     table = ["| what | median | from, to | aim |", "|---|---|---|---|", *map(str, rows)]
     text = "\n".join([head, "", *table, ""])

@@ -32,12 +32,12 @@ from components.scenes.accuracy.measuring import LIVE
 from physics.integrators.accuracy import SYSTEMS, Limits, Run, entered
 from physics.integrators.race import measure
 from physics.integrators.solvers import METHODS, Method
-from tests.bench import changes
-from tests.bench.changes import BESIDE, Key, Kind, in_order, key, now
-from tests.bench.price_table import setting_text, time_text
-from tests.bench.record import Report, recalled, record
-from tests.bench.studies import both_ways, costs, digits, lengths
-from tests.bench.tables import write_tables
+from tools.bench import changes
+from tools.bench.changes import BESIDE, Key, MethodKind, in_order, key, now
+from tools.bench.price_table import setting_text, time_text
+from tools.bench.record import Report, recalled, record
+from tools.bench.studies import both_ways, costs, digits, lengths
+from tools.bench.tables import write_tables
 
 ROOT = Path(__file__).parents[2]
 RECORDED = ROOT / "components/scenes/accuracy/recorded"
@@ -194,12 +194,12 @@ def _every(slugs: Sequence[str]) -> list[Method]:
 
 def _beside(methods: Sequence[Method], slugs: Sequence[str]) -> list[Method]:
     """The methods that are measured again beside others."""
-    new: set[Kind] = {(method.slug, method.compiled) for method in methods}
+    new: set[MethodKind] = {(method.slug, method.compiled) for method in methods}
     return [each for each in _every(slugs) if (each.slug, each.compiled) in BESIDE - new]
 
 
 def _compiled(slugs: Sequence[str], known: Container[str]) -> list[Method]:
-    from tests.bench.compiled import compiled_methods
+    from tools.bench.compiled import compiled_methods
 
     return [method for method in compiled_methods([SYSTEMS[slug] for slug in slugs]) if method.slug in known]
 
@@ -228,7 +228,7 @@ def machine(limits: Limits) -> dict[str, str]:
 
 def write(folder: Path, report: Report) -> None:
     """All files; figures last, they need matplotlib."""
-    from tests.bench.figures import draw_digits, draw_length, draw_stability, draw_system
+    from tools.bench.figures import draw_digits, draw_length, draw_stability, draw_system
 
     write_tables(folder, report)
     date, computer = report.about["date"], report.about["machine"]

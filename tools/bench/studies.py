@@ -30,7 +30,7 @@ WITHOUT = ("closed", "slides", "eigh", "naive")
 
 NEIGHBOURS = (1.0, 1.17, 1.41, 1.73)
 
-Curves = dict[str, list[float | None]]
+StudyCurves = dict[str, list[float | None]]
 """Columns: "x", and the largest error of each method there, None where it has no answer."""
 
 
@@ -65,7 +65,7 @@ def _merged(one: Run, two: Run) -> Run:
     return replace(one, time=median(times), time_low=min(times), time_high=max(times), rounds=2)
 
 
-def digits() -> dict[str, Curves]:
+def digits() -> dict[str, StudyCurves]:
     """Errors of the ways without steps where doubles begin to fail: wide chains, near resonance, long runs.
 
     The worst over a few neighbours of each place, because at a round number the roundings may happen to cancel.
@@ -83,8 +83,8 @@ def _wide(ratio: float) -> System:
     return System(slug="wide", name="", chain=chain, x_0=(1.0, 1.0))
 
 
-def _worst(places: Array, problem: Callable[[float], Problem]) -> Curves:
-    curves: Curves = {"x": places.tolist(), **{slug: [] for slug in WITHOUT}}
+def _worst(places: Array, problem: Callable[[float], Problem]) -> StudyCurves:
+    curves: StudyCurves = {"x": places.tolist(), **{slug: [] for slug in WITHOUT}}
     for place in places.tolist():
         asked = [problem(place * neighbour) for neighbour in NEIGHBOURS]
         truths = [reference(each) for each in asked]
@@ -119,7 +119,7 @@ def costs() -> list[dict[str, Any]]:
 
 def both_ways() -> list[dict[str, Any]]:
     """Nanoseconds a step on the benign chain: by the right-hand side and as one matrix, in Python and compiled."""
-    from tests.bench.compiled import compiler, multiplied
+    from tools.bench.compiled import compiler, multiplied
 
     problem, rows = SYSTEMS["benign"].problem(1, 100), []
     for method in AS_MATRIX:

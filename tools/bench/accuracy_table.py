@@ -1,6 +1,6 @@
 """Worst errors of the physics of the chain and of one mass, family by family, beside the same in plain float64.
 
-    python -m tests.bench.accuracy_table [--samples 100] [--seed 1] [--out build/accuracy]
+    python -m tools.bench.accuracy_table [--samples 100] [--seed 1] [--out build/accuracy]
 
 prints a table and writes it as accuracy.md and accuracy.csv. Frequencies, ratios, the beat and amplitudes are
 measured in ulp, motions in u = 2^-53 of their amplitude or envelope, against arbitrary precision. Drives lie
@@ -19,10 +19,10 @@ from random import Random
 import mpmath as mp
 import numpy as np
 
-from tests.bench import braked_chain, one_mass
-from tests.bench.float_chains import METHODS
 from tests.physics.chain_families import FAMILIES
 from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units
+from tools.bench import braked_chain, one_mass
+from tools.bench.float_chains import METHODS
 
 QUANTITIES = (
     "frequencies, ulp",

@@ -1,4 +1,4 @@
-"""The figures of docs/decisions: python -m tests.bench.decisions sliders | figures | digits | formulas | modules
+"""The figures of docs/decisions: python -m tools.bench.decisions sliders | figures | digits | formulas | modules
 
 Times are processor times of this process, the median of several; what is timed makes no use of a cache.
 """
@@ -30,10 +30,10 @@ from components.serving.scripts import FIRST
 from components.state.scene_sheet import plots as scene_plots
 from physics.coupled import TwoMassChain, free_motion
 from physics.precision import exact
-from tests.bench.accuracy_table import drawn, errors
-from tests.bench.float_chains import METHODS
 from tests.physics.chain_families import FAMILIES
 from tests.physics.chain_truth import WORKING_BITS
+from tools.bench.accuracy_table import drawn, errors
+from tools.bench.float_chains import METHODS
 
 CHAIN = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0}
 FAMILY_NAMES = ("moderate", "all doubles", "tuned weak coupling", "mass ratios to 1e+-300")

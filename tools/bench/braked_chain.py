@@ -1,6 +1,6 @@
 """Worst errors of the physics of the chain with dashpots, family by family, beside plain float64.
 
-`python -m tests.bench.accuracy_table` prints it last: |Xp1| in ulp, the driven motion from any start in u = 2^-53 of
+`python -m tools.bench.accuracy_table` prints it last: |Xp1| in ulp, the driven motion from any start in u = 2^-53 of
 what its parts together could be, X of a Bode plot in u of its size, lags in u of a radian, roots in u of their modulus;
 plain float64 is eigvals and solve of numpy.linalg, and scipy.linalg.expm.
 """
@@ -21,12 +21,12 @@ from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
 from physics.reference.damped_chain import braked_exponents, braked_lags, braked_points, braked_swings
 from physics.transient import DampedModes
-from tests.bench.one_mass import shown
 from tests.physics.chain_truth import U, ulps
+from tools.bench.one_mass import shown
 
 QUANTITIES = ("size of the swing, ulp", "driven motion, u", "curves of a Bode plot, u", "lags, u", "roots, u")
 METHODS = ("this project", "float64")
-Case = tuple[TwoMassChain, float, float, float]
+BrakedCase = tuple[TwoMassChain, float, float, float]
 """A chain, c1, c2, and the drive."""
 
 
@@ -39,17 +39,17 @@ def _chain(random: Random) -> TwoMassChain:
     return TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
 
 
-def _light(random: Random) -> Case:
+def _light(random: Random) -> BrakedCase:
     chain = _chain(random)
     return chain, _any(random, -12, -2), _any(random, -12, -2), float(chain.modes().omega[random.randrange(2)])
 
 
-def _twin(random: Random) -> Case:
+def _twin(random: Random) -> BrakedCase:
     near = 1 + _any(random, -16, -4)
     return TwoMassChain(m1=400, m2=225, k1=625, k2=144), 0.0, 216.0 * near, _any(random, -1, 1)
 
 
-FAMILIES: dict[str, Callable[[Random], Case]] = {
+FAMILIES: dict[str, Callable[[Random], BrakedCase]] = {
     "moderate": lambda random: (_chain(random), _any(random, -2, 1), _any(random, -2, 1), _any(random, -1, 1)),
     "from 1e-12, at resonance": _light,
     "from 1e-12 to 1e12": lambda random: (
@@ -74,7 +74,7 @@ def table(samples: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-def measured(case: Case, random: Random) -> Iterator[tuple[str, str, float]]:
+def measured(case: BrakedCase, random: Random) -> Iterator[tuple[str, str, float]]:
     """The errors of one chain from a start."""
     chain, c1, c2, omega = case
     start = tuple(random.uniform(-1, 1) for _ in range(4))

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import pytest
 
 from components.scenes import SCENES
-from tests.bench.crowd import arrive, depart, drag, dragged, p95, replicas
-from tests.bench.soak import soak, still_open
 from tests.serving.server import Server
+from tools.bench.crowd import arrive, depart, drag, dragged, p95, replicas
+from tools.bench.soak import soak, still_open
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]  # two servers start
 

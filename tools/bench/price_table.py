@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import inf, ulp
 
@@ -11,7 +11,7 @@ from physics.integrators.accuracy import SYSTEMS, Run
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, grouped, in_doubles, prices
 from physics.integrators.solvers import ATOL, IN_PYTHON, METHODS
-from tests.bench.estimates import Estimate, estimate, time_of_one
+from tools.bench.estimates import Estimate, RunsBySystem, estimate, time_of_one
 
 HEAD = ["method", "evaluations", "Python", "× app", "× doubles", "compiled", "× doubles", "best error"]
 APART = 1.3
@@ -19,10 +19,9 @@ APART = 1.3
 SETTINGS = {"closed": "", "exact": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}, atol {:g}"}
 Quotes = dict[tuple[str, bool], Price]
 """Prices by method and by whether it was compiled."""
-Record = Mapping[str, list[Run]]
 
 
-def price_table(runs: list[Run], wanted: float, record: Record | None = None) -> list[str]:
+def price_table(runs: list[Run], wanted: float, record: RunsBySystem | None = None) -> list[str]:
     """The price of an error on one system; where it was not measured, an estimate from the record."""
     first, second = _quotes(runs, wanted), _quotes(_once_more(runs), wanted)
     known = record or {runs[0].system: runs}

@@ -12,9 +12,10 @@ from typing import Any
 
 from physics.integrators.accuracy import SYSTEMS, Run
 from physics.integrators.solvers import METHODS, TOLERANCES
-from tests.bench.counting import counted
-from tests.bench.record import Report
-from tests.bench.studies import both_ways
+from tools.bench.counting import counted
+from tools.bench.estimates import RunsBySystem
+from tools.bench.record import Report
+from tools.bench.studies import both_ways
 
 BESIDE = {
     ("closed", False), ("eigh", False), ("rk4", False), ("gauss4", False), ("lsoda", False),
@@ -22,14 +23,12 @@ BESIDE = {
 }  # fmt: skip
 """Methods, in Python or compiled, that are measured again beside others: times are in units of theirs."""
 TIMES = ("time", "time_low", "time_high")
-Found = Mapping[str, list[Run]]
-"""Runs by system."""
-Kind = tuple[str, bool]
+MethodKind = tuple[str, bool]
 """A method, in Python or compiled."""
 Key = tuple[str, str, bool, float]
 
 
-def kind(run: Run) -> Kind:
+def kind(run: Run) -> MethodKind:
     return run.method, run.compiled
 
 
@@ -44,18 +43,18 @@ def in_order(runs: Iterable[Run]) -> list[Run]:
     return sorted(runs, key=lambda run: (run.compiled, places[run.method], finer.get(run.family, 1.0) * run.setting))
 
 
-def recorded_kinds(report: Report) -> set[Kind]:
+def recorded_kinds(report: Report) -> set[MethodKind]:
     """The methods that the record has."""
     return {kind(run) for many in report.runs.values() for run in many}
 
 
-def once_only(report: Report) -> set[Kind]:
+def once_only(report: Report) -> set[MethodKind]:
     """The methods without any second time; none if the record is so new that it has no second times at all."""
     again = {kind(run) for many in report.runs.values() for run in many if run.again is not None}
     return recorded_kinds(report) - again if again else set()
 
 
-def with_added(report: Report, first: Found, second: Found) -> Report:
+def with_added(report: Report, first: RunsBySystem, second: RunsBySystem) -> Report:
     """The report with the runs of what it has not, on each system, and their second times."""
     known = {(run.system, *kind(run)) for many in report.runs.values() for run in many}
     runs, new = dict(report.runs), list[Run]()
@@ -70,13 +69,13 @@ def with_added(report: Report, first: Found, second: Found) -> Report:
     )
 
 
-def with_systems(report: Report, found: Found) -> Report:
+def with_systems(report: Report, found: RunsBySystem) -> Report:
     """The report with these systems recorded again, in place of all runs on them."""
     dates = dict.fromkeys(found, _when())
     return replace(report, runs={**report.runs, **found}, later={**report.later, **dates})
 
 
-def with_second(report: Report, second: Found, asked: set[Kind]) -> Report:
+def with_second(report: Report, second: RunsBySystem, asked: set[MethodKind]) -> Report:
     """The report with second times of the methods that are asked for, or of all of them if none is named."""
     runs, new = dict(report.runs), list[Run]()
     for slug, many in report.runs.items():
@@ -88,7 +87,7 @@ def with_second(report: Report, second: Found, asked: set[Kind]) -> Report:
     return replace(report, runs=runs, about=_told(report, name, text, new if asked else ()))
 
 
-def with_long(report: Report, found: Found, limit: float) -> Report:
+def with_long(report: Report, found: RunsBySystem, limit: float) -> Report:
     """The report with these runs of solvers in place of those that were stopped before.
 
     Where a run was there already, its time becomes the second one.
@@ -134,7 +133,7 @@ def _with_second(run: Run, again: Mapping[Key, Run]) -> Run:
     return replace(run, again=again[key(run)].time if key(run) in again else None)
 
 
-def _ended(runs: list[Run], kinds: set[Kind]) -> list[Run]:
+def _ended(runs: list[Run], kinds: set[MethodKind]) -> list[Run]:
     """The runs, with the reason why each of these solvers was not refined further than its last one."""
     last = {kind(run): key(run) for run in runs}
 

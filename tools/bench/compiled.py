@@ -94,14 +94,14 @@ def compiled_linear(problem: Problem) -> tuple[Array, RightHandSide]:
     return jacobian(problem), rates
 
 
-Motion = tuple[Array, Array]
+MotionArrays = tuple[Array, Array]
 """Displacements and velocities, each (2, n)."""
 
 
 @numba.njit
 def superposed(
     omega: Array, shapes: Array, particular: Array, drive: float, x_0: Array, v_0: Array, t: Array
-) -> Motion:
+) -> MotionArrays:
     """Modes with constants that fit the start, and the particular solution."""
     cosine = np.linalg.solve(shapes, x_0)
     sine = np.linalg.solve(shapes, v_0 - drive * particular) / omega
@@ -123,7 +123,7 @@ def superposed(
 
 
 @numba.njit
-def modes(stiffness: Array, mass: Array, F_0: float, drive: float, x_0: Array, v_0: Array, t: Array) -> Motion:
+def modes(stiffness: Array, mass: Array, F_0: float, drive: float, x_0: Array, v_0: Array, t: Array) -> MotionArrays:
     """physics.integrators.formulas.dense_eigh."""
     root = np.sqrt(mass)
     squares, turned = np.linalg.eigh(stiffness / np.outer(root, root))
@@ -144,7 +144,7 @@ def modes(stiffness: Array, mass: Array, F_0: float, drive: float, x_0: Array, v
 
 
 @numba.njit(error_model="numpy")
-def slides(p: Constants, x_0: Array, v_0: Array, t: Array) -> Motion:
+def slides(p: Constants, x_0: Array, v_0: Array, t: Array) -> MotionArrays:
     """physics.integrators.formulas.slide_formulas on two masses."""
     m1, m2, k1, k2, F_0, drive, _ = p
     b = m1 * k2 + m2 * (k1 + k2)
@@ -160,7 +160,7 @@ def slides(p: Constants, x_0: Array, v_0: Array, t: Array) -> Motion:
 
 
 @numba.njit
-def exponentials(p: Constants, x_0: float, v_0: float, t: Array) -> Motion:
+def exponentials(p: Constants, x_0: float, v_0: float, t: Array) -> MotionArrays:
     """The slide formulas on one mass with its dashpot."""
     m, _, k, _, F_0, drive, c = p
     root = np.sqrt(c * c - 4 * m * k)

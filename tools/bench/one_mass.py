@@ -1,6 +1,6 @@
 """Worst errors of the physics of one damped mass, family by family, beside the textbook's formulas in plain float64.
 
-`python -m tests.bench.accuracy_table` prints it after the chain's: the slower root and |X| in ulp, motions
+`python -m tools.bench.accuracy_table` prints it after the chain's: the slower root and |X| in ulp, motions
 free and driven in u = 2^-53 of what both parts together could be.
 """
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from physics.integrators.accuracy import SYSTEMS, Run
+from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.exponential_steps import EXPONENTIAL
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, grouped, in_doubles, prices
 from physics.integrators.solvers import METHODS
 from physics.integrators.stiffness import stiffness
-from tests.bench.estimates import estimate
+from tools.bench.estimates import RunsBySystem, estimate
 
 SWINGING = tuple(slug for slug, method in METHODS.items() if method.family in ("fixed", "adaptive"))
-Runs = Mapping[str, list[Run]]
 WANTED = (1e-3, 1e-6, 1e-9)
 EXPLICIT = (
     *(slug for slug, step in STEPPING.items() if not step.solved and not step.splits),
@@ -27,26 +26,26 @@ EXPLICIT = (
 IMPLICIT = (*(slug for slug, step in STEPPING.items() if step.solved), "radau", "bdf", "lsoda")
 
 
-def findings(runs: Runs) -> list[str]:
+def findings(runs: RunsBySystem) -> list[str]:
     """Sentences on the systems that were measured."""
     found = [*_pays(runs), _closed(runs), _compiling(runs), *_stability(runs)]
     found += [*_oscillatory(runs), *_ringing(runs), *_switching(runs)]
     return [each for each in found if each]
 
 
-def quoted(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+def quoted(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
     """The prices of a system by method, without those that were not reached."""
     many = grouped(run for run in runs[slug] if run.compiled == compiled).values()
     return {price.method: price for price in prices(many, wanted) if price.time is not None}
 
 
-def _stepping(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+def _stepping(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
     """Prices of the methods with steps of their own."""
     priced = quoted(runs, slug, wanted, compiled)
     return {name: price for name, price in priced.items() if METHODS[name].family in ("fixed", "adaptive")}
 
 
-def _pays(runs: Runs) -> Iterator[str]:
+def _pays(runs: RunsBySystem) -> Iterator[str]:
     """The cheapest stepping on the benign chain."""
     if "benign" not in runs:
         return
@@ -57,7 +56,7 @@ def _pays(runs: Runs) -> Iterator[str]:
                 yield f"Benign, an error of {wanted:g}, {kind}: {_named(runs, 'benign', best, wanted)}."
 
 
-def _named(runs: Runs, slug: str, best: Price, wanted: float) -> str:
+def _named(runs: RunsBySystem, slug: str, best: Price, wanted: float) -> str:
     """The cheapest method, its time, and its ratios to the closed form in the same language."""
     units = _units(runs, slug, wanted, best.compiled)
     text = f"{best.name} is the cheapest method with steps: {1e3 * (best.time or 0.0):.3g} ms"
@@ -65,14 +64,14 @@ def _named(runs: Runs, slug: str, best: Price, wanted: float) -> str:
     return ", ".join([text, " and ".join(told)])
 
 
-def _units(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+def _units(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
     """The closed form: as the app runs it, in Python only, and in doubles."""
     priced = quoted(runs, slug, wanted, compiled)
     units = {"as the app runs it": priced.get("closed"), "in doubles": in_doubles(priced)}
     return {f"{how}{', compiled' if compiled else ''}": unit for how, unit in units.items() if unit}
 
 
-def _closed(runs: Runs) -> str:
+def _closed(runs: RunsBySystem) -> str:
     """Where steps are cheaper than the closed form, in the same language."""
     kinds = ((False, "as the app runs it"), (False, "in doubles"), (True, "in doubles, compiled"))
     cheaper: dict[str, dict[str, list[str]]] = {how: {} for _, how in kinds}
@@ -95,7 +94,7 @@ def _cheaper_text(how: str, where: dict[str, list[str]]) -> str:
     return f"{language}, a method with steps is cheaper than {unit} on {systems}."
 
 
-def _compiling(runs: Runs) -> str:
+def _compiling(runs: RunsBySystem) -> str:
     """Ratios of the times in Python and compiled."""
     ratios = []
     for slug in runs:
@@ -111,7 +110,7 @@ def _compiling(runs: Runs) -> str:
     return f"The same fixed steps take {min(ratios):.0f} to {max(ratios):.0f} times as long in Python as compiled."
 
 
-def _stability(runs: Runs) -> Iterator[str]:
+def _stability(runs: RunsBySystem) -> Iterator[str]:
     """The evaluations of explicit methods where the fast part is at rest or dies at once, next to all implicit ones.
 
     Each method counts as it needs fewest, in Python or compiled.
@@ -137,7 +136,7 @@ def _stability(runs: Runs) -> Iterator[str]:
                 yield f"{SYSTEMS[slug].name}, an error of {wanted:g}: no explicit method has it within the time limit."
 
 
-def _oscillatory(runs: Runs) -> Iterator[str]:
+def _oscillatory(runs: RunsBySystem) -> Iterator[str]:
     """The evaluations of exponential integrators where a fast swing carries part of the motion, next to all others."""
     for slug in runs:
         found = stiffness(SYSTEMS[slug], runs[slug])
@@ -159,7 +158,7 @@ def _oscillatory(runs: Runs) -> Iterator[str]:
                 )
 
 
-def _least_evaluations(runs: Runs, slug: str, wanted: float) -> dict[str, float]:
+def _least_evaluations(runs: RunsBySystem, slug: str, wanted: float) -> dict[str, float]:
     """The evaluations that an error takes with each method, the fewer of those in Python and compiled."""
     found: dict[str, float] = {}
     for compiled in (False, True):
@@ -169,7 +168,7 @@ def _least_evaluations(runs: Runs, slug: str, wanted: float) -> dict[str, float]
     return found
 
 
-def _ringing(runs: Runs) -> Iterator[str]:
+def _ringing(runs: RunsBySystem) -> Iterator[str]:
     """Errors where the fast part should be gone at once: with one step an output, and with the first tolerances."""
     for slug in (one for one in IMPLICIT if one != "lsoda"):
         good = [run for run in runs.get("dashpot", ()) if run.method == slug and not run.compiled and not run.failure]
@@ -182,7 +181,7 @@ def _ringing(runs: Runs) -> Iterator[str]:
             )
 
 
-def _switching(runs: Runs) -> Iterator[str]:
+def _switching(runs: RunsBySystem) -> Iterator[str]:
     """Where LSODA goes over to the formulas for stiff equations although nothing decays."""
     for slug, many in runs.items():
         stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5 and not run.compiled]

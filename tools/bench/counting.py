@@ -17,7 +17,7 @@ from physics.integrators.accuracy import SYSTEMS, Run
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.solvers import METHODS
 from physics.reference.driven_chain import reference
-from tests.bench.record import Report, Spread
+from tools.bench.record import Report, Spread
 
 ASKED = (1e-3, 1e-6, 1e-9)
 LONGEST = 2.0

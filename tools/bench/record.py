@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from components.scenes.accuracy.measuring import decoded_run
 from physics.integrators.accuracy import SYSTEMS, Run
-from tests.bench.studies import Curves
+from tools.bench.studies import StudyCurves
 
 GROWTH = ("error_growth", "energy_growth")
 FULL = ("error", "final_error", "mode_errors")
@@ -39,7 +39,7 @@ class Report:
     seconds: float
     runs: dict[str, list[Run]]
     length: list[Run]
-    digits: dict[str, Curves]
+    digits: dict[str, StudyCurves]
     costs: list[dict[str, Any]]
     rounding: list[Spread] = field(default_factory=list)
     """The widest spread of each solver."""

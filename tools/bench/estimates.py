@@ -27,7 +27,7 @@ from physics.integrators.stiffness import stiffness
 
 FALLING = 0.1
 """A larger error does not yet fall as the order says."""
-Runs = Mapping[str, Sequence[Run]]
+RunsBySystem = Mapping[str, Sequence[Run]]
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Estimate:
         return f"{'at least' if self.least else 'about'} {amount}"
 
 
-def estimate(runs: Runs, system: str, method: str, wanted: float) -> Estimate | None:
+def estimate(runs: RunsBySystem, system: str, method: str, wanted: float) -> Estimate | None:
     """The evaluations that an error needs; None if the record does not tell."""
     own = [run for run in runs[system] if run.method == method]
     if found := _continued(own, wanted) or from_benign(runs, system, method, wanted):
@@ -51,7 +51,7 @@ def estimate(runs: Runs, system: str, method: str, wanted: float) -> Estimate | 
     return Estimate(min(whole), least=True) if whole else None
 
 
-def from_benign(runs: Runs, system: str, method: str, wanted: float) -> float | None:
+def from_benign(runs: RunsBySystem, system: str, method: str, wanted: float) -> float | None:
     """The evaluations on a highly oscillatory motion if each oscillation costs what it costs on Benign."""
     measure = stiffness(SYSTEMS[system], runs[system])
     if not measure or measure.kind != "highly oscillatory" or method in EXPONENTIAL:
@@ -62,7 +62,7 @@ def from_benign(runs: Runs, system: str, method: str, wanted: float) -> float | 
     return more * found if found else None
 
 
-def checked(runs: Runs, wanted: Iterable[float]) -> list[float]:
+def checked(runs: RunsBySystem, wanted: Iterable[float]) -> list[float]:
     """Ratios of the estimates from Benign to what was measured, where both are known."""
     ratios = []
     for (system, many), error in product(runs.items(), wanted):
@@ -74,7 +74,7 @@ def checked(runs: Runs, wanted: Iterable[float]) -> list[float]:
     return ratios
 
 
-def time_of_one(runs: Runs, system: str, method: str, compiled: bool) -> float | None:
+def time_of_one(runs: RunsBySystem, system: str, method: str, compiled: bool) -> float | None:
     """The run time of an evaluation, in s."""
     for slug in (system, "benign"):
         timed = [

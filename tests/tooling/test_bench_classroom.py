@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, restarted, table
-from tests.bench.crowd import SETTINGS
 from tests.serving.server import serving
+from tools.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, restarted, table
+from tools.bench.crowd import SETTINGS
 
 
 @pytest.mark.slow

@@ -12,9 +12,9 @@ from pathlib import Path
 import psutil
 
 from components.scene import Scene
-from tests.bench.visitor import Visitor
 from tests.scenes.checks import quantities
 from tests.serving.server import Server, serving
+from tests.serving.visitor import Visitor
 
 AT_ONCE = 24
 """Visitors that one client lets arrive at a time: so many connections a class opens through one access point."""

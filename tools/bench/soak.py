@@ -13,8 +13,8 @@ from pathlib import Path
 from urllib.request import urlopen
 
 from components.scenes import SCENES
-from tests.bench.crowd import arrive, depart, dragged, memory, replicas
 from tests.serving.server import Server
+from tools.bench.crowd import arrive, depart, dragged, memory, replicas
 
 AIM = 0.10
 BATCH = 100

@@ -34,7 +34,7 @@ class Project:
         return rows(forced_motion(self.chain, F_0, omega, t))
 
 
-class Modal:
+class FloatModes:
     """Motions from frequencies and mode shapes found in float64, however they were found."""
 
     def __init__(self, parameters):
@@ -69,7 +69,7 @@ class Modal:
         return (k2 - m2 * omega**2) * F_0 / D, k2 * F_0 / D
 
 
-class Slides(Modal):
+class Slides(FloatModes):
     """The formulas as they stand on the slides."""
 
     name = "slides in float64"
@@ -83,7 +83,7 @@ class Slides(Modal):
         return omega, np.array([[1.0, -gamma + delta], [1.0, -gamma - delta]])
 
 
-class NumpyEigh(Modal):
+class NumpyEigh(FloatModes):
     """numpy.linalg.eigh of the matrix of stiffness over masses, made symmetric."""
 
     name = "numpy.linalg.eigh"
@@ -94,7 +94,7 @@ class NumpyEigh(Modal):
         return np.sqrt(squares), _with_x1_positive(vectors.T / roots)
 
 
-class ScipyEigh(Modal):
+class ScipyEigh(FloatModes):
     """scipy.linalg.eigh of stiffness and masses."""
 
     name = "scipy.linalg.eigh"

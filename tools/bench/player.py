@@ -1,6 +1,6 @@
 """The frame rate of the Panel face: the Player of each scene in a page of `panel serve app.py`, with one visitor.
 
-`python -m tests.bench.player` prints a table and keeps it as build/load/player.md. A frame counts when the browser has
+`python -m tools.bench.player` prints a table and keeps it as build/load/player.md. A frame counts when the browser has
 received and drawn a change. The Player asks for 20 frames a second.
 """
 
@@ -12,9 +12,9 @@ import psutil
 from playwright.sync_api import Browser, sync_playwright
 
 from components.scenes import SCENES
-from tests.bench.load import REPORT, machine
 from tests.browser.chromium import find
 from tests.serving.server import Server, serving_panel
+from tools.bench.load import REPORT, machine
 
 SECONDS = 10.0
 WARM = 1.0

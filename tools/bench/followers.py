@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from typing import Any
 from urllib.parse import urlsplit
 
-from tests.bench.visitor import USUAL, Visitor
 from tests.live_class.caller import Class
+from tests.serving.visitor import USUAL, Visitor
 
 END = b"\n\n\r\n"
 """Of an event that is a chunk of its own; a proxy may join two."""

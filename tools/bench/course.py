@@ -14,9 +14,9 @@ from statistics import median
 import psutil
 
 from components.scenes import SCENES
-from tests.bench.crowd import arrive, depart, drag, dragged, memory, p95, replicas
-from tests.bench.load import EMPTY_LOG, IDLE, REPORT, busy, machine, panel_serving
 from tests.serving.server import Server
+from tools.bench.crowd import arrive, depart, drag, dragged, memory, p95, replicas
+from tools.bench.load import EMPTY_LOG, IDLE, REPORT, busy, machine, panel_serving
 
 COURSE = REPORT.with_name("course.md")
 ROUNDS = 5
