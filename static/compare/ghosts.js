@@ -3,7 +3,7 @@
 // as outlines, the old positions of the sliders, and the ledger of numbers.
 
 import {element, long, marked, setAttributes, svg, textWidth, units} from "../core/dom.js"
-import {heldNumbers} from "./held_number.js"
+import {heldNumbers} from "./compared_number.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../controls/scales.js"
 import {atInstant, evaluate} from "../core/signals.js"

@@ -1,6 +1,6 @@
 // Scroll anchoring for browsers that have none, such as Safari: changes above the visible part do not move it.
 
-import {steady} from "./held.js"
+import {steady} from "./drag.js"
 
 const STEP = 12 // pixels between the points at which a part is looked for
 

@@ -2,7 +2,7 @@
 
 import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
-import {focusByHand, whileHeld} from "./held.js"
+import {focusByHand, whileHeld} from "./drag.js"
 import {withUnit} from "../core/numbers.js"
 import {furtherOn} from "./locus.js"
 import {clamp} from "../core/ruler.js"

@@ -1,7 +1,7 @@
 // Handles of a plot: pills at its axes that set a parameter, and the one that moves the current instant.
 
 import {element, long, reword, textWidth, units} from "../core/dom.js"
-import {focusByHand, whileHeld, whilePressed} from "./held.js"
+import {focusByHand, whileHeld, whilePressed} from "./drag.js"
 import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 

@@ -3,7 +3,7 @@
 import {element, reword} from "../core/dom.js"
 import {fitting} from "./fitting.js"
 import {Finger, keyed} from "./slider_moves.js"
-import {steady} from "./held.js"
+import {steady} from "./drag.js"
 import {BEGINS_NUMBER, tidy, withTrueMinus, withUnit} from "../core/numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 

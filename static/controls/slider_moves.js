@@ -1,6 +1,6 @@
 // Moves of a slider: sideways moves of a finger, and keys with steps that suit the value.
 
-import {SIDEWAYS} from "./held.js"
+import {SIDEWAYS} from "./drag.js"
 import {atTwoDigits, leapt} from "./scales.js"
 
 /** @type {Record<string, 1 | -1>} */

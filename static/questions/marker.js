@@ -2,7 +2,7 @@
 
 import {short, withUnit} from "../core/numbers.js"
 import {element, long, setAttributes, unitSize} from "../core/dom.js"
-import {focusByHand} from "../controls/held.js"
+import {focusByHand} from "../controls/drag.js"
 import {clamp} from "../core/ruler.js"
 import {EVERYWHERE, places} from "../scene/places.js"
 

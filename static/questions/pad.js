@@ -3,7 +3,7 @@
 
 import {element, inUnits, long, setAttributes, svg, unitSize} from "../core/dom.js"
 import {short, withUnit} from "../core/numbers.js"
-import {focusByHand} from "../controls/held.js"
+import {focusByHand} from "../controls/drag.js"
 import {clamp, toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 

@@ -10,7 +10,7 @@ import {Flags, Labels} from "./labels.js"
 import {everyWhich} from "./places.js"
 import {Reading, isOnControl} from "./reading.js"
 import {PLAIN, toOneScale} from "../core/ruler.js"
-import {unlessScrolled} from "../controls/held.js"
+import {unlessScrolled} from "../controls/drag.js"
 
 const REACH = 16 // largest distance in units from a press to the point that it selects
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}

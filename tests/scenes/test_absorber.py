@@ -15,8 +15,8 @@ from components.language.signals import AnySignal, Responses
 from components.quantities.axes import nice_axis
 from components.quantities.declared import by_name
 from components.scenes.absorber import Absorber
+from components.scenes.absorber.case import AbsorberCase
 from components.scenes.absorber.curves import _tables
-from components.scenes.absorber.duty import Duty
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from tests.grids import tries
@@ -225,7 +225,7 @@ def test_with_damping_the_motion_from_rest_dies_down_to_the_particular_solution(
     np.testing.assert_allclose(now["pull_now"], link / 10.0 ** shown.axes["t"].exponent, atol=1e-3)
     # The bounds hold, and after the time that is told 1 % of the transient is left.
     assert np.abs(y[0]).max() <= 1e-3 * float(shown.values["rest1"]) * 1.005
-    assert np.abs(y[1] - y[0]).max() <= scene._shown_duty.bounds[1]
+    assert np.abs(y[1] - y[0]).max() <= scene._shown_case.bounds[1]
     late = drawn["t"] > float(shown.values["dies"].removesuffix(" s"))
     assert np.all(np.abs(drawn["x1_c"][late]) < 0.02 * np.abs(drawn["x1_c"]).max())
     assert shown.forms["why_rest"] == "damped"
@@ -233,11 +233,11 @@ def test_with_damping_the_motion_from_rest_dies_down_to_the_particular_solution(
 
 def test_a_transient_of_equal_exponents_is_played_from_a_table() -> None:
     """m1 = m2 = 1, k1 = 1, c at its critical value: two of the exponents are one."""
-    duty = Duty(m1=1.0, k1=1.0, F_0=1.0, omega=0.7, m2=1.0, k2=0.0, c=1.0, from_rest=True)
+    case = AbsorberCase(m1=1.0, k1=1.0, F_0=1.0, omega=0.7, m2=1.0, k2=0.0, c=1.0, from_rest=True)
     size, time, push = (nice_axis(-2.0, 2.0, unit) for unit in ("m", "s", "N"))
-    found = by_name(_tables(duty, 20.0, size, time, push))
+    found = by_name(_tables(case, 20.0, size, time, push))
     t = np.linspace(0.0, 20.0, 333)
-    motion = duty.damped.motion(t)
+    motion = case.damped.motion(t)
     for i in (0, 1):
         np.testing.assert_allclose(values_of(found, {}, t)[f"x{i + 1}"], motion.x[i], atol=1e-5)
 

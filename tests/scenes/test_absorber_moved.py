@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.scenes.absorber.case import AbsorberCase
 from components.scenes.absorber.curves import DRAWN, moved, reach_alone, times
-from components.scenes.absorber.duty import Duty
 
 MACHINE = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "m2": 16.0, "k2": 36864.0, "from_rest": True}
 CASES: list[dict[str, Any]] = [
@@ -31,23 +31,23 @@ SLIDERS = [(10.0, 1000.0), (1e4, 1e7), (0.01, 1.0), (0.0, 0.16, 0.8), (4e-6, 4e-
 @pytest.mark.parametrize("values", CASES, ids=str)
 def test_what_is_drawn_is_the_motion(values: dict[str, Any], end: float) -> None:
     """In the shortest window x2 is a small difference of its parts."""
-    duty = Duty(**{**MACHINE, **values})
-    found = moved(duty, times(duty, end))
-    motion = duty.damped.motion(found.t) if duty.c else duty.driven.motion(found.t)
+    case = AbsorberCase(**{**MACHINE, **values})
+    found = moved(case, times(case, end))
+    motion = case.damped.motion(found.t) if case.c else case.driven.motion(found.t)
     for row, true in zip(found.x, (*motion.x, motion.e[1]), strict=True):
         np.testing.assert_allclose(row, true, rtol=0.0, atol=DRAWN * np.abs(true).max())
-    assert found.x[:2, 0].tolist() == list(duty.x_0)
+    assert found.x[:2, 0].tolist() == list(case.x_0)
 
 
 @pytest.mark.parametrize("values", [case for case in CASES if "c" not in case], ids=str)
 def test_without_damping_both_parts_are_the_ones_of_the_physics(values: dict[str, Any]) -> None:
-    duty = Duty(**{**MACHINE, **values})
-    found = moved(duty, times(duty, 1.0))
+    case = AbsorberCase(**{**MACHINE, **values})
+    found = moved(case, times(case, 1.0))
     assert found.particular is not None and found.complementary is not None
     for row in (0, 1):
         for part, true in (
-            (found.particular, duty.driven.particular_motion(found.t)),
-            (found.complementary, duty.driven.complementary(found.t)),
+            (found.particular, case.driven.particular_motion(found.t)),
+            (found.complementary, case.driven.complementary(found.t)),
         ):
             np.testing.assert_allclose(part[row], true[row], rtol=0.0, atol=1e-13 * max(np.abs(true[row]).max(), 1e-9))
 
@@ -58,13 +58,13 @@ def test_no_state_of_the_sliders_takes_more_time_than_there_is(window: float) ->
     for m1, k1, ratio, stiff, damped, speed in itertools.product(*SLIDERS):
         own = math.sqrt(k1 / m1)
         machine = {"m1": m1, "k1": k1, "F_0": 500.0, "omega": speed * own, "m2": ratio * m1, "k2": stiff * k1}
-        duty = Duty(**machine, c=damped * own * m1, from_rest=True)
-        assert np.all(np.isfinite(moved(duty, times(duty, 2 * math.pi * window / duty.omega)).x))
+        case = AbsorberCase(**machine, c=damped * own * m1, from_rest=True)
+        assert np.all(np.isfinite(moved(case, times(case, 2 * math.pi * window / case.omega)).x))
 
 
 @pytest.mark.parametrize("omega", [48.0, 50.0])
 def test_the_machine_alone_reaches_as_far_as_it_moves(omega: float) -> None:
     """At 50 rad/s it grows."""
-    duty = Duty(**{**MACHINE, "omega": omega})
-    x = duty.bare.motion(moved(duty, times(duty, 1.0)).t).x[0]
-    assert reach_alone(duty, 1.0) == pytest.approx(np.abs(x).max(), rel=1e-12)
+    case = AbsorberCase(**{**MACHINE, "omega": omega})
+    x = case.bare.motion(moved(case, times(case, 1.0)).t).x[0]
+    assert reach_alone(case, 1.0) == pytest.approx(np.abs(x).max(), rel=1e-12)

@@ -232,7 +232,7 @@ def test_within_an_ulp_of_a_resonance_that_hardly_moves_the_machine_it_is_not_sa
     ulps = 0
     for omega in (1e-6, *np.geomspace(1e-9, 1e-4, 60).tolist()):
         scene = Absorber(omega=omega)
-        j, near = scene._shown_duty.nearest
+        j, near = scene._shown_case.nearest
         ulps += near < 2.0**-53
         assert scene.shown.forms["why"] in ("aside", "still"), (omega, j)
         late = 1e14 / omega

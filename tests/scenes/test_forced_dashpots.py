@@ -8,7 +8,7 @@ import pytest
 from components.chain.forces import LENGTH, on_masses
 from components.language.state import Frame
 from components.scenes.forced import Forced
-from components.scenes.forced.dying import Dying
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import UNDRIVEN
 from components.state.csv_export import tables
@@ -67,7 +67,7 @@ def test_the_work_of_the_drive_becomes_energy_and_heat(chain: dict[str, float], 
     scene = Forced(**chain, c1=c1, c2=c2, view="work")
     data = scene.sources["energy"].data
     size = abs(data["work"]).max() + abs(data["gain"]).max()
-    heat = Dying(scene._case().modes, float(data["t"][-1])).heat(data["t"])
+    heat = DampedForcedCase(scene._case().modes, float(data["t"][-1])).heat(data["t"])
     np.testing.assert_allclose(data["work"] - data["gain"], heat, atol=1e-7 * size)
     assert np.all(np.diff(heat) >= 0)
 

@@ -32,6 +32,7 @@ from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.scene import VIEW
 from components.scenes.absorber.about import absorber_about
+from components.scenes.absorber.case import AbsorberCase
 from components.scenes.absorber.curves import (
     Axes,
     FromStart,
@@ -43,7 +44,6 @@ from components.scenes.absorber.curves import (
     signals_of,
     times,
 )
-from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.numbers import goal_texts
 from components.scenes.absorber.places import Places, drawn
@@ -63,9 +63,9 @@ MOST_START = 20.0
 
 
 @lru_cache(maxsize=1)
-def _asked_again(duty: Duty) -> Duty:
-    """Return the duty with these values. It is cached, because one change needs it several times."""
-    return duty
+def _asked_again(case: AbsorberCase) -> AbsorberCase:
+    """Return the case with these values. It is cached, because one change needs it several times."""
+    return case
 
 
 BELOW = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "own": False, "tuning": "tuned"}
@@ -203,14 +203,14 @@ class Absorber(Scene):
             tuning = "free"
         if tuning == "tuned":
             k2 = tuned_stiffness(self.m2, self.omega)
-        duty = self._duty(k2, self._damping)
+        case = self._case(k2, self._damping)
         best, spring = self._record(is_told=before is None, is_other=bool(changed & set(MACHINE)))
-        if tuning != "detached" and not duty.c and self.m2 < (best or math.inf) and all(duty.met):
+        if tuning != "detached" and not case.c and self.m2 < (best or math.inf) and all(case.met):
             best, spring = self.m2, k2
         return {
             "k2": k2,
             "tuning": tuning,
-            "_valley": antiresonance(duty.chain),
+            "_valley": antiresonance(case.chain),
             "lightest": best,
             "lightest_k2": spring,
             **self._started(changed),
@@ -225,7 +225,7 @@ class Absorber(Scene):
         best, spring = self.lightest, self.lightest_k2
         if is_told and best and spring is not None:
             machine = {name: getattr(self, name) for name in MACHINE}
-            return (best, spring) if all(Duty(**machine, m2=best, k2=spring, c=0.0).met) else (None, None)
+            return (best, spring) if all(AbsorberCase(**machine, m2=best, k2=spring, c=0.0).met) else (None, None)
         return (None, None) if is_told or is_other else (best, spring)
 
     def _started(self, changed: frozenset[str]) -> Values:
@@ -238,9 +238,9 @@ class Absorber(Scene):
     def _damping(self) -> float:
         return self.c if self.damping == "added" else 0.0
 
-    def _spans(self, duty: Duty) -> dict[str, tuple[float, float]]:
+    def _spans(self, case: AbsorberCase) -> dict[str, tuple[float, float]]:
         """Return the ends of sliders: the useful range for a machine of this size."""
-        own, reach = duty.own, min(duty.deflections(MOST_START), 1e308)
+        own, reach = case.own, min(case.deflections(MOST_START), 1e308)
         speed = min(own * reach, 1e308)
         return {
             "m2": (max(0.01 * self.m1, 5e-324), self.m1),
@@ -251,53 +251,53 @@ class Absorber(Scene):
             **dict.fromkeys(("v1_0", "v2_0"), (-speed, speed)),
         }
 
-    def _duty(self, k2: float, c: float) -> Duty:
+    def _case(self, k2: float, c: float) -> AbsorberCase:
         values = {"m1": self.m1, "k1": self.k1, "F_0": self.F_0, "omega": self.omega, "m2": self.m2}
         x_0, v_0 = chain.start_of(self)
-        return _asked_again(Duty(**values, k2=k2, c=c, from_rest=self.view == "rest", x_0=x_0, v_0=v_0))
+        return _asked_again(AbsorberCase(**values, k2=k2, c=c, from_rest=self.view == "rest", x_0=x_0, v_0=v_0))
 
     @property
-    def _shown_duty(self) -> Duty:
-        return self._duty(0.0, 0.0) if self.tuning == "detached" else self._duty(self.k2, self._damping)
+    def _shown_case(self) -> AbsorberCase:
+        return self._case(0.0, 0.0) if self.tuning == "detached" else self._case(self.k2, self._damping)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        duty, window = self._shown_duty, self.window or periods(self.omega, TURNS)
+        case, window = self._shown_case, self.window or periods(self.omega, TURNS)
         try:
-            return self._drawn(duty, frame, window, moved(duty, times(duty, frame.window or window)))
+            return self._drawn(case, frame, window, moved(case, times(case, frame.window or window)))
         except (ValueError, ArithmeticError):
-            if not duty.plays:
+            if not case.plays:
                 raise
-            return self._drawn(duty, frame, window, None)  # the other views can be drawn
+            return self._drawn(case, frame, window, None)  # the other views can be drawn
 
-    def _drawn(self, duty: Duty, frame: Frame, window: float, motion: FromStart | None) -> Picture:
+    def _drawn(self, case: AbsorberCase, frame: Frame, window: float, motion: FromStart | None) -> Picture:
         end = frame.window or window
-        axes = framed(frame, axes_of(duty, window))
+        axes = framed(frame, axes_of(case, window))
         swing = Axes.X1(axes)
-        own, rest, traces = rest_of(duty, motion, end, swing)
+        own, rest, traces = rest_of(case, motion, end, swing)
         axes |= framed(frame, by_name({Axes.rest: own}))
         counted = axes | by_name({Axes.F: nice_axis(0.0, self.F_0, "N")})
-        stage = drawn(duty, None if duty.plays else motion, end, swing, frame.scale)
+        stage = drawn(case, None if case.plays else motion, end, swing, frame.scale)
         return Picture(
-            columns=columns_of(duty, axes) | rest,
+            columns=columns_of(case, axes) | rest,
             axes=axes,
-            signals=signals_of(duty, motion, end, counted),
+            signals=signals_of(case, motion, end, counted),
             traces=traces,
-            scalars=Places.scalars(duty, axes) | stage.scalars,
-            pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
+            scalars=Places.scalars(case, axes) | stage.scalars,
+            pace=pace(self.omega, self.omega if case.plays else case.fastest),
             scale=stage.scale,
             fits=stage.fits,
-            values=N.texts(duty, counted) | goal_texts(duty, counted, self.lightest) | by_name({N.tick: stage.tick}),
+            values=N.texts(case, counted) | goal_texts(case, counted, self.lightest) | by_name({N.tick: stage.tick}),
             live=Signals.live(counted),
-            forms=Forms.forms(duty) | Panels.forms(self),
-            spans=self._spans(duty),
+            forms=Forms.forms(case) | Panels.forms(self),
+            spans=self._spans(case),
         )
 
     @property
     def numbers(self) -> dict[str, SceneNumber]:
-        return N.numbers(self._shown_duty)
+        return N.numbers(self._shown_case)
 
     def readouts(self) -> tuple[Readout, ...]:
-        return N.readouts(self._shown_duty)
+        return N.readouts(self._shown_case)
 
     def about(self, shown: Picture) -> About:
-        return absorber_about(shown, self._shown_duty)
+        return absorber_about(shown, self._shown_case)

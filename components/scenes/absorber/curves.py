@@ -15,7 +15,7 @@ from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis, w
 from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Signal, by_name
 from components.quantities.motion import derived, responses, sampled, sines, total
 from components.scene.traces import Columns, Floats, Traces, samples
-from components.scenes.absorber.duty import Duty
+from components.scenes.absorber.case import AbsorberCase
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion
 from physics.forced import DrivenModes
@@ -35,23 +35,23 @@ not played."""
 WHO: tuple[int | str, ...] = (ALONE, 1, 2)
 """The keys of the moving bodies as they are played; they include mass 1 (the machine) and mass 2 (the absorber)."""
 
-signal, column = Signal[Duty], Column[Duty]
-SignalsFound = dict[Signal[Duty], AnySignal]
+signal, column = Signal[AbsorberCase], Column[AbsorberCase]
+SignalsFound = dict[Signal[AbsorberCase], AnySignal]
 
 
-class Axes(Declared[Duty]):
+class Axes(Declared[AbsorberCase]):
     """Axes of time, drive frequency, swing, stroke and the motion from initial conditions. F scales forces and is not
     drawn."""
 
     t, w, X1, X2, rest, F = DrawnAxis.some(6)
 
 
-def axes_of(duty: Duty, window: float) -> dict[str, Axis]:
+def axes_of(case: AbsorberCase, window: float) -> dict[str, Axis]:
     """Return all axes except the one of the motion from initial conditions."""
-    own, omega = duty.own, duty.omega
+    own, omega = case.own, case.omega
     low, high = min(0.4 * own, 0.7 * omega), max(1.6 * own, 1.3 * omega)
     frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=(min(own, omega), max(own, omega)))
-    swing, stroke = _size_axes(*map(duty.deflections, TOP))
+    swing, stroke = _size_axes(*map(case.deflections, TOP))
     return by_name({Axes.t: time_axis(window), Axes.w: frequency, Axes.X1: swing, Axes.X2: stroke})
 
 
@@ -67,7 +67,7 @@ def _size_axes(swing: float, stroke: float) -> tuple[Axis, Axis]:
     return replace(one, drawn=(0.0, swing / 2)), replace(two, drawn=(0.0, stroke / 2))
 
 
-class Sweep(Declared[Duty]):
+class Sweep(Declared[AbsorberCase]):
     """Curves against the drive frequency w: swing, stroke, swing without the absorber; the first two also without
     damping; the reduction of the swing.
     """
@@ -77,15 +77,15 @@ class Sweep(Declared[Duty]):
     helped_lo, helped_hi = column.some(2, "helped")
 
 
-def columns_of(duty: Duty, axes: AxesInForce) -> dict[str, Columns]:
+def columns_of(case: AbsorberCase, axes: AxesInForce) -> dict[str, Columns]:
     """The curves, without frequencies at which the amplitude is infinite."""
-    w = duty.frequencies(Axes.w(axes).start, Axes.w(axes).end)
-    curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
+    w = case.frequencies(Axes.w(axes).start, Axes.w(axes).end)
+    curves = [*case.curves(w), *(machine_curves(case.chain, 0.0, case.F_0, w)[:2] if case.c else ())]
     known = np.isfinite(curves).all(axis=0)
     w, (swing, stroke, alone, *free) = w[known], np.asarray(curves)[:, known]
-    low, high = duty.band or (math.inf, 0.0)
+    low, high = case.band or (math.inf, 0.0)
     helps = (w >= low) & (w <= high)
-    helped = {Sweep.w: w[helps], Sweep.helped_lo: swing[helps], Sweep.helped_hi: alone[helps]} if duty.band else {}
+    helped = {Sweep.w: w[helps], Sweep.helped_lo: swing[helps], Sweep.helped_hi: alone[helps]} if case.band else {}
     return {
         "sweep": by_name({Sweep.w: w, Sweep.swing: swing, Sweep.stroke: stroke, Sweep.alone: alone}),
         "helped": by_name(helped),
@@ -105,34 +105,34 @@ class FromStart(NamedTuple):
     in_doubles: bool = True
 
 
-def moved(duty: Duty, t: Floats) -> FromStart:
-    """Return the motion at times t, and its parts if they are drawn. Raise ValueError as Duty.from_rest_at does."""
-    if not duty.solved:
-        return FromStart(t, _displacements(duty.from_rest_at(t)))
-    if duty.c:
-        particular, complementary = duty.damped.particular_motion(t), duty.damped.complementary(t)
+def moved(case: AbsorberCase, t: Floats) -> FromStart:
+    """Return the motion at times t, and its parts if they are drawn. Raise ValueError as `from_rest_at` does."""
+    if not case.solved:
+        return FromStart(t, _displacements(case.from_rest_at(t)))
+    if case.c:
+        particular, complementary = case.damped.particular_motion(t), case.damped.complementary(t)
     else:
-        particular, complementary = _parts(duty.driven, t)
+        particular, complementary = _parts(case.driven, t)
     x = particular + complementary
-    x[:, 0] = duty.x_0[0], duty.x_0[1], duty.x_0[1] - duty.x_0[0]
-    one, stretch = duty.bounds
-    doubt = 2.0**-52 * (1 + duty.fastest * t[-1]) * np.array([one, one + stretch, stretch])
+    x[:, 0] = case.x_0[0], case.x_0[1], case.x_0[1] - case.x_0[0]
+    one, stretch = case.bounds
+    doubt = 2.0**-52 * (1 + case.fastest * t[-1]) * np.array([one, one + stretch, stretch])
     doubtful = doubt > DRAWN * np.abs(x).max(axis=1)
-    if duty.alike or np.any(doubtful):
-        x = _displacements(duty.from_rest_at(t))
-    return FromStart(t, x, particular, complementary, not (duty.alike or doubtful[0]))
+    if case.alike or np.any(doubtful):
+        x = _displacements(case.from_rest_at(t))
+    return FromStart(t, x, particular, complementary, not (case.alike or doubtful[0]))
 
 
-def reach_alone(duty: Duty, end: float) -> float:
+def reach_alone(case: AbsorberCase, end: float) -> float:
     """The largest displacement of the machine without the absorber over [0, end], from the same start."""
-    t, bare = times(duty, end), duty.bare
+    t, bare = times(case, end), case.bare
     x = np.add(*_parts(bare, t))[0] if bare.split_is_meaningful else bare.motion(t).x[0]
     return float(np.abs(x).max())
 
 
-def times(duty: Duty, end: float) -> Floats:
+def times(case: AbsorberCase, end: float) -> Floats:
     """Return as many times as the fastest motion needs to be drawn."""
-    return np.linspace(0.0, end, samples(end, duty.fastest))
+    return np.linspace(0.0, end, samples(end, case.fastest))
 
 
 def _parts(driven: DrivenModes, t: Floats) -> tuple[Floats, Floats]:
@@ -154,7 +154,7 @@ def _displacements(motion: Motion) -> Floats:
     return np.array([*motion.x, motion.e[1]])
 
 
-class Signals(Declared[Duty]):
+class Signals(Declared[AbsorberCase]):
     """The drive; the displacements, with their response to the drive and their free motion, and the parts of x1; the
     force of spring and damper, which is drawn over the drive.
     """
@@ -172,7 +172,7 @@ S = Signals
 
 
 def rest_of(
-    duty: Duty, motion: FromStart | None, end: float, unit: Axis
+    case: AbsorberCase, motion: FromStart | None, end: float, unit: Axis
 ) -> tuple[Axis, dict[str, Columns], dict[str, Traces]]:
     """x1 from its start and its parts, on an axis in the unit of `unit`, as columns or as traces of signals. Near a
     natural frequency, where the parts are huge and opposite, only x1.
@@ -181,7 +181,7 @@ def rest_of(
         return replace(unit, start=-unit.end), {"rest": {}}, {}
     columns = _exact(motion)
     low, high = widest(*((float(c.min()), float(c.max())) for c in columns.values()))
-    if duty.over_deflection(max(-low, high)) > TALLEST:
+    if case.over_deflection(max(-low, high)) > TALLEST:
         raise ValueError(
             f"the motion is too large to be drawn: at most {TALLEST:g} static deflections F_0/k1 are allowed"
         )
@@ -194,9 +194,9 @@ def rest_of(
         end,
         motion.t.size,
         drawn,
-        lambda t: _exact(moved(duty, t)),
+        lambda t: _exact(moved(case, t)),
         signals=by_name({S.x[1]: S.x[STARTED].name}),
-        fastest=duty.fastest,
+        fastest=case.fastest,
         moving=names,
     )
     return axis, {"rest": sent}, {"rest": traces}
@@ -209,35 +209,35 @@ def _exact(motion: FromStart) -> Columns:
     return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
 
 
-def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
+def signals_of(case: AbsorberCase, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
     """The machine with and without absorber: the particular solution, or the motion from its start and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
     found: SignalsFound = {
-        S.drive: sines(Axis(0.0, 1.0), time, (1.0, duty.omega, 0.0)),
-        S.drive_now: sines(push, time, (duty.F_0, duty.omega, 0.0)),
+        S.drive: sines(Axis(0.0, 1.0), time, (1.0, case.omega, 0.0)),
+        S.drive_now: sines(push, time, (case.F_0, case.omega, 0.0)),
     }
-    if duty.plays_alone:
-        found[S.x[ALONE]] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
+    if case.plays_alone:
+        found[S.x[ALONE]] = sines(size, time, (float(case.bare.particular[0]), case.omega, 0.0))
     else:
-        found |= _from_start(duty.bare, 0, ALONE, size, time)
-    if duty.plays:
-        for i, X in enumerate(duty.X):
-            found[S.x[i + 1]] = sines(size, time, (abs(X), duty.omega, float(np.angle(X))))
-        found[S.pull_now] = sines(push, time, (duty.pull, duty.omega, float(np.angle(complex(duty.X[1])))))
-    elif duty.c:
-        found |= _damped(duty, end, size, time, push)
+        found |= _from_start(case.bare, 0, ALONE, size, time)
+    if case.plays:
+        for i, X in enumerate(case.X):
+            found[S.x[i + 1]] = sines(size, time, (abs(X), case.omega, float(np.angle(X))))
+        found[S.pull_now] = sines(push, time, (case.pull, case.omega, float(np.angle(complex(case.X[1])))))
+    elif case.c:
+        found |= _damped(case, end, size, time, push)
     else:
-        found |= _from_start(duty.driven, 0, 1, size, time) | _from_start(duty.driven, 1, 2, size, time)
+        found |= _from_start(case.driven, 0, 1, size, time) | _from_start(case.driven, 1, 2, size, time)
         with precise():
-            k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
+            k2 = rounded("the pull of spring 2", exact(case.k2).scaleb(size.exponent - push.exponent))
         found[S.pull_now] = derived(k2 * (var(S.x[2]) - var(S.x[1])))
     if motion and motion.in_doubles:
-        found |= _machine_from_start(duty, size, time) if duty.plays else {S.x[STARTED]: derived(var(S.x[1]))}
+        found |= _machine_from_start(case, size, time) if case.plays else {S.x[STARTED]: derived(var(S.x[1]))}
     if motion and motion.in_doubles and motion.particular is not None:
-        X = complex(duty.damped.particular[0]) if duty.c else complex(duty.driven.particular[0])
-        found[S.x1_p] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)))
+        X = complex(case.damped.particular[0]) if case.c else complex(case.driven.particular[0])
+        found[S.x1_p] = sines(size, time, (abs(X), case.omega, cmath.phase(X)))
         found[S.x1_c] = derived(var(S.x[STARTED]) - var(S.x1_p))
-    found[S.pull] = derived(var(S.pull_now) / push.place(duty.F_0))
+    found[S.pull] = derived(var(S.pull_now) / push.place(case.F_0))
     return by_name(found)
 
 
@@ -253,30 +253,30 @@ def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: A
     return {S.driven[who]: response, S.free[who]: moving, S.x[who]: total(S.driven[who], S.free[who])}
 
 
-def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
+def _damped(case: AbsorberCase, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
     """x1, x2 and the force of spring and damper from rest, as decaying sines; if two exponents are almost equal, from a
     table.
     """
-    if duty.alike:
-        return _tables(duty, end, size, time, push)
-    transient = duty.damped.transient
-    found = _decaying(duty, 0, 1, size, time) | _decaying(duty, 1, 2, size, time)
+    if case.alike:
+        return _tables(case, end, size, time, push)
+    transient = case.damped.transient
+    found = _decaying(case, 0, 1, size, time) | _decaying(case, 1, 2, size, time)
     # m2 x2'' is the force of spring and damper on mass 2; the force on mass 1 is opposite.
-    X2 = duty.m2 * duty.omega**2 * complex(duty.damped.particular[1])
-    pulls = [_wave(-duty.m2 * exponent**2 * amplitudes[0, 1], exponent) for exponent, amplitudes in transient]
-    return found | {S.pull_now: sines(push, time, (abs(X2), duty.omega, cmath.phase(X2)), *pulls)}
+    X2 = case.m2 * case.omega**2 * complex(case.damped.particular[1])
+    pulls = [_wave(-case.m2 * exponent**2 * amplitudes[0, 1], exponent) for exponent, amplitudes in transient]
+    return found | {S.pull_now: sines(push, time, (abs(X2), case.omega, cmath.phase(X2)), *pulls)}
 
 
-def _decaying(duty: Duty, i: int, who: int | str, size: Axis, time: Axis) -> SignalsFound:
+def _decaying(case: AbsorberCase, i: int, who: int | str, size: Axis, time: Axis) -> SignalsFound:
     """The motion of mass i (0, 1) from its start, with damping."""
-    X = complex(duty.damped.particular[i])
-    terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in duty.damped.transient]
-    return {S.x[who]: sines(size, time, (abs(X), duty.omega, cmath.phase(X)), *terms)}
+    X = complex(case.damped.particular[i])
+    terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in case.damped.transient]
+    return {S.x[who]: sines(size, time, (abs(X), case.omega, cmath.phase(X)), *terms)}
 
 
-def _machine_from_start(duty: Duty, size: Axis, time: Axis) -> SignalsFound:
+def _machine_from_start(case: AbsorberCase, size: Axis, time: Axis) -> SignalsFound:
     """The motion of the machine from its start, drawn next to the motion that is played."""
-    return _decaying(duty, 0, STARTED, size, time) if duty.c else _from_start(duty.driven, 0, STARTED, size, time)
+    return _decaying(case, 0, STARTED, size, time) if case.c else _from_start(case.driven, 0, STARTED, size, time)
 
 
 def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, float]:
@@ -284,11 +284,11 @@ def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, f
     return abs(amplitude), exponent.imag, cmath.phase(amplitude) + math.pi / 2, -exponent.real
 
 
-def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
+def _tables(case: AbsorberCase, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
     last = 1.02 * end  # longer than the window, because the browser repeats a table after its period
     t = np.linspace(0.0, last, NODES)
-    motion = duty.from_rest_at(t)
-    link = push.places(duty.k2 * motion.e[1] + duty.c * (motion.v[1] - motion.v[0]))
+    motion = case.from_rest_at(t)
+    link = push.places(case.k2 * motion.e[1] + case.c * (motion.v[1] - motion.v[0]))
     columns = {S.x[i + 1]: (size.places(motion.x[i]), size.places(motion.v[i])) for i in (0, 1)}
     columns[S.pull_now] = link, np.gradient(link, t)
     return {one: sampled(time, last, *pair) for one, pair in columns.items()}

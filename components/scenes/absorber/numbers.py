@@ -9,12 +9,12 @@ import numpy as np
 from components.quantities.axes import Axis
 from components.quantities.declared import AxesInForce, AxisUnit, Declared, LiveNumber, Text, by_name
 from components.quantities.formatting import short, three
+from components.scenes.absorber.case import AWAY, AbsorberCase
 from components.scenes.absorber.curves import Axes as A
-from components.scenes.absorber.duty import AWAY, Duty
 from physics.absorber import den_hartog, highest_peak
 from physics.precision.exact import exact, precise
 
-number = LiveNumber[Duty]
+number = LiveNumber[AbsorberCase]
 
 
 def length(axis: Axis, value: float) -> str:
@@ -27,21 +27,21 @@ def length(axis: Axis, value: float) -> str:
     return three(place) if abs(place) >= least else "0.00"
 
 
-def bound(duty: Duty, i: int) -> float | None:
+def bound(case: AbsorberCase, i: int) -> float | None:
     """Return the bound of swing (0) or stroke (1) from the initial conditions, if it is shown."""
-    return duty.bounds[i] if duty.from_rest or not duty.c else None
+    return case.bounds[i] if case.from_rest or not case.c else None
 
 
-def part(duty: Duty, mode: int) -> float | None:
+def part(case: AbsorberCase, mode: int) -> float | None:
     """The amplitude of the complementary part at the machine, if nothing damps it."""
-    return float(duty.driven.complementary_modes.amplitude[mode, 0]) if duty.solved and not duty.c else None
+    return float(case.driven.complementary_modes.amplitude[mode, 0]) if case.solved and not case.c else None
 
 
-def dies(duty: Duty) -> float | None:
+def dies(case: AbsorberCase) -> float | None:
     """The time in s after which at most a hundredth of the complementary part is left; inf if a part of it stays."""
-    if not (duty.c and duty.from_rest):
+    if not (case.c and case.from_rest):
         return None
-    slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=math.inf)
+    slowest = min((-exponent.real for exponent, _ in case.damped.transient), default=math.inf)
     return math.log(100) / slowest if slowest > 0 else math.inf
 
 
@@ -49,9 +49,9 @@ def time_of(seconds: float) -> str:
     return f"{three(seconds)} s" if 0 < seconds < math.inf else "no time"
 
 
-def over_height(duty: Duty) -> str:
+def over_height(case: AbsorberCase) -> str:
     """The height of the peak at Den Hartog's optimum above the fixed points, in percent."""
-    mu = min(duty.m2 / duty.m1, 1e6)
+    mu = min(case.m2 / case.m1, 1e6)
     if mu < 1e-3:
         return "less than 0.01 %"
     best = den_hartog(1.0, 1.0, mu)
@@ -59,7 +59,7 @@ def over_height(duty: Duty) -> str:
     return f"{100 * (peak / best.height - 1):.2g} %"
 
 
-class Numbers(Declared[Duty]):
+class Numbers(Declared[AbsorberCase]):
     x_unit, F_unit = AxisUnit(A.X1, write=length), AxisUnit(A.F)
     m1 = number(lambda d: d.m1)
     k1 = number(lambda d: d.k1 / 1e3)
@@ -110,25 +110,25 @@ class Numbers(Declared[Duty]):
     dies = number(dies, unit="s", form=time_of, meaning="time until 1 % of the transient is left")
     judged = number(lambda d: "particular solution" if d.plays else d.whence)
     judged_alone = number(lambda d: "particular solution" if d.plays_alone else d.whence)
-    tick, lightest = Text[Duty].some(2)
-    goal, found = Text[Duty].each(range(3)), Text[Duty].each(range(3))
+    tick, lightest = Text[AbsorberCase].some(2)
+    goal, found = Text[AbsorberCase].each(range(3)), Text[AbsorberCase].each(range(3))
 
 
-def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[str, str]:
+def goal_texts(case: AbsorberCase, axes: AxesInForce, lightest: float | None) -> dict[str, str]:
     """The goals, the values that are compared with them (of the particular solution, and from initial conditions), and
     the best result."""
-    j, share = duty.nearest
-    near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(duty, axes)} rad/s"
+    j, share = case.nearest
+    near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(case, axes)} rad/s"
     texts = {
         Numbers.lightest: f"{_score(lightest)} kg" if lightest else "none yet",
         Numbers.goal[0]: f"Resonances {short(100 * AWAY)} % away",
         Numbers.found[0]: f"nearest is {_percent(share)} % away: {near}",
     }
     for i, (on, what) in enumerate(((A.X1, "Machine's"), (A.X2, "Stroke in"))):
-        axis, way, within = on(axes), duty.swings[i], bound(duty, i)
-        told = "" if within is None else f"; {duty.whence} within {length(axis, within)} {axis.full_unit}"
+        axis, way, within = on(axes), case.swings[i], bound(case, i)
+        told = "" if within is None else f"; {case.whence} within {length(axis, within)} {axis.full_unit}"
         found = f"xₚ: {length(axis, way)} {axis.full_unit}{told}"
-        texts[Numbers.goal[i + 1]] = f"{what} xₚ within {short(axis.place(duty.limits[i]))} {axis.full_unit}"
+        texts[Numbers.goal[i + 1]] = f"{what} xₚ within {short(axis.place(case.limits[i]))} {axis.full_unit}"
         texts[Numbers.found[i + 1]] = found if math.isfinite(way) else "no Xₚ here: it grows without limit"
     return by_name(texts)
 

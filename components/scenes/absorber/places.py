@@ -13,9 +13,9 @@ from components.quantities.axes import Axis
 from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, by_name
 from components.quantities.formatting import short
 from components.quantities.motion import round_down
+from components.scenes.absorber.case import AWAY, AbsorberCase
 from components.scenes.absorber.curves import ALONE, FromStart, reach_alone
 from components.scenes.absorber.curves import Axes as A
-from components.scenes.absorber.duty import AWAY, Duty
 from components.scenes.absorber.words import VERDICTS
 
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
@@ -29,13 +29,13 @@ as large."""
 ROOM = (0.22, 0.2, 0.28)
 """Free distances as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right edge."""
 
-scalar = Scalar[Duty]
-ScalarPair = tuple[Scalar[Duty], Scalar[Duty]]
+scalar = Scalar[AbsorberCase]
+ScalarPair = tuple[Scalar[AbsorberCase], Scalar[AbsorberCase]]
 
 
-def _sides(duty: Duty) -> list[float]:
-    whole = max(duty.m1, duty.m2)
-    return [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (duty.m1, duty.m2)]
+def _sides(case: AbsorberCase) -> list[float]:
+    whole = max(case.m1, case.m2)
+    return [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (case.m1, case.m2)]
 
 
 def _across(axes: AxesInForce, w: float) -> float:
@@ -48,7 +48,7 @@ def _up(axis: Axis, size: float) -> float:
     return axis.place(min(size, axis.end))
 
 
-def _frequency(of: Callable[[Duty], float]) -> ScalarPair:
+def _frequency(of: Callable[[AbsorberCase], float]) -> ScalarPair:
     """The position of a drive frequency, and a flag: it is inside the frame."""
     seen = scalar(lambda d, a: A.w(a).start <= of(d) <= A.w(a).end)
     return scalar(lambda d, a: _across(a, of(d))), seen
@@ -62,7 +62,7 @@ def _reading(on: DrawnAxis, i: int, unless: str = "") -> ScalarPair:
     return scalar(lambda d, a: _up(on(a), d.swings[i])), seen
 
 
-class Places(Declared[Duty]):
+class Places(Declared[AbsorberCase]):
     # On the stage, with the scale of `drawn`: the names of x1 are next to the tips of the arrows.
     metre, tick, push, tag_left, tag_right = scalar.some(5)
     lead = scalar.each((ALONE, 1), "lead_x{}")
@@ -101,19 +101,19 @@ class Places(Declared[Duty]):
     fixed_y = Family("PQ", lambda name: scalar(lambda d, a: _up(A.X1(a), d.fixed[name][1]) if d.c else None), "{}_y")
 
 
-def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, float, float]:
+def _reach(case: AbsorberCase, moved: FromStart | None, end: float) -> tuple[float, float, float]:
     """The largest displacements of mass 1 (also without the absorber), of mass 2 relative to it, and of mass 2, in
     static deflections.
     """
-    swing, stroke, alone = duty.swings
-    if not duty.plays_alone:
-        alone = reach_alone(duty, end)
+    swing, stroke, alone = case.swings
+    if not case.plays_alone:
+        alone = reach_alone(case, end)
     if moved is None:
-        ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
+        ways = max(swing, alone), stroke, abs(complex(case.X[1]))
     else:
         one, two, stretch = np.abs(moved.x).max(axis=1).tolist()
         ways = max(one, alone), stretch, two
-    return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
+    return case.over_deflection(ways[0]), case.over_deflection(ways[1]), case.over_deflection(ways[2])
 
 
 @dataclass(frozen=True)
@@ -126,22 +126,22 @@ class Drawing:
     fits: float
 
 
-def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
+def drawn(case: AbsorberCase, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
     """Choose the scale of displacements: `wanted`, in static deflections per metre, as long as everything fits. A kept
     scale is proportional to the static deflection, so that twice the force gives twice the drawn swing. `moved` is the
     motion that is played if it is not the particular solution.
     """
-    reach = _reach(duty, moved, end)
-    fits, stands = _scales(duty, reach, wanted)
-    scale = DEFLECTION * (duty.deflections(wanted) if wanted else stands)
-    metre = scale / size.place(duty.deflections(1.0))
+    reach = _reach(case, moved, end)
+    fits, stands = _scales(case, reach, wanted)
+    scale = DEFLECTION * (case.deflections(wanted) if wanted else stands)
+    metre = scale / size.place(case.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
-    way = scale * (duty.over_deflection(duty.swings[0]) if duty.plays else reach[0])
-    strength = duty.pull if duty.plays else duty.k2 * reach[1] / duty.k1 * duty.F_0
+    way = scale * (case.over_deflection(case.swings[0]) if case.plays else reach[0])
+    strength = case.pull if case.plays else case.k2 * reach[1] / case.k1 * case.F_0
     scalars = by_name({
         Places.metre: metre,
         Places.tick: tick * metre,
-        Places.push: PUSH * min(1.0, 2 * duty.F_0 / strength) if strength else PUSH,
+        Places.push: PUSH * min(1.0, 2 * case.F_0 / strength) if strength else PUSH,
         Places.lead[ALONE]: min(scale * reach[0], LEAD),
         Places.lead[1]: min(way, LEAD),
         Places.tag_left: max(0.234 - way, 0.19),
@@ -150,9 +150,9 @@ def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: f
     return Drawing(scalars, f"{short(tick)} {size.full_unit}", wanted or fits, fits)
 
 
-def _scales(duty: Duty, reach: tuple[float, float, float], wanted: float | None) -> tuple[float, float]:
+def _scales(case: AbsorberCase, reach: tuple[float, float, float], wanted: float | None) -> tuple[float, float]:
     """The scale that fits, the wanted one if it fits, and the one that would be chosen, in static deflections."""
     most = min(room / (DEFLECTION * way) if way > TINY else math.inf for room, way in zip(ROOM, reach, strict=True))
     chosen = 1.0 if most >= 1 else round_down(most)
-    fits = chosen * duty.over_deflection(1.0)
-    return max(fits, wanted) if wanted and duty.deflections(wanted) <= most else fits, chosen
+    fits = chosen * case.over_deflection(1.0)
+    return max(fits, wanted) if wanted and case.deflections(wanted) <= most else fits, chosen

@@ -32,9 +32,9 @@ from components.layout.stage import (
     wide,
 )
 from components.quantities.declared import Scalar
+from components.scenes.absorber.case import AbsorberCase
 from components.scenes.absorber.curves import ALONE, Axes
 from components.scenes.absorber.curves import Signals as S
-from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.places import Places as P
 from components.scenes.absorber.words import VERDICTS
@@ -201,7 +201,7 @@ def stroke_shapes() -> tuple[Shape, ...]:
     )
 
 
-def _limit(plot: PlotFrame, at: Scalar[Duty]) -> list[Shape]:
+def _limit(plot: PlotFrame, at: Scalar[AbsorberCase]) -> list[Shape]:
     """The goal of a plot, as a dotted line."""
     y = plot.y(var(at))
     return [line(plot.left, y, plot.right, y, style="dotted", inside=plot)]
@@ -216,8 +216,8 @@ def _bracket() -> list[Shape]:
 
 def _reading(
     plot: PlotFrame,
-    at: Scalar[Duty],
-    seen: Scalar[Duty],
+    at: Scalar[AbsorberCase],
+    seen: Scalar[AbsorberCase],
     number: str,
     of: str,
     **look: str,

@@ -9,7 +9,7 @@ import numpy as np
 from components.layout.sheet import either
 from components.quantities.declared import Declared, Form
 from components.quantities.formatting import three
-from components.scenes.absorber.duty import Duty
+from components.scenes.absorber.case import AbsorberCase
 from components.scenes.absorber.numbers import Numbers as N
 
 WATCH = {
@@ -42,32 +42,32 @@ VERDICTS = {
 NEAR_OWN = 0.005
 """Relative distance from the machine's own frequency within which the machine needs almost no force."""
 
-form = Form[Duty]
+form = Form[AbsorberCase]
 
 
-def _kind(duty: Duty) -> str:
+def _kind(case: AbsorberCase) -> str:
     """The form of the amplitudes; it depends on the existence of a particular solution."""
-    return "damped" if duty.c else "undamped" if np.all(np.isfinite(duty.X)) else "none"
+    return "damped" if case.c else "undamped" if np.all(np.isfinite(case.X)) else "none"
 
 
-def _why(duty: Duty) -> str:
+def _why(case: AbsorberCase) -> str:
     """The form of the reason for the verdict. If the force of spring 2 equals the drive to three digits, it depends on
     the
     machine's own frequency."""
-    if duty.c:
+    if case.c:
         return "damped"
-    if duty.verdict != "less" or three(duty.pull) != three(duty.F_0):
-        return duty.verdict
-    return "own" if abs(duty.omega / duty.own - 1) < NEAR_OWN else "little"
+    if case.verdict != "less" or three(case.pull) != three(case.F_0):
+        return case.verdict
+    return "own" if abs(case.omega / case.own - 1) < NEAR_OWN else "little"
 
 
-def _why_rest(duty: Duty) -> str:
-    if duty.c:
-        return "alike" if duty.alike else "damped"
-    return duty.unsolved if not duty.solved else "parts" if duty.k2 else "alone"
+def _why_rest(case: AbsorberCase) -> str:
+    if case.c:
+        return "alike" if case.alike else "damped"
+    return case.unsolved if not case.solved else "parts" if case.k2 else "alone"
 
 
-class Forms(Declared[Duty]):
+class Forms(Declared[AbsorberCase]):
     first = form(_kind)
     second = form(lambda d: "still" if d.verdict == "still" else _kind(d).replace("none", ""))
     why = form(_why)

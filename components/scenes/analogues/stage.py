@@ -29,7 +29,7 @@ from components.scenes.analogues.case import DEGREE
 from components.scenes.analogues.curves import Ends, Hung
 from components.scenes.analogues.curves import Places as P
 from components.scenes.analogues.curves import Swinging as S
-from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
+from components.scenes.analogues.grabs import ANGLE, HELD, held, held_spring, rocked, turned
 from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from physics.analogues import ANALOGUES

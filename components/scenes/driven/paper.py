@@ -111,9 +111,9 @@ def displacement() -> Block:
     )
     transient = either(
         c.part,
-        dies="dying part",
+        dies="transient",
         stays="other part, which stays",
-        dies_formula=rf"dying $e^{{-{c.decay}\,t}}$",
+        dies_formula=rf"transient $e^{{-{c.decay}\,t}}$",
         stays_formula="other part, which stays",
     )
     growth = either(

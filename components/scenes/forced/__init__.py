@@ -22,10 +22,10 @@ from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples
-from components.scenes.forced.about import dying_about, forced_about
+from components.scenes.forced.about import damped_about, forced_about
 from components.scenes.forced.case import Axes, Signals
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
-from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
@@ -127,7 +127,7 @@ class Forced(Scene):
         if name == "rest":
             return dict.fromkeys(chain.START, 0.0)
         case = self._case()
-        if isinstance(case, Dying):
+        if isinstance(case, DampedForcedCase):
             one, two = case.X
             start = (one.imag, two.imag, *(scaled(0, self.omega, X.real) for X in (one, two)))
             return dict(zip(chain.START, start, strict=True))
@@ -181,8 +181,8 @@ class Forced(Scene):
 
     def about(self, shown: Picture) -> About:
         case = self._case()
-        if isinstance(case, Dying):
-            return dying_about(shown, case.modes)
+        if isinstance(case, DampedForcedCase):
+            return damped_about(shown, case.modes)
         return forced_about(shown, case.modes, *chain.start_of(self))
 
     def _case(self, frame: Frame = FITTED) -> AnyCase:
@@ -190,7 +190,7 @@ class Forced(Scene):
         end = frame.window or self.window or time_window(*system.modes().omega.tolist())
         if c1 or c2:
             drive = {"F_0": self.F_0, "omega": self.omega}
-            return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end, self.view)
+            return DampedForcedCase(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end, self.view)
         return Undamped(driven_modes(system, self.F_0, self.omega, x_0, v_0), end, self.view)
 
 

@@ -14,7 +14,7 @@ from components.scene import Picture
 from components.scene.about import About, bands_among, bounded, few_of, points, rows
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.case import Work
-from components.scenes.forced.dying import Dying
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.response import Swings
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
@@ -44,7 +44,7 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
     return About(tables, _work_gap(driven, columns["t"]), bands_among(picture.sources, BANDS))
 
 
-def dying_about(picture: Picture, modes: DampedModes) -> About:
+def damped_about(picture: Picture, modes: DampedModes) -> About:
     """Errors of the displacements with dashpots, and of both amplitudes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     true = braked_points(modes, few_of(columns["t"]))
@@ -63,12 +63,12 @@ def dying_about(picture: Picture, modes: DampedModes) -> About:
 
 
 def _heat_gap(modes: DampedModes, t: NDArray[np.float64]) -> str:
-    dying = Dying(modes, float(t[-1]))
-    if not drawable(2 * dying.fastest, t):
+    damped = DampedForcedCase(modes, float(t[-1]))
+    if not drawable(2 * damped.fastest, t):
         return "The energies change too fast in this window to be added up."
-    energy = dying.energy(t)
+    energy = damped.energy(t)
     largest = float(np.max(np.abs([energy[Work.gain], energy[Work.work]]))) or 1.0
-    gap = float(np.max(np.abs((energy[Work.work] - energy[Work.gain] - dying.heat(t)) / largest)))
+    gap = float(np.max(np.abs((energy[Work.work] - energy[Work.gain] - damped.heat(t)) / largest)))
     return f"The work of the drive is the gain of $T + V$ and the heat of the dashpots to {short(gap)} of the largest."
 
 

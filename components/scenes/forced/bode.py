@@ -25,7 +25,7 @@ from components.scene.file_table import FileTable
 from components.scene.frames import framed
 from components.scene.traces import Columns, Floats
 from components.scenes.forced.case import MARKS, Axes
-from components.scenes.forced.dying import Dying
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from physics.bode_curves import bode_curves, locus_frequencies, transfer
@@ -86,13 +86,13 @@ class DrawnResponse:
 
 def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnResponse:
     """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is an amplitude in m."""
-    roots = [one for one, _ in case.modes.transient] if isinstance(case, Dying) else []
+    roots = [one for one, _ in case.modes.transient] if isinstance(case, DampedForcedCase) else []
     far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
     X = bode_curves(case.damped, far, case.modes.F_0).X
     inside = np.isfinite(X).all(axis=0)
     far, X = far[inside], X[:, inside]
     ends = [(-unit, unit), (-unit, unit)]
-    if isinstance(case, Dying) and X.any():
+    if isinstance(case, DampedForcedCase) and X.any():
         ends = [(float(part.min(initial=0.0)), float(part.max(initial=0.0))) for part in (X.real, X.imag)]
     re, im = square_axes(ends[0], ends[1], "m")
     labels = tuple(f"{one:.0f}°" if one == QUARTERS[-1] else f"{one:.0f}" for one in QUARTERS)
@@ -115,9 +115,9 @@ def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCa
     for name, w in case.marked.items():
         (X,), _ = bode_curves(case.damped, w, F_0).X.tolist()
         found |= {B.line[name]: across.place(w), B.is_line[name]: 1.0}
-        if isinstance(case, Dying) and cmath.isfinite(X):
+        if isinstance(case, DampedForcedCase) and cmath.isfinite(X):
             found |= {B.re_mark[name]: re.place(X.real), B.im_mark[name]: im.place(X.imag), B.is_mark[name]: 1.0}
-    if isinstance(case, Dying) and (moved := transfer(case.damped, F_0)):
+    if isinstance(case, DampedForcedCase) and (moved := transfer(case.damped, F_0)):
         found |= {B.above[i, n]: re.place(moved.above[i - 1][n]) for i in BOTH for n in range(3)}
         for n, pole in enumerate(moved.poles):
             found |= {B.pole_re[n]: pole.real, B.pole_im[n]: pole.imag}

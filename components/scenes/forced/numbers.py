@@ -10,10 +10,10 @@ from components.quantities.axes import Axis
 from components.quantities.declared import AxisUnit, Declared, Family, LiveNumber
 from components.quantities.formatting import MINUS, plus, three
 from components.scenes.forced.case import MARKS, Axes
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
-from components.scenes.forced.dying import Dying
 
-AnyCase = Undamped | Dying
+AnyCase = Undamped | DampedForcedCase
 number = LiveNumber[AnyCase]
 
 
@@ -22,7 +22,7 @@ class Amplitude(LiveNumber[AnyCase]):
 
     def text(self, case: AnyCase, axes: Mapping[str, Axis]) -> str:
         size = super().text(case, axes)
-        return size if isinstance(case, Dying) or size.startswith(MINUS) else f"+{size}"
+        return size if isinstance(case, DampedForcedCase) or size.startswith(MINUS) else f"+{size}"
 
 
 SHOWN = {"still": "drive frequency at which mass 1 stands still"}
@@ -33,7 +33,7 @@ ALONG = "amplitude of mass {} in the particular solution, below 0 if it moves ag
 def _way(case: AnyCase, i: int) -> str:
     if not case.swings[i]:
         return "at rest"
-    if isinstance(case, Dying):
+    if isinstance(case, DampedForcedCase):
         return f"lags F by {three(case.lags[i])} rad"
     return f"{'with' if case.swings[i] > 0 else 'against'} F"
 
@@ -82,7 +82,7 @@ class Numbers(Declared[AnyCase]):
     lag = Family(
         BOTH,
         lambda i: number(
-            lambda c: -c.lags[i - 1] if isinstance(c, Dying) else None,
+            lambda c: -c.lags[i - 1] if isinstance(c, DampedForcedCase) else None,
             form=plus, unit="rad", meaning=f"phase of mass {i} relative to the drive",
         ),
     )  # fmt: skip
@@ -94,7 +94,7 @@ class Numbers(Declared[AnyCase]):
     )
     work = number(lambda c: sum(c.works), unit="J", meaning="work of the drive per cycle")
     dies = number(
-        lambda c: math.log(100) / c.slowest if isinstance(c, Dying) and 0 < c.slowest < math.inf else None,
+        lambda c: math.log(100) / c.slowest if isinstance(c, DampedForcedCase) and 0 < c.slowest < math.inf else None,
         unit="s",
         whole=True,
         meaning="time until 1 % of the transient is left",

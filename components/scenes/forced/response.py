@@ -26,8 +26,8 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
 from components.scenes.forced.bode import DrawnResponse, bode, extremes
 from components.scenes.forced.case import MARKS, Axes
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
-from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.words import Forms as F
@@ -113,7 +113,7 @@ def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, di
     return w, particular_solution(case.chain, case.modes.F_0, w), branches
 
 
-def _curve(case: Dying, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
+def _curve(case: DampedForcedCase, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
     """Columns of one branch with finite amplitudes: points over the axis, and more near each peak."""
     low, high = sorted((across.start, across.end))
     grid = np.geomspace(low, high, 4 * POINTS) if log else np.linspace(low, high, 4 * POINTS)
@@ -193,7 +193,7 @@ def _with_poles(case: Undamped, w: Floats, swings: Floats) -> Columns:
     return _column(np.insert(w, places, inside), X if case.chain.k2 else np.array([X[0], np.zeros_like(X[0])]))
 
 
-def _with_lags(case: Dying, w: Floats, swings: Floats) -> Columns:
+def _with_lags(case: DampedForcedCase, w: Floats, swings: Floats) -> Columns:
     modes = case.modes
     each = [damped_solution(case.chain, modes.c, modes.F_0, omega, modes.c1) for omega in w.tolist()]
     phi1, phi2 = -np.angle(np.array(each).reshape(-1, 2).T) % (2 * math.pi)

@@ -127,7 +127,7 @@ def _heading(i: int) -> tuple[Term, ...]:
     return (
         term(S.x[i], "sum", f"m{i}", formula=f"x_{i} ="),
         term(S.x_p[i], "line", "xp", form=F.x_p[i], **wave),
-        term(S.x_c[i], "dash", "xc", form=F.x_c[i], words=rest, formula=rest, dies=r"+\; \text{dying part}"),
+        term(S.x_c[i], "dash", "xc", form=F.x_c[i], words=rest, formula=rest, dies=r"+\; \text{transient}"),
         phrase(F.limit[i], "line", "xp", grows=f"resonant part, {grows}", beats=f"resonant part, a long beat, {first}"),
     )
 

@@ -9,8 +9,8 @@ from components.chain.forces import Arrows
 from components.layout.sheet import Paragraph, either
 from components.quantities.declared import Declared, Form
 from components.scenes.forced.case import Signals as S
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
-from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 
@@ -24,12 +24,12 @@ def _steady(case: AnyCase) -> str:
 
 def _part(case: AnyCase) -> str:
     """The form of the parts of a displacement. If they are huge and opposite, the envelope is shown instead."""
-    if not case.split or (isinstance(case, Dying) and not case.driven):
+    if not case.split or (isinstance(case, DampedForcedCase) and not case.driven):
         return ""
     return "words" if case.view != "formulas" else "formula" if isinstance(case, Undamped) else "dies"
 
 
-def _dying(case: AnyCase) -> str:
+def _transient(case: AnyCase) -> str:
     """The form of the sentence on the decay of the complementary part, or of the motion if nothing is driven."""
     if isinstance(case, Undamped) or case.slowest == math.inf or _steady(case) == "rest":
         return ""
@@ -41,8 +41,8 @@ def _dying(case: AnyCase) -> str:
 
 
 class Forms(Declared[AnyCase]):
-    steady, dying = form(_steady), form(_dying)
-    rows = form(lambda c: "braked" if isinstance(c, Dying) else "sign")
+    steady, transient = form(_steady), form(_transient)
+    rows = form(lambda c: "braked" if isinstance(c, DampedForcedCase) else "sign")
     x_p, x_c = form.each(BOTH, "x{}_p", value=_part), form.each(BOTH, "x{}_c", value=_part)
     limit = form.each(
         BOTH, "x{}_limit", value=lambda c: "beats" if S.growth[1] in c.limits else "grows" if c.limits else ""
@@ -66,7 +66,7 @@ UNDRIVEN = ("none", "idle", "rest")
 """The text in place of the particular solution if nothing is driven."""
 
 FATE = either(
-    Forms.dying,
+    Forms.transient,
     dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
     alike="The complementary part dies, and the particular solution remains.",
     stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
@@ -163,7 +163,7 @@ def notes(case: AnyCase, units: str, shown: str, too_fast: bool) -> list[str]:
     told = {
         "At ω = 0 the force F₀ sin ωt is 0 at all times.": not case.modes.omega,
         "With dashpots a swing is neither with the push nor against it: its size is shown.": (
-            shown == "signed" and isinstance(case, Dying)
+            shown == "signed" and isinstance(case, DampedForcedCase)
         ),
         "Complementary and particular part are far larger than their sum here, so they are not drawn.": (
             not case.split and case.kind != "resonance"

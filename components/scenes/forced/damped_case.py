@@ -46,7 +46,7 @@ _GAUSS = np.polynomial.legendre.leggauss(5)
 
 
 @dataclass(frozen=True, eq=False)
-class Dying(ForcedCase):
+class DampedForcedCase(ForcedCase):
     """A driven motion with dashpots."""
 
     modes: DampedModes
@@ -167,8 +167,8 @@ class Dying(ForcedCase):
             x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
             steady = sines(size, time, (abs(X), omega, cmath.phase(X)))
             if self.in_doubles:
-                dying = sines(size, time, *_waves(terms, i), line=_line(terms, i))
-                found |= {x_p: steady, x_c: dying, x: total(x_p, x_c)}
+                transient = sines(size, time, *_waves(terms, i), line=_line(terms, i))
+                found |= {x_p: steady, x_c: transient, x: total(x_p, x_c)}
                 continue
             motion, last = self._tabled
             found[x] = sampled(time, last, size.places(motion.x[i - 1]), size.places(motion.v[i - 1]))

@@ -1,4 +1,4 @@
-"""The duty of a machine on a mounting: its driven motion with an absorber, and the goals for it."""
+"""A machine on a mounting: its driven motion with an absorber, and the goals for it."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ LARGEST, SMALLEST = 1e200, 1e-300
 
 
 @dataclass(frozen=True, kw_only=True)
-class Duty:
+class AbsorberCase:
     """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI units. The clock plays the particular
     solution, or with `from_rest` the motion from a start: at rest, or with x_0 and v_0.
     """
