@@ -229,7 +229,7 @@ class UniformChain:
         return height * np.where(places <= p, places / p, beyond)
 
     def one_mode(self, j: int, size: float) -> Array:
-        """The displacements in m (N,) of mode j alone, counted as `omega` counts them from 0; `size` is the largest."""
+        """Return displacements (N,) in m of mode j alone, counted from 0 as in `omega`; `size` in m is the largest."""
         shape = self.shapes[j]
         return np.asarray(size * shape / np.abs(shape).max())
 
@@ -257,7 +257,7 @@ class UniformChain:
         return bell(p), Omega * (bell(p - 0.5) - bell(p + 0.5))
 
     def check_mass(self, p: int) -> None:
-        """Check that there is such a mass."""
+        """Raise ValueError if there is no mass p: they are counted from 1 to N."""
         if not 1 <= p <= self.N:
             raise ValueError(f"p = {p!r}: a mass from 1 to {self.N} is needed")
 

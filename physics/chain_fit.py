@@ -6,6 +6,8 @@ A free motion determines ratios only: all masses and stiffnesses times one facto
 r = X2/X1 of a mode, the second equation gives k2/m2 = omega^2 r/(r - 1). The two modes give it twice, and the mean is
 weighted with their errors. The product and the sum of the squares of both frequencies give the rest. Omega is the
 natural frequency, hypot of the fitted frequency and decay. Errors follow from the covariance of the whole fit.
+
+Source: lecture D34, slides 3 to 5 (the modes).
 """
 
 import math
@@ -20,10 +22,20 @@ from physics.precision.exact import Array
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ChainFit:
-    """A measured chain. `omega` in rad/s and `ratio`, X2/X1, are (2,), the slow mode first.
+    """A measured chain. Standard errors have the units and shapes of their values.
 
-    `parts` are k1/m1, k2/m1 in 1/s^2 and m2/m1, if the shapes are possible for such a chain. `difference` is that of
-    k2/m2 from the slow mode and from the fast one, in standard errors.
+    Attributes
+    ----------
+    omega, se_omega : ndarray (2,)
+        Natural frequencies in rad/s, the slow mode first.
+    ratio, se_ratio : ndarray (2,)
+        X2/X1 of each mode.
+    parts : ndarray (3,) or None
+        k1/m1 and k2/m1 in 1/s^2, and m2/m1; None if no such chain has these shapes.
+    se_parts : ndarray (3,)
+        Their standard errors; 0 if there are no parts.
+    difference : float
+        k2/m2 by the slow mode less k2/m2 by the fast one, in standard errors.
     """
 
     omega: Array
@@ -36,7 +48,7 @@ class ChainFit:
 
 
 def chain_of_fit(fit: DampedFit) -> ChainFit:
-    """Return the chain whose displacements x1, x2 have this fit, of two columns with two frequencies."""
+    """Return the chain whose displacements x1, x2 have this `fit`, of two columns with two frequencies."""
     numbers = _numbers(fit)
     omega, se_omega = _with_errors(fit, lambda p: np.hypot(p[0:4:2], p[1:4:2]), numbers)[:2]
     ratio, se_ratio = _with_errors(fit, _ratios, numbers)[:2]

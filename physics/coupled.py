@@ -353,7 +353,7 @@ class FreeModes:
         return as_motion(t, self.values(t))
 
     def values(self, t: Array) -> Array:
-        """x1, x2, e2, v1, v2 (5, n)."""
+        """Return x1, x2, e2 in m and v1, v2 in m/s as (5, n) at the times t (n,) in s."""
         return added(self._sinusoids(), t, QUANTITIES)
 
     def _sinusoids(self) -> list[ExactSinusoid]:
@@ -414,7 +414,20 @@ def each_mass(name: str, values: ArrayLike) -> Vector:
 
 
 def started(chain: TwoMassChain, x_0: Vector, v_0: Vector) -> FreeModes:
-    """The modes of the free motion from a start in 80 digits."""
+    """Return the modes of the free motion from a start in 80 digits.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    x_0, v_0 : tuple of Decimal
+        Displacements in m and velocities in m/s of masses 1 and 2 at t = 0.
+
+    Returns
+    -------
+    FreeModes
+        The motion as the sum of its modes.
+    """
     (x_slow, x_fast), (v_slow, v_fast) = coordinates(chain, x_0), coordinates(chain, v_0)
     return FreeModes(chain, (x_slow, x_fast), (v_slow, v_fast))
 
@@ -479,5 +492,5 @@ def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLik
 
 
 def as_motion(t: Array, values: Array) -> Motion:
-    """A motion from x1, x2, e2, v1, v2 (5, n)."""
+    """Return the motion whose `values` (5, n) at the times t (n,) in s are x1, x2, e2 in m and v1, v2 in m/s."""
     return Motion(t, values[:2], values[3:], values[0:3:2])

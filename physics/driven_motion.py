@@ -34,7 +34,15 @@ _ONSET_OF_A_MODE = 0.5  # rad; the closed form of a response has digits to spare
 
 
 class AlsoSummed(NamedTuple):
-    """Other sums of the slow mode, the fast mode and the drive, which the same sines and cosines serve."""
+    """Other sums of the slow mode, the fast mode and the drive, which the same sines and cosines serve.
+
+    Attributes
+    ----------
+    quantities : sequence of str
+        The name of each in an error message.
+    sinusoids : sequence of three ExactSinusoid
+        Their coefficients in the slow mode, the fast mode and the drive.
+    """
 
     quantities: Sequence[str]
     sinusoids: Sequence[ExactSinusoid]
@@ -44,9 +52,30 @@ NOTHING = AlsoSummed((), [ExactSinusoid(NONE, (), ())] * 3)
 
 
 def driven_values(free: FreeModes, F_0: float, omega: float, t: Array, beside: AlsoSummed = NOTHING) -> Array:
-    """x1, x2, x2 - x1, v1, v2 as (5, n) under F_0 sin(omega t) on mass 1, neither 0, from the start of the free motion.
+    """Return the motion under F_0 sin(omega t) on mass 1.
 
-    `beside` adds a row for each quantity. ValueError names the quantity that leaves the range of doubles.
+    Parameters
+    ----------
+    free : FreeModes
+        The free motion from the initial conditions.
+    F_0 : float
+        The amplitude of the force in N, not 0.
+    omega : float
+        The frequency of the drive in rad/s, above 0.
+    t : ndarray (n,)
+        Times in s.
+    beside : AlsoSummed
+        Other sums to return.
+
+    Returns
+    -------
+    ndarray (5 + others, n)
+        x1, x2 and x2 - x1 in m, v1 and v2 in m/s, and a row for each quantity of `beside`.
+
+    Raises
+    ------
+    ValueError
+        If a quantity leaves the range of doubles.
     """
     start, *others = _ends(free, omega)
     ends = [start, *(max(start, end) for end in others)]  # until all have started it is all the same how each does

@@ -1,6 +1,8 @@
 """The free motions of two masses as values (physics.motion): in each mode alone, and in both.
 
 The elongation of spring 2 is a separate motion: x2 - x1 of rounded displacements has no digits if it is stiff.
+
+Source: lecture D34, slide 5.
 """
 
 from __future__ import annotations
@@ -20,7 +22,17 @@ QUARTER = math.pi / 2
 
 
 class ChainMotions(NamedTuple):
-    """Displacements of the masses and elongations of the springs in m, velocities in m/s."""
+    """The motions of both masses and springs.
+
+    Attributes
+    ----------
+    x1, x2 : ExactMotion
+        Displacements of the masses in m.
+    e1, e2 : ExactMotion
+        Elongations of the springs in m.
+    v1, v2 : ExactMotion
+        Velocities of the masses in m/s.
+    """
 
     x1: ExactMotion
     x2: ExactMotion
@@ -41,6 +53,11 @@ class FreeMotions:
 
     `slow` is the slow mode, with the drifts of both; `fast` is the fast mode, None if that drifts too. `both` are sums:
     displacements are added, elongations and velocities rounded once.
+
+    Attributes
+    ----------
+    free : FreeModes
+        The coordinates of both modes at t = 0.
     """
 
     free: FreeModes

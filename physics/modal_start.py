@@ -21,7 +21,20 @@ SMALLEST = Decimal("1e-90")
 
 
 def modes_given(chain: TwoMassChain, amplitude: Pair, phase: Pair) -> FreeModes:
-    """The motion of these amplitudes (m) and phases (rad), slow and fast."""
+    """Return the free motion with given amplitudes and phases.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    amplitude, phase : tuple of two floats
+        Amplitudes in m and phases in rad of the slow and the fast mode.
+
+    Returns
+    -------
+    FreeModes
+        The coordinates of both modes at t = 0.
+    """
     coordinate, velocity = [], []
     for mode, A, phi in zip(chain.exact_modes, amplitude, phase, strict=True):
         sine, cosine = _sine_cosine(exact(phi))
@@ -32,7 +45,10 @@ def modes_given(chain: TwoMassChain, amplitude: Pair, phase: Pair) -> FreeModes:
 
 
 def start_given(free: FreeModes) -> tuple[Pair, Pair]:
-    """Displacements and velocities at t = 0, rounded once."""
+    """Return the displacements (m) and the velocities (m/s) of both masses at t = 0 of the motion `free`, rounded once.
+
+    ValueError if one leaves the range of doubles.
+    """
     with precise():
         x = [sum((mode.shape[i] * q for mode, q, _ in free.each()), Decimal(0)) for i in (0, 1)]
         v = [sum((mode.shape[i] * rate for mode, _, rate in free.each()), Decimal(0)) for i in (0, 1)]
@@ -43,7 +59,10 @@ def start_given(free: FreeModes) -> tuple[Pair, Pair]:
 
 
 def amplitudes_and_phases(free: FreeModes) -> tuple[Pair, Pair]:
-    """The amplitudes and phases of the slow and the fast mode; ValueError where one drifts."""
+    """Return the amplitudes (m) and the phases (rad) of the slow and the fast mode of the motion `free`.
+
+    ValueError if a mode drifts, which has neither, or an amplitude leaves the range of doubles.
+    """
     found = []
     for j, (mode, q, v) in enumerate(free.each()):
         if not mode.omega and v:

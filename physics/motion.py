@@ -158,7 +158,7 @@ def computed_by(exact: Callable[[Array], Array], motion: ExactMotion) -> ExactMo
 
 
 def constant(value: float) -> ExactMotion:
-    """A constant motion."""
+    """Return a motion with the same `value` at all times."""
     return MotionPolynomial(_terms(value))
 
 
@@ -381,7 +381,13 @@ def added(*motions: ExactMotion) -> ExactMotion:
 
 @dataclass(frozen=True, eq=False)
 class Superposition(MotionPolynomial):
-    """A sum of motions that are played by harmonics. It knows which of them are close in frequency and beat."""
+    """A sum of motions that are played by harmonics. It knows which of them are close in frequency and beat.
+
+    Attributes
+    ----------
+    harmonic : Harmonic
+        The numbers by which the browser plays the sum.
+    """
 
     harmonic: Harmonic = Harmonic(())
 

@@ -21,7 +21,24 @@ _RATES = np.arange(5.0, 2.0 * _TERMS + 7.0, 2.0)  # powers of t that follow the 
 
 
 def onset(chain: TwoMassChain, F_0: float, omega: float, t: Array) -> Array:
-    """x1, x2, x2 - x1, v1, v2 as (5, n) at times t (n,), each within 1.5 u; inf beyond the doubles."""
+    """Return the driven motion from rest, each value within 1.5 u.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N, not 0.
+    omega : float
+        The frequency of the drive in rad/s, above 0.
+    t : ndarray (n,)
+        Times in s, at which no phase passes EARLY.
+
+    Returns
+    -------
+    ndarray (5, n)
+        x1, x2 and x2 - x1 in m, v1 and v2 in m/s; inf beyond the range of doubles.
+    """
     if not t.any():
         return np.zeros((5, t.size))
     exponent = math.frexp(float(np.abs(t).max()))[1]

@@ -70,12 +70,12 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
 
 
 def antiresonance(chain: TwoMassChain) -> float:
-    """The frequency sqrt(k2/m2) at which mass 1 is at rest, correctly rounded."""
+    """Return the frequency sqrt(k2/m2) of the `chain` in rad/s at which mass 1 is at rest, correctly rounded."""
     return float(chain.exact_antiresonance)
 
 
 def at_natural_frequency(omega: float) -> ValueError:
-    """The refusal where no particular solution exists."""
+    """Return the ValueError that says that no particular solution exists at `omega` in rad/s."""
     return ValueError(
         f"the drive at omega = {omega:.6g} rad/s is at a natural frequency, where no particular solution exists: "
         "another frequency is needed"
@@ -83,13 +83,28 @@ def at_natural_frequency(omega: float) -> ValueError:
 
 
 def check_drive(F_0: float, omega: float) -> None:
-    """A finite force in N, and a finite frequency in rad/s, 0 or more."""
+    """Raise ValueError if F_0 is not a finite force in N, or omega not a finite frequency in rad/s, 0 or more."""
     check_finite("a force in N", F_0=F_0)
     check_not_negative("a drive frequency in rad/s", omega=omega)
 
 
 def exact_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> tuple[Fraction, Fraction] | None:
-    """Xp1 and Xp2, exactly; None at a natural frequency."""
+    """Return the amplitudes of the particular solution without rounding.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+    omega : float
+        The frequency of the drive in rad/s, 0 or more.
+
+    Returns
+    -------
+    tuple of two Fractions, or None
+        Xp1 and Xp2 in m; None at a natural frequency.
+    """
     one, two, link, scale = _matrix(chain, omega)
     F, above, D = Fraction(F_0), (two, link), one * two - link**2
     if not F:
@@ -112,7 +127,27 @@ def _matrix(chain: TwoMassChain, omega: float) -> tuple[int, int, int, int]:
 
 
 def rounded_amplitudes(chain: TwoMassChain, omega: float, exactly: tuple[Fraction, Fraction] | None) -> Array:
-    """The amplitudes from exact_amplitudes, (2,), rounded as in particular_solution."""
+    """Return the amplitudes of the particular solution, rounded once.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    omega : float
+        The frequency of the drive in rad/s.
+    exactly : tuple of two Fractions, or None
+        The amplitudes in m, from `exact_amplitudes`.
+
+    Returns
+    -------
+    ndarray (2,)
+        Xp1 and Xp2 in m; inf for None, as in `particular_solution`.
+
+    Raises
+    ------
+    ValueError
+        If an amplitude leaves the range of doubles.
+    """
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
     X1, X2 = exactly
@@ -167,7 +202,10 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
 
 
 def from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]:
-    """omega^2 - root^2 for each root, which is zero at the root alone: with the square of the root in three doubles."""
+    """Return omega^2 - root^2 as hi + lo for each of the `roots`: 0 at the root alone.
+
+    The square of the root is in three doubles.
+    """
     with precise():
         squares = np.array([three_doubles(root * root) for root in roots]).T[..., np.newaxis]
     square, rest = two_product(omega, omega)
@@ -177,7 +215,10 @@ def from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]
 
 
 def determinant(chain: TwoMassChain, omega: float) -> float:
-    """D = det A at a frequency in rad/s, correctly rounded; ValueError if it leaves the range of doubles."""
+    """Return D = det A of the `chain` in N^2/m^2 at `omega` in rad/s, correctly rounded.
+
+    ValueError if omega is not a finite number, 0 or more, or D leaves the range of doubles.
+    """
     check_drive(0.0, omega)
     one, two, link, scale = _matrix(chain, omega)
     try:

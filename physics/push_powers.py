@@ -1,7 +1,8 @@
 """Mean powers of a motion under a push that repeats: what the push puts in, and what the dashpot takes.
 
 The dashpot takes c v^2, which is integrated between the edges of the push, where v is smooth. The push puts in what the
-dashpot takes and what the energy (m v^2 + k x^2)/2 gains; an impulse changes it at once.
+dashpot takes and what the energy (m v^2 + k x^2)/2 gains; an impulse changes it at once. For the motion see
+physics.steady_motions.
 """
 
 import math
@@ -16,9 +17,23 @@ _FEWEST = 4  # times in a period
 
 
 def mean_powers(motion: SteadyMotion, x_0: float, v_0: float, end: float, count: int) -> MeanPowers:
-    """Return the mean powers of the last period at `count` or more times up to `end` in s, from x_0 in m, v_0 in m/s.
+    """Return the mean powers of the last period before each time; before t = 0 there are none.
 
-    Before t = 0 there are none.
+    Parameters
+    ----------
+    motion : SteadyMotion
+        The oscillator and its push.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    end : float
+        The last time in s.
+    count : int
+        The least number of times.
+
+    Returns
+    -------
+    MeanPowers
+        Times in s and powers in W.
     """
     one, period = motion.oscillator, motion.period
     turns = end / period

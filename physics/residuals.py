@@ -1,10 +1,12 @@
 """Causes of the residuals of a damped sinusoid: forces and motions that the model lacks.
 
-The residuals are compared with products of slow polynomials and the fitted swing: in step with it its amplitude
+The residuals are compared with products of slow polynomials and the fitted oscillation: in phase with it its amplitude
 differs, a quarter of a cycle off its frequency. The curvature of the amplitude's difference shows the kind of friction:
 with the drag of air an amplitude falls more slowly than an exponential at the end, with dry friction faster. Residuals
 that no product explains come from another mode, or from an unknown cause. The scatter is estimated from third
 differences of neighbouring rows, in which a smooth motion vanishes.
+
+For the fit and its sources see physics.fit.
 """
 
 from enum import StrEnum
@@ -35,8 +37,10 @@ class Cause(StrEnum):
 
 
 def cause_of(t: Array, fit: DampedFit) -> tuple[Cause, float]:
-    """Return the cause of the residuals of a fit of one column, and their strongest frequency in rad/s. Both are of use
-    only if the residuals are not random."""
+    """Return the cause of the residuals of a `fit` of one column, and their strongest frequency in rad/s.
+
+    Both are of use only if the residuals are not random. The times t (n,) in s are those of all rows.
+    """
     rows = np.flatnonzero(fit.used)
     order = rows[np.argsort(t[rows], kind="stable")]
     t, r = t[order] - fit.t_first, fit.residual[0, order]

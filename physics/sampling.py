@@ -1,13 +1,15 @@
 """Time windows, and what to draw where a motion is too fast for the grid.
 
 A curve drawn from fewer than about twelve samples a cycle is not the motion: its peaks are missed, and below
-two samples it is another, slower oscillation (aliasing). Such components are not drawn as a curve. What is
-true of them at the resolution of the plot is the band that they fill: components A_k sin(omega_k t + phi_k)
-whose frequencies are close move as one, with the slowly varying amplitude
+two samples it is another, slower oscillation (aliasing). Such components are not drawn as a curve, but as
+the band that they fill: components A_k sin(omega_k t + phi_k) whose frequencies are close move as one, with
+the slowly varying amplitude
 
     |sum_k A_k exp(i ((omega_k - omega_ref) t + phi_k))|,
 
 and reach both ends of it within a cycle.
+
+Source: C. E. Shannon, Proc. IRE 37 (1949) 10 (sampling).
 """
 
 import math

@@ -231,27 +231,50 @@ def apart(sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str
 
 
 def total(
-    t: Array,
-    quantities: Sequence[str],
-    quick: Sequence[ExactSinusoid] = (),
-    slow: Sequence[ExactSinusoid] = (),
-    beats: Sequence[Beat] = (),
-    curves: Iterable[Weighted] = (),
-) -> Array:
-    """The sum of all as (quantities, n). Slow ones and the d of beats turn by less than 1/16 rad at all times t.
+    t: Array, quantities: Sequence[str], quick: Sequence[ExactSinusoid] = (), slow: Sequence[ExactSinusoid] = (),
+    beats: Sequence[Beat] = (), curves: Iterable[Weighted] = (),
+) -> Array:  # fmt: skip
+    """Return the sum of sinusoids, beats and curves.
 
-    Coefficients that are left out at the end of a beat's or a curve's are zero.
-    ValueError names the quantity that leaves the range of doubles.
+    Parameters
+    ----------
+    t : ndarray (n,)
+        Times in s.
+    quantities : sequence of str
+        The name of each quantity in an error message.
+    quick, slow : sequence of ExactSinusoid
+        Sinusoids. The slow ones turn by less than 1/16 rad at all times t.
+    beats, curves : sequence of Beat, iterable of Weighted
+        Beats, whose d turns by less than 1/16 rad too, and curves. Coefficients left out at the end are 0.
+
+    Returns
+    -------
+    ndarray (quantities, n)
+        The sums.
+
+    Raises
+    ------
+    ValueError
+        If a quantity leaves the range of doubles.
     """
-    heads, tails = _circle([*(one.omega for one in quick), *(beat.s for beat in beats)], t)
     curves = list(curves)
-    for j, beat in enumerate(beats, len(quick)):
-        curves += _growing(beat, t, heads[:, j], tails[:, j])
-    with precise():
-        columns = [[b / one.omega for b in one.sine] for one in quick] + [beat.sine for beat in beats]
-    columns += [one.cosine for one in quick] + [[_NONE] * len(quantities)] * len(beats)
-    if not (columns or slow or curves) or not t.size:
+    if not (quick or slow or beats or curves) or not t.size:
         return np.zeros((len(quantities), t.size))
+    heads, tails, columns, more = _as_rows(t, len(quantities), quick, slow, beats)
+    values, exponents = _summed(heads, tails, columns, [*curves, *more])
+    with np.errstate(over="ignore"):
+        return rows_in_range(quantities, shifted(values, exponents))
+
+
+def _as_rows(
+    t: Array, count: int, quick: Sequence[ExactSinusoid], slow: Sequence[ExactSinusoid], beats: Sequence[Beat]
+) -> tuple[Array, Array, list[Coefficients], list[Weighted]]:
+    """Heads and tails (rows, n) of the functions to sum, the coefficients of each row, and curves to add to them."""
+    heads, tails = _circle([*(one.omega for one in quick), *(beat.s for beat in beats)], t)
+    curves = [part for j, beat in enumerate(beats, len(quick)) for part in _growing(beat, t, heads[:, j], tails[:, j])]
+    with precise():
+        columns: list[Coefficients] = [[b / one.omega for b in one.sine] for one in quick]
+    columns += [beat.sine for beat in beats] + [one.cosine for one in quick] + [[_NONE] * count] * len(beats)
     head_rows, tail_rows = heads.reshape(-1, t.size), tails.reshape(-1, t.size)
     for one in slow:
         versine, excess = _small(one.omega, t)
@@ -259,9 +282,7 @@ def total(
         head_rows, tail_rows = np.vstack([head_rows, np.ones_like(t)]), np.vstack([tail_rows, versine])
         columns.append(one.cosine)
         curves.append(Weighted(ScaledCurve(time, time * excess, unit), one.sine))
-    values, exponents = _summed(head_rows, tail_rows, columns, curves)
-    with np.errstate(over="ignore"):
-        return rows_in_range(quantities, shifted(values, exponents))
+    return head_rows, tail_rows, columns, curves
 
 
 def _growing(beat: Beat, t: Array, heads: Array, tails: Array) -> list[Weighted]:

@@ -24,10 +24,20 @@ from physics.precision.exact import Array
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """Frequencies (2, n) in rad/s and ratios (2, n) of both modes while one parameter takes the `values` (n,).
+    """Both modes while one parameter changes.
 
-    `held` (2, n) is the frequency of each mass alone while the other is held: sqrt((k1 + k2)/m1) and sqrt(k2/m2).
-    The modes keep outside of both, so where these two cross the modes avoid each other.
+    The frequencies of the modes keep outside of both of `held`, so where these two cross the modes avoid each other.
+
+    Attributes
+    ----------
+    values : ndarray (n,)
+        The values of the parameter, in its SI unit.
+    omega : ndarray (2, n)
+        Natural frequencies in rad/s, the slow mode first.
+    ratio : ndarray (2, n)
+        X2/X1 of each mode.
+    held : ndarray (2, n)
+        The frequency of each mass alone in rad/s while the other is held: sqrt((k1 + k2)/m1) and sqrt(k2/m2).
     """
 
     values: Array
@@ -40,10 +50,28 @@ PARAMETERS = ("m1", "m2", "k1", "k2")
 
 
 def sweep(chain: TwoMassChain, name: str, values: ArrayLike) -> Sweep:
-    """Both modes for each of the positive values (n,) of the parameter `name`.
+    """Return both modes for each value of one parameter.
 
     Frequencies are within 8 u (u = 2^-53), ratios within 1e-15 times the root of the mass ratio.
-    With k2 = 0 the ratios are inf, 0.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs; the parameter's own value is not used.
+    name : {"m1", "m2", "k1", "k2"}
+        The parameter.
+    values : array_like (n,)
+        Its values in its SI unit, above 0.
+
+    Returns
+    -------
+    Sweep
+        Frequencies and ratios; with k2 = 0 the ratios are inf, 0.
+
+    Raises
+    ------
+    ValueError
+        If there is no parameter of this name.
     """
     values = np.asarray(values, dtype=float)
     m1, m2, k1, k2 = _swept(chain, name, values)
@@ -74,7 +102,17 @@ def _swept(chain: TwoMassChain, name: str, values: Array) -> list[Array]:
 
 
 class Limit(NamedTuple):
-    """The limits of both modes: omega (2, n) and ratio (2, n) over the values of the sweep; `kind` names the limit."""
+    """The limits of both modes over the values of a sweep.
+
+    Attributes
+    ----------
+    kind : {"apart", "rigid", "series", "stand"}
+        The name of the limit, as in LIMITS.
+    omega : ndarray (2, n)
+        Natural frequencies in rad/s, the slow mode first.
+    ratio : ndarray (2, n)
+        X2/X1 of each mode.
+    """
 
     kind: str
     omega: Array
@@ -101,9 +139,30 @@ stand   mass 1 does not feel mass 2: it is alone on k1, and mass 2 is attached t
 
 
 def limit(chain: TwoMassChain, name: str, end: int, values: ArrayLike) -> Limit:
-    """The asymptotes of a sweep of `name` towards 0 (end = 0) or infinity (end = 1), to leading order.
+    """Return the asymptotes of a sweep, to leading order.
 
     For k2 = 0 the masses are always separate, for k1 = 0 there is only the pair: there the limits are exact.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    name : {"m1", "m2", "k1", "k2"}
+        The parameter that is swept.
+    end : {0, 1}
+        0 for its limit 0, 1 for infinity.
+    values : array_like (n,)
+        Its values in its SI unit, above 0.
+
+    Returns
+    -------
+    Limit
+        The asymptotes at these values.
+
+    Raises
+    ------
+    ValueError
+        If there is no parameter of this name.
     """
     values = np.asarray(values, dtype=float)
     m1, m2, k1, k2 = _swept(chain, name, values)

@@ -17,7 +17,7 @@ DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
 
 
 def is_number(value: object) -> bool:
-    """Return True for a real number that a finite double can hold: not for texts, arrays, complex numbers and bools."""
+    """Return True if `value` is a real number that a finite double can hold: no text, array, complex number or bool."""
     if type(value) is float:
         return isfinite(value)
     if isinstance(value, bool) or not isinstance(value, Real | Decimal):
@@ -41,28 +41,31 @@ def keep_doubles(record: object, *names: str) -> None:
 
 
 def check_positive(kind: str, **values: float) -> None:
-    """Check that values are finite and above 0, as in check_positive("a mass in kg", m=m)."""
+    """Raise ValueError if a value is not a finite number above 0. `kind` says what is needed: "a mass in kg"."""
     for name, value in values.items():
         if not (is_number(value) and value > 0):
             raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number above 0")
 
 
 def check_not_negative(kind: str, **values: float) -> None:
-    """Check that values are finite and 0 or more."""
+    """Raise ValueError if a value is not a finite number, 0 or more. `kind` says what is needed: "a force in N"."""
     for name, value in values.items():
         if not (is_number(value) and value >= 0):
             raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number, 0 or more")
 
 
 def check_finite(kind: str, **values: float) -> None:
-    """Check that values are neither infinite nor NaN."""
+    """Raise ValueError if a value is not a finite number. `kind` says what is needed: "a velocity in m/s"."""
     for name, value in values.items():
         if not is_number(value):
             raise ValueError(f"{name} = {shown(value)}: {kind} is a finite number")
 
 
 def doubles(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """The values as an array of doubles of the same shape. Raises ValueError for texts, complex numbers and None."""
+    """Return the values as an array of doubles of the same shape.
+
+    ValueError gives their `name` if they are texts, complex numbers, None, or rows of different lengths.
+    """
     try:
         given = np.asarray(values)
         numbers = given.dtype.kind in "iuf" or (given.dtype.kind == "O" and all(map(is_number, given.flat)))
@@ -74,7 +77,7 @@ def doubles(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """The values as an array (n,) of finite doubles."""
+    """Return the values as an array (n,) of finite doubles; ValueError gives their `name` if that is not possible."""
     array = np.atleast_1d(doubles(name, values))
     if array.ndim != 1:
         raise ValueError(f"{name} has the shape {array.shape}: one dimension is allowed")
@@ -84,14 +87,14 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def in_range(quantity: str, result: NDArray[Scalar]) -> NDArray[Scalar]:
-    """A result computed with overflow ignored; ValueError names the quantity where it left the range of doubles."""
+    """Return a result computed with overflow ignored; ValueError names the `quantity` if it leaves the doubles."""
     if not np.isfinite(result).all():
         raise ValueError(f"{quantity} leaves {DOUBLES}")
     return result
 
 
 def rows_in_range(quantities: Sequence[str], results: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Results of several quantities, a row (n,) each; ValueError names the first that left the range of doubles."""
+    """Return the results, a row (n,) for each of the quantities; ValueError names the first that leaves the doubles."""
     if not np.isfinite(results).all():
         for quantity, row in zip(quantities, results, strict=True):
             in_range(quantity, row)

@@ -7,6 +7,8 @@ sin(omega t)/omega and, under a drive, the response g of a mode that starts from
 
 Every curve has bounded entries and a decimal scale, so that nothing overflows on the way. The product is a
 compensated dot product, so that what remains is the rounding of the result.
+
+Source: lecture D34, slides 6 to 8 (the response); T. Ogita, S. M. Rump, S. Oishi, SIAM J. Sci. Comput. 26 (2005) 1955.
 """
 
 import math
@@ -26,32 +28,40 @@ _TERMS = 15  # of that series: the next one is below 1e-18 of the first
 
 
 class ScaledCurve(NamedTuple):
-    """A curve (hi + lo) scale, hi and lo (n,)."""
+    """A curve (hi + lo) scale over n times.
+
+    Attributes
+    ----------
+    hi, lo : ndarray (n,)
+        An unevaluated sum of two doubles.
+    scale : Decimal
+        The factor of all entries, of any size.
+    """
 
     hi: Array
     lo: Array
     scale: Decimal
 
     def times(self, factor: Decimal) -> "ScaledCurve":
-        """Return the curve times a factor."""
+        """Return the curve times `factor`."""
         with precise():
             return ScaledCurve(self.hi, self.lo, self.scale * factor)
 
 
 def reach(t: Array) -> Decimal:
-    """The largest |t|."""
+    """Return the largest |t|."""
     return exact(np.max(np.abs(t), initial=0.0))
 
 
 def power_of_two(near: Decimal) -> tuple[int, Decimal]:
-    """(e, 2**e) with near <= 2**e, as close as a power of two gets."""
+    """Return (e, 2**e) with near <= 2**e, as close as a power of two gets."""
     with precise():
         exponent = binary(near)[2]
         return exponent, Decimal(2) ** exponent
 
 
 def turning(omega: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]:
-    """cos(omega t) and sin(omega t)/omega, which is t for omega = 0."""
+    """Return the curves cos(omega t) and sin(omega t)/omega, which is t for omega = 0."""
     with precise():
         slow = abs(omega) * reach(t) < _SLOW
     if slow:
@@ -72,10 +82,24 @@ def _hardly_turning(omega: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]
 
 
 def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]:
-    """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included.
+    """Return the response of a mode to sin(omega t) from rest, resonance included.
 
     Near resonance g comes from half the sum s and half the difference d of the frequencies, elsewhere from
     two divided sines, and at first from its series.
+
+    Parameters
+    ----------
+    omega : Decimal
+        The frequency of the drive in rad/s, above 0.
+    omega_n : Decimal
+        The natural frequency in rad/s, 0 or more.
+    t : ndarray (n,)
+        Times in s.
+
+    Returns
+    -------
+    tuple of two ScaledCurve
+        g in s^2 and g' in s.
     """
     with precise():
         s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
@@ -92,18 +116,35 @@ def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[ScaledCurve, S
 
 
 def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
-    """True where no phase passes 2 rad: closed forms cancel there, so series are used."""
+    """Return (n,) True where no phase of `frequencies` (rad/s) at times t (s) passes 2 rad.
+
+    Closed forms cancel there, so series are used.
+    """
     with precise():
         first: NDArray[np.bool_] = np.abs(t) <= float(_EARLY / max(frequencies))
     return first
 
 
 def early(frequencies: Sequence[Decimal], t: Array, power: int) -> ScaledCurve:
-    """omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, up to phases of 2 rad.
+    """Return omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, up to phases of 2 rad.
 
     h_k is the sum of all products of k of the (omega_i t)^2, repetitions included. These are divided
     differences of sin(omega t)/omega in omega^2: with two frequencies and the power 3 the response g, with
     three and the power 5 the response of a mass driven only by the other one; a power less, the velocities.
+
+    Parameters
+    ----------
+    frequencies : sequence of Decimal
+        Frequencies in rad/s, that of the drive first.
+    t : ndarray (n,)
+        Times in s, at which no phase passes 2 rad.
+    power : int
+        The power of t of the first term.
+
+    Returns
+    -------
+    ScaledCurve
+        The sum, in s^(power - 1).
     """
     exponent, unit = power_of_two(reach(t))
     time = np.ldexp(t, -exponent)
@@ -124,14 +165,14 @@ def early(frequencies: Sequence[Decimal], t: Array, power: int) -> ScaledCurve:
 
 
 def product(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
-    """Return the product of two curves."""
+    """Return the curve a b."""
     hi, lo = pair_product((a.hi, a.lo), (b.hi, b.lo))
     with precise():
         return ScaledCurve(hi, lo, a.scale * b.scale)
 
 
 def difference(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
-    """Return the difference of two curves."""
+    """Return the curve a - b."""
     scale = max(abs(a.scale), abs(b.scale))
     a, b = rescaled(a, scale), rescaled(b, scale)
     s, e = two_sum(a.hi, -b.hi)
@@ -139,7 +180,7 @@ def difference(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
 
 
 def rescaled(a: ScaledCurve, scale: Decimal) -> ScaledCurve:
-    """A curve, counted in a scale at least as large as its own."""
+    """Return the curve a with another `scale`, at least as large as its own."""
     with precise():
         hi, lo, exponent = binary(a.scale / scale)
     factor = ScaledCurve(np.asarray(math.ldexp(hi, exponent)), np.asarray(math.ldexp(lo, exponent)), scale)
@@ -147,7 +188,22 @@ def rescaled(a: ScaledCurve, scale: Decimal) -> ScaledCurve:
 
 
 def replaced(a: ScaledCurve, where: NDArray[np.bool_], b: ScaledCurve) -> ScaledCurve:
-    """a, but with the values of b, in order, at the places chosen."""
+    """Return a curve with other values at some places.
+
+    Parameters
+    ----------
+    a : ScaledCurve
+        The curve, with n values.
+    where : ndarray of bool (n,)
+        The places.
+    b : ScaledCurve
+        The values for these places, in order.
+
+    Returns
+    -------
+    ScaledCurve
+        The new curve; it may share its arrays with a or b.
+    """
     if np.all(where):
         return b
     scale = max(abs(a.scale), abs(b.scale))
@@ -157,9 +213,26 @@ def replaced(a: ScaledCurve, where: NDArray[np.bool_], b: ScaledCurve) -> Scaled
 
 
 def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve], quantities: Sequence[str]) -> Array:
-    """sum_k rows[i][k] curves[k] as (rows, n), rounded once at the end.
+    """Return sums of curves, rounded once at the end.
 
-    ValueError names the quantity, one of a row, that leaves the range of doubles.
+    Parameters
+    ----------
+    rows : sequence of sequences of Decimal
+        A row of coefficients for each sum, one for each curve.
+    curves : sequence of ScaledCurve
+        The curves, with n values each.
+    quantities : sequence of str
+        The name of each sum in an error message.
+
+    Returns
+    -------
+    ndarray (rows, n)
+        sum_k rows[i][k] curves[k].
+
+    Raises
+    ------
+    ValueError
+        If a sum leaves the range of doubles.
     """
     result = rounded_once(*scaled_sum(rows, curves))
     for quantity, row in zip(quantities, result, strict=True):
@@ -170,7 +243,10 @@ def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve], q
 def scaled_sum(
     rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve]
 ) -> tuple[DoubleDouble, NDArray[np.int_]]:
-    """sum_k rows[i][k] curves[k] as hi + lo, each row in units of a power of two that is near its largest term."""
+    """Return sum_k rows[i][k] curves[k] as hi + lo (rows, n), and the power of two (rows, 1) in which a row is counted.
+
+    It is near the largest term of the row.
+    """
     curves = [_normalised(curve) for curve in curves]
     coefficients, exponents = _coefficients(rows, curves)
     total = rest = np.zeros((len(rows), curves[0].hi.size))
@@ -183,7 +259,10 @@ def scaled_sum(
 
 
 def rounded_once(value: DoubleDouble, exponents: NDArray[np.int_]) -> Array:
-    """(hi + lo) 2**exponents; a subnormal number is rounded from hi + lo too, not from hi, which is rounded already."""
+    """Return the value (hi, lo) as doubles (hi + lo) 2**exponents.
+
+    A subnormal number is rounded from hi + lo too, not from hi, which is rounded already.
+    """
     with np.errstate(over="ignore", invalid="ignore"):
         near = np.ldexp(value[0], exponents)
         lost = value[0] - np.ldexp(near, -exponents)

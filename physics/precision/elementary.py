@@ -32,7 +32,7 @@ _CARRIED = 7  # number of terms of a series that need two doubles
 
 
 def exponential(exponent: DoubleDouble) -> DoubleDouble:
-    """exp of hi + lo (n,), hi from SMALLEST_EXPONENT to LARGEST_EXPONENT."""
+    """Return exp of the `exponent` hi + lo (n,), hi from SMALLEST_EXPONENT to LARGEST_EXPONENT."""
     count = np.rint(exponent[0] / _OCTAVE[0])
     part = np.mod(count, _PARTS).astype(np.intp)
     r = reduced(*exponent, count, _OCTAVE)
@@ -42,7 +42,7 @@ def exponential(exponent: DoubleDouble) -> DoubleDouble:
 
 
 def sine_cosine(theta: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
-    """sin and cos of hi + lo (n,), |hi| up to 2**50 rad."""
+    """Return sin and cos of theta = hi + lo (n,) in rad, |hi| up to 2**50."""
     point, r = nearest_point(*theta)
     square = pair_product(r, r)
     sine, cosine = pair_product(r, _series(square, _SINE)), _series(square, _COSINE)

@@ -60,7 +60,7 @@ def precise() -> AbstractContextManager[Context | None]:
 
 
 def exact(x: float) -> Decimal:
-    """The double x, digit for digit."""
+    """Return the double x, digit for digit."""
     return Decimal(float(x))
 
 
@@ -71,7 +71,7 @@ def within_an_ulp(x: float, value: Decimal) -> bool:
 
 
 def rounded(quantity: str, value: Decimal) -> float:
-    """The double nearest to value; ValueError names the quantity if there is none."""
+    """Return the double nearest to value; ValueError names the `quantity` if there is none."""
     result = float(value)
     if math.isinf(result):
         raise ValueError(f"{quantity} = {value:.3e} leaves {DOUBLES}")
@@ -79,7 +79,7 @@ def rounded(quantity: str, value: Decimal) -> float:
 
 
 def split(value: Decimal) -> tuple[float, float]:
-    """Doubles (hi, lo) with hi + lo = value to 106 bits (hi = inf and lo = 0 beyond the range)."""
+    """Return doubles (hi, lo) with hi + lo = value to 106 bits (hi = inf and lo = 0 beyond the range)."""
     hi = float(value)
     if math.isinf(hi):
         return hi, 0.0
@@ -88,7 +88,7 @@ def split(value: Decimal) -> tuple[float, float]:
 
 
 def snapped(value: Decimal) -> Decimal:
-    """The double that value is but for the rounding of its 80 digits, if there is one, else value."""
+    """Return the double from which value differs only by the rounding of its 80 digits; if there is none, value."""
     near = float(value)
     if math.isinf(near):
         return value
@@ -98,14 +98,14 @@ def snapped(value: Decimal) -> Decimal:
 
 
 def sum_of(a: Decimal, b: Decimal) -> Decimal:
-    """a + b, and zero where they cancel down to the rounding of the 80 digits."""
+    """Return a + b; 0 where they cancel down to the rounding of the 80 digits."""
     with precise():
         total = a + b
         return total if abs(total) > NOISE * (abs(a) + abs(b)) else Decimal(0)
 
 
 def binary(value: Decimal) -> tuple[float, float, int]:
-    """(hi, lo, e) with value = (hi + lo) 2**e and 0.5 <= |hi| <= 1, however large or small the value is."""
+    """Return (hi, lo, e) with value = (hi + lo) 2**e and 0.5 <= |hi| <= 1, however large or small the value is."""
     if not value:
         return 0.0, 0.0, 0
     with precise():
@@ -117,28 +117,28 @@ def binary(value: Decimal) -> tuple[float, float, int]:
 
 
 def shifted(values: Array, exponents: NDArray[np.int_]) -> Array:
-    """values 2^exponents, by a product where that is as exact and quicker."""
+    """Return values 2^exponents, by a product where that is as exact and faster."""
     if max(-exponents.min(), exponents.max()) < _FACTORS:
         return values * np.ldexp(1.0, exponents)
     return np.ldexp(values, exponents)
 
 
 def two_sum(a: Any, b: Any) -> DoubleDouble:
-    """(s, e) with s = fl(a + b) and s + e = a + b exactly (Knuth)."""
+    """Return (s, e) with s = fl(a + b) and s + e = a + b exactly (Knuth)."""
     s = a + b
     z = s - a
     return s, (a - (s - z)) + (b - z)
 
 
 def halves(a: Any) -> DoubleDouble:
-    """(hi, lo) of 26 bits each with hi + lo = a exactly (Veltkamp); |a| < 2**996."""
+    """Return (hi, lo) of 26 bits each with hi + lo = a exactly (Veltkamp); |a| < 2**996."""
     c = _VELTKAMP * a
     hi = c - (c - a)
     return hi, a - hi
 
 
 def two_product(a: Any, b: Any) -> DoubleDouble:
-    """(p, e) with p = fl(a b) and p + e = a b exactly (Dekker); |a|, |b|, |a b| < 2**996, |a b| > 2**-968."""
+    """Return (p, e) with p = fl(a b) and p + e = a b exactly (Dekker); |a|, |b|, |a b| < 2**996, |a b| > 2**-968."""
     p = a * b
     a_hi, a_lo = halves(a)
     b_hi, b_lo = halves(b)
@@ -146,28 +146,40 @@ def two_product(a: Any, b: Any) -> DoubleDouble:
 
 
 def pair_sum(a: tuple[Any, Any], b: tuple[Any, Any]) -> DoubleDouble:
-    """a + b; where the leading parts cancel to nothing the low ones remain, digit for digit."""
+    """Return a + b for pairs (hi, lo); where the high parts cancel to nothing the low ones remain, digit for digit."""
     s, e = two_sum(a[0], b[0])
     return two_sum(s, e + (a[1] + b[1]))
 
 
 def pair_product(a: tuple[Any, Any], b: tuple[Any, Any]) -> DoubleDouble:
-    """a b to about 104 bits."""
+    """Return a b for pairs (hi, lo), to about 104 bits."""
     p, e = two_product(a[0], b[0])
     return p, e + (a[0] * b[1] + a[1] * b[0])
 
 
 def pair_quotient(a: tuple[Any, Any], b: tuple[Any, Any]) -> Any:
-    """a/b rounded to one double: the quotient of the leading parts, corrected once."""
+    """Return a/b for pairs (hi, lo), rounded to one double: the quotient of the high parts, corrected once."""
     first = a[0] / b[0]
     p, e = two_product(first, b[0])
     return first + ((a[0] - p) - e + a[1] - first * b[1]) / b[0]
 
 
 def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> tuple[Array, Array]:
-    """sin and cos of (omega_hi + omega_lo) t + phase, rounded about once while |omega t| < 1e15.
+    """Return the sine and cosine of a phase, rounded about once while |omega t| < 1e15.
 
-    t (n,) in s; any finite omega and t.
+    Parameters
+    ----------
+    omega_hi, omega_lo : float
+        The frequency in rad/s as a sum of two doubles.
+    t : ndarray (n,)
+        Times in s, any finite ones.
+    phase : float
+        The phase in rad at t = 0.
+
+    Returns
+    -------
+    tuple of two ndarrays, each (n,)
+        sin and cos of (omega_hi + omega_lo) t + phase.
     """
     with precise():
         theta, rest = angle(exact(omega_hi) + exact(omega_lo), t)
@@ -177,7 +189,7 @@ def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> t
 
 
 def angle(omega: Decimal, t: Array) -> DoubleDouble:
-    """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**50 rad modulo 2 pi."""
+    """Return omega t in rad as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**50 rad modulo 2 pi."""
     if not omega:
         return np.zeros_like(t), np.zeros_like(t)
     hi, lo, exponent = binary(omega)
@@ -201,9 +213,23 @@ def _in_doubles(units: int) -> tuple[float, float]:
 
 
 def remainders(rate: Decimal, t: Array, whole: int) -> list[int]:
-    """rate t modulo a whole number, in units of 2^-FINE, however many turns that leaves out.
+    """Return remainders of rate t, exact however many turns are left out.
 
     A time is an integer below 2^53 times a power of two: the rate is reduced once for each power.
+
+    Parameters
+    ----------
+    rate : Decimal
+        Turns per second.
+    t : ndarray (n,)
+        Times in s.
+    whole : int
+        The modulus in turns.
+
+    Returns
+    -------
+    list of int
+        rate t modulo `whole`, in units of 2^-FINE turns.
     """
     mantissas, exponents = np.frexp(t)
     above, below = rate.as_integer_ratio()
@@ -217,7 +243,7 @@ def remainders(rate: Decimal, t: Array, whole: int) -> list[int]:
 
 
 def on_circle(theta: Array, rest: Array) -> tuple[DoubleDouble, DoubleDouble]:
-    """sin and cos of theta + rest, each as hi + lo; |theta| up to 2**50, |rest| up to the ulp of theta.
+    """Return sin and cos of theta + rest in rad, each as hi + lo; |theta| up to 2**50, |rest| up to the ulp of theta.
 
     The library's functions are off by half an ulp, some vectorised ones by four. Here the phase is reduced to
     the nearest of 32 points of the circle with 2 pi/32 in three doubles (Cody and Waite), and the point is
@@ -251,13 +277,28 @@ def _turned(start: Array, correction: Array, slope: Array, slope_lo: Array, r: A
 
 
 def nearest_point(theta: Array, rest: Array) -> tuple[NDArray[np.intp], DoubleDouble]:
-    """The point nearest to theta + rest of the 32 of the circle, and the angle from it."""
+    """Return which of the 32 points of the circle is nearest to theta + rest in rad, and the angle from it (hi, lo)."""
     count = np.rint(theta / _STEP[0])
     return np.mod(count, _POINTS).astype(np.intp), reduced(theta, rest, count, _STEP)
 
 
 def reduced(theta: Array, rest: Array, count: Array, step: tuple[float, float, float]) -> DoubleDouble:
-    """theta + rest - count step as hi + lo, the step in three doubles; its leading subtraction is exact."""
+    """Return an angle less a whole number of steps; the leading subtraction is exact.
+
+    Parameters
+    ----------
+    theta, rest : ndarray (n,)
+        The angle theta + rest in rad.
+    count : ndarray (n,)
+        Whole numbers of steps, next to theta/step.
+    step : tuple of three floats
+        The step in rad as an unevaluated sum.
+
+    Returns
+    -------
+    tuple of two ndarrays, each (n,)
+        theta + rest - count step in rad as hi + lo.
+    """
     p1, e1 = two_product(count, step[0])
     p2, e2 = two_product(count, step[1])
     r, low1 = two_sum(theta - p1, -e1)
@@ -267,7 +308,7 @@ def reduced(theta: Array, rest: Array, count: Array, step: tuple[float, float, f
 
 
 def three_doubles(value: Decimal) -> tuple[float, float, float]:
-    """Their unevaluated sum is the value to 159 bits."""
+    """Return three doubles whose unevaluated sum is the value to 159 bits."""
     first, second = split(value)
     with precise():
         return first, second, float(value - Decimal(first) - Decimal(second))

@@ -19,52 +19,52 @@ DIGITS = 120
 
 
 def product(*factors: Polynomial) -> Polynomial:
-    """The product of polynomials; 1 of none."""
+    """Return the product of polynomials; 1 of none."""
     return reduce(_times, factors, (Fraction(1),))
 
 
 def added(*terms: Polynomial) -> Polynomial:
-    """Return the sum of two polynomials."""
+    """Return the sum of polynomials."""
     return tuple(sum(column, Fraction(0)) for column in zip_longest(*terms, fillvalue=Fraction(0)))
 
 
 def negative(a: Polynomial) -> Polynomial:
-    """Return a polynomial times -1."""
+    """Return -a."""
     return tuple(-one for one in a)
 
 
 def derivative(a: Polynomial) -> Polynomial:
-    """Return the derivative of a polynomial."""
+    """Return the derivative of `a`."""
     return tuple(k * one for k, one in enumerate(a))[1:] or (Fraction(0),)
 
 
 def trimmed(a: Polynomial) -> Polynomial:
-    """A polynomial without its highest powers where these are 0; empty if it is 0."""
+    """Return `a` without its highest powers where these are 0; empty if it is 0."""
     while a and not a[-1]:
         a = a[:-1]
     return a
 
 
 def order(a: Polynomial) -> int:
-    """The number of factors s that can be taken out; for a zero polynomial, more than any other has."""
+    """Return how often the factor s is contained in `a`; for a zero polynomial, more than any other has."""
     return next((k for k, one in enumerate(a) if one), 99)
 
 
 @cache
 def context(digits: int) -> Any:
-    """Numbers of that many digits; making one takes longer than a sum in them."""
+    """Return a context of mpmath with so many decimal `digits`, cached because making one takes longer than a sum."""
     ctx = MPContext()
     ctx.dps = digits
     return ctx
 
 
 def numbers(ctx: Any, a: Polynomial) -> list[Any]:
-    """The coefficients in numbers of mpmath."""
+    """Return the coefficients of `a` as numbers of the context `ctx`."""
     return [ctx.mpf(one.numerator) / one.denominator for one in a]
 
 
 def positive_roots(a: Polynomial) -> list[tuple[Any, int]]:
-    """The real roots above 0, in 120 digits, each with its multiplicity, the smallest first."""
+    """Return the real roots of `a` above 0, in 120 digits, each with its multiplicity, the smallest first."""
     ctx, a = context(DIGITS), trimmed(a)
     found = []
     for factor, times in _by_multiplicity(a[order(a) :]):
@@ -74,7 +74,7 @@ def positive_roots(a: Polynomial) -> list[tuple[Any, int]]:
 
 
 def reduced(a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """Two polynomials without their common factors; the first may be 0."""
+    """Return `a` and `b` without their common factors; `a` may be 0."""
     shared = _shared(a, b)
     return _divided(trimmed(a), shared)[0], _divided(trimmed(b), shared)[0]
 

@@ -22,9 +22,10 @@ _COMFORT = 1e60  # powers of numbers within this and its inverse stay in the ran
 
 
 def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
-    """The roots of sum_k coefficients[k] z^k; numbers of the mpmath context ctx, the first and the last not zero.
+    """Return the roots of sum_k coefficients[k] z^k, whose first and last coefficients are not 0.
 
-    The roots of a pair are conjugate digit for digit, and other roots are real.
+    They are numbers of the mpmath context `ctx`. The roots of a pair are conjugate digit for digit, and other roots are
+    real. ArithmeticError if the search does not end.
     """
     z = _starting_points(ctx, coefficients)
     if all(1 / _COMFORT < taxicab(a) < _COMFORT for a in (*coefficients, *z) if a):
@@ -37,12 +38,15 @@ def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
 
 
 def taxicab(z: Any) -> Any:
-    """|Re z| + |Im z|, at most 1.42 |z|: a size that takes no square root of all the digits."""
+    """Return |Re z| + |Im z|, at most 1.42 |z|: a size that takes no square root of all the digits."""
     return abs(z.real) + abs(z.imag)
 
 
 def mismatch(coefficients: Sequence[Any], z: Sequence[Any]) -> Any:
-    """The largest error of a coefficient of the product of all z - z_k, relative to the sizes it is summed from."""
+    """Return the largest error of the coefficients of the product of all z - z[k].
+
+    Each is compared with the one of `coefficients`, relative to the sizes that it is summed from.
+    """
     product, size = [coefficients[-1]], [abs(coefficients[-1])]
     for root in z:
         product = [b - root * a for a, b in zip([*product, 0], [0, *product], strict=True)]
@@ -85,7 +89,7 @@ def _polished(ctx: Any, coefficients: Sequence[Any], z: Sequence[complex]) -> li
 
 
 def horner(coefficients: Sequence[Any], z: Any) -> Any:
-    """sum_k coefficients[k] z^k."""
+    """Return sum_k coefficients[k] z^k."""
     value = coefficients[-1]
     for a in reversed(coefficients[:-1]):
         value = value * z + a
