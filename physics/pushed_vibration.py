@@ -1,7 +1,7 @@
 """One oscillator under a push, from its initial conditions: its parts, and the harmonics of a push that repeats.
 
 A push F = f_0 + sum of f_n cos(n omega t + ..) moves the mass like so many sines at once: harmonic n by |X_n| =
-|f_n| M(n r)/k, with M the magnification of physics.driven and r = omega/omega_n.
+|f_n| M(n r)/k, with M of physics.magnification and r = omega/omega_n.
 
 Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 1.4 and 2.1.
 """
@@ -14,9 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from physics.damped import DampedOscillator
-from physics.driven import highest
 from physics.forced_vibration import MeanPowers, VibrationBand
 from physics.free_decay import FreeDecay
+from physics.magnification import highest
 from physics.motion import ONE, Elementary, ExactMotion, MotionPolynomial, SampledCycle
 from physics.periodic import PeriodicPush
 from physics.precision.exact import Array

@@ -8,7 +8,7 @@ from components.scene.thing import HIGH, WIDE, Loop, Thing, arrow, curve, dot, d
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_motion
 from physics.damped import DampedOscillator
-from physics.driven import magnification
+from physics.magnification import magnification
 from physics.phugoid import flight, linear_phugoid
 
 

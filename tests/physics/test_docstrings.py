@@ -12,7 +12,8 @@ from tools.docstrings import gaps, public
 FACE = {
     "oscillator": ("Oscillator", "Oscillator.constants", "Oscillator.motion", "OscillatorMotion"),
     "damped": ("DampedOscillator", "DampedOscillator.motion", "DampedOscillator.steady"),
-    "driven": ("magnification", *(f"DrivenOscillator{method}" for method in ("", ".response", ".bode", ".motion"))),
+    "driven": tuple(f"DrivenOscillator{method}" for method in ("", ".response", ".bode", ".motion")),
+    "magnification": ("magnification",),
     "coupled": ("TwoMassChain", "Modes", "Motion", "free_motion"),
     "particular": ("particular_solution",),
     "forced": ("forced_motion", "steady_start"),

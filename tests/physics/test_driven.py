@@ -11,8 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from physics.driven import Drive, DrivenOscillator, drawn, half_power, highest, lag, magnification, ratios
+from physics.driven import Drive, DrivenOscillator, drawn, lag
 from physics.forced_vibration import ForcedVibration, SampledVibration
+from physics.magnification import half_power, highest, magnification, ratios
 from physics.sampling import drawable
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform

@@ -18,7 +18,8 @@ from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
 from components.scenes.driven.forces import BASE, PX, polygon
 from physics.bode import driven_resonances
-from physics.driven import Drive, DrivenOscillator, highest, magnification
+from physics.driven import Drive, DrivenOscillator
+from physics.magnification import highest, magnification
 from tests.grids import tries
 from tests.page.headless_page import Page, put
 from tests.page.scripts import each

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from components.layout.sheet import blocks
 from components.scenes import SCENES
 from physics.damped import DampedOscillator
-from physics.driven import highest, magnification
+from physics.magnification import highest, magnification
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
 from tests.grids import tries

@@ -12,12 +12,12 @@ from components.walks.links import standing_at
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes
 from physics.damped import DampedOscillator
-from physics.driven import magnification
 from physics.forced import particular_solution
 from physics.free_decay import FreeDecay
 from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.lanchester import period_excess
+from physics.magnification import magnification
 from physics.modes import trial_forces
 from physics.oscillator import Oscillator
 from physics.pendulum import amplitude_at_excess, excess

@@ -19,8 +19,9 @@ from components.scene.case_curves import BandColumns
 from components.scene.traces import BAND, RINGING, Columns
 from components.scenes.driven.slices import SlicedCase
 from physics.bode import ResponsePeak, magnification_peak
-from physics.driven import Drive, half_power, highest, lag, magnification, ratios
+from physics.driven import Drive, lag
 from physics.forced_vibration import SampledVibration
+from physics.magnification import half_power, highest, magnification, ratios
 from physics.pushed_vibration import PushedVibration
 from physics.reference.damped import driven_points, response_points
 from physics.reference.pushed import pushed_points

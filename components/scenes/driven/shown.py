@@ -10,8 +10,8 @@ from components.paper.deferred import Attributes
 from components.quantities.formatting import three
 from components.quantities.motion import scaled
 from components.scenes.driven.case import DrivenCase
-from physics.driven import past_half
 from physics.forced_vibration import rotating
+from physics.magnification import past_half
 from physics.motion import ExactMotion, Harmonic, constant, harmonic_motion
 
 ALONE = 0.02
