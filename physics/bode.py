@@ -18,7 +18,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from physics.damped_chain import DampedChain
-from physics.driven import Drive, DrivenOscillator
+from physics.driven import Drive, DrivenOscillator, check_drive_kind
 from physics.precision.polynomials import (
     DIGITS,
     Polynomial,
@@ -134,7 +134,13 @@ def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Re
     -------
     Resonances
         Frequencies in rad/s; heights in m/N for a force, without unit for a base, in 1/kg for an unbalance.
+
+    Raises
+    ------
+    ValueError
+        If there is no drive of this kind.
     """
+    check_drive_kind(kind)
     m, c, k = map(Fraction, (oscillator.m, oscillator.c, oscillator.k))
     none, one = Fraction(0), Fraction(1)
     above = {"force": (one,), "base": (k * k, c * c), "unbalance": (none, none, one)}[kind]
@@ -155,7 +161,13 @@ def magnification_peak(oscillator: DrivenOscillator, kind: Drive = "force") -> R
     -------
     ResponsePeak or None
         Frequencies in rad/s and a height without unit; None if there is no peak.
+
+    Raises
+    ------
+    ValueError
+        If there is no drive of this kind.
     """
+    check_drive_kind(kind)
     unit = {"force": oscillator.k, "base": 1.0, "unbalance": oscillator.m}[kind]
     return next((one._replace(height=unit * one.height) for one in driven_resonances(oscillator, kind).peaks), None)
 

@@ -245,11 +245,12 @@ class DrivenOscillator:
         Raises
         ------
         ValueError
-            If a number is not possible.
-        OverflowError
-            If F/m leaves the range of doubles.
+            If a number is not possible, or F/m leaves the range of doubles.
         """
-        re, im = (float(part / Fraction(self.m)) for part in self._force(omega, size, kind))
+        try:
+            re, im = (float(part / Fraction(self.m)) for part in self._force(omega, size, kind))
+        except OverflowError:
+            raise ValueError(f"the acceleration F/m at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None
         one, (slow, _) = self.free, self.free.rates
         with precise():
             detuning = float(exact(omega) - one.exact_omega_d)
@@ -259,8 +260,7 @@ class DrivenOscillator:
         """F in N, exactly."""
         check_not_negative("a drive frequency in rad/s", omega=omega)
         check_not_negative("the size of a drive", size=size)
-        if kind not in get_args(Drive):
-            raise ValueError(f"kind = {kind!r}: a drive is allowed to be {' or '.join(get_args(Drive))}")
+        check_drive_kind(kind)
         of, w = Fraction(float(size)), Fraction(float(omega))
         if kind == "base":
             return Fraction(self.k) * of, Fraction(self.c) * w * of
@@ -281,6 +281,12 @@ class DrivenOscillator:
         return DrivenMotion(t, x_, v_)
 
 
+def check_drive_kind(kind: str) -> None:
+    """Raise ValueError if there is no drive of this `kind`."""
+    if kind not in get_args(Drive):
+        raise ValueError(f"kind = {kind!r}: a drive is allowed to be {' or '.join(get_args(Drive))}")
+
+
 def lag(X: complex) -> float:
     """Return the angle by which x follows the drive.
 
@@ -298,7 +304,10 @@ def lag(X: complex) -> float:
 
 
 def drawn(push: Push, t: ArrayLike) -> tuple[Array, Array]:
-    """x and v (n,) from rest in plain doubles: within 5 (1 + omega t) u of the sizes of the parts."""
+    """Return x in m and v in m/s (n,) at the times t (n,) in s, for a `push` from rest, in plain doubles.
+
+    Both are within 5 (1 + omega t) u of the sizes of their parts.
+    """
     t = finite_array("t", t)
     E, g = from_rest(push, t), impulse(push, t)
     F = complex(push.re, push.im)
@@ -306,7 +315,7 @@ def drawn(push: Push, t: ArrayLike) -> tuple[Array, Array]:
 
 
 def impulse(push: Push, t: Array) -> Array:
-    """The free motion from 0 with the velocity 1."""
+    """Return x/v_0 in s of the free motion from x = 0, for the oscillator of a `push`, at the times t (n,) in s."""
     if push.swing:
         return np.asarray(np.exp(-push.slow * t) * np.sin(push.swing * t) / push.swing)
     grown = -np.expm1(-push.apart * t) / push.apart if push.apart else t
@@ -314,7 +323,7 @@ def impulse(push: Push, t: Array) -> Array:
 
 
 def from_rest(push: Push, t: Array) -> Complexes:
-    """E (n,) by that one of three forms that keeps the digits."""
+    """Return E (n,) in s^2 for a `push` at the times t (n,) in s, by that one of three forms that keeps the digits."""
     _, _, omega, omega_n, slow, apart, swing, _ = push
     E = np.empty(t.shape, complex)
     early = max(omega, omega_n, slow + apart) * t <= _EARLY

@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.driven import Complexes, Drive
+from physics.driven import Complexes, Drive, check_drive_kind
 from physics.precision.exact import Array
 from physics.valid import finite_array
 
@@ -40,8 +40,9 @@ def magnification(r: ArrayLike, zeta: float, kind: Drive = "force") -> Complexes
     Raises
     ------
     ValueError
-        If r has more than one dimension, or values that are not finite.
+        If r has more than one dimension, or values that are not finite, or there is no drive of this kind.
     """
+    check_drive_kind(kind)
     r = finite_array("r", r)
     below = (1 - r) * (1 + r) + 2j * zeta * r
     above = 1 + 2j * zeta * r if kind == "base" else r * r if kind == "unbalance" else np.ones_like(r)
@@ -63,7 +64,13 @@ def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
     -------
     tuple of two floats, or None
         The r = omega/omega_n of the peak, and its height as in `magnification`; None if there is no peak.
+
+    Raises
+    ------
+    ValueError
+        If there is no drive of this kind.
     """
+    check_drive_kind(kind)
     if not zeta:
         return 1.0, math.inf
     if kind == "base":

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from physics.absorber import damped_amplitude, damped_solution, den_hartog, helped_band, tuned_stiffness
+from physics.bode import driven_resonances, magnification_peak
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_motion
 from physics.damped import DampedOscillator
@@ -20,6 +21,7 @@ from physics.driven import DrivenOscillator
 from physics.fit import fit_damped
 from physics.forced import driven_modes, forced_motion, particular_solution, steady_start
 from physics.hanging import HangingMass
+from physics.magnification import highest, magnification
 from physics.modes import trial, trial_forces
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, excess
@@ -88,6 +90,11 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     ("the acceleration leaves the range", lambda: DampedOscillator(m=1e-300, c=1.0, k=1.0).motion(1e10, 0.0, 0.0)),
     ("size = -1.0: the size of a drive", lambda: DRIVEN.motion(1.0, -1.0, t=0.0)),
     ("kind = 'wind': a drive is allowed", lambda: DRIVEN.motion(1.0, kind="wind", t=0.0)),
+    ("kind = 'wind': a drive is allowed", lambda: driven_resonances(DRIVEN, "wind")),
+    ("kind = 'wind': a drive is allowed", lambda: magnification_peak(DRIVEN, "wind")),
+    ("kind = 'wind': a drive is allowed", lambda: magnification(1.0, 0.1, "wind")),
+    ("kind = 'wind': a drive is allowed", lambda: highest(0.1, "wind")),
+    ("the acceleration F/m at omega = 1 rad/s", lambda: DrivenOscillator(m=1e-300, c=1.0, k=1.0).push(1.0, 1e200)),
     ("the amplitude at omega = 1 rad/s", lambda: DrivenOscillator(m=1e-300, c=1e-200, k=1e-300).response(1.0, 1e200)),
     ("x2_0 = nan: a displacement", lambda: DampedModes(**MODES, x_0=(0.0, math.nan))),
     ("v1_0 = inf: a velocity", lambda: DampedModes(**MODES, v_0=(math.inf, 0.0))),
