@@ -2,16 +2,14 @@
 
     y = b + sum_j e^(-a_j t) (C_j cos omega_j t + S_j sin omega_j t) + noise,   t counted from the first row
 
-omega_j and a_j are common to all columns; C_j, S_j and b belong to each. For given omega_j, a_j the rest is linear and
-solved by QR, so only 2 numbers a mode are sought by the method of Levenberg and Marquardt, with Kaufman's Jacobian. The
-search begins at the peak of the spectrum, of two modes also at the poles of a matrix pencil. Standard errors come from
-the full Jacobian and the scatter of the residuals, or from the standard deviations of the rows where these are given.
+omega_j and a_j are common to all columns; C_j, S_j and b belong to each. physics.variable_projection finds the least
+squares. Standard errors come from the full Jacobian and the scatter of the residuals, or from the standard deviations
+of the rows where these are given.
 
 Columns whose scatters differ by more than chance are weighted by them. Rows at a limit of the sensor are left out, a
 straight drift is fitted too, and errors grow with the power of correlated residuals near omega; `cautions` say so.
 
-Sources: G. H. Golub, V. Pereyra, SIAM J. Numer. Anal. 10 (1973) 413; L. Kaufman, BIT 15 (1975) 49; Y. Hua,
-T. K. Sarkar, IEEE Trans. Acoust. Speech Signal Process. 38 (1990) 814 (matrix pencil).
+Source: see physics.variable_projection.
 """
 
 import math
@@ -43,14 +41,34 @@ class Caution(StrEnum):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class DampedFit:
-    """A fit of `modes` damped sinusoids, slowest first, to c columns of n rows.
+    """A fit of damped sinusoids, the slowest first, to c columns of n rows. `se_` is a standard error.
 
-    `omega` in rad/s and `decay` in 1/s are (modes,), C and S (c, modes), `offset` and `drift` (per s) (c,), with
-    standard errors; C and S are those at the first row, `t_first`, in the units of the columns. `used` (n,) are the
-    rows that were fitted, `residual` (c, n) has every row, NaN in a hole, and `scatter` (c,) its deviation,
-    counted in sigma if sigma was given; then `chi_square` is expected to be `freedom` +- sqrt(2 freedom). `aliases`
-    are the frequencies that fit evenly spaced rows equally well. `covariance` is that of omega and decay of each mode,
-    followed by C and S of each mode, the offset and the drift, if there is one, of each column.
+    Attributes
+    ----------
+    omega, se_omega, decay, se_decay : ndarray (modes,)
+        Frequencies in rad/s and rates of decay in 1/s.
+    C, S, se_C, se_S, se_amplitude : ndarray (c, modes)
+        Factors of the cosines and the sines at the first row, in the units of the columns.
+    se_phase : ndarray (c, modes)
+        The standard errors of the phases, in rad.
+    offset, se_offset, drift : ndarray (c,)
+        The equilibria in the units of the columns, and their rates of change per second.
+    t_first : float
+        The time of the first row in s.
+    used : ndarray of bool (n,)
+        The rows that were fitted.
+    residual : ndarray (c, n)
+        The residuals of all rows; NaN in a hole.
+    scatter : ndarray (c,)
+        The standard deviation of the residuals; in units of sigma if sigma was given.
+    chi_square, freedom : float, int
+        The sum of squares and the degrees of freedom: with sigma freedom +- sqrt(2 freedom) is expected.
+    aliases : tuple of float
+        Frequencies in rad/s that fit evenly spaced rows equally well.
+    covariance : ndarray (parameters, parameters)
+        For omega and decay of each mode; then for each column C and S of each mode, the offset, and the drift if any.
+    cautions : tuple of Caution
+        Limits of the fit that its reader has to know.
     """
 
     omega: Array
@@ -98,7 +116,7 @@ class DampedFit:
         return np.hypot(self.omega * self.se_decay, self.decay * self.se_omega) * self.omega / square**1.5
 
     def at(self, t: ArrayLike) -> Array:
-        """The fitted columns (c, n) at the times t (n,) in s."""
+        """Return the fitted columns (c, n) at the times t (n,) in s."""
         t = np.asarray(t, dtype=float) - self.t_first
         basis = damped_basis(np.ravel([self.omega, self.decay], "F"), t, 2)
         parts = np.stack([self.C, self.S], axis=2).reshape(len(self.C), -1)
@@ -106,11 +124,28 @@ class DampedFit:
 
 
 def fit_damped(t: ArrayLike, columns: ArrayLike, modes: int = 1, sigma: ArrayLike | None = None) -> DampedFit:
-    """Fit one or two damped sinusoids and an offset to columns (n,) or (c, n) at the times t (n,) in s.
+    """Fit one or two damped sinusoids and an offset to measured columns.
 
-    `sigma` are standard deviations of the rows, in the shape of the columns, if they are known. Rows with holes (NaN)
-    are left out. ValueError says why nothing can be fitted: too few rows, nothing that varies, or a frequency known
-    to less than a tenth.
+    Parameters
+    ----------
+    t : array_like (n,)
+        Times in s.
+    columns : array_like (n,) or (c, n)
+        The measured values. Rows with a hole (NaN) are left out.
+    modes : {1, 2}
+        The number of frequencies.
+    sigma : array_like or None
+        The standard deviations of the values in the shape of the columns, if they are known.
+
+    Returns
+    -------
+    DampedFit
+        Frequencies, decays and amplitudes with standard errors.
+
+    Raises
+    ------
+    ValueError
+        If nothing can be fitted: too few rows, nothing that varies, or a frequency known to less than a tenth.
     """
     if modes not in (1, 2):
         raise ValueError(f"modes = {modes!r}: one or two frequencies are allowed")

@@ -32,9 +32,24 @@ _MOST_STEPS, _LAST_STEPS = 200, 3
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RowsToFit:
-    """Rows to fit: times t (n,) from the first one on, columns Y and weights W (c, n), and where they come from.
+    """Rows to fit: times from the first one on, columns and weights, and where they come from.
 
-    `every` are the times of all rows and `rows` the places of these among them; `powers` is 2 if a drift is fitted too.
+    Attributes
+    ----------
+    t : ndarray (n,)
+        Times in s, from the first row on.
+    Y, W : ndarray (c, n)
+        The columns, and the weights of their values.
+    known : bool
+        True if the weights come from standard deviations.
+    t_first : float
+        The time of the first row in s.
+    every, columns : ndarray (m,), (c, m)
+        The times in s and the columns of all rows, with those that are left out.
+    rows : ndarray of int (n,)
+        The places of the rows to fit among all rows.
+    powers : {1, 2}
+        The powers of t that are fitted too: an offset, or an offset and a drift.
     """
 
     t: Array
@@ -49,6 +64,25 @@ class RowsToFit:
 
     @classmethod
     def of(cls, t: ArrayLike, columns: ArrayLike, sigma: ArrayLike | None, modes: int) -> "RowsToFit":
+        """Choose the rows without holes, in the order of time.
+
+        Parameters
+        ----------
+        t, columns, sigma
+            The measurement, as in `physics.fit.fit_damped`.
+        modes : int
+            The number of frequencies.
+
+        Returns
+        -------
+        RowsToFit
+            The rows, with weights 1/sigma, or 1.
+
+        Raises
+        ------
+        ValueError
+            If there are too few rows, or a column or the time never changes.
+        """
         every, Y = doubles("t", t), np.atleast_2d(doubles("columns", columns))
         W = np.ones_like(Y) if sigma is None else 1 / np.broadcast_to(doubles("sigma", sigma), Y.shape)
         if every.ndim != 1 or Y.shape[1:] != every.shape:
@@ -81,14 +115,25 @@ class RowsToFit:
         return T / (n - 1) if even else None
 
     def only(self, kept: Bools) -> "RowsToFit":
-        """These rows only; the first one remains where time is counted from."""
+        """Return the rows that are `kept` (n,); time is still counted from the first one."""
         return replace(self, t=self.t[kept], Y=self.Y[:, kept], W=self.W[:, kept], rows=self.rows[kept])
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class LeastSquares:
-    """The least squares: theta (omega, decay, omega, ..), linear coefficients (c, 2 modes + powers), residuals (c, n)
-    times their weights; `covariance` is of all parameters, without the factor s^2."""
+    """The least squares of damped sinusoids.
+
+    Attributes
+    ----------
+    data : RowsToFit
+        The rows, with the weights that were used.
+    theta : ndarray (2 modes,)
+        omega in rad/s and decay in 1/s of each mode, one after the other.
+    coefficients : ndarray (c, 2 modes + powers)
+        The factors of the cosine and the sine of each mode, the offset and the drift, if any, of each column.
+    residual : ndarray (c, n)
+        The residuals times their weights.
+    """
 
     data: RowsToFit
     theta: Array
@@ -97,10 +142,12 @@ class LeastSquares:
 
     @cached_property
     def covariance(self) -> Array:
+        """The covariance of theta and of the coefficients of each column, without the factor s^2."""
         return _covariance(self.data, self.theta, self.coefficients)
 
     @property
     def freedom(self) -> int:
+        """The degrees of freedom."""
         return int(self.residual.size - len(self.theta) - self.coefficients.size)
 
     @property
@@ -155,7 +202,29 @@ class LeastSquares:
 
 
 def fitted(data: RowsToFit, modes: int, start: Array | None = None) -> LeastSquares:
-    """The least squares from the best of all starts; columns are weighted by their scatters if these differ."""
+    """Return the least squares from the best of all starts.
+
+    Columns are weighted by their scatters if these differ by more than chance and no standard deviations are known.
+
+    Parameters
+    ----------
+    data : RowsToFit
+        The rows.
+    modes : int
+        The number of frequencies.
+    start : ndarray (2 modes,) or None
+        The theta from which the search begins; None to find starts in the rows.
+
+    Returns
+    -------
+    LeastSquares
+        The best parameters and the residuals.
+
+    Raises
+    ------
+    LinAlgError
+        If no search ends.
+    """
     starts = [start] if start is not None else _starts(data, modes)
     rough = [found for one in starts for found in _attempted(data, one)]
     if not rough:
@@ -244,7 +313,22 @@ def _covariance(data: RowsToFit, theta: Array, coefficients: Array) -> Array:
 
 
 def damped_basis(theta: Array, t: Array, powers: int) -> Array:
-    """e^(-a t) cos omega t and e^(-a t) sin omega t of each mode, then so many powers of t from 1 on."""
+    """Return the functions whose sum is fitted, as columns.
+
+    Parameters
+    ----------
+    theta : ndarray (2 modes,)
+        omega in rad/s and decay in 1/s of each mode, one after the other.
+    t : ndarray (n,)
+        Times in s.
+    powers : int
+        The number of powers of t, from 1 on.
+
+    Returns
+    -------
+    ndarray (n, 2 modes + powers)
+        e^(-a t) cos(omega t) and e^(-a t) sin(omega t) of each mode, then the powers.
+    """
     columns = []
     for w, a in zip(theta[::2], theta[1::2], strict=True):
         decay = np.exp(-a * t)

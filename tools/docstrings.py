@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).parents[1]
-SOURCE = re.compile(r"\b(lecture|slides?|doi|chapter)\b|\b(1[6-9]|20)\d\d\b|https?:|see physics", re.I)
+SOURCE = re.compile(r"\b(lecture|slides?|doi|chapter)\b|\b(1[6-9]|20)\d\d\b|https?:|see\s+physics", re.I)
 NO_FORMULAS = (
     "physics/valid.py", "physics/integrators/accuracy.py", "physics/integrators/accuracy_worker.py",
     "physics/integrators/drift.py", "physics/integrators/price.py", "physics/integrators/race.py",
