@@ -1,4 +1,4 @@
-"""Settings of all tests: the same examples of Hypothesis on every machine, or those of a seed in `make nightly`."""
+"""Settings of all tests: the same Hypothesis examples on every machine, or those of a seed in `make nightly`."""
 
 import asyncio
 import inspect
@@ -15,9 +15,9 @@ from tests.grids import tries
 pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom", "tests.browser.engines"]
 
 SEED = os.environ.get("SEED")
-"""Given by `make nightly`: new examples each night. A failure becomes an `@example` of its test."""
+"""Set by `make nightly`, for new examples each night. A failure becomes an `@example` of its test."""
 
-# Over all doubles most of what is drawn leaves their range, and is passed over.
+# Many examples drawn from all doubles overflow; they are skipped.
 settings.register_profile(
     "steady",
     max_examples=tries(100),
@@ -27,8 +27,8 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )
 settings.load_profile("steady")
-# Hypothesis also draws the numbers that stand in the modules imported so far; which these are depends on what a worker
-# has run before.
+# Hypothesis also draws numbers that appear in the modules imported so far, which depend on the tests that a worker has
+# run.
 if not callable(providers.is_local_module_file):
     raise TypeError("Hypothesis collects the numbers of modules in another way now.")
 providers.is_local_module_file = lambda path: False
@@ -40,14 +40,14 @@ def pytest_report_header() -> str:
 
 @pytest.fixture(autouse=True)
 def floating_point_errors_raise() -> Iterator[None]:
-    """An overflow, an invalid operation or a division by zero is a defect even where its result is not used."""
+    """Overflows, invalid operations and divisions by zero raise, even if their result is not used."""
     with np.errstate(all="raise", under="ignore"):
         yield
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
-    """A test that is a coroutine has a loop of its own."""
+    """Run each coroutine test in its own event loop."""
     if not inspect.iscoroutinefunction(pyfuncitem.obj):
         return None
     given = {name: pyfuncitem.funcargs[name] for name in inspect.signature(pyfuncitem.obj).parameters}

@@ -1,4 +1,4 @@
-"""Grids of values: a sample for `make test`, those between for `make rest`, or walked whole by `make test-all`."""
+"""Grids of values: a sample for `make test`, the rest for `make rest`, all of them for `make test-all`."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ WHOLE = os.environ.get("GRIDS") == "whole"
 
 
 def tries(count: int) -> int:
-    """The number of random examples that are drawn, of so many."""
+    """Return how many random examples to draw out of `count`."""
     return count if WHOLE else count // 4 + 1
 
 
 def sample(values: Sequence[Value], every: int = 2) -> Sequence[Value]:
-    """Each value, or the first and every so many after it."""
+    """Return every value, or the first and each `every`-th after it."""
     return values if WHOLE else values[::every]
 
 
 def spread(values: Sequence[Value], every: int = 3) -> list[object]:
-    """Parameters of a test: the first and every so many after it for `make test`, those between for `make rest`."""
+    """Return parameters of a test: each `every`-th for `make test`; the others are slow, for `make rest`."""
     return [pytest.param(value, marks=[pytest.mark.slow] if i % every else []) for i, value in enumerate(values)]

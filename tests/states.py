@@ -1,12 +1,12 @@
 """Any state of any scene, for property tests.
 
-`links()` draws a `Link`, the parsed form of an address. It is what `opened(SCENES, link)` takes. `standing(link)` is
-the page state of the link, `state_in(link)` its message form. Numbers span many decades around the sliders, with
-zeros, equal values, resonances and critical damping in between.
+`links()` draws a `Link`, the parsed form of an address, which `opened(SCENES, link)` accepts. `state_of(link)` is the
+page state of the link. Numbers span many decades around the sliders, with zeros, equal values, resonances and critical
+damping in between.
 
     @given(links())
     def test_something(link: Link) -> None:
-        now = standing(link)  # skips a link that the scene refuses
+        now = state_of(link)  # skips a link that the scene refuses
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from components.state.scene_sheet import plots
 from physics.coupled import TwoMassChain
 
 DECADES = 6.0
-"""How far numbers reach beyond the end of a slider, and below it."""
+"""Decades beyond the end of a slider, and below it, that numbers reach."""
 STEPS = 1000
 """Steps of a slider."""
 NEARLY = (1e-15, -1e-15, 1e-12, 1e-9, -1e-9, 1e-6, 1e-4, -1e-4, 1e-2, -1e-2)
@@ -47,7 +47,9 @@ Values = dict[str, Any]
 
 
 def links(scene: type[Scene] | None = None, decades: float = DECADES) -> SearchStrategy[Link]:
-    """States of one scene, or of all: values, frame, covers, the compared state, and the one before a prediction."""
+    """States of one scene or of all: values, frame, hidden items, the compared state, and the state before a
+    prediction.
+    """
     if scene is None:
         return st.sampled_from(list(SCENES.values())).flatmap(lambda one: links(one, decades))
     others = st.none() | values(scene, decades).map(lambda given: _held(scene, given))
@@ -57,7 +59,7 @@ def links(scene: type[Scene] | None = None, decades: float = DECADES) -> SearchS
     )
 
 
-def standing(link: Link) -> PageState:
+def state_of(link: Link) -> PageState:
     """The page state of a link. Skips the example if the scene refuses any part of the link."""
     now, refused = page_state_of(SCENES[link.slug], link)
     assume(not refused)
@@ -66,7 +68,7 @@ def standing(link: Link) -> PageState:
 
 @st.composite
 def values(draw: st.DrawFn, scene: type[Scene], decades: float = DECADES) -> Values:
-    """Values of some parameters: a preset or none, numbers and choices over it, and some special relations."""
+    """Values of some parameters: a preset or none, other numbers and choices on top, and some special relations."""
     presets = [{}, *(dict(scene.preset_all(label)) for label in scene.presets)]
     each = {name: value(scene, name, decades) for name in scene.linked()}
     found: Values = {**draw(st.sampled_from(presets)), **draw(st.fixed_dictionaries({}, optional=each))}
@@ -92,7 +94,7 @@ def value(scene: type[Scene], name: str, decades: float = DECADES) -> SearchStra
 
 
 def number(quantity: Quantity, decades: float = DECADES) -> SearchStrategy[float | None]:
-    """Values of a quantity: on its slider, log-uniform around that, 0, and None where the scene may choose."""
+    """Values of a quantity: on its slider, log-uniform around it, 0, and None if the scene may choose the value."""
     low, high = quantity.softbounds
     if quantity.scale == "count":
         return st.integers(int(low), int(10 * high)).map(float)
@@ -106,12 +108,12 @@ def number(quantity: Quantity, decades: float = DECADES) -> SearchStrategy[float
 
 
 def logarithmic(low: float, high: float) -> SearchStrategy[float]:
-    """Numbers of four digits between two positive ones, log-uniform."""
+    """Numbers of four digits between two positive limits, log-uniform."""
     return st.floats(math.log10(low), math.log10(high)).map(lambda power: float(f"{10**power:.4g}"))
 
 
 def special(own: Values) -> Iterator[Values]:
-    """Values that make something equal, opposite, resonant or critically damped."""
+    """Yield values for which something is equal, opposite, resonant or critically damped."""
     for one, other in PAIRS:
         if {one, other} <= own.keys():
             yield {other: own[one]}
@@ -130,7 +132,7 @@ def special(own: Values) -> Iterator[Values]:
 
 
 def _natural(own: Values) -> Iterator[float]:
-    """The natural frequencies in rad/s, and the one at which mass 1 of a chain is still."""
+    """Yield the natural frequencies in rad/s, and the frequency at which mass 1 of a chain is at rest."""
     if {"m", "k"} <= own.keys():
         yield math.sqrt(own["k"]) / math.sqrt(own["m"])
     if set(CHAIN) <= own.keys():
@@ -142,11 +144,8 @@ def frames(scene: type[Scene]) -> SearchStrategy[Frame]:
     """Frames that a link asks for: other ranges of some axes, another window, scale and speed."""
     axes = {name: axis.chosen for name, axis in scene().shown.axes.items()}
     window = axes.pop(TIME_AXIS, (0.0, 1.0))[1]
-    by_so_much = st.floats(-2, 2)
-    ranges = {
-        name: st.tuples(by_so_much, by_so_much).map(lambda by, ends=ends: _moved(ends, by))
-        for name, ends in axes.items()
-    }
+    shift = st.floats(-2, 2)
+    ranges = {name: st.tuples(shift, shift).map(lambda by, ends=ends: _moved(ends, by)) for name, ends in axes.items()}
     sizes = {
         "window": logarithmic(window / 1e3, window * 1e3),
         "scale": logarithmic(1e-3, 1e3),
@@ -166,7 +165,7 @@ def _moved(ends: tuple[float, float], by: tuple[float, float]) -> tuple[float, f
 
 
 def covers(scene: type[Scene]) -> SearchStrategy[tuple[str, ...]]:
-    """Names of what is hidden until a prediction is made: mostly nothing."""
+    """Names of items that are hidden until a prediction is made; mostly none."""
     return st.just(()) | st.lists(st.sampled_from(_coverable(scene)), max_size=4, unique=True).map(tuple)
 
 
@@ -177,7 +176,7 @@ def _coverable(scene: type[Scene]) -> list[str]:
 
 @cache
 def _groups(scene: type[Scene]) -> list[str]:
-    """The groups of curves that can be switched off."""
+    """Return the groups of curves that can be switched off."""
     found = {drawn.group for plot in plots(scene) for drawn in (*plot.curves, *plot.regions) if drawn.group}
     return sorted(found | set(scene.param[HIDDEN].default)) or [""]
 
@@ -187,7 +186,7 @@ def _held(scene: type[Scene], given: Values) -> Values:
 
 
 def _with_before(link: Link, before: Values | None) -> Link:
-    """A state before the change belongs to a page on which the next change is hidden."""
+    """Add a state before the change, which exists only on a page that hides the next change."""
     return Link(
         link.slug, link.values, [], link.frame, link.covered, link.held, before if NEXT in link.covered else None
     )

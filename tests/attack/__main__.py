@@ -1,7 +1,7 @@
-"""`make attack`: the hunt for what breaks a page, bounded and repeatable; it fails where something got through.
+"""`make attack`: search for inputs that break a page. The search is bounded and repeatable; it fails if it finds one.
 
-Random combinations of extreme values over all scenes and parameters, by link, slider, field, preset and button, among
-malformed messages; malformed links; and abuse of the protocol against a server on this machine.
+It combines extreme values of all scenes and parameters at random, set by link, slider, field, preset and button, with
+malformed messages in between. It also tries malformed links and abuses the protocol of a server on this machine.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from tests.serving.server import ROOT, serving
 
 LOG = ROOT / "build" / "attack" / "server.log"
 PATIENCE = 2.0
-"""While one visitor's picture is worked out the others wait: never so many seconds."""
+"""Longest allowed answer in s: other visitors wait while one visitor's picture is computed."""
 LINES = 40
-"""So much is told of one finding."""
+"""Lines of the detail of a finding that are printed."""
 
 
 def extremes(size: int, start: int) -> Iterator[Finding]:
@@ -41,11 +41,13 @@ def extremes(size: int, start: int) -> Iterator[Finding]:
 
 
 def _pages(scene: type[Scene], took: list[float]) -> Callable[[], None]:
-    return given(values(scene), messages(scene))(lambda link, deeds: took.append(visit(scene.slug, link, deeds)))
+    return given(values(scene), messages(scene))(
+        lambda link, messages_sent: took.append(visit(scene.slug, link, messages_sent))
+    )
 
 
 def hunt(name: str, size: int, start: int, test: Callable[[], None]) -> Finding:
-    """Run a property over so many examples; what fails is told by its simplest example."""
+    """Check a property on `size` random examples. A failure is reported with its simplest example."""
     checks = {"suppress_health_check": list(HealthCheck), "deadline": None, "database": None}
     phases = (Phase.generate, Phase.shrink)
     try:
@@ -58,21 +60,21 @@ def hunt(name: str, size: int, start: int, test: Callable[[], None]) -> Finding:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--size", type=int, default=200, help="pages and links of each scene (default: %(default)s)")
-    parser.add_argument("--seed", type=int, default=1, help="another one hunts elsewhere (%(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="a different seed tries different examples (%(default)s)")
     options = parser.parse_args()
     logging.disable(logging.WARNING)
     begun, failed = monotonic(), 0
     for finding in found(options.size, options.seed):
-        failed += not finding.held
-        print(f"{monotonic() - begun:6.1f} s  {told(finding)}", flush=True)
-    print(f"{failed} of the findings did not hold; seed {options.seed}." if failed else "All held.")
+        failed += not finding.passed
+        print(f"{monotonic() - begun:6.1f} s  {in_words(finding)}", flush=True)
+    print(f"{failed} of the findings failed; seed {options.seed}." if failed else "All passed.")
     return 1 if failed else 0
 
 
-def told(finding: Finding) -> str:
-    """One line; of what did not hold the last lines of its detail too, where the example is."""
-    if finding.held:
-        return f"held    {finding.name}" + (f": {finding.detail}" if finding.detail else "")
+def in_words(finding: Finding) -> str:
+    """Return a line; for a failure also the last lines of its detail, which name the example."""
+    if finding.passed:
+        return f"passed  {finding.name}" + (f": {finding.detail}" if finding.detail else "")
     return "\n".join([f"FAILED  {finding.name}", *finding.detail.splitlines()[-LINES:]])
 
 
@@ -83,7 +85,7 @@ def found(size: int, start: int) -> Iterator[Finding]:
         yield from protocol.attack(server.url)
         if find():
             yield from stage.attack(server.url, size, start)
-        yield Finding("the log tells of nothing unexpected", not server.complaints(), "\n".join(server.complaints()))
+        yield Finding("the log has no unexpected line", not server.complaints(), "\n".join(server.complaints()))
 
 
 if __name__ == "__main__":

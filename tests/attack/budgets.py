@@ -1,4 +1,4 @@
-"""Counted work: how many functions are called for an answer. It is the same on every machine, unlike a time."""
+"""Work measured by counting function calls. The count is the same on every machine, unlike a time."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 Result = TypeVar("Result")
 
 PICTURE = 200_000
-"""Calls for a picture, which the event loop waits for: some 50 ms of a processor."""
+"""Calls for a picture, which blocks the event loop: about 50 ms of CPU."""
 FILE, ABOUT = 1_800_000, 3_000_000
-"""Calls for a file of numbers and for "About these numbers" in the worker process: at most some second."""
+"""Calls for a file of numbers and for "About these numbers" in the worker process: about 1 s at most."""
 
 
 def counted(work: Callable[[], Result]) -> tuple[Result, int]:

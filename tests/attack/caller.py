@@ -1,4 +1,4 @@
-"""Clients that say what no page says: requests and WebSockets byte by byte."""
+"""Clients that send requests and WebSocket frames byte by byte, including ones that no page sends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tornado.httpclient import HTTPClientError
 from tornado.websocket import WebSocketClientConnection, websocket_connect
 
 PATIENCE = 15.0
-"""Seconds after which a server that says nothing has not answered."""
+"""Seconds to wait for an answer of the server."""
 TRACES = ("Traceback", 'File "', "site-packages", "Error:")
 
 
@@ -27,7 +27,7 @@ class Reply(NamedTuple):
 
     @property
     def refused(self) -> bool:
-        """In words: a status of its own, and nothing of the program in it."""
+        """True for a client error (4xx) whose text shows nothing of the program."""
         return 400 <= self.status < 500 and self.quiet
 
     @property
@@ -36,7 +36,7 @@ class Reply(NamedTuple):
 
 
 def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Reply:
-    """One request; the names of headers are written with underscores."""
+    """Send one request. Underscores in header names become hyphens."""
     connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
     try:
         named = {name.replace("_", "-"): value for name, value in headers.items()}
@@ -55,7 +55,7 @@ def token_of(page: str) -> str:
 
 
 def contents(token: str) -> dict[str, Any]:
-    """The contents of a token, as anybody can read them."""
+    """Return the contents of a token, which are readable without a key."""
     said: dict[str, Any] = json.loads(_decoded(token.partition(".")[0]))
     packed = said.pop("__bk__zlib_", None)
     return said | (json.loads(zlib.decompress(_decoded(packed))) if packed else {})
@@ -71,7 +71,7 @@ async def connect(url: str, token: str) -> WebSocketClientConnection:
 
 
 async def refused(url: str, token: str) -> int:
-    """The status of a refused handshake; 101 where it was not refused."""
+    """Return the status of a refused handshake, or 101 if it was accepted."""
     try:
         await Caller(await connect(url, token)).depart()
     except HTTPClientError as error:
@@ -80,7 +80,7 @@ async def refused(url: str, token: str) -> int:
 
 
 class Caller:
-    """A raw WebSocket on a session of its own."""
+    """A raw WebSocket on its own session."""
 
     def __init__(self, socket: WebSocketClientConnection) -> None:
         self.socket = socket
@@ -89,12 +89,12 @@ class Caller:
     async def arrive(cls, url: str) -> Caller:
         page = await asyncio.to_thread(ask, url, "/?scene=coupled")
         caller = cls(await connect(url, token_of(page.text)))
-        for _ in range(3):  # the welcome
+        for _ in range(3):  # the three frames of the greeting
             await caller.receive()
         return caller
 
     async def receive(self) -> str | bytes | None:
-        """The next frame; None where the server has closed."""
+        """Return the next frame, or None if the server has closed."""
         return await asyncio.wait_for(self.socket.read_message(), PATIENCE)
 
     async def say(self, *frames: str | bytes) -> None:
@@ -102,13 +102,13 @@ class Caller:
             await self.socket.write_message(frame, binary=isinstance(frame, bytes))
 
     async def depart(self) -> None:
-        """Close, and wait for the end."""
+        """Close the socket and wait until the server has closed it too."""
         self.socket.close()
         while await self.receive() is not None:
             pass
 
     async def closed(self) -> tuple[int | None, str]:
-        """The code and the reason that the server closes with, whatever it still says before."""
+        """Return the code and reason with which the server closes. Frames that come before are ignored."""
         while await self.receive() is not None:
             pass
         self.socket.close()
@@ -133,5 +133,5 @@ def event(name: str, **values: Any) -> dict[str, Any]:
 
 
 def said(data: Any, model: str = "p1") -> tuple[str, str, str]:
-    """A message of the page's component."""
+    """Return the frames of a message of the page's component."""
     return patch(event("from_browser", model={"id": model}, data=data))

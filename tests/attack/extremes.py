@@ -1,4 +1,4 @@
-"""Extreme values in random combinations, over all scenes and all their parameters; and malformed links and messages."""
+"""Random combinations of extreme values of all scenes and parameters; malformed links and messages."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ EXTREMES = (5e-324, TINY, 1e-300, 1e-160, 1e-80, 1e-9, 1.0, 1e9, 1e80, 1e160, 1e
 NAMES = ("x1", "x2", "x1_p", "work", "verlet", "closed", "2", "99", "nothing")
 AXES = ("t", "x", "w", "omega", "X", "X1", "v", "E", "p", "f", "none")
 MOST_ROWS = 1250
-"""Rows of a piece: components.language.messages."""
+"""Most rows in a piece, as in components.language.messages."""
 COVERS = ("plot:x1", "plot:x2", "plot:response", "value:tau", "value:omega", "value:D", "plot:none")
 Values = dict[str, Any]
 Message = dict[str, Any]
 
 
 def values(scene: type[Scene]) -> SearchStrategy[Values]:
-    """Values of some of a scene's parameters, each possible by itself."""
+    """Values of some parameters of a scene. Each value alone is possible."""
     each = {name: value(parameter) for name, parameter in scene.linked().items()}
     return st.fixed_dictionaries({}, optional=each)
 
@@ -41,7 +41,7 @@ def value(parameter: param.Parameter) -> SearchStrategy[Any]:
 
 
 def number(quantity: Quantity) -> SearchStrategy[float | None]:
-    """Values of a quantity: extremes, any double, and those around its slider."""
+    """Values of a quantity: extremes, any double, and values near its slider's range."""
     extremes = [sign * size for sign in (1.0, -1.0) for size in EXTREMES]
     whole = quantity.scale == "count"
     around = st.floats(*quantity.softbounds)
@@ -54,7 +54,7 @@ def number(quantity: Quantity) -> SearchStrategy[float | None]:
 
 
 def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
-    """Messages that a visitor may send one after another, measurements aside; some are malformed."""
+    """Messages that a visitor may send in sequence, without measurements. Some are malformed."""
     kinds = [
         values(scene).map(_set),
         st.sampled_from(sorted(scene.linked())).flatmap(lambda name: _about(scene, name)),
@@ -72,7 +72,7 @@ def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
 
 
 def _rows() -> SearchStrategy[Message]:
-    """A piece of a measured record: of any number, out of order, too large, with anything as a number."""
+    """A piece of a measured record: any index, out of order, too large, with any value as a number."""
     sizes = st.sampled_from([0.0, -0.0, *EXTREMES, float("nan"), float("inf")]) | st.floats(-10, 10)
     columns = st.lists(sizes, max_size=40) | st.lists(st.floats(-1, 1), min_size=8, max_size=8).map(sorted)
     places = st.integers(0, 2) | st.integers(-5, 10**20)
@@ -83,7 +83,7 @@ def _rows() -> SearchStrategy[Message]:
 
 
 def records() -> SearchStrategy[Message]:
-    """A whole measured record of any numbers, which the server fits."""
+    """A complete measured record of arbitrary numbers, which the server fits."""
     numbers = st.floats(-1e9, 1e9) | st.sampled_from([0.0, -0.0, 5e-324, 1e-300, 1e9])
 
     def rows(n: int) -> SearchStrategy[Message]:
@@ -96,7 +96,7 @@ def records() -> SearchStrategy[Message]:
 
 
 def _open(scene: type[Scene]) -> SearchStrategy[Message]:
-    """Put the page into a state, of another scene too, in a frame of any size."""
+    """Open a state, also of another scene, in a frame of any size."""
     sizes = st.sampled_from([0.1, 5.0, *EXTREMES]) | st.floats(0.0, HUGE, exclude_min=True)
     ends = st.just(0.0) | sizes | sizes.map(lambda size: -size)
     ranges = st.dictionaries(st.sampled_from(AXES), st.tuples(ends, ends), max_size=3)
@@ -111,7 +111,7 @@ def _open(scene: type[Scene]) -> SearchStrategy[Message]:
 
 
 def _in_words(given: Values) -> Values:
-    """As a state has them: no booleans, and the curves switched off elsewhere."""
+    """Return values as a state has them: words for booleans; hidden curves are left out, they have their own field."""
     return {name: word(v) if isinstance(v, bool) else v for name, v in given.items() if name != "hidden"}
 
 
@@ -120,7 +120,7 @@ def _set(given: Values) -> Message:
 
 
 def _about(scene: type[Scene], name: str) -> SearchStrategy[Message]:
-    """One parameter is typed or chosen."""
+    """Type or choose one parameter."""
     parameter = scene.linked()[name]
     if isinstance(parameter, Quantity):
         return value(parameter).map(lambda v: {"type": "typed", "name": name, "text": "" if v is None else shortest(v)})
@@ -128,7 +128,7 @@ def _about(scene: type[Scene], name: str) -> SearchStrategy[Message]:
 
 
 def malformed(scene: type[Scene]) -> SearchStrategy[Message]:
-    """Messages with anything in the place of anything."""
+    """Messages in which any part may be anything."""
     names = st.sampled_from([*scene.linked(), "name", "_state", "param", "__class__"]) | st.text(max_size=20)
     scalars = st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=80)
     deeper = st.lists(scalars, max_size=3) | st.dictionaries(names, scalars, max_size=3)
@@ -139,7 +139,7 @@ def malformed(scene: type[Scene]) -> SearchStrategy[Message]:
 
 
 def queries(scene: type[Scene]) -> SearchStrategy[dict[str, list[bytes]]]:
-    """Malformed links: anything as the name or the value of a parameter."""
+    """Malformed links, with any text as name or value of a parameter."""
     names = st.sampled_from([*scene.linked(), "scene", "theme", "bokeh-token"]) | st.text(max_size=20)
     texts = st.text(max_size=80).map(lambda text: text.encode("utf-8", "replace")) | st.binary(max_size=80)
     told = st.sampled_from([b"1e999", b"-0", b"nan", b"inf", b"auto", b"", b",,,", b"1e-400", b"0x10", "١".encode()])

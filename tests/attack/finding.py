@@ -1,4 +1,4 @@
-"""A finding: the result of one attack."""
+"""The result of one attack."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from typing import NamedTuple
 
 class Finding(NamedTuple):
     name: str
-    held: bool
+    passed: bool
     detail: str = ""

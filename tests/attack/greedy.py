@@ -1,7 +1,7 @@
-"""One client who asks for what costs most, again and again, and thirty others who go on with their work.
+"""One client repeats the most expensive requests while thirty other visitors work.
 
-For each kind of request: the 95th percentile of the others' waits, the median of five rounds in turn with five calm
-ones, and how long the server's event loop was held at most, as its own metrics say.
+For each kind of request this measures the 95th percentile of the others' waits, over five rounds that alternate with
+five calm ones, and the longest time for which the server's event loop was blocked, from its own metrics.
 """
 
 from __future__ import annotations
@@ -21,11 +21,12 @@ from tests.live_class.messages import MESSAGES, SKETCH, Client, Send
 from tests.serving.visitor import Visitor
 
 OTHERS, ROUNDS, SECONDS, PAUSE = 30, 5, 2.0, 0.1
-"""Other visitors; rounds of each kind; seconds of a round; seconds between two changes of a visitor."""
+"""Number of other visitors, rounds of each kind, seconds per round, seconds between two changes of a visitor."""
 TIMES, HELD = 3.0, 0.05
-"""The others' wait over that of a calm round, and seconds that the event loop is held: each at most."""
+"""Largest ratio of the others' wait to that of a calm round, and most seconds for which the event loop may be blocked.
+"""
 AT_ONCE = 8
-"""Requests that the greedy client has open at once."""
+"""Requests that the greedy client has open at the same time."""
 START = "scene=absorber&damping=added"
 SLOW = "?scene=absorber&damping=added&m1=1e300&played=rest&x2_0=-1.3&window="
 FILES = (
@@ -36,7 +37,7 @@ FILES = (
     "scene=coupled&window=1e176",
     "scene=coupled",
 )
-"""Links whose files cost most, and two ordinary ones."""
+"""Links with the most expensive files, and two ordinary ones."""
 Message = dict[str, Any]
 GREEDY: dict[str, Message] = {
     "a walk of slow links": {
@@ -56,9 +57,9 @@ GREEDY: dict[str, Message] = {
     "many digits": {"type": "set", "values": {"m1": 1e300}},
     "an enormous window": {"type": "set", "values": {"window": 1e176}},
 }
-"""The messages of one page that cost most; others are asked of other pages below."""
+"""The most expensive messages of one page. `_clients` adds requests of other pages."""
 PHONES = 200
-"""Phones of the greedy client's class, which have sent a sketch each."""
+"""Phones in the greedy client's class. Each has sent a sketch."""
 OF_A_CLASS = (
     "GET /class/CODE/summary",
     "GET /class/CODE/answers.csv",
@@ -69,29 +70,29 @@ Act = Callable[[], Awaitable[object]]
 
 
 class Waits(NamedTuple):
-    """Measurements of a round in s: the 95th percentile of the others' waits, and how long the loop was held."""
+    """Measurements of a round in s: 95th percentile of the others' waits, longest block of the event loop."""
 
     p95: float
     held: float
 
 
 async def greedy(url: str) -> list[Finding]:
-    """Each kind of greedy client."""
+    """Measure each kind of greedy client."""
     others = await asyncio.gather(*(Visitor.arrive(url, "scene=coupled") for _ in range(OTHERS)))
-    found = [await _met(url, others, name, acts) async for name, acts in _clients(url)]
+    found = [await _compared(url, others, name, acts) async for name, acts in _clients(url)]
     await asyncio.gather(*(other.depart() for other in others))
     return found
 
 
 async def _clients(url: str) -> AsyncIterator[tuple[str, list[Act]]]:
-    """The greedy clients, by name: what each does again and again, side by side."""
+    """Yield the name of each greedy client and the requests that it repeats in parallel."""
     for name, message in GREEDY.items():
         page = await Visitor.arrive(url, START)
         yield name, [_changed(page, message)]
         await page.depart()
     for name, kind in (("files of pages", "csv"), ("errors of pages", "about")):
         pages = [await Visitor.arrive(url, query) for query in FILES]
-        yield name, [_said(page, {"type": kind}) for page in pages]
+        yield name, [_sending(page, {"type": kind}) for page in pages]
         await asyncio.gather(*(page.depart() for page in pages))
     yield "files by address", [_fetched(url, "/data.csv?" + query) for query, _ in zip(cycle(FILES), range(AT_ONCE))]
     client = Client(url, await Class.open(url), "127.0.0.1")
@@ -102,8 +103,8 @@ async def _clients(url: str) -> AsyncIterator[tuple[str, list[Act]]]:
         yield name, [_sent(client, MESSAGES[name])] * AT_ONCE
 
 
-async def _met(url: str, others: list[Visitor], name: str, acts: list[Act]) -> Finding:
-    """Rounds with the greedy client in turn with calm ones."""
+async def _compared(url: str, others: list[Visitor], name: str, acts: list[Act]) -> Finding:
+    """Alternate calm rounds with rounds that include the greedy client."""
     calm, busy = list[Waits](), list[Waits]()
     for _ in range(ROUNDS):
         calm.append(await _round(url, others, []))
@@ -116,22 +117,22 @@ async def _met(url: str, others: list[Visitor], name: str, acts: list[Act]) -> F
 
 async def _round(url: str, others: list[Visitor], acts: list[Act]) -> Waits:
     end, before = monotonic() + SECONDS, await _lags(url)
-    tasks = [asyncio.create_task(_again(act, end)) for act in acts]
-    waits = await asyncio.gather(*(_works(other, end) for other in others))
+    tasks = [asyncio.create_task(_repeated(act, end)) for act in acts]
+    waits = await asyncio.gather(*(_waits_of(other, end) for other in others))
     await asyncio.gather(*tasks)
     after = await _lags(url)
     held = max((bound for bound, seen in after.items() if seen > before.get(bound, 0)), default=0.0)
     return Waits(quantiles([wait for one in waits for wait in one], n=20)[-1], held)
 
 
-async def _again(act: Act, end: float) -> None:
+async def _repeated(act: Act, end: float) -> None:
     with suppress(ConnectionError, TimeoutError):  # the server may send the greedy client away
         while monotonic() < end:
             await act()
 
 
-async def _works(visitor: Visitor, end: float) -> list[float]:
-    """Change something every moment, and return the wait for each answer."""
+async def _waits_of(visitor: Visitor, end: float) -> list[float]:
+    """Change a value every `PAUSE` and return the wait for each answer."""
     waits = []
     for step in count():
         if monotonic() >= end:
@@ -144,19 +145,19 @@ async def _works(visitor: Visitor, end: float) -> list[float]:
 
 
 async def _lags(url: str) -> dict[float, float]:
-    """Counts of how often the event loop came late, by the smallest bound that a delay was within."""
+    """Return how often the event loop was late, by the smallest bound that covers the delay."""
     text = (await called(url, "/metrics")).text
     found = re.findall(r'oscillations_loop_lag_seconds_bucket\{le="([\d.]+|\+Inf)"\} ([\d.e+]+)', text)
     counts = [(float(bound), float(seen)) for bound, seen in found]
     return {bound: seen - below for (bound, seen), (_, below) in zip(counts, [(0.0, 0.0), *counts], strict=False)}
 
 
-def _said(page: Visitor, message: Message) -> Act:
+def _sending(page: Visitor, message: Message) -> Act:
     return lambda: page.say(message)
 
 
 def _changed(page: Visitor, message: Message) -> Act:
-    """A message that asks for another picture each time."""
+    """Return an action that asks for a different picture each time."""
     numbers = count()
 
     def act() -> Awaitable[Message]:

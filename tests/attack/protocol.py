@@ -1,6 +1,6 @@
-"""Abuse of the protocol: what a visitor can send who does not use our page, against a server on this machine.
+"""Abuse of the protocol: what a client other than our page can send to a server on this machine.
 
-Bounded: at most 30 clients at once, for some seconds each. Nothing here depends on what a scene is.
+At most 30 clients run at once, for a few seconds each. Nothing here depends on the scenes.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ LINKS = ("theme=%ff", "bokeh%00=1", "=", "&&&", "k2=%", "scene=%f0%9f", "a[]=1",
 BOMB = base64.b64encode(gzip.compress(bytes(20_000_000))).decode()
 ARRAY = {"type": "ndarray", "array": {"type": "bytes", "data": BOMB}, "shape": [20_000_000], "dtype": "uint8"}
 
-# What each of these clients says; the server closes its socket with a code and a reason.
+# Frames that each client sends; the server closes its socket with a code and a reason.
 ABUSES: dict[str, tuple[str | bytes, ...]] = {
     "a message too long": ("x" * 70_000,),
     "three frames too long together": (header(), "{}" + " " * 40_000, " " * 40_000),
@@ -76,7 +76,7 @@ ABUSES: dict[str, tuple[str | bytes, ...]] = {
 
 
 def attack(url: str, short: bool = False) -> list[Finding]:
-    """All of it; a short form leaves out what takes long."""
+    """Run all attacks; `short` leaves out the slow ones."""
     findings = [*_links(url), *_closed(url), *_token(url)]
     hunts: list[Callable[[str], Awaitable[list[Finding]]]] = [_forged, _abused]
     if not short:
@@ -119,13 +119,13 @@ def _closed(url: str) -> list[Finding]:
 def _token(url: str) -> list[Finding]:
     secret = "a-word-that-only-this-visitor-knows"
     page = ask(url, SCENE, Cookie=f"name={secret}", Authorization=f"Basic {secret}", X_Other=secret)
-    told = contents(token_of(page.text))
-    alone = {name.lower() for name in told["headers"]} == {"host"} and not told["cookies"]
-    return [Finding("the token holds the Host alone", alone and secret not in json.dumps(told), f"{sorted(told)}")]
+    claims = contents(token_of(page.text))
+    alone = {name.lower() for name in claims["headers"]} == {"host"} and not claims["cookies"]
+    return [Finding("the token holds the Host alone", alone and secret not in json.dumps(claims), f"{sorted(claims)}")]
 
 
 async def _forged(url: str) -> list[Finding]:
-    """Tokens that the server did not make."""
+    """Try tokens that the server did not make."""
     random = Random(1)
     token = token_of(ask(url, SCENE).text)
     text, _, signature = token.partition(".")
@@ -153,12 +153,12 @@ async def _forged(url: str) -> list[Finding]:
 
 
 async def _abused(url: str) -> list[Finding]:
-    """Each abuse closes its own socket, and a visitor beside it goes on."""
+    """Each abuse closes its own socket; another visitor continues to work."""
     witness = await Visitor.arrive(url, "scene=coupled")
     found = []
     for number, (name, frames) in enumerate(ABUSES.items()):
         caller = await Caller.arrive(url)
-        with suppress(WebSocketClosedError):  # before the last of them
+        with suppress(WebSocketClosedError):  # the server may close before the last frame
             await caller.say(*frames)
         code, reason = await caller.closed()
         found.append(Finding(name, code in (1003, 1008, 1009) and bool(reason), f"{code} {reason}"))
@@ -168,7 +168,7 @@ async def _abused(url: str) -> list[Finding]:
 
 
 async def _slow(url: str) -> list[Finding]:
-    """Requests that never end, and a socket that does not answer pings."""
+    """Requests that never end are dropped."""
     address = urlsplit(url)
     begun = {
         "a request without an end": b"GET / HTTP/1.1\r\nHost: localhost\r\n",
@@ -188,7 +188,7 @@ async def _slow(url: str) -> list[Finding]:
 
 
 async def _flood(url: str) -> list[Finding]:
-    """A flood: the wait of others before 30 clients say all they can, and a second after they have left."""
+    """Measure others' waits before, during and a second after 30 clients send as much as they can."""
     witness = await Visitor.arrive(url, "scene=coupled")
     before = await _latency(witness)
     flooders = [asyncio.create_task(_flooder(url)) for _ in range(FLOODERS)]
@@ -196,18 +196,16 @@ async def _flood(url: str) -> list[Finding]:
     await asyncio.gather(*flooders)
     await asyncio.sleep(1)
     after = await _latency(witness)
-    for _ in range(5):  # what else this machine does must not be taken for what a flood left
+    for _ in range(5):  # repeat, so that other load on this machine does not count as an effect of the flood
         if after >= 1.2 * before:
             after = await _latency(witness)
     await witness.depart()
-    detail = (
-        f"95 of 100 answers within {before:.0f} ms before, {during:.0f} ms meanwhile, {after:.0f} ms a second after"
-    )
+    detail = f"95 of 100 answers within {before:.0f} ms before, {during:.0f} ms during, {after:.0f} ms a second after"
     return [Finding("a flood leaves nothing behind", after < 1.2 * before, detail)]
 
 
 async def _flooder(url: str) -> None:
-    """Arrives again and again, and says as much as it may be heard to."""
+    """Connect again and again, and send as much as the server accepts."""
     end = monotonic() + SECONDS
     while monotonic() < end:
         caller = await Caller.arrive(url)
@@ -218,7 +216,9 @@ async def _flooder(url: str) -> None:
 
 
 async def _latency(visitor: Visitor, windows: int = 3, changes: int = 100) -> float:
-    """The 95th percentile of the time until a change is answered, in ms, when this machine had least else to do."""
+    """Return the 95th percentile of the time for a change in ms: the smallest of several windows, to exclude other
+    load.
+    """
     found = []
     for _ in range(windows):
         times = []

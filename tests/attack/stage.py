@@ -1,4 +1,4 @@
-"""Extreme pictures in the browser: nothing on the page may be no number, or without end."""
+"""Extreme pictures in the browser: the page never shows NaN, Infinity or undefined."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ SHOW = r"""async data => {
 
 
 def attack(url: str, size: int, start: int) -> Iterator[Finding]:
-    """Each scene in Chromium, with pictures at extremes as the server would send them."""
+    """Draw each scene in Chromium with extreme pictures as the server would send them."""
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=find())
         for slug, scene in SCENES.items():
@@ -55,7 +55,7 @@ def attack(url: str, size: int, start: int) -> Iterator[Finding]:
 
 
 def faults_of(page: Page, scene: type[Scene], size: int, start: int) -> Iterator[str]:
-    """The faults of pages, each with the link that shows it."""
+    """Yield the faults of pages, each with its link."""
     for query, packet in pictures(scene, size, start):
         fault = page.evaluate(SHOW, list(packet["data"]))
         if fault:
@@ -63,7 +63,7 @@ def faults_of(page: Page, scene: type[Scene], size: int, start: int) -> Iterator
 
 
 def pictures(scene: type[Scene], size: int, start: int) -> list[tuple[str, dict[str, Any]]]:
-    """Links to extremes, as far as the scene can draw them, and what opens there."""
+    """Return links with extreme values that the scene can draw, and the message that opens each."""
     found: dict[str, dict[str, Any]] = {}
 
     @seed(start)

@@ -1,4 +1,4 @@
-"""A short form of the hunt of `make attack`: whatever is asked of a page, it stays whole."""
+"""A short form of `make attack`: a page stays consistent after any link or message."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ HUGE = 1.7976931348623157e308
 def test_pages_at_extremes(scene: type[Scene]) -> None:
     @settings(max_examples=15)
     @given(values(scene), messages(scene))
-    def page(link: Values, deeds: list[Message]) -> None:
-        visit(scene.slug, link, deeds)
+    def page(link: Values, sent: list[Message]) -> None:
+        visit(scene.slug, link, sent)
 
     page()
 
@@ -48,31 +48,31 @@ def test_malformed_links(scene: type[Scene]) -> None:
     ],
 )
 def test_a_refusal_leaves_every_byte_of_the_message(slug: str, given: dict[str, object], message: Message) -> None:
-    """Among them what once moved the ranges of the sliders."""
+    """Some of these values once changed the ranges of the sliders before they were refused."""
     page = Visit(Link(slug, given))
-    assert page.say(message, 1)
+    assert page.send(message, 1)
     page.leave()
 
 
 def test_ticks_far_off_their_unit_can_be_read() -> None:
-    """A frame that is kept grows to 5e16 m for the smallest mass on the softest spring: once labelled −4e+16."""
+    """A kept frame grows to 5e16 m for the smallest mass on the softest spring. It was once labelled −4e+16."""
     parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}
     state = {"scene": "energy", "parameters": parameters, "frame": {}}
     visit("oscillator", {}, [{"type": "open", "state": state}, {"type": "set", "values": {"m": 5e-324}}])
 
 
-def test_a_hunt_that_finds_something_says_by_what() -> None:
+def test_a_failed_hunt_reports_its_simplest_example() -> None:
     def small(found: int) -> None:
         assert found < 1000
 
     missed = hunt("below a million", 50, 1, given(st.integers(0, 10**6))(small))
-    assert not missed.held
+    assert not missed.passed
     assert "found=1000," in missed.detail
-    assert hunt("below a hundred", 50, 1, given(st.integers(0, 100))(small)).held
+    assert hunt("below a hundred", 50, 1, given(st.integers(0, 100))(small)).passed
 
 
 def test_the_hunt_is_a_command() -> None:
-    told = subprocess.run(
+    shown = subprocess.run(
         [sys.executable, "-m", "tests.attack", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    assert "--seed" in told.stdout
+    assert "--seed" in shown.stdout

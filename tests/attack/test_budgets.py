@@ -1,4 +1,4 @@
-"""Every link has a picture, a file and "About these numbers", or a sentence, within a budget of counted work."""
+"""Every link gives a picture, a file and "About these numbers", or a refusal, within a budget of function calls."""
 
 from __future__ import annotations
 
@@ -34,25 +34,25 @@ WORST = (
     "scene=modes&view=roots&k1=1.3131340137628744e-231&c1=1.7572071498403488",
     "scene=coupled&window=1e176",
 )
-"""Links that once took seconds, or had no sentence."""
+"""Links that once took seconds or failed without a reason."""
 scenes = pytest.mark.parametrize("slug", spread(list(SCENES), 2))
 
 
 @pytest.fixture(scope="module", autouse=True)
 def started() -> None:
-    """Build what a server computes once, before its first visitor."""
+    """Build what a server computes once, before its first visitor arrives."""
     assert len(SHEETS) == len(SCENES)
 
 
 def check(link: Link) -> None:
-    """Open a link, take its file and its errors: each within its budget, and refused only in a sentence."""
+    """Open a link and request its file and its errors. Each stays within its budget or is refused with a reason."""
     state = check_page(link)
     check_job(PageExport(state, HERE, 1), FILE)
     check_job(AboutExport(state, 1), ABOUT)
 
 
 def check_page(link: Link) -> State:
-    """Open a link: the picture, and the compared and the earlier one, each within the budget of a picture."""
+    """Open a link. The picture, the compared and the earlier one each stay within the budget of a picture."""
     session, calls = counted(lambda: opened(SCENES, link))
     pictures = 1 + (link.held is not None) + (link.before is not None)
     assert calls <= PICTURE * pictures, f"{pictures} pictures take {calls} calls"
@@ -66,7 +66,7 @@ def check_job(job: WorkerJob, budget: int) -> None:
 
 
 @pytest.mark.parametrize("query", WORST)
-def test_the_worst_links_keep_to_their_budgets(query: str) -> None:
+def test_the_slowest_links_stay_within_their_budgets(query: str) -> None:
     arguments = as_arguments(query)
     check(read_query(arguments, SCENES))
     check_job(LinkExport(dict(arguments), HERE), FILE)
@@ -74,7 +74,7 @@ def test_the_worst_links_keep_to_their_budgets(query: str) -> None:
 
 @scenes
 @pytest.mark.timeout(600)
-def test_every_parameter_at_extremes_keeps_to_the_budgets(slug: str) -> None:
+def test_every_parameter_at_extremes_stays_within_the_budgets(slug: str) -> None:
     for name, quantity in quantities(SCENES[slug]).items():
         for value in sample(EXTREMES, 4):
             if quantity.refusal(value) is None:
@@ -83,7 +83,7 @@ def test_every_parameter_at_extremes_keeps_to_the_budgets(slug: str) -> None:
 
 @scenes
 @pytest.mark.timeout(600)
-def test_extremes_together_keep_to_the_budgets(slug: str) -> None:
+def test_combined_extremes_stay_within_the_budgets(slug: str) -> None:
     @settings(max_examples=tries(60))
     @given(values(SCENES[slug]))
     def page(link: Values) -> None:
@@ -94,8 +94,8 @@ def test_extremes_together_keep_to_the_budgets(slug: str) -> None:
 
 @scenes
 @pytest.mark.timeout(600)
-def test_any_state_keeps_to_the_budget_of_its_pictures(slug: str) -> None:
-    """Resonances, equal values and critical damping take more digits than extremes."""
+def test_any_state_stays_within_the_budget_of_its_pictures(slug: str) -> None:
+    """Resonances, equal values and critical damping need more digits than extreme values."""
 
     @settings(max_examples=tries(60))
     @given(links(SCENES[slug]))

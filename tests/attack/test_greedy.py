@@ -1,4 +1,4 @@
-"""A bounded form of what `make attack` measures of one client who asks for what costs most: how much work that is."""
+"""The work that one greedy client of `make attack` causes, counted without a clock."""
 
 from __future__ import annotations
 
@@ -36,53 +36,53 @@ def process() -> Iterator[ReadingProcess]:
     one.close()
 
 
-class Counted:
-    """Hands on what is asked, and keeps the reply back until it is fetched."""
+class DelayedWorker:
+    """A worker that counts jobs and delays each reply until it is fetched."""
 
     def __init__(self, process: ReadingProcess) -> None:
         self.process = process
         self.replies: list[Future[Replied]] = []
-        self.told: Future[Replied] = Future()
+        self.delayed: Future[Replied] = Future()
 
     def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
         self.replies.append(self.process.ask(asked, network))
-        return self.told
+        return self.delayed
 
     def fetch(self) -> Replied:
         reply = self.replies[0].result(120)
-        self.told.set_result(reply)
+        self.delayed.set_result(reply)
         return reply
 
 
 def page(slug: str = "absorber", values: Values = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
-    """The page of the greedy client, and all that it is told."""
-    session, told = opened(SCENES, Link(slug, values)), list[dict[str, Any]]()
-    session.send = lambda packet: told.append(unpacked(packet))
-    return session, told
+    """The page of the greedy client, and all packets that it receives."""
+    session, packets = opened(SCENES, Link(slug, values)), list[dict[str, Any]]()
+    session.send = lambda packet: packets.append(unpacked(packet))
+    return session, packets
 
 
 @pytest.mark.parametrize("name", WALKS)
-def test_a_huge_walk_costs_one_reading_elsewhere_and_gets_its_sentence(process: ReadingProcess, name: str) -> None:
-    """While it is read it may be said as often as one likes."""
-    session, told = page()
-    session.apart = apart = Counted(process)
-    held: list[Any] = []
-    session.later = held.append
+def test_a_huge_walk_is_read_once_in_the_worker_and_gets_a_reason(process: ReadingProcess, name: str) -> None:
+    """While a walk is being read, it may be sent again any number of times."""
+    session, packets = page()
+    session.apart = apart = DelayedWorker(process)
+    delayed: list[Any] = []
+    session.later = delayed.append
     for number in (1, *[1] * 20, *range(2, 22)):
         session.handle({**GREEDY[name], "number": number})
     assert len(apart.replies) == 1
-    assert [(one["answer"], one["refused"]) for one in told] == [(number, ONE_AT_A_TIME) for number in range(2, 22)]
+    assert [(one["answer"], one["refused"]) for one in packets] == [(number, ONE_AT_A_TIME) for number in range(2, 22)]
     reply = apart.fetch()
     assert (reply.sheet is None) == bool(reply.refused)
     assert reply.refused != SORRY and (not reply.refused or reply.refused.endswith("."))
-    (tell,) = held
-    tell()
-    assert told[-1]["answer"] == 1 and process.pending == 0
+    (answer,) = delayed
+    answer()
+    assert packets[-1]["answer"] == 1 and process.pending == 0
 
 
 @pytest.mark.parametrize("name", CHANGES)
 def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is drawn, or refused in a sentence with everything as it was."""
+    """The change is drawn, or it is refused with a reason and nothing changes."""
     motions: list[list[int]] = []
     motion, expansion = DampedModes.motion, transient.expansion
 
@@ -95,14 +95,14 @@ def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytes
         motions[-1].append(digits)
         return expansion(driven, digits)
 
-    session, told = page()
+    session, packets = page()
     monkeypatch.setattr(DampedModes, "motion", moved)
     monkeypatch.setattr(transient, "expansion", expanded)
     for number in (1, 2, 3):
         motions[:] = [[]]
         session.handle({**GREEDY[name], "values": {**GREEDY[name]["values"], "x2_0": number / 1e3}, "number": number})
-        assert told[-1]["answer"] == number and SORRY not in told[-1]["problems"]
-        assert all(" Still drawn " in said for said in told[-1]["errors"].values())
+        assert packets[-1]["answer"] == number and SORRY not in packets[-1]["problems"]
+        assert all(" Still drawn " in said for said in packets[-1]["errors"].values())
         assert motions != [[]] and len(motions) < 6
         assert max(map(sum, motions)) <= DRAWING.work + 2 * DRAWING.digits
 
@@ -136,7 +136,7 @@ def test_a_far_window_reduces_a_frequency_once_for_each_binary_exponent(monkeypa
 
     for module in (exact, sinusoids):
         monkeypatch.setattr(module, "remainders", counted, raising=False)
-    session, told = page("forced", {})
+    session, packets = page("forced", {})
     session.handle({**GREEDY["an enormous window"], "number": 1})
-    assert told[-1]["answer"] == 1
+    assert packets[-1]["answer"] == 1
     assert len(reduced) == sum(exponents) and 10 * sum(exponents) < sum(points)

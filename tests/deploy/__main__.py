@@ -1,6 +1,6 @@
-"""`make deploy-test`: two replicas behind the real proxy, one killed while visitors change things, then an upgrade.
+"""`make deploy-test`: two replicas behind the real proxy. One is killed while visitors change values; then an upgrade.
 
-Every last value set must stand in picture and control; how long visitors waited is told. ARGS="--runs 3 --guests 10"
+Picture and control must show every value that was set last. The longest wait is printed. ARGS="--runs 3 --guests 10"
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tests.deploy.site import deployed
 from tests.deploy.trials import Trial, failure, upgrade
 
 AIM = 2.0
-"""Seconds after which everybody should go on."""
+"""Seconds after which every visitor should be served again."""
 
 
 def main() -> None:
@@ -26,15 +26,15 @@ def main() -> None:
         trials = []
         for run in range(options.runs):
             trials.append(failure(site, options.guests, run % 2))
-            print(f"killed, {run + 1}: {_said(trials[-1])}", flush=True)
+            print(f"killed, {run + 1}: {_in_words(trials[-1])}", flush=True)
         trials.append(upgrade(site, options.guests, Path(name) / "later"))
-        print(f"upgraded: {_said(trials[-1])}")
+        print(f"upgraded: {_in_words(trials[-1])}")
         complaints = site.complaints()
     print(*complaints, sep="\n")
     sys.exit(any(trial.lost or trial.longest > AIM for trial in trials) or bool(complaints))
 
 
-def _said(trial: Trial) -> str:
+def _in_words(trial: Trial) -> str:
     lost = f"; lost: {'; '.join(trial.lost)}" if trial.lost else "; nothing lost"
     return f"{trial.returned} came back, a change took {trial.longest:.2f} s at most{lost}"
 

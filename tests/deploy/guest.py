@@ -1,4 +1,4 @@
-"""A visitor without a browser who does what the page does when its server is gone: comes back with all that was set."""
+"""A visitor without a browser. Like the page, it reconnects when its server is gone and restores its values."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from tests.serving.visitor import Visitor, token_in
 
 PATIENCE = 30.0
 AGAIN = 0.1
-"""Seconds until the next attempt to come back."""
+"""Seconds until the next attempt to reconnect."""
 
 
 class Guest:
-    """Opens a scene and changes a value of it; `cookies` says whether the proxy's is kept."""
+    """Opens a scene and changes one value; `cookies` says whether the client keeps the proxy's cookie."""
 
     def __init__(self, url: str, cookies: bool) -> None:
         self.url = url
         self.cookies = cookies
-        self.told: dict[str, Any] = {}
+        self.answer: dict[str, Any] = {}
         self.longest = 0.0
-        """Seconds that a change took at most."""
+        """Longest time in s that a change took."""
         self.returns = 0
         self._headers: dict[str, str] = {}
         self._token = ""
@@ -34,12 +34,12 @@ class Guest:
         await self._connect()
 
     async def change(self, values: dict[str, float]) -> None:
-        """Set values, however often the server goes away meanwhile."""
+        """Set values, even if the server disappears in between."""
         begun = monotonic()
         while monotonic() - begun < PATIENCE:
             try:
-                visitor = self._visitor or await self._back()
-                self.told = await visitor.say({"type": "set", "values": values})
+                visitor = self._visitor or await self._reconnected()
+                self.answer = await visitor.say({"type": "set", "values": values})
                 self.longest = max(self.longest, monotonic() - begun)
                 return
             except (ConnectionError, TimeoutError):
@@ -48,17 +48,17 @@ class Guest:
         raise TimeoutError("nobody answers any more")
 
     async def leave(self) -> None:
-        """The page goes, or has lost its server."""
+        """Close the connection; also called after it was lost."""
         if self._visitor:
             await self._visitor.depart()
         self._visitor = None
 
-    async def _back(self) -> Visitor:
-        """A session on any replica, put into the state that the page has kept."""
+    async def _reconnected(self) -> Visitor:
+        """Open a session on any replica and restore the state that the page has kept."""
         visitor = await self._connect()
         self.returns += 1
-        if self.told:
-            await visitor.say({"type": "open", "state": self.told["state"]})
+        if self.answer:
+            await visitor.say({"type": "open", "state": self.answer["state"]})
         return visitor
 
     async def _connect(self) -> Visitor:
@@ -73,7 +73,7 @@ class Guest:
 
 
 def _page(url: str, query: str) -> tuple[str, str]:
-    """The page, and the cookie that came with it."""
+    """Return the page and the cookie that came with it."""
     connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
     try:
         connection.request("GET", f"/?{query}")

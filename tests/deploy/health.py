@@ -23,7 +23,7 @@ with socket.create_connection((sys.argv[3], int(sys.argv[4])), float(sys.argv[2]
 
 
 def health_check(folder: Path, service: str, instead: Mapping[str, str] | None = None) -> Callable[[int, int], int]:
-    """A function that runs a service's check at another port, with other paths, and returns its exit code."""
+    """Return a function that runs a service's check at another port, with other paths, and returns its exit code."""
     compose = yaml.safe_load((ROOT / "compose.yaml").read_text(encoding="utf-8"))
     kind, command = compose["services"][service]["healthcheck"]["test"]
     assert kind == "CMD-SHELL"

@@ -1,4 +1,4 @@
-"""The nginx recipe of docs/deployment.md, and a real nginx that follows it where one is installed."""
+"""The nginx recipe of docs/deployment.md, run in a real nginx if one is installed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.serving.server import ROOT
 
 NGINX = shutil.which("nginx", path="/usr/sbin:/usr/local/sbin:/usr/bin:/usr/local/bin:/opt/homebrew/bin")
 WITH_HTTP2 = (1, 25, 1)
-"""The first version that knows `http2 on`."""
+"""The first version that accepts `http2 on`."""
 MAIN = """
 daemon off;
 master_process off;
@@ -31,7 +31,7 @@ http {{
 
 
 def recipe() -> str:
-    """The recipe of the document."""
+    """Return the recipe of the document."""
     page = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
     section = page.partition("\n## Behind nginx\n")[2].partition("\n## ")[0]
     (block,) = (part for part in re.split(r"\n(?=\S)", section) if "proxy_pass" in part and "server {" in part)
@@ -39,24 +39,24 @@ def recipe() -> str:
 
 
 def version() -> tuple[int, ...]:
-    said = subprocess.run([str(NGINX), "-v"], capture_output=True, text=True, check=True).stderr
-    return tuple(map(int, re.findall(r"/(\d+)\.(\d+)\.(\d+)", said)[0]))
+    printed = subprocess.run([str(NGINX), "-v"], capture_output=True, text=True, check=True).stderr
+    return tuple(map(int, re.findall(r"/(\d+)\.(\d+)\.(\d+)", printed)[0]))
 
 
 def for_version(text: str) -> str:
-    """The recipe as its own comment says that an older nginx needs it."""
+    """Return the recipe as its comment says for an older nginx."""
     return text if version() >= WITH_HTTP2 else re.sub(r"^ *http2 on;.*\n", "", text, flags=re.M)
 
 
 def written(folder: Path, text: str) -> Path:
-    """A configuration with a recipe in it."""
+    """Write a configuration that includes a recipe."""
     path = folder / "nginx.conf"
     path.write_text(MAIN.format(folder=folder, recipe=text), encoding="utf-8")
     return path
 
 
 def behind_nginx(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
-    """The recipe with the addresses of a site, without encryption."""
+    """Return the recipe with the addresses of a site, without encryption."""
     text = re.sub(r"^ *(ssl_certificate|http2).*\n", "", recipe(), flags=re.M)
     text = text.replace("listen 443 ssl;", f"listen 127.0.0.1:{site.port};")
     for host, port in zip(("10.0.0.11", "10.0.0.12"), site.ports, strict=True):

@@ -1,4 +1,4 @@
-"""Two replicas behind the real proxy, on loopback: as compose.yaml has them, without containers."""
+"""Two replicas behind the real proxy on loopback, like compose.yaml but without containers."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Site:
         return f"http://127.0.0.1:{self.port}/"
 
     def start(self, number: int, code: Path = ROOT) -> None:
-        """Start a replica that is not there, with the code in a folder."""
+        """Start a replica that is not running, with the code in a folder."""
         stack = ExitStack()
         log = self.folder / f"replica-{number}-{time.monotonic_ns()}.log"
         environment = {
@@ -48,13 +48,13 @@ class Site:
         self._running[number] = stack.enter_context(running), stack
 
     def kill(self, number: int) -> None:
-        """Without a word, as a machine that fails."""
+        """Kill a replica without warning, like a machine that fails."""
         server, stack = self._running.pop(number)
         server.process.kill()
         stack.close()
 
     def end(self, number: int) -> None:
-        """As a container engine ends it."""
+        """End a replica as a container engine does."""
         self._running.pop(number)[1].close()
 
     def complaints(self) -> list[str]:
@@ -66,16 +66,16 @@ class Site:
 
 
 Front = Callable[[Site], tuple[Sequence[str], Mapping[str, str]]]
-"""Gives the command that starts a proxy before a site, and its environment."""
+"""Returns the command that starts a proxy for a site, and its environment."""
 
 
 def caddy() -> str:
-    """The proxy's program, of the package for tests."""
+    """Return the path of the proxy's program, which comes with a package for tests."""
     return str(Path(sys.executable).with_name("caddy"))
 
 
 def behind_caddy(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
-    """The proxy of compose.yaml, with the variables of the Caddyfile."""
+    """Return the proxy of compose.yaml, with the variables of the Caddyfile."""
     command = (caddy(), "run", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile")
     return command, {
         "SITE": f"http://127.0.0.1:{site.port}",
@@ -90,7 +90,7 @@ def behind_caddy(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
 def deployed(
     folder: Path, codes: Sequence[Path] = (ROOT, ROOT), front: Front = behind_caddy, **more: str
 ) -> Iterator[Site]:
-    """A site that serves, each replica the code of a folder; `more` are settings of all of them."""
+    """Yield a running site; each replica has the code of a folder. `more` are settings of all of them."""
     site = Site(folder, len(codes), more)
     command, environment = front(site)
     try:
@@ -103,7 +103,7 @@ def deployed(
 
 
 def upgraded(folder: Path) -> Path:
-    """A copy of the code with other static files."""
+    """Copy the code and change a static file."""
     folder.mkdir()
     for name in COPIED:
         source = ROOT / name

@@ -1,4 +1,4 @@
-"""A live class on two replicas behind the real proxy, which share a real Valkey: one is killed, the class goes on."""
+"""A live class on two replicas behind the real proxy, with a shared Valkey, continues when one replica is killed."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ CHOICE = {"walk": "d31", "step": "d31-03"}
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
 
 
-async def again(room: Class, type: str, **order: Any) -> Answered:
-    """As the instructor's page does it: until somebody answers."""
+async def ordered(room: Class, type: str, **order: Any) -> Answered:
+    """Send an order until it is accepted, as the instructor's page does."""
     async with asyncio.timeout(20):
         while True:
             try:
@@ -38,10 +38,10 @@ async def lesson(site: Site) -> None:
     direct = [f"http://127.0.0.1:{port}/" for port in site.ports]
     streams = [await room.follow(url) for url in direct]
     through = await room.follow()
-    await again(room, "put", **CHOICE)
+    await ordered(room, "put", **CHOICE)
     for stream in (*streams, through):
         await stream.until(lambda event: event.get("question"))
-        # The way in may have gone by the other replica, which counts it for some seconds more.
+        # The connection may have gone through the other replica, which still counts it for some seconds.
         await stream.until(lambda event: event.get("here") == 3, 20)
     voters = [await room.follow(direct[i % 2]) for i in range(4)]
     for i, voter in enumerate(voters):
@@ -54,7 +54,7 @@ async def lesson(site: Site) -> None:
     back = await Stream(site.url, room.code, streams[0].word).open()
     whole = await back.until(lambda event: event.get("question"))
     assert whole["question"]["step"] == CHOICE["step"]
-    await again(room, "show")
+    await ordered(room, "show")
     for stream in (streams[1], back):
         await stream.until(lambda event: event.get("question", {}).get("lesson"))
     tally = (await called(direct[1], f"/class/{room.code}/tally", word=room.key)).json
@@ -63,7 +63,7 @@ async def lesson(site: Site) -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(240)
-def test_a_class_outlives_a_replica(tmp_path: Path) -> None:
+def test_a_class_continues_when_a_replica_is_killed(tmp_path: Path) -> None:
     with valkey_running() as valkey, deployed(tmp_path, (ROOT, ROOT), REDIS_URL=valkey.url) as site:
         asyncio.run(lesson(site))
         assert site.complaints() == []

@@ -1,4 +1,4 @@
-"""The short form of `make deploy-test`: a replica fails, another ends, and one with other static files takes over."""
+"""The short form of `make deploy-test`: one replica fails, another ends, and one with other static files takes over."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_t
         assert result.returned >= 1
         assert site.complaints() == []
         site.kill(2)
-        away = ask(site.url, "/?scene=coupled&k2=3")
-        assert away.status in (502, 503) and not {"Server", "Via"} & set(away.headers)
-        assert "The lecture does not answer now" in away.text and 'http-equiv="refresh"' in away.text
+        unavailable = ask(site.url, "/?scene=coupled&k2=3")
+        assert unavailable.status in (502, 503) and not {"Server", "Via"} & set(unavailable.headers)
+        assert "The lecture does not answer now" in unavailable.text and 'http-equiv="refresh"' in unavailable.text
     log = (tmp_path / "proxy.log").read_text()
     assert "http.log.error" in log
     assert not [line for line in log.splitlines() if "k2=3" in line or "remote_ip" in line]

@@ -1,4 +1,4 @@
-"""The example manifest for Kubernetes: its objects fit together, its settings and probes are those of the server."""
+"""The example manifest for Kubernetes: its objects fit together, and its settings and probes exist in the server."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_each_object_has_what_kubernetes_requires() -> None:
     assert all(isinstance(value, str) for note in notes for value in note.values())
 
 
-def test_services_and_ingress_lead_to_ports_that_there_are() -> None:
+def test_services_and_ingress_use_existing_ports() -> None:
     for name, service in named("Service").items():
         assert named("Deployment")[name]["selector"]["matchLabels"] == service["selector"]
         offered = {port["name"] for port in CONTAINERS[name]["ports"]}
@@ -61,7 +61,7 @@ def test_services_and_ingress_lead_to_ports_that_there_are() -> None:
 
 
 @pytest.mark.parametrize("name", PODS)
-def test_each_pod_is_confined_and_mounts_what_it_has(name: str) -> None:
+def test_each_pod_is_confined_and_mounts_its_volumes(name: str) -> None:
     pod, container = PODS[name], CONTAINERS[name]
     assert pod["securityContext"]["runAsNonRoot"] and not pod["automountServiceAccountToken"]
     assert container["securityContext"]["readOnlyRootFilesystem"]
@@ -73,7 +73,7 @@ def test_each_pod_is_confined_and_mounts_what_it_has(name: str) -> None:
     assert f"kubectl create secret generic {secret['secretName']} " in PAGE and secret["defaultMode"] == 0o440
 
 
-def test_the_pod_is_that_of_the_image_and_the_store_that_of_compose() -> None:
+def test_the_pod_agrees_with_the_image_and_the_store_with_compose() -> None:
     user = re.findall(r"--uid (\d+)", DOCKERFILE)[0]
     assert str(PODS["lecture"]["securityContext"]["runAsUser"]) == user
     (port,) = LECTURE["ports"]
@@ -102,7 +102,7 @@ def test_the_settings_of_the_manifest_are_settings_and_their_values_are_allowed(
 
 
 @pytest.mark.parametrize("name", PROBES)
-def test_a_kubelet_gets_an_answer_at_the_address_of_a_pod(server: Server, name: str) -> None:
+def test_probes_are_answered_at_the_address_of_a_pod(server: Server, name: str) -> None:
     assert set(PROBES) == {"startupProbe", "livenessProbe", "readinessProbe"}
     reply = ask(server.url, PROBES[name]["path"], Host="10.244.1.7:5006", User_Agent="kube-probe/1.34")
     assert reply.status == 200 and PROBES[name]["port"] == "http"

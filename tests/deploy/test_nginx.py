@@ -1,4 +1,4 @@
-"""The nginx recipe of docs/deployment.md: it is well-formed, and page and socket reach the same replica."""
+"""The nginx recipe of docs/deployment.md is well-formed, and page and socket reach the same replica."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from tests.serving.visitor import Visitor, token_in
 
 with_nginx = pytest.mark.skipif(not NGINX, reason="nginx is not installed: apt-get install nginx-light")
 OWN = {"host", "http_upgrade", "proxy_add_x_forwarded_for", "request_id"}
-"""Variables that nginx itself has."""
+"""Variables that nginx defines."""
 
 
-def test_each_variable_of_the_recipe_is_defined_and_each_cookie_that_is_read_is_set() -> None:
+def test_the_recipe_defines_its_variables_and_sets_the_cookies_it_reads() -> None:
     text = re.sub(r"#.*", "", recipe())
     defined = set(re.findall(r"^map \S+ \$(\w+) \{", text, re.M))
     used = set(re.findall(r"\$([a-z]\w+)", text))
@@ -39,7 +39,7 @@ def test_the_recipe_uses_no_deprecated_directive() -> None:
 
 
 @with_nginx
-def test_nginx_takes_the_recipe(tmp_path: Path) -> None:
+def test_nginx_accepts_the_recipe(tmp_path: Path) -> None:
     if not shutil.which("openssl"):
         pytest.skip("openssl, which makes the certificate, is not installed")
     for name in ("key", "pem"):
@@ -64,7 +64,7 @@ def opened(site: Site) -> list[tuple[float, float]]:
 
 
 async def arrive(site: Site, link: str, cookies: bool) -> tuple[Visitor, str]:
-    """A visitor whose browser keeps cookies or does not, and the cookie."""
+    """Open a page as a visitor whose browser keeps cookies or not; return the visitor and the cookie."""
     page = await asyncio.to_thread(ask, site.url, f"/?{link}")
     assert page.status == 200
     cookie = page.headers["Set-Cookie"].partition(";")[0]
@@ -75,9 +75,9 @@ async def arrive(site: Site, link: str, cookies: bool) -> tuple[Visitor, str]:
 @with_nginx
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-def test_page_and_socket_reach_the_same_replica_and_one_address_is_spread(tmp_path: Path) -> None:
+def test_page_and_socket_reach_the_same_replica_and_one_network_uses_both(tmp_path: Path) -> None:
     async def go(site: Site) -> None:
-        # The longest link with what does not compress: its token is a header of more than 8 kB.
+        # The longest link with text that does not compress: its token is a header of more than 8 kB.
         long = "scene=coupled&x=" + "".join(f"{i * i * i:x}" for i in range(1500))[:7900]
         came = [await arrive(site, long if i % 4 == 0 else "scene=coupled", cookies=True) for i in range(16)]
         assert len({cookie for _, cookie in came}) == 16

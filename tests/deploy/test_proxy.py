@@ -1,4 +1,4 @@
-"""The real proxy by itself: what it says of its pages, whom it waits for, and how it ends."""
+"""The proxy alone: the headers of its own pages, its timeouts, and how it ends."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
         yield running
 
 
-def says(reply: Reply) -> dict[str, str]:
+def safety_headers(reply: Reply) -> dict[str, str]:
     return {name: reply.headers.get(name, "") for name in SAFE}
 
 
-def test_the_proxys_own_pages_say_of_themselves_what_the_lectures_do(site: Site) -> None:
+def test_the_proxys_own_pages_have_the_lectures_safety_headers(site: Site) -> None:
     own = ask(site.url, "/metrics")
-    assert own.status == 404 and says(own) == says(ask(site.url, "/")) == SAFE
+    assert own.status == 404 and safety_headers(own) == safety_headers(ask(site.url, "/")) == SAFE
     assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
     assert "frame-ancestors" in ask(site.url, "/").headers["Content-Security-Policy"]
 
 
-def test_the_cookie_of_a_replica_cannot_be_written_and_stands_on_no_file_that_caches_keep(site: Site) -> None:
+def test_the_replica_cookie_is_signed_and_not_sent_with_cached_files(site: Site) -> None:
     assert ask(site.url, "/").headers["Set-Cookie"].startswith("replica=")
     file = ask(site.url, ASSET)
     assert (file.status, "Set-Cookie" in file.headers) == (200, False)
@@ -53,8 +53,8 @@ def test_the_cookie_of_a_replica_cannot_be_written_and_stands_on_no_file_that_ca
 
 @pytest.mark.slow
 @pytest.mark.timeout(240)
-def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tmp_path: Path) -> None:
-    """A request that comes letter by letter is given up; who listens to a class goes on."""
+def test_the_proxy_drops_slow_requests_and_ends_despite_open_streams(tmp_path: Path) -> None:
+    """A request that comes byte by byte is dropped; a stream of a class stays open."""
 
     @streams_closed()
     async def go(site: Site) -> None:
@@ -64,7 +64,7 @@ def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tm
             b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ",
             b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n",
         ]
-        begun = [asyncio.create_task(given_up(site.port, start)) for start in slow]
+        begun = [asyncio.create_task(dropped(site.port, start)) for start in slow]
         await asyncio.wait_for(asyncio.gather(*begun), 40)
         assert (await room.order("put", walk="d31", step="d31-03")).status == 204
         await stream.until(lambda event: event.get("question"))
@@ -75,8 +75,8 @@ def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tm
         asyncio.run(go(site))
 
 
-async def given_up(port: int, start: bytes) -> None:
-    """Until the proxy closes a connection on which a request never ends."""
+async def dropped(port: int, start: bytes) -> None:
+    """Wait until the proxy closes a connection on which a request never ends."""
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
     writer.write(start)
     with suppress(ConnectionError):
@@ -89,7 +89,7 @@ async def given_up(port: int, start: bytes) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
-def test_the_proxy_is_healthy_while_it_answers_whatever_the_replicas_do(site: Site, tmp_path: Path) -> None:
+def test_the_proxy_is_healthy_without_replicas(site: Site, tmp_path: Path) -> None:
     healthy = health_check(tmp_path, "proxy")
     assert healthy(80, site.port) == 0 and healthy(80, free_port()) != 0
     alone = {**behind_caddy(site)[1], "SITE": f"http://127.0.0.1:{(port := free_port())}", "UPSTREAMS": "127.0.0.1:1"}
@@ -98,14 +98,14 @@ def test_the_proxy_is_healthy_while_it_answers_whatever_the_replicas_do(site: Si
 
 
 def parts(recipe: Any) -> Iterator[dict[str, Any]]:
-    """All objects of a recipe, whatever they lie in."""
+    """Yield all objects of a configuration, at any depth."""
     if isinstance(recipe, dict):
         yield recipe
     for part in recipe.values() if isinstance(recipe, dict) else recipe if isinstance(recipe, list) else ():
         yield from parts(part)
 
 
-def test_browsers_are_held_to_https_except_on_localhost_where_all_ports_would_share_it() -> None:
+def test_hsts_is_sent_except_on_localhost_where_it_would_cover_all_ports() -> None:
     command = [caddy(), "adapt", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile"]
     adapted = subprocess.run(command, capture_output=True, text=True, check=True, env={"SITE": "lecture.example"})
     held = [
@@ -113,5 +113,5 @@ def test_browsers_are_held_to_https_except_on_localhost_where_all_ports_would_sh
         for part in parts(json.loads(adapted.stdout))
         if "Strict-Transport-Security" in str(part.get("handle", [{}])[0].get("response"))
     ]
-    assert len(held) == 2  # the lecture's pages, and those of the proxy's own
+    assert len(held) == 2  # the lecture's pages, and the proxy's own pages
     assert all(match == [{"not": [{"host": ["localhost", "127.0.0.1", "::1"]}], "protocol": "https"}] for match in held)

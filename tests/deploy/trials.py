@@ -1,4 +1,4 @@
-"""Trials of visitors while a replica fails or is upgraded: nothing that they set is lost."""
+"""Trials in which a replica fails or is upgraded: visitors lose nothing that they set."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from tests.deploy.site import Site, upgraded
 from tests.page.headless_page import Page
 
 PACE = 0.25
-"""Seconds from one change of a guest to the next."""
+"""Seconds between two changes of a guest."""
 
 
 @dataclass(frozen=True)
 class Trial:
-    """The outcome of a trial for the guests."""
+    """The outcome of a trial."""
 
     longest: float
-    """Seconds that a change took at most."""
+    """Longest time in s that a change took."""
     returned: int
     lost: list[str]
-    """Sentences on guests who see something other than what they set."""
+    """Descriptions of guests who see another value than they set."""
 
 
 async def trial(site: Site, guests: int, happening: Callable[[], None], after: float = 1.0) -> Trial:
-    """Guests change things, something happens after so many seconds, and they go on as long again."""
+    """Guests change values; `happening` runs after `after` seconds; they continue for as long again."""
     visitors = [Guest(site.url, cookies=bool(i % 2)) for i in range(guests)]
     await asyncio.gather(*(visitor.arrive("scene=coupled") for visitor in visitors))
     over = asyncio.Event()
@@ -53,15 +53,15 @@ async def trial(site: Site, guests: int, happening: Callable[[], None], after: f
 
 
 def _lost(visitor: Guest, value: float) -> str:
-    """The value that a guest set and no longer sees, in words; empty where all is as set."""
-    told = visitor.told
+    """Describe the value that a guest set and no longer sees; empty if nothing is lost."""
+    answer = visitor.answer
     page = Page(SCENES["coupled"]())
-    true = page.say({"type": "open", "state": {**told["state"], "parameters": {"k2": value}}, "number": 1})
+    true = page.say({"type": "open", "state": {**answer["state"], "parameters": {"k2": value}}, "number": 1})
     for name, shown, meant in (
-        ("control", told["settings"]["k2"]["value"], value),
-        ("link", told["query"], true["query"]),
-        ("numbers", told["view"]["values"], true["view"]["values"]),
-        ("motion", told["view"]["signals"], true["view"]["signals"]),
+        ("control", answer["settings"]["k2"]["value"], value),
+        ("link", answer["query"], true["query"]),
+        ("numbers", answer["view"]["values"], true["view"]["values"]),
+        ("motion", answer["view"]["signals"], true["view"]["signals"]),
     ):
         if shown != meant:
             return f"{name}: {shown} in place of {meant}"
@@ -69,14 +69,14 @@ def _lost(visitor: Guest, value: float) -> str:
 
 
 def failure(site: Site, guests: int, number: int) -> Trial:
-    """A replica fails; it is there again when the guests have gone."""
+    """Kill a replica; start it again when the guests have left."""
     result = asyncio.run(trial(site, guests, lambda: site.kill(number)))
     site.start(number)
     return result
 
 
 def upgrade(site: Site, guests: int, folder: Path) -> Trial:
-    """One replica after the other ends and comes back with other static files."""
+    """Replace the replicas one by one by copies with other static files."""
     code = upgraded(folder)
 
     def roll() -> None:

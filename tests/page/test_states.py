@@ -11,7 +11,7 @@ from components.session.links import page_state_of
 from components.state.link import Link, read_query
 from tests.grids import tries
 from tests.scenes.checks import as_arguments
-from tests.states import links, special, standing
+from tests.states import links, special, state_of
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
@@ -21,7 +21,7 @@ def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
     @settings(max_examples=tries(60))
     @given(links(SCENES[slug]))
     def leads_back(link: Link) -> None:
-        now = standing(link)
+        now = state_of(link)
         read = read_query(as_arguments(now.query), SCENES)
         assert read.problems == []
         again, refused = page_state_of(SCENES[slug], read)

@@ -1,6 +1,7 @@
-"""`make reconnect` loses the connection in every way there is, many times, and says what stood when it was back.
+"""`make reconnect`: lose the connection in every possible way, many times, and check the values after reconnecting.
 
-A run that ends with another value in picture or control than was set last is told with its seed; the exit code says it.
+A run fails if picture or control shows another value than the last one set. The failure is printed with its seed, and
+the exit code is then 1.
 """
 
 from __future__ import annotations
@@ -22,40 +23,40 @@ from tests.reconnect.site import Site
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, prog="make reconnect ARGS=...")
-    parser.add_argument("--runs", type=int, default=20, help="of each way (20)")
-    parser.add_argument("--seconds", type=float, default=60.0, help="that a network is away (60)")
-    parser.add_argument("--only", default="", help="a part of the name of a way")
+    parser.add_argument("--runs", type=int, default=20, help="runs of each kind of loss (20)")
+    parser.add_argument("--seconds", type=float, default=60.0, help="seconds without a network (60)")
+    parser.add_argument("--only", default="", help="a part of the name of a kind of loss")
     options = parser.parse_args()
-    ways: dict[str, Callable[[Page, Site, int], None]] = {
+    kinds: dict[str, Callable[[Page, Site, int], None]] = {
         name: lambda page, site, seed, loss=loss: visit(page, site, loss, seed, options.seconds)  # type: ignore[misc]
         for name, loss in LOSSES.items()
     }
-    ways["token past its time"] = too_late
+    kinds["expired token"] = too_late
     failed = 0
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=find())
-        for name, way in ways.items():
+        for name, lose in kinds.items():
             if options.only in name:
-                failed += _tried(browser, name, way, options.runs)
+                failed += _tried(browser, name, lose, options.runs)
         browser.close()
     return 1 if failed else 0
 
 
-def _tried(browser: Browser, name: str, way: Callable[[Page, Site, int], None], runs: int) -> int:
-    """The number of runs that lose a last value; it is printed, with the time of a run."""
+def _tried(browser: Browser, name: str, lose: Callable[[Page, Site, int], None], runs: int) -> int:
+    """Return the number of runs that lose a value. It is printed with the duration of a run."""
     times, failed = [], 0
     with TemporaryDirectory() as folder, Site(Path(folder)) as site:
         for seed in range(runs):
             context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True)
             start = time.monotonic()
             try:
-                way(context.new_page(), site, seed)
+                lose(context.new_page(), site, seed)
             except Exception as error:
                 failed += 1
                 print(f"  {name}, seed {seed}: {error}")
             times.append(time.monotonic() - start)
             context.close()
-    print(f"{name}: all stood in {runs - failed} of {runs} runs; {median(times):.1f} s a run", flush=True)
+    print(f"{name}: nothing lost in {runs - failed} of {runs} runs; {median(times):.1f} s a run", flush=True)
     return failed
 
 

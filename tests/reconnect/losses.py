@@ -1,4 +1,4 @@
-"""Ways to lose the connection to the server, and what must stand when it is back: every last value that was set."""
+"""Ways to lose the connection to the server. After reconnecting, every value that was set last is shown."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.reconnect.site import SECRET, Site
 
 LINK = "?scene=coupled&hidden=x1_slow&cover=plot:x2"
 NUMBERS = ("omega_minus", "omega_plus")
-"""Live numbers of the picture that the values below set."""
+"""Live numbers of the picture that depend on the values set below."""
 FIRST_WITH_EXPIRED = """globalThis.WebSocket = class extends WebSocket {
   constructor(address, [name, token]) {
     super(address, [name, globalThis.expired ?? token])
@@ -31,17 +31,17 @@ SETTLED = "oscillations.messages.wire && !oscillations.messages.behind && !oscil
 
 @dataclass
 class Visit:
-    """A page, and the values that were set on it last."""
+    """A page, and the values that were set last."""
 
     page: Page
     site: Site
     random: Random
     seconds: float = 0.0
-    """The time for which the lost thing stays lost."""
+    """Seconds for which the connection stays lost."""
     values: dict[str, float] = field(default_factory=dict)
 
     def change(self) -> None:
-        """Some values are set, one of them twice: by sliders, and by typing."""
+        """Set some values, one of them twice, by sliders and by typing."""
         for name in ("m1", "k2"):
             slider = self.page.locator(f"input[name={name}-slider]")
             for _ in range(2):
@@ -57,7 +57,7 @@ class Visit:
         self.page.wait_for_function(CONNECTED.format("true" if now else "false"), timeout=90_000)
 
     def check(self) -> None:
-        """Every value stands in state, control and picture, and what was covered and hidden is so still."""
+        """Check that state, control and picture show every value, and that hidden items are still hidden."""
         self.is_connected(True)
         self.page.wait_for_function(SETTLED, timeout=90_000)
         state = self.page.evaluate("oscillations.messages.state")
@@ -78,7 +78,7 @@ class Visit:
 
 
 def killed(visit: Visit) -> None:
-    """The server is killed, and started again."""
+    """Kill the server and start it again."""
     visit.site.kill()
     visit.is_connected(False)
     visit.change()
@@ -86,7 +86,7 @@ def killed(visit: Visit) -> None:
 
 
 def offline(visit: Visit) -> None:
-    """The browser is told that there is no network."""
+    """Take the browser offline for some time."""
     visit.page.context.set_offline(True)
     visit.is_connected(False)
     visit.change()
@@ -95,7 +95,7 @@ def offline(visit: Visit) -> None:
 
 
 def silent(visit: Visit) -> None:
-    """Nothing comes through any more, and nobody says so."""
+    """Let nothing through any more, without an error on the socket."""
     visit.page.evaluate("oscillations.messages.patience = 300")
     visit.site.gate.held = True
     visit.change()
@@ -106,7 +106,7 @@ def silent(visit: Visit) -> None:
 
 
 def suspended(visit: Visit) -> None:
-    """The tab is suspended; meanwhile there is another server."""
+    """Suspend the tab and replace the server meanwhile."""
     browser = visit.page.context.new_cdp_session(visit.page)
     browser.send("Page.setWebLifecycleState", {"state": "frozen"})
     visit.site.kill()
@@ -117,13 +117,13 @@ def suspended(visit: Visit) -> None:
 
 
 def dropped(visit: Visit) -> None:
-    """The server drops the session, and goes on."""
+    """Drop the session while the server continues to run."""
     visit.site.gate.cut()
     visit.change()
 
 
 def worker(visit: Visit) -> None:
-    """One of two replicas is killed."""
+    """Kill one of two replicas."""
     visit.site.start()
     visit.site.kill()
     visit.change()
@@ -140,7 +140,7 @@ LOSSES: Mapping[str, Callable[[Visit], None]] = {
 
 
 def visit(page: Page, site: Site, loss: Callable[[Visit], None], seed: int, seconds: float = 0.0) -> None:
-    """Values are set before, while and after a connection is lost."""
+    """Set values before, during and after a lost connection."""
     found = Visit(page, site, Random(seed), seconds)
     page.goto(site.url + LINK)
     page.wait_for_function(READY)
@@ -154,7 +154,7 @@ def visit(page: Page, site: Site, loss: Callable[[Visit], None], seed: int, seco
 
 
 def too_late(page: Page, site: Site, seed: int) -> None:
-    """The token of the page has expired before its socket opens."""
+    """Let the page's token expire before its socket opens."""
     session = generate_session_id(SECRET.encode(), signed=True)
     expired = generate_jwt_token(session, SECRET.encode(), signed=True, expiration=-1)
     page.add_init_script(f"globalThis.expired = {expired!r}\n{FIRST_WITH_EXPIRED}")

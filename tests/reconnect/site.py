@@ -1,4 +1,4 @@
-"""Servers with one secret behind one address, as replicas behind a proxy, where each part can be made to fail."""
+"""Servers with one secret behind one address, like replicas behind a proxy. Each part can be made to fail."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from types import TracebackType
 from tests.serving.server import Server, serving
 
 SECRET = "a secret of these tests alone"
-LOOK = 0.02  # seconds
+LOOK = 0.02  # seconds between two looks at a condition
 
 
 class Gate:
-    """Passes connections on to the first of its targets; they can be cut, and held without an end."""
+    """Passes connections on to the first of its targets. It can cut them or stop all data without closing."""
 
     def __init__(self) -> None:
         self.targets: list[int] = []
@@ -28,7 +28,7 @@ class Gate:
         self.port: int = self._server.sockets[0].getsockname()[1]
 
     def cut(self) -> None:
-        """Ends all connections; others may come meanwhile."""
+        """End all connections; new ones are still accepted."""
         self._run(self._cut())
 
     def close(self) -> None:
@@ -74,7 +74,7 @@ class Gate:
 
 
 class Site:
-    """Its page is at `url`; it begins with one server."""
+    """Servers behind the address `url`; it begins with one server."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -95,7 +95,7 @@ class Site:
         self.gate.close()
 
     def start(self) -> None:
-        """One more server."""
+        """Start one more server."""
         self._started += 1
         environment = {"BOKEH_SECRET_KEY": SECRET, "ALLOWED_ORIGIN": f"127.0.0.1:{self.gate.port}"}
         manager = serving(self._folder / f"log{self._started}", environment=environment)
@@ -104,7 +104,7 @@ class Site:
         self.gate.targets.append(server.port)
 
     def kill(self) -> None:
-        """The first server dies without a word."""
+        """Kill the first server without a farewell to its clients."""
         manager, server = self._running.pop(0)
         self.gate.targets.remove(server.port)
         server.process.kill()

@@ -33,7 +33,7 @@ from physics.oscillator import Oscillator
 from physics.particular import particular_solution
 from physics.transient import DampedModes
 from tests.grids import tries
-from tests.states import links, standing
+from tests.states import links, state_of
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 Tables = dict[str, pd.DataFrame]
@@ -74,7 +74,7 @@ def test_a_file_has_every_motion_in_any_state(slug: str) -> None:
     @settings(max_examples=tries(80))
     @given(links(SCENES[slug]))
     def holds(link: Link) -> None:
-        now = standing(link)
+        now = state_of(link)
         try:
             files = taken(now)
         except ValueError as reason:

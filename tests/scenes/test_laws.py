@@ -20,7 +20,7 @@ from components.state.link import Link
 from components.state.page_state import PageState, with_values
 from tests.grids import tries
 from tests.scenes.checks import check_picture
-from tests.states import links, standing, values
+from tests.states import links, state_of, values
 
 pytestmark = pytest.mark.timeout(600)
 scenes = pytest.mark.parametrize("slug", SCENES)
@@ -84,7 +84,7 @@ def test_in_one_frame_twice_the_motion_is_drawn_twice_as_large(slug: str) -> Non
     @settings(max_examples=tries(40))
     @given(links(SCENES[slug], 2.0))
     def holds(link: Link) -> None:
-        now = standing(link)
+        now = state_of(link)
         scaled, powers = LINEAR[slug]
         twice = {name: 2 * now.scene.values[name] for name in scaled if name in now.scene.values}
         try:
