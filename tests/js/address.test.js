@@ -1,4 +1,4 @@
-// The address bar: written at once where it can be, rationed while much changes, and before the page is left.
+// The address bar: written at once if possible, less often while much changes, and before the page is left.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
@@ -35,18 +35,18 @@ test("a change alone is written at once", () => {
   assert.equal(written.length, 1)
 })
 
-test("a few changes soon after one another are each written at once: a page loaded anew takes its address", () => {
+test("a few changes in quick succession are each written at once, so that a reload finds them", () => {
   for (const to of ["?m=2", "?m=3", "?m=4"]) say(to)
   assert.deepEqual(written, ["?m=2", "?m=3", "?m=4"])
 })
 
-/** Eleven changes, as many as are written at once. */
+/** Eleven changes: the most that are written at once. */
 const spent = () => {
   for (let at = 0; at < 11; at++) say(`?m=${at}`)
   written = []
 }
 
-test("of many changes soon after one another the last is written, a moment later", () => {
+test("after many changes in quick succession the last is written, with a short delay", () => {
   spent()
   for (const to of ["?m=2", "?m=3", "?m=4"]) say(to)
   mock.timers.tick(349)
@@ -55,14 +55,14 @@ test("of many changes soon after one another the last is written, a moment later
   assert.deepEqual(written, ["?m=4"])
 })
 
-test("while more is coming nothing is written", () => {
+test("nothing is written while changes continue", () => {
   say("?m=2", true)
   assert.deepEqual(written, [])
   say("?m=3")
   assert.deepEqual(written, ["?m=3"])
 })
 
-test("however it changes it is written less than a hundred times in 30 s", () => {
+test("the address is written less than a hundred times in 30 s", () => {
   for (const pause of [1, 10, 100, 201, 309, 311, 500]) {
     written = []
     for (let at = 0; at < 30_000; at += pause) {
@@ -73,7 +73,7 @@ test("however it changes it is written less than a hundred times in 30 s", () =>
   }
 })
 
-test("what is not written yet is when the page is left", () => {
+test("a pending change is written when the page is left", () => {
   spent()
   say("?m=3")
   happens("pagehide")
@@ -82,7 +82,7 @@ test("what is not written yet is when the page is left", () => {
   assert.equal(written.length, 1)
 })
 
-test("what was for an entry that has been left is not written into another", () => {
+test("a pending change of one history entry is not written into another", () => {
   spent()
   say("?m=3")
   happens("popstate")
@@ -90,7 +90,7 @@ test("what was for an entry that has been left is not written into another", () 
   assert.deepEqual(written, [])
 })
 
-test("a turn is an entry of its own, after what was not written yet", () => {
+test("a new step is a separate entry, after the pending change is written", () => {
   spent()
   say("?m=3")
   address.turn({address: "?scene=forced", entry: {}})

@@ -1,4 +1,4 @@
-// Whatever a phone asks of a class while the server is away arrives when it is back, once, however it was away.
+// Requests of a phone to a class whose server is unreachable arrive once when it is back, for every kind of outage.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
@@ -18,7 +18,7 @@ const OTHER = {...ANSWER, option: 2}
 /** @type {FakeServer} */ let server
 let room, away
 
-/** A class as a server has it: it knows the answers by the token of the phone. */
+/** A class on the server: it stores the answers by the phone's token. */
 class Room {
   answers = new Map()
   tokens = 0
@@ -35,8 +35,8 @@ class Room {
 const said = (status, sentence) => () => Response.json({sentence}, {status})
 const page = status => () => new Response("<html>", {status})
 
-/** Ways of being away: each gives the answer to a request, which `take` would do. */
-const WAYS = {
+/** Kinds of outage: each answers a request that `take` would answer normally. */
+const OUTAGES = {
   offline: () => {
     throw new TypeError("Failed to fetch")
   },
@@ -45,7 +45,7 @@ const WAYS = {
   "404 of a server that has lost the class": said(404, "The class cannot be reached at the moment."),
   429: said(429, "Too many messages at once."),
   "200 of a hotel's login page": page(200),
-  "killed with the request in its hands": take => {
+  "killed during the request": take => {
     take()
     room = new Room()
     throw new TypeError("Failed to fetch")
@@ -58,7 +58,7 @@ const WAYS = {
     }),
 }
 
-/** Requests of a phone, each with a check that it has arrived. */
+/** Requests of a phone. Each returns a check that the request has arrived. */
 const REQUESTS = {
   "an answer": () => {
     const delivery = delivered()
@@ -68,7 +68,7 @@ const REQUESTS = {
       assert.ok(delivery.isSent(QUESTION) && !delivery.refused.size && !delivery.isFailing)
     }
   },
-  "an answer that is changed meanwhile": () => {
+  "an answer that is changed during the outage": () => {
     const delivery = delivered()
     delivery.give(QUESTION, ANSWER)
     setTimeout(() => delivery.give(QUESTION, OTHER), AWAY / 2)
@@ -103,7 +103,7 @@ const REQUESTS = {
       assert.equal(mine("ABCD").token, found[0])
     }
   },
-  "what is new": () => {
+  news: () => {
     const heard = []
     last = new Stream("ABCD", "word", {
       news: ({number}) => heard.push(number),
@@ -152,9 +152,9 @@ afterEach(() => {
 })
 
 for (const [request, begin] of Object.entries(REQUESTS))
-  for (const [how, way] of Object.entries(WAYS))
+  for (const [how, outage] of Object.entries(OUTAGES))
     test(`${request}: ${how}`, async () => {
-      away = way
+      away = outage
       const arrived = begin()
       await pass(AWAY)
       const tries = server.asked.length
@@ -164,11 +164,11 @@ for (const [request, begin] of Object.entries(REQUESTS))
       arrived()
       const {length} = server.asked
       await pass(60000)
-      if (request !== "what is new") assert.equal(server.asked.length, length, "nothing is sent again")
+      if (request !== "news") assert.equal(server.asked.length, length, "nothing is sent again")
     })
 
 test("an answer is sent at once when the stream is back", async () => {
-  away = WAYS.offline
+  away = OUTAGES.offline
   const delivery = delivered()
   delivery.give(QUESTION, ANSWER)
   await pass(AWAY)
@@ -192,7 +192,7 @@ test("an answer that is refused for good is not sent again, and the reason is ke
   assert.ok(delivery.isSent(QUESTION) && !delivery.refused.size)
 })
 
-test("an answer that a restarted server refuses, since it has the question no more, counts still", async () => {
+test("an answer counts even if a restarted server no longer has its question and refuses it", async () => {
   const delivery = delivered()
   delivery.give(QUESTION, ANSWER)
   await pass(10)
@@ -203,7 +203,7 @@ test("an answer that a restarted server refuses, since it has the question no mo
   assert.ok(delivery.isSent(QUESTION) && !delivery.refused.size)
 })
 
-test("a code that is typed wrong is refused at once, one that was scanned after half a minute", async () => {
+test("a wrong typed code is refused at once, a scanned one after half a minute", async () => {
   forgetAll()
   away = said(404, "No class has this code.")
   const found = []

@@ -1,4 +1,4 @@
-// A browser for tests of scripts in node: as much of its document, its network and its clock as they ask for.
+// Parts of a browser (document, network, clock) for tests of scripts in Node.
 
 import {mock} from "node:test"
 
@@ -41,7 +41,7 @@ class FakeElement extends EventTarget {
 const page = new EventTarget()
 globalThis.addEventListener = page.addEventListener.bind(page)
 
-/** An event of the window. @param {string} name */
+/** Dispatch an event of the window. @param {string} name */
 export const happens = name => page.dispatchEvent(new Event(name))
 
 globalThis.document = Object.assign(new EventTarget(), {
@@ -62,7 +62,7 @@ globalThis.ResizeObserver = class {
 }
 globalThis.SVGTextElement = class {}
 
-/** A clock that a test turns, from midnight on; chance is always a half. */
+/** Install a clock that the test advances from 0; Math.random always returns 0.5. */
 export function clock() {
   mock.timers.enable({apis: ["setTimeout", "setInterval", "Date"], now: 0})
   mock.method(Math, "random", () => 0.5)
@@ -73,7 +73,7 @@ export function clock() {
   })
 }
 
-/** Lets time pass, and all be done that is due. @param {number} ms */
+/** Let time pass and run everything that is due. @param {number} ms */
 export async function pass(ms) {
   const end = Date.now() + ms
   await settled()
@@ -87,11 +87,11 @@ async function settled() {
   for (let i = 0; i < 3; i++) await new Promise(done => setImmediate(done))
 }
 
-/** The server of a class: notes what it is asked, and answers as the test says. */
+/** The server of a class: records requests and returns the answers that the test sets. */
 export class FakeServer {
   asked = []
 
-  /** The answer to a path, nothing for none. @type {(path: string) => Response | undefined | void} */
+  /** Returns the answer to a path, or nothing if there is none. @type {(path: string) => Response | undefined | void} */
   answers = () => {}
 
   constructor() {
@@ -114,13 +114,13 @@ export class FakeServer {
     })
   }
 
-  /** The times of day at which a path was asked for. @param {string} part */
+  /** The times at which a path was requested. @param {string} part */
   times(part) {
     return this.asked.filter(({path}) => path.includes(part)).map(({at}) => at)
   }
 }
 
-/** The server's stream of events, which a test goes on with. @param {AbortSignal} signal */
+/** A stream of server events that the test writes to. @param {AbortSignal} signal */
 export function events(signal) {
   let control
   const body = new ReadableStream({start: one => void (control = one)})

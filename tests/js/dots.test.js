@@ -1,4 +1,4 @@
-// The line of the numbers that a class has given: absurd values do not stretch it.
+// The number line with a class's answers: absurd values do not stretch it.
 
 import assert from "node:assert/strict"
 import {test} from "node:test"
@@ -9,7 +9,7 @@ const {beside, fitting, reach} = await import("../../static/questions/dots.js")
 
 const many = (count, value) => Array.from({length: count}, () => value)
 
-test("the line holds what many have given, and the truth", () => {
+test("the line covers the most frequent answers and the correct value", () => {
   assert.deepEqual(reach([], []), [0, 0])
   assert.deepEqual(reach([], [2]), [2, 2])
   assert.deepEqual(reach([1, 2, 3], []), [1, 3])
@@ -17,7 +17,7 @@ test("the line holds what many have given, and the truth", () => {
   assert.deepEqual(reach([...many(100, 0.5), ...many(50, 5), ...many(30, 0.05)], [0.5]), [0.05, 5])
 })
 
-test("a few values far off are counted at its ends, however few have answered", () => {
+test("a few outliers are counted at the ends of the line, even with few answers", () => {
   assert.deepEqual(reach([0.5, 0.52, 1e6], [0.5]), [0.5, 0.52])
   assert.deepEqual(reach([...many(280, 0.498), -1e9, 1e300, 1e300], [0.498]), [0.498, 0.498])
   for (const far of [1e3, 1e30, -1e12, 1.7e308]) {
@@ -26,7 +26,7 @@ test("a few values far off are counted at its ends, however few have answered", 
   }
 })
 
-test("labels lie beside each other, each as near its bar as the others let it", () => {
+test("labels do not overlap; each is as close to its bar as the others allow", () => {
   const labels = [2, 1, 3].map(value => ({value, words: `${value}`, width: 60}))
   const at = value => 100 + 10 * value
   const row = beside(labels, at)

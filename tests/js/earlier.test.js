@@ -1,4 +1,4 @@
-// The votes of an earlier class: read from its table, refused in words where it is none.
+// The votes of an earlier class: read from its table; other files are refused with a reason.
 
 import assert from "node:assert/strict"
 import {test} from "node:test"
@@ -14,20 +14,20 @@ globalThis.DOMParser ??= class {
   parseFromString = html => ({body: {textContent: html}})
 }
 
-test("the first votes are counted by the words of the options, whatever their signs", () => {
+test("first votes are counted by the options' texts, not by their letters", () => {
   const text = HEAD + row("Twice as far") + row('"k₂, alone"') + row("Twice as far", "d31-03", 2) + row("=gone")
   const counted = countedOf(earlier(text, ["d31"]).get("d31/d31-03"), CHOICE)
   assert.deepEqual([counted.answered, counted.options], [3, [1, 1]])
 })
 
-test("numbers are numbers, what is none is left out", () => {
+test("cells that are not numbers are left out", () => {
   const answers = earlier(HEAD + row("2.5") + row("'-1") + row("two"), ["d31"]).get("d31/d31-03")
   assert.deepEqual(countedOf(answers, {options: [], plot: ""}).numbers, [2.5, -1])
   assert.equal(countedOf(["x"], {options: [], plot: ""}), null)
   assert.equal(countedOf(["1"], {options: [], plot: "x1"}), null)
 })
 
-test("what is no table of a class, or of another walk, is refused in words", () => {
+test("a file that is no table of a class, or is from another walk, is refused with a reason", () => {
   assert.throws(() => earlier("", ["d31"]), /needs the columns walk, step, vote and answer/)
   assert.throws(() => earlier("<html>🙂</html>", ["d31"]), /needs the columns/)
   assert.throws(() => earlier(HEAD, ["d31"]), /This file has no answers/)

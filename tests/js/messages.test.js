@@ -1,4 +1,4 @@
-// The first words to a new session: they are said until they have been heard.
+// The first messages to a new session: they are repeated until the server has accepted them.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
@@ -11,11 +11,11 @@ const STATE = {step: "own/first"}
 beforeEach(() => mock.timers.enable({apis: ["setTimeout"]}))
 afterEach(() => mock.timers.reset())
 
-/** The messages of a page whose session has just been lost, with all that is sent over its new wire. */
-function anew() {
+/** Messages of a page that has just reconnected, with everything sent over its new connection. */
+function reconnected() {
   const sent = []
   const messages = new Messages(
-    async told => told,
+    async packet => packet,
     () => {},
     error => assert.fail(error),
     error => assert.fail(error),
@@ -26,7 +26,7 @@ function anew() {
   return {messages, sent}
 }
 
-/** Messages over a wire, one of which waits for its answer; `failed` and `reported` are what they are told of. */
+/** Messages over a connection. The first waits for its answer; `failed` and `reported` collect errors. */
 function asking(unpack, handle) {
   const [sent, failed, reported] = [[], [], []]
   const messages = new Messages(
@@ -43,13 +43,13 @@ function asking(unpack, handle) {
 
 const kinds = sent => sent.map(({type}) => type)
 
-async function answer(messages, told) {
-  messages.receive({type: "walking", answer: messages.asked.message.number, ...told})
+async function answer(messages, fields) {
+  messages.receive({type: "walking", answer: messages.asked.message.number, ...fields})
   await messages.heard
 }
 
-test("a walk that a new session had no time for is told again, and the state after it", async () => {
-  const {messages, sent} = anew()
+test("a walk that a busy new session could not read is sent again, and the state after it", async () => {
+  const {messages, sent} = reconnected()
   for (const tries of [1, 2, 3]) {
     assert.deepEqual(kinds(sent), Array(tries).fill("walk"))
     await answer(messages, {is_busy: true})
@@ -61,8 +61,8 @@ test("a walk that a new session had no time for is told again, and the state aft
   assert.deepEqual(sent.at(-1).state, STATE)
 })
 
-test("a wire that is lost meanwhile takes nothing with it", async () => {
-  const {messages, sent} = anew()
+test("nothing is lost if the connection breaks before the answer", async () => {
+  const {messages, sent} = reconnected()
   await answer(messages, {is_busy: true})
   messages.detach()
   mock.timers.tick(1000)
@@ -74,9 +74,9 @@ test("a wire that is lost meanwhile takes nothing with it", async () => {
 
 const shown = number => ({type: "shown", answer: number, state: STATE})
 
-test("an exception of what hears a message is no fault of the connection, and the next message is sent", async () => {
+test("an exception in a message handler does not end the connection, and the next message is sent", async () => {
   const {messages, sent, failed, reported} = asking(
-    async told => told,
+    async packet => packet,
     () => {
       throw new Error("!")
     },
@@ -94,7 +94,7 @@ test("an exception of what hears a message is no fault of the connection, and th
   assert.ok(messages.rests)
 })
 
-test("a packet that cannot be read is a fault of the connection", async () => {
+test("an unreadable packet ends the connection", async () => {
   const {messages, failed, reported} = asking(
     async () => {
       throw new Error("!")
@@ -106,10 +106,10 @@ test("a packet that cannot be read is a fault of the connection", async () => {
   assert.deepEqual([failed, reported], [["!"], []])
 })
 
-test("the wire of a page in sight again is given up after one message without an answer", async () => {
+test("when a page becomes visible again, one message without an answer ends the connection", async () => {
   const sent = []
   let lost = 0
-  const messages = new Messages(async told => told, () => {}, assert.fail, assert.fail) // prettier-ignore
+  const messages = new Messages(async packet => packet, () => {}, assert.fail, assert.fail) // prettier-ignore
   messages.overdue = () => void lost++
   messages.probe()
   messages.attach({send: message => sent.push(message)}, false)
@@ -125,7 +125,7 @@ test("the wire of a page in sight again is given up after one message without an
   assert.equal(messages.changes, 0)
 })
 
-test("the answer of a worker that is still starting is waited for four times as long", () => {
+test("the page waits four times as long for a worker that is still starting", () => {
   for (const [type, patience] of [
     ["act", 5000],
     ["about", 20000],
@@ -133,7 +133,7 @@ test("the answer of a worker that is still starting is waited for four times as 
     ["rows", 20000],
   ]) {
     let lost = 0
-    const messages = new Messages(async told => told, () => {}, assert.fail, assert.fail) // prettier-ignore
+    const messages = new Messages(async packet => packet, () => {}, assert.fail, assert.fail) // prettier-ignore
     messages.overdue = () => void lost++
     messages.attach({send: () => {}}, false)
     messages.send({type})

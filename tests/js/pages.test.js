@@ -1,4 +1,4 @@
-// A handout's steps on pages: whole, in their order, on as few as there can be, none half empty that need not be.
+// The steps of a handout on pages: unbroken, in order, on as few pages as possible, evenly filled.
 
 import "./browser.js"
 import assert from "node:assert/strict"
@@ -9,7 +9,7 @@ const MOST = 950
 let seed = 1
 const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647
 
-/** The number of pages where each takes as much as it can. @param {number[]} heights */
+/** The number of pages if each is filled before the next. @param {number[]} heights */
 function inTurn(heights) {
   let [pages, used] = [1, 0]
   for (const height of heights) {
@@ -22,7 +22,7 @@ function inTurn(heights) {
   return pages
 }
 
-test("steps stand whole, in their order, on as few pages as there can be", () => {
+test("steps are unbroken, in order, on as few pages as possible", () => {
   for (let round = 0; round < 500; round++) {
     const heights = Array.from({length: 1 + Math.floor(20 * random())}, () => 60 + 900 * random())
     const pages = packed(heights, MOST)
@@ -36,7 +36,7 @@ test("steps stand whole, in their order, on as few pages as there can be", () =>
   }
 })
 
-test("pages are filled evenly: the last one takes its share", () => {
+test("pages are filled evenly, the last one too", () => {
   assert.deepEqual(packed([300, 300, 300, 100], MOST), [
     [0, 2],
     [2, 4],
@@ -47,7 +47,7 @@ test("pages are filled evenly: the last one takes its share", () => {
   ])
 })
 
-test("a step that is longer than a page has one to itself", () => {
+test("a step longer than a page has its own page", () => {
   assert.deepEqual(packed([100, 2000, 100], MOST), [
     [0, 1],
     [1, 2],

@@ -1,4 +1,4 @@
-// Places for texts: none lies on another or leaves, order stays, and nothing moves further than it must.
+// Places for labels: none overlaps another or leaves the area, the order stays, and moves are minimal.
 
 import assert from "node:assert/strict"
 import {test} from "node:test"
@@ -22,7 +22,7 @@ const isIn = ({left, right, top, bottom}, room) =>
   left >= room.left - 0.02 && right <= room.right + 0.02 && top >= room.top - 0.02 && bottom <= room.bottom + 0.02
 const far = (one, other) => Math.hypot(one.left - other.left, one.top - other.top)
 
-/** A crowd of texts and of what is fixed. */
+/** Random texts and fixed boxes. */
 function crowd(seed) {
   const number = numbers(seed)
   const fixed = some(Math.floor(12 * number()), () => box(280 * number(), 180 * number(), 60 * number(), 30 * number()))
@@ -37,7 +37,7 @@ function crowd(seed) {
   return {fixed, texts}
 }
 
-test("no text lies on another or on what is fixed, and none leaves", () => {
+test("no text overlaps another or a fixed box, and none leaves the area", () => {
   for (let seed = 1; seed < 400; seed++) {
     const {fixed, texts} = crowd(seed)
     const found = places(texts, fixed)
@@ -50,7 +50,7 @@ test("no text lies on another or on what is fixed, and none leaves", () => {
   }
 })
 
-test("it moves no further than a search of all places would have it, and leaves only where there is none", () => {
+test("texts move no further than an exhaustive search finds, and disappear only if there is no place", () => {
   let moved = 0
   let gone = 0
   for (let seed = 1; seed < 400; seed++) {
@@ -72,19 +72,19 @@ test("it moves no further than a search of all places would have it, and leaves 
   assert.ok(moved > 3 && gone > 0)
 })
 
-test("what stands clear stays, the first wish before others as good", () => {
+test("a text without collisions stays, at its first preferred place", () => {
   const [wish, other] = [box(10, 10, 40, 14), box(10, 60, 40, 14)]
   assert.equal(places([{wishes: [wish, other]}])[0], wish)
   assert.equal(places([{wishes: [wish, other], down: 5}], [box(0, 0, 100, 20)])[0], other)
   assert.deepEqual(places([{wishes: [wish, other], down: 50}], [box(0, 0, 100, 12), other])[0], box(10, 12, 40, 14))
 })
 
-test("a text is taken into its room, and has no place where this is too small", () => {
+test("a text is moved into its area, and has no place if the area is too small", () => {
   assert.deepEqual(places([{wishes: [box(-20, 190, 40, 14)], room: ROOM}]), [box(0, 186, 40, 14)])
   assert.deepEqual(places([{wishes: [box(-20, 10, 400, 14)], room: ROOM}]), [null])
 })
 
-test("on a line all keep their order, none touches the next or leaves, and what is apart stays", () => {
+test("on a line texts keep their order, none touches the next or leaves, and texts without neighbours stay", () => {
   for (let seed = 1; seed < 400; seed++) {
     const number = numbers(seed)
     const spans = some(Math.floor(8 * number()), () => ({at: 240 * number() - 20, size: 5 + 20 * number()}))
@@ -106,7 +106,7 @@ test("on a line all keep their order, none touches the next or leaves, and what 
   assert.deepEqual(inLine(apart), [150, 20, 100])
 })
 
-test("two that would touch give way alike, and no other arrangement is nearer to what all wish", () => {
+test("two texts that would touch move equally, and no other arrangement is closer to all preferred places", () => {
   assert.deepEqual(
     inLine([
       {at: 100, size: 16},
@@ -137,7 +137,7 @@ test("two that would touch give way alike, and no other arrangement is nearer to
   }
 })
 
-test("of spans that would touch every second stands, or fewer, always the last", () => {
+test("of ticks that would touch, every second or fewer is shown, always the last", () => {
   const row = (gap, size, count = 6) => some(count, i => ({at: i * gap, size}))
   assert.equal(everyWhich(row(10, 10)), 1)
   assert.equal(everyWhich(row(10, 11)), 2)

@@ -1,4 +1,4 @@
-// A saved file can be read for a while: Safari reads it some time after the click.
+// A saved file stays readable for some time, because Safari reads it after the click.
 
 import assert from "node:assert/strict"
 import {resolveObjectURL} from "node:buffer"
@@ -14,7 +14,7 @@ afterEach(() => {
   mock.restoreAll()
 })
 
-test("a file is there for half a minute after the click, and not for ever", async () => {
+test("a file's address works for half a minute after the click", async () => {
   const made = mock.method(URL, "createObjectURL")
   save("k2.csv", "t,x\n", "text/csv")
   const address = made.mock.calls[0].result

@@ -1,4 +1,4 @@
-// Storage where a browser keeps nothing: read as empty, never thrown, and said once where it matters.
+// Storage in a browser that stores nothing: it reads as empty, never throws, and is reported once.
 
 import assert from "node:assert/strict"
 import {beforeEach, test} from "node:test"
@@ -14,7 +14,7 @@ function keep(name, text) {
   this[name] = String(text)
 }
 
-/** A storage as a browser has it: its names are its own keys. */
+/** A browser's storage: its names are its own keys. */
 function works(setItem = keep) {
   const hidden = value => ({value, enumerable: false})
   return Object.create(null, {
@@ -37,7 +37,7 @@ beforeEach(() => {
   define("sessionStorage", {value: works()})
 })
 
-test("texts stay as they are, values cross as JSON, and each shelf keeps its own", () => {
+test("texts are stored unchanged, values as JSON, and each shelf separately", () => {
   assert.ok(browserStorage.keep("theme", "dark") && tabStorage.keep("walk", {a: [1]}))
   assert.equal(localStorage.theme, "dark")
   assert.equal(browserStorage.text("theme"), "dark")
@@ -48,7 +48,7 @@ test("texts stay as they are, values cross as JSON, and each shelf keeps its own
   assert.deepEqual(tabStorage.names(), [])
 })
 
-test("what another page has kept under a name is no value", () => {
+test("a value stored by another page is ignored", () => {
   browserStorage.keep("answers", "{half")
   assert.equal(browserStorage.value("answers"), null)
 })
@@ -57,7 +57,7 @@ for (const [name, storage] of [
   ["refused", refuses],
   ["full", () => works(refuses)],
 ]) {
-  test(`a storage that is ${name} keeps nothing, and that is said once`, async () => {
+  test(`a storage that is ${name} stores nothing, and this is reported once`, async () => {
     define("localStorage", {get: storage})
     const {browserStorage: anew} = await import(`../../static/core/storage.js?${name}`)
     const before = document.body.children.length

@@ -1,4 +1,4 @@
-// The stream of a live class against a clock that is turned by hand.
+// The stream of a live class, with a clock that the test advances.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
@@ -33,7 +33,7 @@ function begin(more) {
 const refuse = (status, sentence) => () => Response.json({sentence}, {status})
 const news = number => () => Response.json({number})
 
-test("each state leads to one that there is, and in the end to questions", () => {
+test("each state leads to an existing one, and finally to polling", () => {
   for (const name of Object.keys(STATES)) {
     let state = name
     for (let i = 0; i < 8; i++) state = STATES[state].late
@@ -41,7 +41,7 @@ test("each state leads to one that there is, and in the end to questions", () =>
   }
 })
 
-test("a stream is heard until it ends, and taken up where it was", async () => {
+test("a stream is read until it ends and then resumed at the same event", async () => {
   const streams = []
   server.answers = (path, signal) => streams[streams.push(events(signal)) - 1].answer
   begin()
@@ -57,7 +57,7 @@ test("a stream is heard until it ends, and taken up where it was", async () => {
   assert.deepEqual(heard.connected, [true, true, ""])
 })
 
-test("a stream that brings nothing is given up for questions, and tried again beside them", async () => {
+test("a silent stream is replaced by polling, and tried again in parallel", async () => {
   let late
   server.answers = (path, signal) => {
     if (path.includes("/now")) return news("a.1")()
@@ -81,7 +81,7 @@ test("a stream that brings nothing is given up for questions, and tried again be
   assert.ok(server.times("/now").at(-1) < 64200)
 })
 
-test("a page that wakes tries in haste, and uses up what has died meanwhile", async () => {
+test("a page that wakes up reconnects quickly and drops dead connections", async () => {
   let last
   server.answers = (path, signal) => (path.includes("/events") ? (last = events(signal)).answer : undefined)
   begin()
@@ -109,7 +109,7 @@ test("a page that wakes tries in haste, and uses up what has died meanwhile", as
   assert.ok(server.asked.filter(({path}) => path === "time").every(({signal}) => signal.aborted))
 })
 
-test("a phone in a pocket has no stream and asks nothing until it is seen, then at once", async () => {
+test("a hidden page has no stream and sends no request until it is visible, then at once", async () => {
   const seen = is => {
     document.hidden = !is
     document.dispatchEvent(new Event("visibilitychange"))
@@ -126,7 +126,7 @@ test("a phone in a pocket has no stream and asks nothing until it is seen, then 
   assert.equal(server.asked.length, 2)
 })
 
-test("a page that nothing reaches asks less and less often, and at once where the network is back", async () => {
+test("an unreachable page asks less and less often, and at once when the network is back", async () => {
   server.answers = () => {
     throw new TypeError("Failed to fetch")
   }
@@ -142,7 +142,7 @@ test("a page that nothing reaches asks less and less often, and at once where th
   assert.equal(heard.refused.length, 0)
 })
 
-test("a class that is not there is believed to be gone after some doubts, a full server never", async () => {
+test("a missing class ends the stream after some tries, a full server never", async () => {
   server.answers = refuse(503, "Try later.")
   begin()
   await pass(60000)
@@ -156,7 +156,7 @@ test("a class that is not there is believed to be gone after some doubts, a full
   assert.equal(server.asked.length, count)
 })
 
-test("a server that begins anew has half a minute to have the class again, the instructor's page none", async () => {
+test("a restarted server has half a minute to restore the class, for the instructor's page none", async () => {
   server.answers = (path, signal) => (Date.now() < 25000 ? refuse(404, "Not there.")() : events(signal).answer)
   begin()
   await pass(60000)
@@ -170,7 +170,7 @@ test("a server that begins anew has half a minute to have the class again, the i
   assert.deepEqual(heard.refused, ["Not there."])
 })
 
-test("a fault of the page that hears the news does not end the stream", async () => {
+test("an exception in the news handler does not end the stream", async () => {
   mock.method(console, "warn", () => {})
   let last
   server.answers = (path, signal) => (last = events(signal)).answer
@@ -186,7 +186,7 @@ test("a fault of the page that hears the news does not end the stream", async ()
   assert.ok(!heard.connected.includes(""))
 })
 
-test("a stream that has fallen silent is taken up anew", async () => {
+test("a silent stream is opened again", async () => {
   const streams = []
   server.answers = (path, signal) => streams[streams.push(events(signal)) - 1].answer
   begin()
@@ -198,7 +198,7 @@ test("a stream that has fallen silent is taken up anew", async () => {
   assert.equal(streams.length, 2)
 })
 
-test("a stream that is closed asks no more", async () => {
+test("a closed stream sends no request", async () => {
   server.answers = refuse(503, "")
   begin()
   await pass(100)

@@ -1,4 +1,4 @@
-// The headline of a class's summary: the step at which most was wrong.
+// The headline of a class's summary: the step with the most wrong answers.
 
 import assert from "node:assert/strict"
 import {test} from "node:test"

@@ -1,4 +1,4 @@
-// Tables that students have: each separator, decimal signs, names or none, holes; and files that are no table.
+// Tables of measured data: separators, decimal signs, with or without names, with holes; and files that are no table.
 
 import assert from "node:assert/strict"
 import {execFileSync} from "node:child_process"
@@ -80,7 +80,7 @@ test("rows with holes are left out and counted", () => {
   assert.equal(t[0], 0)
 })
 
-test("a file that is no record is refused with the line and the reason", () => {
+test("a file without a record is refused with the line and the reason", () => {
   const refused = [
     ["", /^Line 1: it is empty/],
     ["\0\u0001", /^Line 1: this is no text/],
@@ -179,7 +179,7 @@ test("spreadsheets' UTF-16 is text too", () => {
   assert.deepEqual([textOf(wide), textOf(bytesOf("t;x"))], ["t;x", "t;x"])
 })
 
-test("of a recording the axis with the largest motion is the first", () => {
+test("the axis of a recording with the largest motion comes first", () => {
   const {names, columns} = tableOfRows(Array.from({length: 9}, (_, i) => [500 + 20 * i, 0.1, (-1) ** i, 9.8]))
   assert.deepEqual(names, ["t (s)", "y (m/s²)", "x (m/s²)", "z (m/s²)"])
   assert.deepEqual([columns[0][2], columns[1][3]], [0.04, -1])

@@ -1,4 +1,4 @@
-"""The notebooks run as they are, with the outputs that they show; a scene displays itself in one."""
+"""The notebooks run and show the stored outputs; a scene displays itself in a notebook."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from tests.serving.server import ROOT
 
 NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 STEPPED = "against-scipy"
-"""Its errors are those of SciPy's on this machine: the last digits of roundings may be others elsewhere."""
-# What a kernel's client leaves open at its end, and says of the event loop.
+"""Its digits are not compared: the rounding errors of SciPy differ between machines."""
+# Warnings about what a kernel's client leaves open when it ends.
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 WITH_SCENE = "a-scene"
 
 
 def shown(notebook: Any) -> str:
-    """All texts as one: a kernel cuts what is printed where it likes."""
+    """Join all texts: a kernel splits printed text arbitrarily."""
     found = (output for cell in notebook.cells for output in cell.get("outputs", ()))
     return "".join(output.get("text", "") or output.get("data", {}).get("text/plain", "") for output in found)
 
@@ -31,16 +31,16 @@ def test_there_are_four() -> None:
 
 @pytest.mark.parametrize(("name", "model"), [(WITH_SCENE, "panel.models.widgets.Player"), ("a-sweep", "Figure")])
 def test_the_figures_are_stored(name: str, model: str) -> None:
-    """They can be read without running anything."""
+    """They are readable without running anything."""
     stored = (ROOT / "docs" / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
     assert rf"\"name\":\"{model}\"" in stored
     assert "sys.path" not in stored
 
 
 @pytest.mark.parametrize("path", spread(NOTEBOOKS), ids=lambda path: path.stem)
-def test_a_notebook_shows_what_it_gives(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_notebooks_stored_outputs_are_current(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PYTHONPATH", str(ROOT))  # as if the lecture were installed, which the notebooks expect
-    # Reading them compiles grammars for two seconds: not where tests are merely listed.
+    # Importing this compiles grammars for two seconds, so it happens only when the test runs.
     import nbformat
     from nbclient import NotebookClient
 

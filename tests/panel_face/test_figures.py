@@ -1,4 +1,4 @@
-"""The figures of the Panel face on a phone: every text is drawn, none overlaps another or is cut."""
+"""The figures of the Panel face on a phone: every text is drawn; none is cut or overlaps another."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from components.scene.face import face_of
 from components.scenes import SCENES
 
 STAGE, FRAME = 366, 290
-"""Pixels of a stage and of the frame of a plot in a page that is 390 wide."""
+"""Widths in pixels of a stage and of a plot's frame in a page 390 pixels wide."""
 WIDE = 700
 
 
 def fitted(slug: str, stage: int, frame: int) -> PanelFace:
-    """A face whose figures have the widths that a browser would report."""
+    """Return a face whose figures have the widths that a browser would report."""
     face = PanelFace(face_of(SCENES[slug])())
     figures: list[LiveStage | LiveFigure] = [*face.stages.values(), *face.figures.values()]
     for one in figures:
@@ -30,7 +30,7 @@ def fitted(slug: str, stage: int, frame: int) -> PanelFace:
 
 
 def rows(drawing: ShapeGlyphs, one: LiveStage | LiveFigure) -> list[dict[str, object]]:
-    """The drawn texts of a figure, at pixels from the upper left corner of its frame."""
+    """Return the drawn texts of a figure, in pixels from the upper left corner of its frame."""
     columns = drawing.sources["texts"].data
     x, y = one.model.x_range, one.model.y_range
     top = one.height if isinstance(one, LiveFigure) else y.start
@@ -86,7 +86,7 @@ def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
     assert stage.model.x_range.end == WIDE
 
 
-def test_of_two_overlapping_texts_the_later_one_moves_or_is_left_out() -> None:
+def test_the_later_of_two_overlapping_texts_moves_or_is_left_out() -> None:
     same = [text_row(50, 20, text, "ink", "t1", "middle").row for text in ("first", "other")]
     one, other = clear(same, TextBox(0, 100, 0, 100))
     assert (one["x"], one["y"]) == (50, 20) and other["x"] == 50 and other["y"] != 20
@@ -99,7 +99,7 @@ def test_of_two_overlapping_texts_the_later_one_moves_or_is_left_out() -> None:
 
 
 @pytest.mark.browser
-def test_the_estimated_widths_are_those_of_a_browser(browser: Browser) -> None:
+def test_estimated_text_widths_agree_with_a_browser(browser: Browser) -> None:
     """Within an eighth of the text or 3 pixels, for every text of the first views."""
     texts = set()
     for slug in SCENES:

@@ -1,4 +1,4 @@
-"""The Panel face, driven without a browser: a widget's value is set, and the sources are read."""
+"""The Panel face without a browser: tests set a widget's value and read the data sources."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def numbers(scene: SceneFace) -> dict[str, dict[str, list[float]]]:
 
 
 def check_figures(face: PanelFace) -> None:
-    """All figures draw the numbers that the scene has, in the units of their axes."""
+    """Check that all figures draw the scene's numbers in the units of their axes."""
     picture, drawn = face.scene.shown, 0
     for figure in face.figures.values():
         block = figure.block
@@ -77,7 +77,7 @@ def test_every_slider_moves_the_scene(kind: type[Scene]) -> None:
 
 
 @scenes
-def test_a_field_takes_what_is_typed(kind: type[Scene]) -> None:
+def test_a_field_accepts_typed_text(kind: type[Scene]) -> None:
     scene = kind()
     face = scene.panel()
     for name in face.sliders:
@@ -91,7 +91,7 @@ def test_a_field_takes_what_is_typed(kind: type[Scene]) -> None:
 
 
 @scenes
-def test_a_refused_value_stays_in_its_field_with_its_sentence(kind: type[Scene]) -> None:
+def test_a_refused_value_stays_in_its_field_with_the_reason(kind: type[Scene]) -> None:
     scene = kind()
     face = scene.panel()
     before, shown = numbers(scene), scene.shown
@@ -108,7 +108,7 @@ def test_a_refused_value_stays_in_its_field_with_its_sentence(kind: type[Scene])
     assert not face.problems and not any(getattr(one, "problem", face.refused).visible for one in face.controls)
 
 
-def test_what_the_physics_refuses_changes_nothing() -> None:
+def test_values_refused_by_the_physics_change_nothing() -> None:
     scene = SCENES["coupled"]()
     face = scene.panel()
     face.widgets["m1"].value = "1e300"
@@ -120,7 +120,7 @@ def test_what_the_physics_refuses_changes_nothing() -> None:
     assert scene.shown.axes["x"] == shown.axes["x"]
 
 
-def test_a_fault_is_a_sentence_and_all_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unexpected_error_is_reported_and_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = SCENES["coupled"]()
     face, shown = scene.panel(), scene.shown
     monkeypatch.setattr(scene.scene_kind, "picture", lambda *_: [][1])
@@ -173,7 +173,7 @@ def test_a_choice_shows_another_curve_or_plot() -> None:
     assert modes in face.seen and all(renderer.visible for renderer in modes.parts)
 
 
-def test_what_stands_follows_the_picture() -> None:
+def test_visible_groups_follow_the_picture() -> None:
     scene = SCENES["coupled"]()
     face = scene.panel()
     column = {part for part, form, _ in face.parts if form == "start_modes"}
@@ -202,11 +202,11 @@ NEEDED: dict[tuple[str, str], dict[str, Any]] = {
     ("coupled", "X_slow"): {"given_by": "modes"},
     ("forced", "omega"): {"c1": 0.5, "c2": 0.5},
 }
-"""Values with which a dot that can be dragged is there."""
+"""Values for which the draggable dot is visible."""
 
 
 def drawn(one: LiveFigure | LiveStage, of: str, column: str = "x") -> list[Any]:
-    """A column of the areas, lines, points or texts that a stage or plot draws with its shapes."""
+    """Return a column of the areas, lines, points or texts that a stage or plot draws with its shapes."""
     return list(one.drawing.sources[of].data[column])
 
 
@@ -259,7 +259,7 @@ def test_the_player_moves_the_stage_the_cursor_and_the_numbers() -> None:
     ],
 )
 def test_a_dot_can_be_dragged(slug: str, view: str, part: str, name: str) -> None:
-    """Each dot of a figure is moved by a fifth of the figure; one of them sets the parameter."""
+    """Each dot of a figure moves by a fifth of the figure; one of them sets the parameter."""
     for sign in (1, -1):
         scene = SCENES[slug](view=view, **NEEDED.get((slug, name), {}))
         face = scene.panel()
@@ -312,7 +312,7 @@ def test_the_formulas_are_mathml_with_the_numbers_of_the_picture() -> None:
     assert any(scene.shown.values["omega_minus"] in text for text in texts)
 
 
-def test_all_faces_follow_the_scene_whoever_sets_it() -> None:
+def test_all_faces_follow_the_scene() -> None:
     scene = SCENES["coupled"]()
     one, other = scene.panel(), scene.panel()
     scene.k2 = 3.0
@@ -346,7 +346,7 @@ def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None
 def test_a_change_is_pushed_to_the_page_of_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
     face, document, pushed = SCENES["coupled"]().panel(), Document(), []
     face.__panel__()._render_model(document, Comm())
-    document.hold()  # as Panel does for a notebook, which sends what is held
+    document.hold()  # as Panel does in a notebook, which sends collected changes
     monkeypatch.setattr(notebook, "push", lambda document, *_: pushed.extend(document.callbacks._held_events))
     face.widgets["k2"].value = "5"
     changed = {event.model for event in pushed if isinstance(event, ColumnDataChangedEvent)}
@@ -358,7 +358,7 @@ def test_panel_takes_a_scene_as_any_object() -> None:
     assert [model for model in root.references() if type(model).__name__ == "TextInput"]
 
 
-def test_sliders_run_as_those_of_the_page() -> None:
+def test_sliders_have_the_scales_of_the_page() -> None:
     sliders = {
         (row.scale, row.soft)
         for kind in SCENES.values()
@@ -381,7 +381,7 @@ def test_sliders_run_as_those_of_the_page() -> None:
 
 
 def test_a_frame_sends_little() -> None:
-    """A frame of the player changes only the rows of what moves: no curve, and a few thousand bytes."""
+    """A frame of the player changes only the rows of moving items: no curve, and a few thousand bytes."""
     face, document = SCENES["oscillator"]().panel(), Document()
     face.__panel__().server_doc(document)
     events: list[Any] = []

@@ -1,6 +1,6 @@
-"""Makes static/fonts/stix-two-math.woff of the full STIX Two Math: python -m tests.tooling.math_font path/to/full.woff
+"""Make static/fonts/stix-two-math.woff from the full STIX Two Math: python -m tests.tooling.math_font path/to/full.woff
 
-The full font is in the npm package @fontsource/stix-two-math. Kept are the characters of formulas, with the
+The full font is in the npm package @fontsource/stix-two-math. The result keeps the characters of formulas, with the
 variants and the table that mathematical layout needs.
 """
 
@@ -39,7 +39,7 @@ def main(source: str) -> None:
 
 
 def narrow_roots(font: TTFont) -> None:
-    """Chromium reserves for every root the room of the widest of its signs: the tall ones are made narrower."""
+    """Make the tall radical signs narrower: Chromium reserves the width of the widest sign for every root."""
     variants = font["MATH"].table.MathVariants
     root = variants.VertGlyphConstruction[variants.VertGlyphCoverage.glyphs.index(font.getBestCmap()[ord("√")])]
     names = {record.VariantGlyph for record in root.MathGlyphVariantRecord}

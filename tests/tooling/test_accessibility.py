@@ -1,4 +1,4 @@
-"""docs/accessibility.md: every criterion has its row, and every test that a row names is there."""
+"""docs/accessibility.md: every criterion has its row, and every test that a row names exists."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_every_criterion_of_wcag_2_2_has_a_row() -> None:
     assert [number for number, *_ in ROWS] == [*A.split(), *AA.split()]
 
 
-def test_what_is_supported_names_a_test_and_each_named_test_is_there() -> None:
+def test_supported_criteria_name_tests_that_exist() -> None:
     named = set()
     for number, conformance, remarks in ROWS:
         assert conformance in ("Supports", "Partially Supports", "Does Not Support", "Not Applicable"), number

@@ -1,6 +1,7 @@
-"""docs/adding-a-scene.md is true: its code makes a scene that is typed, tested, served and drawn.
+"""docs/adding-a-scene.md is correct: its code makes a scene that is typed, tested, served and drawn.
 
-So does the second scene, a mass between two walls, written as that page says: one package, one line, its tests.
+The same holds for the second scene, a mass between two walls, which follows that page: one package, one line, its
+tests.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ COPIED = (
     "tools",
 )
 TYPES = ".mypy_cache"
-"""Left by the linters: with it mypy reads what is new alone."""
+"""Cache of the linters; mypy then checks only the new files."""
 REGISTRY = "components/scenes/__init__.py"
 WALLS = {
     "components/scenes/walls/__init__.py": "scene.py",
@@ -45,7 +46,7 @@ SCREENS = {
 
 
 def code() -> dict[str, str]:
-    """The code of the page by file: a block belongs to the file that the last `# name` line names."""
+    """Return the code of the page by file. A block belongs to the file of its last `# name` line."""
     found: dict[str, str] = {}
     name = ""
     for block in re.findall(r"```python\n(.*?)```", TUTORIAL.read_text(encoding="utf-8"), re.S):
@@ -60,7 +61,7 @@ def code() -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the project with what the page adds to it."""
+    """A copy of the project, extended as the page says."""
     folder = tmp_path_factory.mktemp("project")
     for name in (*COPIED, *(name for name in (TYPES,) if (ROOT / name).exists())):
         here, there = ROOT / name, folder / name
@@ -77,7 +78,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def registered(friction: str) -> str:
-    """The registry with both scenes in it."""
+    """Return the registry with both scenes."""
     text = (ROOT / REGISTRY).read_text(encoding="utf-8")
     text = text.replace("\nSCENES: dict", f"{friction}\n{WALLS_IMPORT}\n\nSCENES: dict")
     assert text.count("        Accuracy,\n") == 1, "the list of scenes ends as it did when this was written"
@@ -122,7 +123,7 @@ def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path)
 
 @pytest.mark.browser
 @pytest.mark.slow
-def test_a_phones_first_screen_has_all_that_their_tasks_name(project: Path, browser: Browser) -> None:
+def test_a_phones_first_screen_shows_everything_their_tasks_name(project: Path, browser: Browser) -> None:
     told = run(
         project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction or walls", "tests/browser/test_views.py"
     )

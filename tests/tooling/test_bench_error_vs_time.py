@@ -1,4 +1,4 @@
-"""`make bench` on a short leash: its files are complete, also where runs fail."""
+"""`make bench` with small settings: its files are complete, also if runs fail."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tools.bench.tables import markdown, reached_table
 
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Studies of two places each, and nothing compiled."""
+    """Studies with two points each; nothing is compiled."""
     monkeypatch.setattr("tools.bench.compiled.compiled_methods", lambda systems: [])
     for name, value in (("LENGTHS", (5, 10)), ("STEPPING", ("rk4",)), ("TOLERANCES", {"lsoda": 1e-6})):
         monkeypatch.setattr(studies, name, value)
@@ -37,15 +37,15 @@ def test_tables_and_figures_of_one_system(short: None, tmp_path: Path, capsys: p
     assert all(bool(row["error"]) != bool(row["failure"]) for row in rows)
     text = (tmp_path / "error_vs_time.md").read_text()
     assert "unstable step: h f = 5e+04" in (tmp_path / "runs.csv").read_text()
-    for told in ("## Length of the run", "80 digits alone", "† marks"):
-        assert told in text
+    for expected in ("## Length of the run", "80 digits alone", "† marks"):
+        assert expected in text
     for name in ("dashpot", "stability", "length", "digits"):
         assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     assert len((tmp_path / "length.csv").read_text().splitlines()) == 1 + 2 * 5
     assert "Stiff: a dashpot: RK4 1 steps an output: unstable" in capsys.readouterr().err
 
 
-def test_what_is_recorded_comes_back(tmp_path: Path) -> None:
+def test_a_record_can_be_read_back(tmp_path: Path) -> None:
     from components.scenes.accuracy.measuring import decoded_run
 
     run = Run(
@@ -63,19 +63,19 @@ def test_what_is_recorded_comes_back(tmp_path: Path) -> None:
     assert recalled(tmp_path).runs["beats"] == [replace(back, system="beats")]
 
 
-def test_a_second_benchmark_stands_beside_the_first_and_marks_what_differs() -> None:
-    """Ratios to the closed form count, not times: what is slower as a whole has not changed."""
+def test_a_second_recording_is_shown_next_to_the_first_and_differences_are_marked() -> None:
+    """Ratios to the closed form are compared, not times: a uniformly slower machine changes nothing."""
     closed = Run(system="benign", method="closed", setting=0, time=1e-3, error=1e-16, evaluations=1001)
     rk4 = Run(system="benign", method="rk4", setting=9, time=1e-2, error=1e-7, evaluations=36000)
     first = Report({"date": "x"}, 1.0, {"benign": [closed, rk4]}, [], {}, [])
-    for slower, told in ((1.25, "10 (12.5)"), (1.5, "10 (15) ‡"), (0.7, "10 (7) ‡")):
+    for slower, expected in ((1.25, "10 (12.5)"), (1.5, "10 (15) ‡"), (0.7, "10 (7) ‡")):
         second = {"benign": [replace(closed, time=2e-3), replace(rk4, time=2e-2 * slower)]}
         rows = price_table(changes.with_second(first, second, set()).runs["benign"], 1e-6)
-        assert f"| RK4 | 3.6e+04 | 10 ms | {told} |" in rows[3]
+        assert f"| RK4 | 3.6e+04 | 10 ms | {expected} |" in rows[3]
     assert "| RK4 | 3.6e+04 | 10 ms | 10 |" in price_table(first.runs["benign"], 1e-6)[3]
 
 
-def test_the_document_is_what_the_record_says() -> None:
+def test_the_document_agrees_with_the_record() -> None:
     report = recalled(error_vs_time.RECORDED)
     assert (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8") == markdown(report)
     for run in (run for many in report.runs.values() for run in many if run.time):
@@ -83,10 +83,10 @@ def test_the_document_is_what_the_record_says() -> None:
         assert 0.0 < run.time < 2 * (error_vs_time.PATIENCE if long else 1.0)
 
 
-def test_findings_are_read_off_the_runs() -> None:
+def test_findings_follow_from_the_runs() -> None:
     def run(method: str, time: float, compiled: bool = False, **facts: float) -> Run:
-        told = {"error": 1e-10, "evaluations": 1000, "compiled": compiled, **facts}
-        return Run(system="wider", method=method, setting=1, time=time, **told)  # type: ignore[arg-type]
+        facts_of = {"error": 1e-10, "evaluations": 1000, "compiled": compiled, **facts}
+        return Run(system="wider", method=method, setting=1, time=time, **facts_of)  # type: ignore[arg-type]
 
     runs = [run("closed", 2e-3), run("eigh", 1e-3), run("lsoda", 1e-1, stiff_share=0.99, evaluations=5000)]
     runs += [run("rk4", 1.0, evaluations=10**7), run("rk4", 2e-2, True, evaluations=10**7)]
@@ -97,22 +97,22 @@ def test_findings_are_read_off_the_runs() -> None:
         run("eigh", 2e-3, True),
     ]
     runs += [run("euler", 1.5e-3, evaluations=10**8)]
-    said = " ".join(findings({"wider": runs}))
+    text = " ".join(findings({"wider": runs}))
     assert (
         "In Python, a method with steps is cheaper than the closed form as the app runs it on Wide apart, 1e10 at"
-        in said
+        in text
     )
-    assert "In Python, no method with steps is cheaper than the closed form in doubles." in said
+    assert "In Python, no method with steps is cheaper than the closed form in doubles." in text
     assert (
-        "Compiled, a method with steps is cheaper than the closed form in doubles on Wide apart, 1e10 at 0.001" in said
+        "Compiled, a method with steps is cheaper than the closed form in doubles on Wide apart, 1e10 at 0.001" in text
     )
-    assert "take 50 to 67 times as long in Python as compiled" in said
-    assert "the best explicit method, RK4, needs 1.00e+07 evaluations, 2e+04 times as many as the best implicit" in said
+    assert "take 50 to 67 times as long in Python as compiled" in text
+    assert "the best explicit method, RK4, needs 1.00e+07 evaluations, 2e+04 times as many as the best implicit" in text
     assert findings({"wide": runs}) and "explicit" not in " ".join(findings({"benign": runs})), "it is not stiff"
-    assert "at rtol 1 LSODA takes most of its steps by BDF" in said
+    assert "at rtol 1 LSODA takes most of its steps by BDF" in text
 
 
-def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations() -> None:
+def test_solves_of_implicit_steps_are_counted_and_shown_next_to_the_evaluations() -> None:
     from physics.integrators.problem import Watch
     from physics.integrators.race import counts
 
@@ -131,15 +131,15 @@ def test_what_implicit_steps_solve_is_counted_and_stands_beside_the_evaluations(
     assert f"| rtol 1e-06, atol 1e-09 | {run.evaluations:.3g} |  | {run.factorisations:.3g} | {run.solves:.3g} |" in row
 
 
-def test_every_price_that_was_not_measured_has_an_estimate_or_says_why() -> None:
-    for end, told in (("time limit", "about 5.62 s"), ("floor", "never"), ("", "not refined so far")):
+def test_every_unmeasured_cost_has_an_estimate_or_a_reason() -> None:
+    for end, expected in (("time limit", "about 5.62 s"), ("floor", "never"), ("", "not refined so far")):
         runs = [Run(system="benign", method="rk4", setting=1, time=1.0, evaluations=4000, error=1e-3, end=end)]
         row = price_table(runs, 1e-6)[2]
-        assert f"| {told} |" in row and row.endswith("| 1.0e-03 |")
+        assert f"| {expected} |" in row and row.endswith("| 1.0e-03 |")
         assert ("about 2.25e+04" in row) == (end == "time limit"), "1000 ** (1/4) times the evaluations"
 
 
-def test_a_solver_that_was_not_compiled_here_gets_an_estimate_by_the_time_of_an_evaluation_elsewhere() -> None:
+def test_compiled_times_are_estimated_by_the_time_of_an_evaluation_on_another_system() -> None:
     python = Run(system="benign", method="rk45", setting=1e-6, time=2e-3, evaluations=1000, error=1e-7, end="finest")
     beats = [replace(python, system="beats", time=4e-3)]
     record = {"benign": [python, replace(python, time=1e-3, compiled=True)], "beats": beats}
@@ -177,7 +177,7 @@ def test_added_methods_are_timed_in_units_of_the_first_recording(monkeypatch: py
     assert changes.with_added(found, {"benign": first}, {}).runs == found.runs, "it is added once"
 
 
-def test_second_times_are_those_of_what_was_timed_once() -> None:
+def test_only_methods_timed_once_get_a_second_time() -> None:
     once = replace(RK4, method="ieuler", time=3e-2, again=None)
     report = Report({}, 1.0, {"benign": [RK4, once]}, [], {}, [])
     asked = changes.once_only(report)
@@ -188,7 +188,7 @@ def test_second_times_are_those_of_what_was_timed_once() -> None:
     assert not changes.once_only(found), "then nothing is left to do"
 
 
-def test_long_runs_take_the_place_of_those_that_were_stopped() -> None:
+def test_long_runs_replace_those_that_were_stopped() -> None:
     closed = Run(system="wide", method="closed", setting=0, time=1e-3, error=1e-16)
     late = Run(system="wide", method="rk45", setting=1e-2, failure="time limit 1 s", end="time limit")
     before = Run(system="wide", method="lsoda", setting=1e-6, time=25.0, error=1e-3)
@@ -202,7 +202,7 @@ def test_long_runs_take_the_place_of_those_that_were_stopped() -> None:
     assert (first.time, first.again, first.end) == (16.0, 25.0, "") and second.end == "finest"
 
 
-def test_estimates_of_the_record_are_near_what_was_measured() -> None:
+def test_estimates_of_the_record_are_near_the_measured_values() -> None:
     from tools.bench.estimates import checked
 
     report = recalled(error_vs_time.RECORDED)
@@ -216,13 +216,13 @@ def test_estimates_of_the_record_are_near_what_was_measured() -> None:
     assert stiff and stiff.least and stiff.text("x") == "at least x"
 
 
-def test_no_price_of_the_document_is_missing_because_of_the_time_limit() -> None:
+def test_no_cost_in_the_document_is_missing_because_of_the_time_limit() -> None:
     text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
     assert "none: time limit" not in text and "| not in time |" not in text
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "expected"),
     [
         (["--seconds", "0"], "a time limit is a number of seconds above 0, and '0' is not"),
         (["--seconds", "soon"], "a time limit is a number of seconds above 0, and 'soon' is not"),
@@ -235,12 +235,12 @@ def test_no_price_of_the_document_is_missing_because_of_the_time_limit() -> None
         (["--output", __file__], "--output needs a folder, and"),
     ],
 )
-def test_options_that_make_no_sense_are_refused_in_a_sentence(
-    given: list[str], told: str, capsys: pytest.CaptureFixture[str]
+def test_contradictory_options_are_refused_with_a_reason(
+    given: list[str], expected: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit):
         error_vs_time.main(given)
-    assert told in capsys.readouterr().err
+    assert expected in capsys.readouterr().err
 
 
 @pytest.mark.slow
@@ -276,7 +276,7 @@ def test_a_tiny_record_is_made_and_changed_by_each_option(
     capsys.readouterr()
 
 
-def test_the_document_tells_properties_of_every_method_with_steps_and_how_far_counts_differ() -> None:
+def test_the_document_has_properties_and_spreads_of_counts_of_every_stepping_method() -> None:
     from tools.bench.methods import methods_table
 
     names = [row.split(" | ")[0].removeprefix("| ") for row in methods_table() if row.startswith("| ")][2:]

@@ -1,4 +1,4 @@
-"""The surroundings of the code: locked requirements, README's commands, the container's recipe."""
+"""Files around the code: locked requirements, the commands of the documents, the Dockerfile."""
 
 from __future__ import annotations
 
@@ -41,26 +41,26 @@ PIN = re.compile(
 
 
 def make(*arguments: str, folder: Path = ROOT) -> str:
-    """The commands that make would run."""
+    """Return the commands that make would run."""
     command = ["make", "--dry-run", *arguments]
-    # What the make that runs these tests was given is not meant for this one.
+    # Settings of the make that runs these tests must not reach this one.
     given = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "ARGS", "PORT", "PYTHON", "VENV"}
     plain = {name: value for name, value in os.environ.items() if name not in given}
     return subprocess.run(command, cwd=folder, env=plain, check=True, capture_output=True, text=True).stdout
 
 
 def tool(name: str) -> str:
-    """A command of the environment that runs the tests."""
+    """Return the path of a command in the environment that runs the tests."""
     return str(Path(sys.executable).parent / name)
 
 
 def instructions(name: str) -> list[str]:
-    """The arguments of each instruction `name` of the Dockerfile, joined lines as one."""
+    """Return the arguments of each instruction `name` of the Dockerfile, with continued lines joined."""
     return re.findall(rf"^{name} (.*)$", DOCKERFILE.replace("\\\n", " "), re.M)
 
 
 def copied(recipe: str = DOCKERFILE) -> list[str]:
-    """The files of the project that stages of the Dockerfile copy."""
+    """Return the files of the project that the Dockerfile copies."""
     lines = re.findall(r"^COPY (?!--from)(.*)$", recipe, re.M)
     return [source for line in lines for source in line.split()[:-1]]
 
@@ -72,7 +72,7 @@ def test_no_test_imports_from_a_test() -> None:
     assert [path.name for path in modules if imports.search(path.read_text(encoding="utf-8"))] == []
 
 
-def test_a_run_reads_no_module_that_has_no_test_for_it() -> None:
+def test_a_run_skips_modules_without_a_test_for_it() -> None:
     def read(asked: str) -> set[str]:
         config = SimpleNamespace(option=SimpleNamespace(markexpr=asked))
         return {path.name for path in modules if not pytest_ignore_collect(path, config)}
@@ -81,7 +81,7 @@ def test_a_run_reads_no_module_that_has_no_test_for_it() -> None:
     with_browser, without, both = map(read, ("browser and slow", "not browser", "browser or slow"))
     assert with_browser | without == both == read("") == {path.name for path in modules}
     assert "test_page.py" in with_browser - without and "test_axes.py" in without - with_browser
-    assert "test_headers.py" in with_browser & without  # which has tests of both kinds
+    assert "test_headers.py" in with_browser & without  # has tests with and without a browser
 
 
 # Requirements
@@ -97,7 +97,7 @@ def test_every_requirement_is_pinned_and_hashed_and_no_host_is_named(name: str) 
 
 
 @pytest.mark.parametrize("name", LOCKS)
-def test_the_lock_holds_what_is_asked_for(name: str) -> None:
+def test_the_lock_has_every_requirement(name: str) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     asked = {
         "requirements.txt": project["dependencies"],
@@ -109,8 +109,8 @@ def test_the_lock_holds_what_is_asked_for(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", LOCKS)
-def test_what_a_package_needs_with_extras_is_pinned_with_them(name: str) -> None:
-    """Else an older pip takes the newest release for `coverage[toml]`, has no hash for it, and installs nothing."""
+def test_requirements_with_extras_are_pinned_with_their_extras(name: str) -> None:
+    """Otherwise an older pip takes the newest release for `coverage[toml]`, has no hash for it and installs nothing."""
     pins = map(Requirement, re.findall(r"^\S+==\S+", (ROOT / name).read_text(), re.M))
     extras = {pin.name: pin.extras for pin in pins}
     found = (package for package in distributions() if canonicalize_name(package.name) in extras)
@@ -139,13 +139,13 @@ def test_the_table_of_scenes_is_current() -> None:
     assert table() in SCENES_PAGE, "run make readme"
 
 
-def test_every_way_to_start_is_the_same_command() -> None:
+def test_all_starts_use_the_same_command() -> None:
     command = "python " + " ".join(START)
     for text in (make("run"), PAGES["docs/deployment.md"], " ".join(json.loads(instructions("CMD")[-1]))):
         assert command in text
 
 
-def test_run_takes_a_port() -> None:
+def test_run_accepts_a_port() -> None:
     command = make("run", "PORT=8000")
     assert "--port 8000" in command
     assert "5006" not in command
@@ -169,7 +169,7 @@ for folder; do :; done
 case "$*" in *--clear*) rm -rf "$folder"/*;; esac
 mkdir -p "$folder/bin" && printf '#!/bin/sh\\n' > "$folder/bin/pip" && chmod +x "$folder/bin/pip"
 """
-"""Makes what make needs of a virtual environment, in place of the real one, which takes long."""
+"""Creates what make needs of a virtual environment; building a real one takes long."""
 FOLDERS = {
     "missing": [],
     "empty": [""],
@@ -181,8 +181,8 @@ FOLDERS = {
 }
 
 
-def lay(folder: Path, names: list[str]) -> dict[Path, str]:
-    """Put files into a folder, each with its own text."""
+def write_files(folder: Path, names: list[str]) -> dict[Path, str]:
+    """Put files into a folder, each with different text."""
     files = {folder / name: f"# {name}\n" for name in names if name}
     for path in (folder, *(path.parent for path in files)) if names else ():
         path.mkdir(parents=True, exist_ok=True)
@@ -194,7 +194,7 @@ def lay(folder: Path, names: list[str]) -> dict[Path, str]:
 
 
 def really_make(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """make in a folder with the Makefile alone, and a Python that does next to nothing."""
+    """Run make in a folder that has only the Makefile, with a Python that does almost nothing."""
     for name in ("Makefile", *LOCKS):
         shutil.copy(ROOT / name, folder)
     (python := folder / "python").write_text(FAKE_PYTHON)
@@ -210,7 +210,7 @@ def really_make(folder: Path, *arguments: str) -> subprocess.CompletedProcess[st
 )
 def test_make_removes_nothing_that_it_did_not_create(tmp_path: Path, kind: str, linked: bool) -> None:
     venv, there = tmp_path / "env", tmp_path / ("elsewhere" if linked else "env")
-    theirs = lay(there, FOLDERS[kind])
+    theirs = write_files(there, FOLDERS[kind])
     if linked:
         venv.symlink_to(there)
     usable = not theirs or there / "bin/pip" in theirs
@@ -237,8 +237,8 @@ def test_ci_runs_the_tests_of_the_readme() -> None:
     assert os.access(ROOT / ".ci" / "run", os.X_OK)
 
 
-def test_cis_log_says_what_the_audit_says_which_fails_no_run(tmp_path: Path) -> None:
-    """A fault that becomes known in a package today is none of the change that is looked at."""
+def test_ci_prints_the_audit_without_failing(tmp_path: Path) -> None:
+    """A vulnerability published today in a package is not a fault of the change under test."""
     (tmp_path / ".ci").mkdir()
     shutil.copy(ROOT / ".ci" / "run", tmp_path / ".ci")
     (tmp_path / "Makefile").write_text("test rest:\n\t@echo $@\naudit:\n\t@echo The audit could not be asked; exit 1\n")
@@ -250,7 +250,7 @@ def test_cis_log_says_what_the_audit_says_which_fails_no_run(tmp_path: Path) -> 
         assert subprocess.run([tmp_path / ".ci" / "run"], capture_output=True, env=alone).returncode
 
 
-# The container: there may be no engine, so its recipe is linted and its steps are walked in a clean folder.
+# The container. There may be no container engine, so the Dockerfile is linted and its steps run in a clean folder.
 
 
 def test_the_dockerfile_is_clean() -> None:
@@ -264,13 +264,13 @@ def test_the_container_installs_by_hash_and_runs_as_a_user() -> None:
     assert any(f"useradd --create-home --uid {user} " in line for line in instructions("RUN"))
 
 
-def test_the_base_is_named_by_its_digest_and_every_stage_stands_on_it() -> None:
+def test_every_stage_uses_the_same_base_image_pinned_by_digest() -> None:
     (base,) = instructions("ARG")
     assert re.fullmatch(r"BASE=python:[\w.-]+@sha256:[0-9a-f]{64}", base)
     assert [line.split()[0] for line in instructions("FROM")] == ["${BASE}"] * len(instructions("FROM"))
 
 
-def test_the_image_has_no_pip_and_what_is_cut_is_not_read(tmp_path: Path) -> None:
+def test_the_image_has_no_pip_and_cut_files_are_not_read(tmp_path: Path) -> None:
     assert any("pip uninstall --yes" in line for line in instructions("RUN"))
     packages = Path(sysconfig.get_path("purelib"))
     for name in (*KEPT, "panel/dist/panel.min.js", "bokeh/server/static/js/bokeh.js", "numpy/tests/x"):
@@ -283,7 +283,7 @@ def test_the_image_has_no_pip_and_what_is_cut_is_not_read(tmp_path: Path) -> Non
     assert {packages / name for name in KEPT} == {BOKEH}
 
 
-def test_an_audit_that_could_look_nothing_up_says_so() -> None:
+def test_an_audit_reports_packages_that_it_could_not_look_up() -> None:
     skipped = [{"name": name, "skip_reason": "not found"} for name in ("a", "b")]
     fault = {"name": "c", "version": "1", "vulns": [{"id": "CVE-1", "fix_versions": ["2"]}]}
     assert list(findings({"dependencies": skipped})) == [
@@ -293,16 +293,18 @@ def test_an_audit_that_could_look_nothing_up_says_so() -> None:
     assert list(findings({"dependencies": [{"name": "d", "version": "1", "vulns": []}]})) == []
 
 
-def test_the_builder_is_sent_what_is_copied_and_nothing_else() -> None:
+def test_the_build_context_has_only_the_copied_files() -> None:
     lines = (ROOT / ".dockerignore").read_text().splitlines()
     assert [line for line in lines if not line.startswith(("#", "!", "**/__pycache__"))] == ["*"]
     assert {line[1:] for line in lines if line.startswith("!")} == set(copied())
 
 
 @contextmanager
-def walked(**settings: str) -> Iterator[Server]:
-    """The Dockerfile's CMD, with its ENV and what `docker run -e` adds, on a read-only copy of what it copies; as root
-    can, by another user."""
+def container_run(**settings: str) -> Iterator[Server]:
+    """Run the Dockerfile's CMD with its ENV and `settings` on a read-only copy of its files.
+
+    If the tests run as root, another user runs it.
+    """
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
         top, folder = Path(name), Path(name) / "app"
         folder.mkdir()
@@ -320,7 +322,7 @@ def walked(**settings: str) -> Iterator[Server]:
             "PYTHONPATH": sysconfig.get_path("purelib"),
             **settings,
         }
-        python, user = _strangers_python()
+        python, user = _other_users_python()
         command, log = [python, *json.loads(instructions("CMD")[-1])[1:]], top / "log"
         with serving(log, port=port, command=command, folder=folder, environment=environment, user=user) as running:
             yield running
@@ -329,8 +331,8 @@ def walked(**settings: str) -> Iterator[Server]:
             path.chmod(0o755)
 
 
-def _strangers_python() -> tuple[str, int | None]:
-    """A Python of this version that another user may run, and that user; this one where there is none."""
+def _other_users_python() -> tuple[str, int | None]:
+    """Return a Python of this version that another user may run, and that user; otherwise the running Python."""
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         name = f"python{sys.version_info.major}.{sys.version_info.minor}"
         for python in (sys.executable, shutil.which(name, path="/usr/bin:/usr/local/bin")):
@@ -342,12 +344,12 @@ def _strangers_python() -> tuple[str, int | None]:
 
 @pytest.fixture(scope="module")
 def container() -> Iterator[Server]:
-    with walked() as running:
+    with container_run() as running:
         yield running
 
 
 def _is_healthy(port: int, tries: int = 3) -> bool:
-    """The answer of the image's HEALTHCHECK, which Docker believes after three failures."""
+    """Return the result of the image's HEALTHCHECK; like Docker, it takes three failures."""
     (line,) = instructions("HEALTHCHECK")
     python, *check = json.loads(line[line.index("CMD") + 3 :])
     assert python == "python"
@@ -364,7 +366,7 @@ def test_the_container_is_healthy(container: Server) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal asks a process to end here")
-def test_a_container_that_is_asked_to_end_is_not_healthy_any_more(tmp_path: Path) -> None:
+def test_a_terminating_container_is_unhealthy(tmp_path: Path) -> None:
     with serving(tmp_path / "log", options=("--notice-seconds", "8")) as running:
         assert _is_healthy(running.port)
         running.process.terminate()
@@ -381,22 +383,22 @@ def test_the_container_serves_page_and_static_files(container: Server) -> None:
         assert urlopen(container.url + asset, timeout=30).status == 200
 
 
-def test_the_container_takes_no_visitors_from_elsewhere(container: Server) -> None:
+def test_the_container_refuses_other_origins(container: Server) -> None:
     assert handshake(container, f"127.0.0.1:{container.port}") == 101
     assert handshake(container, f"localhost:{container.port}") == 101
     assert handshake(container, f"elsewhere.example:{container.port}") == 403
 
 
 @pytest.mark.slow
-def test_the_container_takes_visitors_from_the_allowed_origins() -> None:
-    with walked(ALLOWED_ORIGIN="lecture.example,second.example:8000") as running:
+def test_the_container_accepts_the_allowed_origins() -> None:
+    with container_run(ALLOWED_ORIGIN="lecture.example,second.example:8000") as running:
         assert handshake(running, "lecture.example") == 101
         assert handshake(running, "second.example:8000") == 101
         assert handshake(running, f"localhost:{running.port}") == 403
 
 
 def handshake(server: Server, host: str) -> int:
-    """The answer to a page's WebSocket, where `host` is what stands in the browser's address."""
+    """Return the status of a page's WebSocket handshake if the browser's address names `host`."""
     page = urlopen(f"{server.url}?scene=oscillator", timeout=30).read().decode()
     token = re.search(r'"token":"([^"]+)"', page)[1]
     headers = {

@@ -1,4 +1,4 @@
-"""Compiled stepping functions give the numbers of those that Python runs."""
+"""Compiled stepping functions give the same numbers as those in Python."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The containers together: what compose.yaml says of them agrees with the proxy's recipe and with the settings."""
+"""compose.yaml agrees with the Caddyfile and with the settings of the server."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DEPLOYMENT = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text())
 
 
-def test_compose_confines_every_container_and_names_settings_that_there_are() -> None:
+def test_compose_confines_every_container_and_names_existing_settings() -> None:
     for service in COMPOSE["services"].values():
         assert service["read_only"] and service["cap_drop"] == ["ALL"] and service["tmpfs"]
         assert {"cpus", "memory", "pids"} == set(service["deploy"]["resources"]["limits"])
@@ -47,16 +47,16 @@ def test_compose_confines_every_container_and_names_settings_that_there_are() ->
     assert used <= {*proxy["environment"], "UPSTREAMS", "COOKIE_SECRET"}
 
 
-def test_every_setting_reaches_the_replicas_or_is_said_to_be_fixed() -> None:
+def test_every_setting_reaches_the_replicas_or_is_documented_as_fixed() -> None:
     passed = COMPOSE["services"]["lecture"]["environment"]
     assert {name.upper() for name in HINTS} - set(passed) == {"BOKEH_SECRET_KEY", "REDIS_PASSWORD", "SHOW"}
-    fixed = {name: text for name, text in passed.items() if "$" not in text and name != "WALKS"}  # which is mounted
+    fixed = {name: text for name, text in passed.items() if "$" not in text and name != "WALKS"}  # it is mounted
     sentence = re.findall(r"compose\.yaml sets (.*?) itself", DEPLOYMENT.replace("\n", " "))[0]
     assert set(re.findall(r"`(\w+)`", sentence)) == set(fixed)
     read_settings([], {name: text for name, text in fixed.items() if not name.endswith("_FILE")})
 
 
-def test_a_misspelt_line_of_dot_env_is_named_by_the_replicas_and_a_right_one_is_not() -> None:
+def test_replicas_report_only_misspelt_lines_of_dot_env() -> None:
     lecture = COMPOSE["services"]["lecture"]
     assert lecture["env_file"] == [{"path": ".env", "required": False}]
     read = {name: "5" for name in re.findall(r"\$\{([A-Z_]+)", (ROOT / "compose.yaml").read_text())}
@@ -64,7 +64,7 @@ def test_a_misspelt_line_of_dot_env_is_named_by_the_replicas_and_a_right_one_is_
     assert misspelt({**read, "COMPOSE_PROFILES": "class", "COMPOSE_PROJECT_NAME": "x"}) == []
 
 
-def test_every_container_says_whether_it_is_healthy_and_readiness_decides_about_visitors() -> None:
+def test_every_container_has_a_health_check_and_readiness_admits_visitors() -> None:
     built = {name for name, service in COMPOSE["services"].items() if "build" in service}
     checked = {name: service["healthcheck"] for name, service in COMPOSE["services"].items() if name not in built}
     assert built == {"lecture", "relief"} and set(checked) == {"proxy", "store"}
@@ -76,7 +76,7 @@ def test_every_container_says_whether_it_is_healthy_and_readiness_decides_about_
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
 @pytest.mark.parametrize("given", ["", "CLASS_PASSPHRASE", "CLASS_PASSPHRASE_FILE"])
 def test_the_instructors_passphrase_reaches_the_replicas(tmp_path: Path, given: str) -> None:
-    """Compose puts in variables as sh does."""
+    """Compose substitutes variables like sh."""
     (tmp_path / "phrase").write_text("a phrase of the class\n")
     outside = {"": {}, "CLASS_PASSPHRASE": {given: "a phrase of the class"}}.get(given, {given: f"{tmp_path}/phrase"})
 
@@ -92,7 +92,7 @@ def test_the_instructors_passphrase_reaches_the_replicas(tmp_path: Path, given: 
     assert read_settings([], environment).class_passphrase == ("a phrase of the class" if given else "")
 
 
-def test_no_container_is_given_the_address_of_the_proxy() -> None:
+def test_no_other_container_has_the_address_of_the_proxy() -> None:
     lecture, proxy = (COMPOSE["services"][name] for name in ("lecture", "proxy"))
     address = proxy["networks"]["inner"]["ipv4_address"]
     assert address == lecture["environment"]["TRUSTED_PROXIES"]
@@ -101,7 +101,7 @@ def test_no_container_is_given_the_address_of_the_proxy() -> None:
     assert not any(ip_address(of) in ip_network(pool["ip_range"]) for of in (address, pool["gateway"]))
 
 
-def test_the_proxy_stays_where_replicas_are_replaced() -> None:
+def test_the_proxy_keeps_running_when_replicas_are_replaced() -> None:
     assert "depends_on" not in COMPOSE["services"]["proxy"]
 
 
@@ -112,7 +112,7 @@ def test_the_store_needs_no_capability_to_start() -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
-def test_the_store_wants_its_password_refuses_when_full_and_shows_the_password_to_nobody(tmp_path: Path) -> None:
+def test_the_store_requires_its_password_hides_it_and_refuses_writes_when_full(tmp_path: Path) -> None:
     (tmp_path / "password").write_text("one/of+these=\n")
     port, store = free_port(), COMPOSE["services"]["store"]
     script = store["command"][-1].replace("$$", "$").replace("/run/secrets/store_password", str(tmp_path / "password"))
@@ -129,7 +129,7 @@ def test_the_store_wants_its_password_refuses_when_full_and_shows_the_password_t
         assert "one/of+these=" not in " ".join(psutil.Process(running.process.pid).cmdline())
 
 
-def test_none_but_replicas_reach_the_store_and_none_but_the_proxy_is_reached() -> None:
+def test_only_replicas_reach_the_store_and_only_the_proxy_is_public() -> None:
     within = {name: set(service["networks"]) for name, service in COMPOSE["services"].items()}
     assert {name for name, of in within.items() if "shared" in of} == {"lecture", "relief", "store"}
     assert {name for name, of in within.items() if "outer" in of} == {"proxy"} and within["store"] == {"shared"}
@@ -137,8 +137,8 @@ def test_none_but_replicas_reach_the_store_and_none_but_the_proxy_is_reached() -
     assert [name for name, service in COMPOSE["services"].items() if "ports" in service] == ["proxy"]
 
 
-def test_a_visitor_over_ipv6_keeps_an_address_of_their_own() -> None:
-    """The engine hides no address of IPv6 where the network that ports lead to has such addresses."""
+def test_visitors_over_ipv6_keep_their_addresses() -> None:
+    """The engine keeps IPv6 addresses only if the network of the published ports has such addresses."""
     assert [name for name, network in COMPOSE["networks"].items() if network.get("enable_ipv6")] == ["outer"]
 
 
@@ -148,7 +148,7 @@ def test_networks_do_not_overlap() -> None:
     assert len(subnets) == 2 and not subnets[0].overlaps(subnets[1])
 
 
-def test_every_image_of_others_is_named_by_its_digest() -> None:
+def test_every_third_party_image_is_pinned_by_digest() -> None:
     images = [service["image"] for service in COMPOSE["services"].values() if "build" not in service]
     assert len(images) == 2 and all(re.fullmatch(r"[\w./-]+:[\w.-]+@sha256:[0-9a-f]{64}", name) for name in images)
 
@@ -178,7 +178,7 @@ def test_digests_are_written_all_or_none(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("name", ["secret", "store-password"])
-def test_a_secret_is_never_for_everybody(tmp_path: Path, name: str) -> None:
+def test_secrets_are_never_readable_by_everybody(tmp_path: Path, name: str) -> None:
     for refused in ("chown", "setfacl"):
         command = tmp_path / refused
         command.write_text("#!/bin/sh\nexit 1\n")
@@ -194,7 +194,7 @@ def test_a_secret_is_never_for_everybody(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("fails", ["", "relief", "lecture"])
-def test_an_upgrade_that_does_not_come_up_leaves_who_serves(tmp_path: Path, fails: str) -> None:
+def test_a_failed_upgrade_keeps_the_running_replicas(tmp_path: Path, fails: str) -> None:
     for name in ("secret", "store-password"):
         (tmp_path / name).touch()
     engine = tmp_path / "docker"

@@ -1,4 +1,4 @@
-"""The cut packages of the container: without the files cut, the page is made and every method measures."""
+"""The reduced packages of the container: the page is built and every method runs without the removed files."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from tools.cut import cut
 
 @pytest.fixture(scope="module")
 def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The packages that the app asks for, as they are installed here, and cut."""
+    """The packages that the app requires, as installed here, after the cut."""
     folder = tmp_path_factory.mktemp("packages")
     for name in re.findall(r"^([a-z0-9-]+)==", (ROOT / "requirements.txt").read_text(), re.M):
         try:
             files = distribution(name).files or []
-        except PackageNotFoundError:  # of another system or Python
+        except PackageNotFoundError:  # for another system or Python version
             continue
         for file in files:
             source = Path(str(file.locate()))
-            if ".." not in file.parts and source.exists():  # bytecode may be gone
+            if ".." not in file.parts and source.exists():  # bytecode may be missing
                 (folder / file).parent.mkdir(parents=True, exist_ok=True)
                 try:
                     os.link(source, folder / file)
@@ -43,7 +43,9 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(packages: Path, *arguments: str, order: str = "") -> str:
-    """The output of a Python that has no other packages than these, after an order on a line that stays open."""
+    """Return the output of a Python process that has only these packages and gets an order on its open standard
+    input.
+    """
     environment = {**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, "-S", *arguments]
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdin=PIPE, stdout=PIPE, text=True) as process:
@@ -62,7 +64,7 @@ def test_every_scene_is_made(packages: Path) -> None:
 
 
 @pytest.mark.slow
-def test_every_method_measures(packages: Path) -> None:
+def test_every_method_runs(packages: Path) -> None:
     order = {"system": encoded_system(SYSTEMS["benign"]), "seconds": 0.01, "budget": 60, "methods": list(LIVE)}
     said = run(packages, "-m", "physics.integrators.accuracy_worker", order=json.dumps(order)).splitlines()
     assert {line["run"]["method"] for line in map(json.loads, said) if "run" in line} == set(LIVE)

@@ -1,4 +1,4 @@
-"""docs/decisions: each record says what was asked, measured and decided, and its command exists."""
+"""docs/decisions: each record has a question, measured figures and a decision, and its command exists."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tools.bench.decisions import QUESTIONS, modules
 RECORDS = sorted((ROOT / "docs" / "decisions").glob("*.md"))
 
 
-def test_a_record_has_its_parts_and_stands_in_the_architecture() -> None:
+def test_a_record_has_its_parts_and_is_listed_in_the_architecture() -> None:
     architecture = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     assert len(RECORDS) >= 6
     for record in RECORDS:
@@ -19,7 +19,7 @@ def test_a_record_has_its_parts_and_stands_in_the_architecture() -> None:
         assert f"(decisions/{record.name})" in architecture
 
 
-def test_the_commands_of_the_records_are_those_that_are_there() -> None:
+def test_the_commands_of_the_records_exist() -> None:
     named = {
         name
         for record in RECORDS

@@ -1,4 +1,4 @@
-"""The hooks before a commit are those of make lint and fetch nothing: each is a tool of this environment."""
+"""The pre-commit hooks are those of make lint. They run tools of this environment and download nothing."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ HOOKS = [hook for repo in yaml.safe_load(CONFIG.read_text(encoding="utf-8"))["re
 IN_PYTHON = "python -m tools"
 
 
-def test_the_configuration_is_one() -> None:
+def test_the_configuration_is_valid() -> None:
     done = subprocess.run([sys.executable, "-m", "pre_commit", "validate-config", str(CONFIG)], check=False)
     assert done.returncode == 0
 
 
-def test_no_hook_comes_from_elsewhere() -> None:
+def test_no_hook_is_downloaded() -> None:
     repos = yaml.safe_load(CONFIG.read_text(encoding="utf-8"))["repos"]
     assert [repo["repo"] for repo in repos] == ["local"]
     assert {hook["language"] for hook in HOOKS} == {"system"}

@@ -1,5 +1,4 @@
-"""The measures of CONTRIBUTING.md: functions of 40 lines, modules of 500, lines of 120 columns; no name for two
-types."""
+"""The limits of CONTRIBUTING.md: functions of 40 lines, modules of 500, lines of 120 columns, unique type names."""
 
 from __future__ import annotations
 
@@ -35,14 +34,14 @@ BROKEN = [
 ]
 
 
-def test_code_keeps_the_house_rules() -> None:
-    """Modules, lines and functions are short, no two types share a name, docstrings name the thing, tasks are short."""
+def test_the_code_follows_the_house_rules() -> None:
+    """Modules, lines and functions are short, type names are unique, docstrings name the object, tasks are short."""
     assert list(broken()) == []
     assert len(CODE) > 500
 
 
 @pytest.mark.parametrize(("rule", "name", "text", "message"), BROKEN)
-def test_a_broken_rule_is_named_with_its_place(
+def test_a_broken_rule_is_reported_with_its_place(
     rule: Callable[[Source], Iterator[str]], name: str, text: str, message: str
 ) -> None:
     (said,) = rule(Source(name, text))
@@ -56,7 +55,7 @@ def test_two_types_with_one_name_are_found_with_both_places() -> None:
     assert "components/one.py:1 and components/other.py:2: two types are called Case" in said
 
 
-def test_sentences_and_tasks_of_a_scene_are_short_and_begin_with_something_to_do() -> None:
+def test_sentences_and_tasks_of_a_scene_are_short_and_tasks_begin_with_an_action() -> None:
     (said,) = bad_sentences("friction", {"Light": "Each swing is smaller than the one before.", "Heavy": "It creeps."})
     assert "components/scenes/friction: the example “Heavy” has a sentence of 10 characters" in said
     good, long, odd = View("A", "Drag it."), View("B", "Drag it" + 105 * "."), View("C", "Behold it.")
@@ -68,7 +67,7 @@ def test_sentences_and_tasks_of_a_scene_are_short_and_begin_with_something_to_do
 
 
 def test_no_import_is_for_types_alone() -> None:
-    """One that cannot be made while the program runs says that two modules need each other."""
+    """An import that works only for types shows that two modules depend on each other."""
     assert [name for name in PYTHON if re.search("^if TYPE_CHECKING", PYTHON[name].text, re.M)] == []
 
 
@@ -78,14 +77,14 @@ def test_the_glossary_is_short() -> None:
     assert 0 < len(terms) <= 120
 
 
-def test_modules_stand_in_a_room() -> None:
-    """A folder is a subject, and hardly a file stands beside them."""
+def test_modules_are_in_subject_folders() -> None:
+    """Each folder has one subject, and almost no file is outside a folder."""
     flat = [path.stem for path in (ROOT / "components").glob("*.py") if path.stem != "__init__"]
     assert flat == ["processes"]
     assert {path.stem for path in (ROOT / "static").glob("*.*")} == {"home", "later", "main", "start"}
 
 
-def test_files_that_code_and_pages_name_are_there() -> None:
+def test_files_named_in_code_and_documents_exist() -> None:
     texts = [
         *(ROOT / "docs").rglob("*.md"),
         *(ROOT / "types").glob("*.ts"),
@@ -98,5 +97,8 @@ def test_files_that_code_and_pages_name_are_there() -> None:
     )
     found = [(path.name, one) for path in texts for one in named.findall(path.read_text(encoding="utf-8"))]
     assert len(found) > 100
-    written = ("components/scenes/friction/", "tests/scenes/test_friction.py")  # by who follows docs/adding-a-scene.md
+    written = (
+        "components/scenes/friction/",
+        "tests/scenes/test_friction.py",
+    )  # added by following docs/adding-a-scene.md
     assert [pair for pair in found if not ((ROOT / pair[1]).exists() or pair[1].startswith(written))] == []

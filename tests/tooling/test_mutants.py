@@ -1,4 +1,4 @@
-"""The faults of `make mutants` can be put in: each pattern occurs once, each file of tests exists."""
+"""The faults of `make mutants` can be applied: each pattern occurs once, each test file exists."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from tools.random_faults import AREAS, KINDS, random_faults
 
 
 @pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
-def test_a_fault_can_be_put_in(mutant: Mutant) -> None:
+def test_a_fault_can_be_applied(mutant: Mutant) -> None:
     assert mutant.old not in broken(mutant, ROOT) or mutant.old in mutant.new
     assert all((ROOT / name).exists() for name in mutant.tests.split())
 
 
-def test_a_pattern_that_is_missing_is_an_error() -> None:
+def test_a_missing_pattern_is_an_error() -> None:
     with pytest.raises(ValueError, match=r"gone: 'no such words' occurs 0 times in app\.py"):
         broken(Mutant("gone", "app.py", "no such words", "", "tests"), ROOT)
 

@@ -1,4 +1,4 @@
-"""The package: what is in its wheel, and the server that starts from it outside the checkout."""
+"""The package: the files of its wheel, and a server that starts from it outside the checkout."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_the_citation_has_the_version_and_licence_of_the_package() -> None:
 
 
 @pytest.mark.slow
-def test_a_wheel_has_all_files_that_the_lecture_reads(wheel: Path) -> None:
+def test_a_wheel_has_all_files_the_lecture_reads(wheel: Path) -> None:
     folders = (ROOT / name for name in ("components", "physics", "static"))
     files = (path for folder in folders for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc")
     wanted = {"app.py", "reading.py", *(path.relative_to(ROOT).as_posix() for path in files)}
@@ -48,7 +48,9 @@ def test_an_installed_lecture_serves_its_first_page(wheel: Path, tmp_path: Path)
     (python,) = tmp_path.glob("env/*/python")
     subprocess.run([*PIP, "--python", python, "install", "--no-deps", "--no-index", wheel], check=True)
     (packages,) = tmp_path.glob("env/lib/*/site-packages")
-    (packages / "needs.pth").write_text(sysconfig.get_path("purelib"))  # what the lecture needs is installed there
+    (packages / "needs.pth").write_text(
+        sysconfig.get_path("purelib")
+    )  # the requirements of the lecture are installed there
     port = free_port()
     command = [str(python.parent / "oscillations"), "--address", "127.0.0.1", "--port", str(port)]
     with serving(tmp_path / "log", port=port, command=command, folder=tmp_path) as server:

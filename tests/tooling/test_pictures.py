@@ -1,4 +1,4 @@
-"""The tool that compares pictures before and after a change: what it looks at, and what it lists."""
+"""The tool that compares pictures before and after a change: the pages it visits and the differences it lists."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tools.pictures import SIZES, differing, views
 WIDE, HIGH = 200, 100
 
 
-def test_every_scene_preset_and_step_is_looked_at_once() -> None:
+def test_every_scene_preset_and_step_is_visited_once() -> None:
     names = [view.name for view in views()]
     assert len(names) == len(set(names))
     presets = {f"scene={slug} preset {label}" for slug, scene in SCENES.items() for label in scene.presets}
@@ -30,7 +30,7 @@ def test_every_scene_preset_and_step_is_looked_at_once() -> None:
 
 
 def picture(folder: Path, pixels: int = 0, level: int = 0, size: tuple[int, int] = (HIGH, WIDE)) -> None:
-    """A grey picture in which so many pixels are lighter by so much."""
+    """A grey picture in which `pixels` pixels are greener by `level`."""
     folder.mkdir(exist_ok=True)
     grey = np.full((*size, 3), 100, np.uint8)
     grey.reshape(-1, 3)[:pixels, 1] += level
@@ -47,13 +47,13 @@ def picture(folder: Path, pixels: int = 0, level: int = 0, size: tuple[int, int]
         (3 * WIDE, 33, ["one.png: 3.00% of the pixels, from (0, 0) to (199, 2)"]),
     ],
 )
-def test_what_differs_for_the_eye_is_listed(tmp_path: Path, pixels: int, level: int, listed: list[str]) -> None:
+def test_visible_differences_are_listed(tmp_path: Path, pixels: int, level: int, listed: list[str]) -> None:
     picture(tmp_path / "before")
     picture(tmp_path / "after", pixels, level)
     assert list(differing(tmp_path / "before", tmp_path / "after")) == listed
 
 
-def test_pictures_of_another_size_and_those_that_one_side_lacks_are_listed(tmp_path: Path) -> None:
+def test_missing_pictures_and_other_sizes_are_listed(tmp_path: Path) -> None:
     before, after = tmp_path / "before", tmp_path / "after"
     assert list(differing(before, after)) == ["There are no pictures."]
     picture(before)
@@ -71,11 +71,11 @@ def run(*arguments: str, tool: str = "tools.pictures") -> subprocess.CompletedPr
 @pytest.mark.slow
 @pytest.mark.browser
 @pytest.mark.timeout(400)  # two servers start
-def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> None:
+def test_two_runs_of_one_commit_agree(browser: object, tmp_path: Path) -> None:
     view = fitted(SCENES["modes"].at()).query
     folders = [str(tmp_path / name) for name in ("before", "after")]
     for folder in folders:
-        # The answer of this step leaves covered what later steps ask.
+        # After the answer, this step still hides quantities that later steps ask for.
         shot = run("shoot", folder, "--only", f"^({re.escape(view)}|walk d34-01)$")
         assert shot.stdout.startswith("9 pictures in "), shot.stderr
     same = run("compare", *folders)
@@ -90,7 +90,7 @@ def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> 
 @pytest.mark.slow
 @pytest.mark.browser
 @pytest.mark.timeout(400)  # three browsers start
-def test_a_scene_is_shown_in_all_engines_that_are_there_side_by_side(browser: object, tmp_path: Path) -> None:
+def test_a_scene_is_shown_in_all_installed_engines_side_by_side(browser: object, tmp_path: Path) -> None:
     shot = run(str(tmp_path), "--only", "oscillator", tool="tools.engines")
     assert shot.returncode == 0, shot.stderr
     count = len(shot.stdout.splitlines()[-1].split(" from ")[0].strip(", ").split(", "))

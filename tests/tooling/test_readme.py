@@ -1,4 +1,4 @@
-"""README: its commands are tried, its figures are those that were measured, its links lead somewhere."""
+"""README: tests run its commands, its figures agree with the measured ones, its links work."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ TRIED = {
     "panel serve app.py": "tests/serving/test_panel_serve.py",
     "pip install .": "tests/tooling/test_packaging.py::test_an_installed_lecture_serves_its_first_page",
 }
-"""Each command of README, and the test that runs it; the image is walked without an engine for containers."""
+"""Each command of README and the test that runs it. Steps of the image run without a container engine."""
 PATIENCE = 60.0
 
 
 def commands(text: str) -> set[str]:
-    """The commands of indented lines and of `code`."""
+    """Return the commands of indented lines and of `code`."""
     lines = re.findall(r"^    (\S.*)$", text, re.M)
     coded = [code for code in re.findall(r"`([^`]+)`", text) if re.match(r"(make|docker|panel|python|pip) ", code)]
     said = re.findall(r"make run PORT=\d+", text)
@@ -54,7 +54,7 @@ def test_every_command_is_run_by_a_test() -> None:
 def test_make_run_serves_the_lecture(more: tuple[str, ...]) -> None:
     port = free_port()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "DISPLAY"))}
-    # The environment stands: this test installs nothing.
+    # The environment exists already: this test installs nothing.
     command = ["make", "run", f"PORT={port}", *more, "--old-file", ".venv/run.stamp"]
     process = subprocess.Popen(command, cwd=ROOT, env=plain, stdout=subprocess.DEVNULL, start_new_session=True)
     end = time.monotonic() + PATIENCE
@@ -72,7 +72,7 @@ def test_make_run_serves_the_lecture(more: tuple[str, ...]) -> None:
         process.wait()
 
 
-def test_the_figures_are_those_that_were_measured() -> None:
+def test_the_figures_agree_with_the_measured_ones() -> None:
     rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \|$", README, re.M)
     figures = [(name, figure) for name, figure in rows if name not in ("what", "---")]
     assert len(figures) == 10
@@ -92,6 +92,6 @@ PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
-def test_links_lead_to_files_that_are_there(page: Path) -> None:
+def test_links_lead_to_existing_files(page: Path) -> None:
     for target in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", page.read_text(encoding="utf-8")):
         assert (page.parent / target).exists(), target

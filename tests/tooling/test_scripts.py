@@ -1,4 +1,4 @@
-"""The scripts as text: what the tools that check them leave to be held."""
+"""Rules for scripts that the linters do not check."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SCRIPTS = sorted((ROOT / "static").rglob("*.js"))
 LONGEST_FILE, LONGEST_LINE = 500, 120
 LARGEST_CIRCLE = 3
 IMPORTED = re.compile(r"""\b(?:from|import)\s*\(?\s*["'](\.{1,2}/[^"']+)["']""")
-"""In code at once or on demand, and in the types of JSDoc."""
+"""Static and dynamic imports, and those in JSDoc types."""
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.name)
@@ -34,8 +34,8 @@ def reached(start: Path, imports: dict[Path, set[Path]]) -> set[Path]:
     return found
 
 
-def test_no_circle_of_imports_is_large() -> None:
-    """A module that needs what it stands in knows that as a host, of which types/hosts.d.ts has the members."""
+def test_import_cycles_are_small() -> None:
+    """A module that uses its container gets it as a host, whose members types/hosts.d.ts lists."""
     imports = {
         path: {(path.parent / name).resolve() for name in IMPORTED.findall(path.read_text(encoding="utf-8"))}
         for path in SCRIPTS
@@ -47,7 +47,7 @@ def test_no_circle_of_imports_is_large() -> None:
 
 
 def test_no_two_types_share_a_name() -> None:
-    """Classes of scripts, types of their comments, and those of `types/`, but for those of the page language."""
+    """Classes of scripts, types of their comments and those of `types/`, without the page language's own."""
     texts = [path.read_text(encoding="utf-8") for path in [*SCRIPTS, *(ROOT / "types").glob("[!p]*.d.ts")]]
     named = re.compile(r"^(?:export )?(?:class|interface|type) (\w+)|@typedef \{(?:[^@]*)\} (\w+)", re.M)
     again = re.compile(r"@typedef \{import\([^@]*\)\.(\w+)\} \1$|@typedef \{import\([^@]*\)\.(\w+)\} \2 ", re.M)

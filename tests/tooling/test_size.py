@@ -22,7 +22,7 @@ lines"""
 '''
 
 
-def test_it_counts_code_alone(tmp_path: Path) -> None:
+def test_only_code_is_counted(tmp_path: Path) -> None:
     (tmp_path / "inner").mkdir()
     (tmp_path / "inner" / "one.py").write_text(CODE, encoding="utf-8")
     (tmp_path / "two.py").write_text("x = 1\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Tints: each has a light and a dark colour that can be read on paper and panel, and a class."""
+"""Tints: each has a light and a dark colour that is readable on paper and panel, and a class."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def luminance(colour: str) -> float:
 
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("tint", sorted(TINTS - FILLS))
-def test_a_tint_can_be_read_on_paper_and_panel(tint: str, theme: str) -> None:
+def test_a_tint_is_readable_on_paper_and_panel(tint: str, theme: str) -> None:
     colours = THEMES[theme]
     for ground in ("paper", "panel"):
         dark, light = sorted((luminance(colours[tint]), luminance(colours[ground])))
