@@ -91,7 +91,7 @@ async function settled() {
 export class FakeServer {
   asked = []
 
-  /** Returns the answer to a path, or nothing if there is none. @type {(path: string) => Response | undefined | void} */
+  /** The answer to a path, or nothing. @type {(path: string) => Response | undefined | void} */
   answers = () => {}
 
   constructor() {
