@@ -182,7 +182,7 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-02'")
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("2 of 16")
     remote.get_by_role("button", name="Contents").click()
-    remote.get_by_role("button", name="Where energy goes to and fro").click()
+    remote.get_by_role("button", name="Where energy goes back and forth").click()
     lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-11'")
     expect(remote.get_by_role("button", name="Show the votes")).to_be_visible()
 

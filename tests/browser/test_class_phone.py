@@ -24,7 +24,7 @@ def test_a_choice(size: tuple[int, int], window: Open, screenshot: Take) -> None
     for one, option in ((phone, 1), (other, 0)):
         one.wait_for_function("oscillations.asked.card")
         one.locator(f".answers [data-option='{option}']").click()
-    expect(phone.locator(WAITS)).to_contain_text("Sent: Longer: the way is longer. You can change it until")
+    expect(phone.locator(WAITS)).to_contain_text("Sent: Longer: the distance is longer. You can change it until")
     expect(phone.locator(WAITS)).to_contain_text("2 of 2 have answered.")
     screenshot(phone, f"phone-{size[0]}-waits")
     for _ in range(2):

@@ -14,7 +14,7 @@ from tests.browser.waiting import clicked
 pytestmark = pytest.mark.browser
 HEAD = "phone,time,here,walk,step,vote,question,answer,unit,right,sure\r\n"
 ROW = "{},,9,d31,d31-03,1,How long?,{},,no,\r\n"
-ANSWERS = ["Just as long as it did before"] * 3 + ["Longer: the way is longer"]
+ANSWERS = ["Just as long as it did before"] * 3 + ["Longer: the distance is longer"]
 TABLE = HEAD + "".join(ROW.format(i, answer) for i, answer in enumerate(ANSWERS))
 CHOSEN = "Votes of an earlier class"
 

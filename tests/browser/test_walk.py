@@ -60,7 +60,7 @@ def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> 
     assert page.locator(".panel [name=k]").is_hidden()
     page.get_by_role("button", name="Show the answer", exact=True).click()
     expect(page.locator(".card .problem")).to_have_text("Answer first: a guess is fine.")
-    page.get_by_role("button", name=re.compile("Longer: the way is longer")).click()
+    page.get_by_role("button", name=re.compile("Longer: the distance is longer")).click()
     expect(page.locator(".card .problem")).to_have_text("")
     show(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")

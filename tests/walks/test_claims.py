@@ -47,13 +47,13 @@ def test_there_are_two_frequencies_whatever_the_chain() -> None:
         assert 0 < slow < k2 / m2 < fast
 
 
-def test_one_phase_does_from_rest_and_through_equilibrium() -> None:
-    """d34-09: the start of the answer alone needs two; the others have the one that is told, as it is shown."""
+def test_one_phase_is_enough_from_rest_and_through_equilibrium() -> None:
+    """d34-09: the start of the answer alone needs two; the others have the one that their reply names."""
     starts = (((1, 0), (0, 1)), ((1, 0.5), (0, 0)), ((0, 0), (1, 1.5)), ((1, 0), (0, 0)))
     slow, fast = np.transpose([free_modes(plain, *start).phase for start in starts])
     assert abs(math.sin(slow[0] - fast[0])) > 0.1
     assert slow[1:] == pytest.approx([math.pi / 2, 0, math.pi / 2]) and fast[1:] == pytest.approx(slow[1:])
-    for i, phase in ((1, "1.57 rad"), (2, "0, does")):
+    for i, phase in ((1, "1.57 rad"), (2, "0, is enough")):
         values = standing_at(where("d34-09", i), SCENES).shown.values
         assert {values["phi_minus"], values["phi_plus"]} == {"+ 1.57" if i == 1 else "+ 0.00"}
         assert phase in replies("d34-09")[i].reply
