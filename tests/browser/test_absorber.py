@@ -13,8 +13,6 @@ from tests.browser.boxes import BROKEN
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
-CUT_OFF = "(p => p.scrollHeight - p.clientHeight)(document.querySelector('.panel'))"
-
 
 def number(page: Page, name: str) -> str:
     return page.locator(f"[data-value={name}]").first.text_content() or ""
@@ -42,30 +40,3 @@ def test_student_finds_the_lightest_absorber(
     page.get_by_role("button", name="Detach").click()
     expect(page.get_by_text("no improvement")).to_be_visible()
     assert page.evaluate(BROKEN) == 0
-
-
-def test_own_machine_and_damping_open_when_asked_for(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="absorber", folded=True)
-    expect(page.locator("input[name=omega]")).to_be_hidden()
-    expect(page.locator("input[name=c]")).to_be_hidden()
-    page.get_by_text("Beyond the lecture: damping").click()
-    page.get_by_role("button", name="Add damping").click()
-    page.get_by_role("button", name="Den Hartog's optimum").click()
-    expect(page.locator("input[name=c]")).to_have_value("313.7")
-    assert page.evaluate(CUT_OFF) <= 0
-    page.get_by_role("button", name="Own", exact=True).click()
-    expect(page.locator("input[name=omega]")).to_be_visible()
-    assert page.evaluate(CUT_OFF) <= 0
-
-
-def test_phone_has_the_goals_before_the_plot(
-    new_page: Callable[..., Page], open_scene: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
-    page = open_scene(new_page(width=390, height=844, has_touch=True), scene="absorber")
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    swing = page.get_by_role("img", name="Swing of the machine").bounding_box()
-    goals = page.get_by_role("img", name="The goals, met or not").bounding_box()
-    assert swing and goals
-    assert goals["y"] + goals["height"] <= swing["y"] + 1
-    expect(page.get_by_text("less vibration from")).to_be_hidden()
-    screenshot(page, "absorber-phone")

@@ -47,35 +47,3 @@ def test_who_leaves_makes_room_for_the_next(
     second.get_by_role("button", name="Cancel").click()
     expect(second.locator(".count")).to_contain_text("methods measured here")
     expect(second.get_by_role("button", name="Run again")).to_be_visible()
-
-
-NAMES = """() => {
-  const stage = oscillations.page.stages.find(({under}) => under?.block.name === "work")
-  const {view, frame} = stage.under, {scalars} = view
-  const named = stage.shapes.filter(({spec, group}) => spec.show[0]?.endsWith("_named") && group.style.display === "")
-  return named.map(({spec, parts: [text]}) => {
-    const slug = spec.show[0].replace("_named", ""), {left, right, top, bottom} = stage.clear.box(text)
-    const end = {x: stage.under.px(scalars[`${slug}_at`]), y: stage.under.py(scalars[`${slug}_error`])}
-    const beside = Math.min(Math.abs(left - end.x), Math.abs(right - end.x))
-    const off = Math.max(0, top - end.y, end.y - bottom) / (bottom - top)
-    return {slug, left, right, top, bottom, stands: text.style.display === "", beside, off}
-  })
-}"""
-"""Positions of the methods' names over the plot of errors: the distance to the ends of their lines, and the number of
-lines up or down.
-"""
-
-
-@pytest.mark.parametrize("size", [(1280, 720), (390, 844)], ids=str)
-def test_names_stand_beside_the_ends_of_their_lines(
-    new_page: Callable[..., Page], open_scene: Open, size: tuple[int, int]
-) -> None:
-    width, height = size
-    page = open_scene(new_page(width, height), scene="accuracy", view="time")
-    names = page.evaluate(NAMES)
-    assert {"verlet", "radau", "closed"} <= {name["slug"] for name in names}
-    for i, one in enumerate(names):
-        assert one["stands"] and one["beside"] < 12 and one["off"] < 3, one
-        for other in names[:i]:
-            apart_across = one["right"] <= other["left"] or other["right"] <= one["left"]
-            assert apart_across or one["bottom"] <= other["top"] + 0.1 or other["bottom"] <= one["top"] + 0.1

@@ -7,8 +7,6 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.classroom import Open, joined, taught
-
 pytestmark = pytest.mark.browser
 MASS = """p => {
   const {svg, named} = oscillations.page.stages[0]
@@ -106,14 +104,3 @@ def test_a_press_over_a_mode_starts_it_and_keys_go_on(view: str, page: Page, ope
     pill = page.get_by_role("slider", name="Mode that moves alone").locator("visible=true")
     pill.press("ArrowRight")
     page.wait_for_function(f"({SET})('j') === 5")
-
-
-def test_phones_follow_a_chain_in_a_class(window: Open) -> None:
-    lecture, code = taught(window, "scene=chain&view=modes&N=8&starts=pluck&p=3&projector")
-    phone = joined(window, code)
-    phone.wait_for_function("oscillations.page?.spec.slug === 'chain' && oscillations.page.shown")
-    lecture.get_by_role("button", name="Mode 1,").click()
-    phone.wait_for_function(f"({SET})('starts') === 'mode' && ({SET})('j') === 1")
-    phone.wait_for_function("document.querySelector('.mode-row [aria-pressed=true]')?.textContent === '1'")
-    lecture.evaluate("oscillations.send({type: 'set', values: {N: 20}})")
-    phone.wait_for_function(f"({SET})('N') === 20")

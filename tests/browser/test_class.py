@@ -210,14 +210,3 @@ def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open
     lecture.keyboard.press("v")
     phone.wait_for_function("oscillations.asked.question?.step === 'vote-2' && oscillations.asked.card")
     expect(phone.locator(".card .given")).to_have_text("Vote 2.")
-
-
-def test_a_phone_keeps_the_theme_that_it_was_given(window: Open) -> None:
-    _, code = taught(window, "scene=energy")
-    phone = joined(window, code)
-    theme = "document.documentElement.dataset.theme"
-    before = phone.evaluate(theme)
-    phone.locator("#theme").click()
-    phone.reload()
-    phone.wait_for_function(READY)
-    assert {before, phone.evaluate(theme)} == {"light", "dark"}

@@ -104,7 +104,7 @@ def test_it_closes_what_lies_on_top_first(page: Page, open_scene: Open) -> None:
     assert not page.evaluate(TAUGHT)
 
 
-def test_after_the_last_step_it_stops_at_the_last_slide(page: Page, open_scene: Open) -> None:
+def test_after_the_last_step_it_stops_at_the_last_slide_and_goes_back(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="tour", step="1")
     page.wait_for_function("oscillations.walks.walk?.card")
     page.evaluate("oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.length - 1)")
@@ -114,3 +114,7 @@ def test_after_the_last_step_it_stops_at_the_last_slide(page: Page, open_scene: 
     for _ in range(3):
         clicked(page)
         expect(page.locator("dialog.finish")).to_be_visible()
+    for _ in range(4):  # up to its top, then out of it
+        if page.locator("dialog.finish").is_visible():
+            clicked(page, "PageUp")
+    expect(page.locator("dialog.finish")).to_be_hidden()

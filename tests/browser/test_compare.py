@@ -51,28 +51,6 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     assert page.evaluate(OUTLINES) == 0
 
 
-def test_the_curves_from_before_a_drag_lie_under_the_live_ones_for_a_while(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    box = page.locator("input[name=k2-slider]").bounding_box()
-    assert box
-    y = box["y"] + box["height"] / 2
-    page.mouse.move(box["x"] + 0.3 * box["width"], y)
-    page.mouse.down()
-    page.mouse.move(box["x"] + 0.6 * box["width"], y, steps=3)
-    page.wait_for_function(f"({DRAWN})('x1').length === 3")
-    before = page.evaluate("oscillations.page.compare.beforeDrag.settings.k2.value")
-    page.mouse.move(box["x"] + 0.8 * box["width"], y, steps=3)
-    page.wait_for_function("oscillations.shown.settings.k2.value > 40")
-    assert page.evaluate("oscillations.page.compare.beforeDrag.settings.k2.value") == before == 2
-    page.mouse.up()
-    page.wait_for_function(f"({DRAWN})('x1').length === 0")
-    page.locator("input[name=k2-slider]").focus()
-    page.keyboard.down("ArrowRight")
-    page.wait_for_function(f"({DRAWN})('x1').length === 3")
-    page.keyboard.up("ArrowRight")
-    page.wait_for_function(f"({DRAWN})('x1').length === 0")
-
-
 PLACES = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
 
 

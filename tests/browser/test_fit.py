@@ -43,13 +43,3 @@ def test_fit_by_button_key_and_double_click(page: Page, open_scene: Open) -> Non
         page.get_by_role("button", name="Pushed back").click()
         page.wait_for_function("oscillations.shown.settings.m.value === 1")
         expect(button).not_to_be_visible()
-
-
-def test_the_key_writes_a_digit_while_one_types(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="oscillator")
-    heavier(page)
-    field = page.locator("input[name=m]").last
-    field.fill("1")
-    field.press("0")
-    expect(field).to_have_value("10")
-    assert page.evaluate("oscillations.shown.state.frame !== null")

@@ -249,26 +249,6 @@ def test_the_axes_of_a_plane_stay_when_a_finger_lets_go(
     assert page.evaluate(axis) == before
 
 
-@pytest.mark.parametrize("slug", ["oscillator", "coupled"])
-def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
-    slug: str, new_page: Callable[..., Page], open_scene: Open
-) -> None:
-    page = open_scene(new_page(390, 844, fresh=True), scene=slug)
-    grip = next(new_grips(page, slug))
-    taken(page, Mouse(page), grip)
-    page.wait_for_function(QUIET)
-    stopped(page)
-    was = grip.evaluate(PLACE)
-    key, axis = ("ArrowRight", "x") if "x" in was["along"] else ("ArrowUp", "y")
-    grip.press(key)
-    page.wait_for_function(f"oscillations.page.hand.grab && {QUIET}")
-    passed(page)  # the answer is drawn in the frame after its arrival
-    way = grip.evaluate(PLACE)[axis] - was[axis]
-    assert 0 < (way if axis == "x" else -way) < 40, "a step, not a leap"
-    page.keyboard.press("Enter")
-    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
-
-
 def off(at: dict[str, Any], x: float, y: float) -> float:
     """The distance of the dragged shape from the pointer at (x, y), along its ways; if it turns about a point, the
     distance from the line between them.
@@ -291,43 +271,6 @@ def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...
         at = middle(grip)
         assert "x" not in along or at[0] == pytest.approx(x + dx, abs=NEAR)
         assert "y" not in along or at[1] == pytest.approx(y + dy, abs=NEAR)
-
-
-def test_the_guess_is_dragged_while_it_plays_by_its_point_and_by_its_shape(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="modes", view="guess")
-    drag(page, page.get_by_role("slider", name="Guess: frequency and shape"), "xy", ((20, -5), (30, 3)))
-    page.mouse.up()
-    page.wait_for_function("oscillations.shown.settings.omega.value > 1.7 && !oscillations.page.hand.grab")
-    drag(page, page.get_by_role("slider", name="Shape: where mass 2 turns"), "x", ((20, 0), (30, 5)))
-    page.mouse.up()
-    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
-    # Beyond its 1 m the other mass is dragged.
-    x, y = middle(page.get_by_role("slider", name="Shape: where mass 2 turns"))
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 300, y)
-    page.mouse.up()
-    page.wait_for_function("oscillations.shown.settings.ratio.value === 1")
-    drag(page, page.get_by_role("slider", name="Shape: where mass 1 turns"), "x", ((-20, 0),))
-    page.mouse.up()
-    page.wait_for_function("oscillations.shown.settings.ratio.value > 1.2")
-
-
-def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
-    new_page: Callable[..., Page], open_scene: Open
-) -> None:
-    page = new_page(390, 844, fresh=True, has_touch=True, is_mobile=True)
-    open_scene(page, scene="forced")
-    grip = page.get_by_role("slider", name="Drive frequency, on the curve of mass 1")
-    grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
-    swipe(page, middle(grip), (100, 5))
-    page.wait_for_function("oscillations.shown.settings.omega.value > 1 && !oscillations.page.hand.grab")
-    open_scene(page, scene="analogues")
-    stopped(page)
-    before = page.evaluate("scrollY")
-    swipe(page, middle(page.get_by_role("slider", name="Spring's mass, start")), (0, 12))
-    page.wait_for_function("oscillations.shown.settings.theta_0.value !== 60 && !oscillations.page.hand.grab")
-    assert page.evaluate("[scrollY, oscillations.clock.playing]") == [before, True]
 
 
 HELD = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.isPressed,

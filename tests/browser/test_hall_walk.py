@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page
 
 from components.scenes import SCENES
 from components.walks.loading import load_walks
@@ -15,7 +15,6 @@ from components.walks.subject import Subject
 from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, empty, seen
-from tests.browser.waiting import clicked
 from tests.grids import WHOLE, spread
 from tests.serving.server import Server
 
@@ -92,55 +91,3 @@ def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server
         page.get_by_role("button", name="Try", exact=True).click()
         found += seen(page, height, f"{step.id}, trying, after")
     assert not found, "\n".join(found)
-
-
-@pytest.mark.slow
-def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> None:
-    """Only with Page Down, Page Up, a full stop and the clicker's start key, F5."""
-    walk = WALKS["d34" if WHOLE else "tour"]
-    page.goto(f"{server.url}?walk={walk.name}&projector")
-    for place, step in enumerate(walk.steps):
-        page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
-        expect(page.locator("h1.waits")).to_be_visible()
-        assert page.evaluate("oscillations.shown.state.covered") == list(step.cover)
-        clicked(page)
-        page.wait_for_function(TAUGHT)
-        expect(page.locator("h1.waits")).to_have_count(0)
-        assert page.evaluate("oscillations.clock.playing || !oscillations.shown.view.time"), step.id
-        if place == 1:
-            step_back_and_forth(page, place)
-        if step.derive:
-            clicked(page)
-        clicked(page)
-    contents = page.locator("dialog:is(.contents, .finish)")
-    expect(contents).to_be_visible()
-    clicked(page)
-    expect(contents).to_be_visible()  # after the last step it stops
-    for _ in range(4):  # up to its top, then out of it
-        if contents.is_visible():
-            clicked(page, "PageUp")
-    expect(contents).to_be_hidden()
-    for back in (1, 2):
-        clicked(page, "PageUp")
-        page.wait_for_function(f"place => ({ASKED})(place)", arg=len(walk.steps) - back)
-
-
-def step_back_and_forth(page: Page, place: int) -> None:
-    """To the previous step, a blank screen, the start key, and back again."""
-    for back in (0, 1):
-        clicked(page, "PageUp")
-        page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - back)
-    page.keyboard.press(".")
-    expect(page.locator(".blank")).to_be_visible()
-    clicked(page)  # unblanks the screen and does nothing else
-    expect(page.locator(".blank")).to_have_count(0)
-    assert page.evaluate(f"place => ({ASKED})(place)", place - 1)
-    page.reload()  # the browser's own action for F5, which we do not override
-    page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
-    assert "&projector" in page.evaluate("location.search")
-    for count in range(3):
-        clicked(page)
-        page.wait_for_function(
-            f"place => oscillations.walks.walk.place === place && {LAID}", arg=place - 1 + (count > 0)
-        )
-        page.wait_for_function(TAUGHT if count != 1 else "!oscillations.walks.walk.lesson")

@@ -126,15 +126,6 @@ def test_a_number_of_the_axis_is_read_whole_or_not_at_all(page: Page, open_scene
         assert page.evaluate(READ) == read, omega
 
 
-def test_a_driven_motion_is_handed_over_to_be_measured(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="forced", omega=0.77, x1_0=0.125)
-    page.get_by_role("link", name="Error and time").click()
-    expect(page.get_by_role("heading", level=1)).to_contain_text("A solver in steps")
-    state = "(p => [p.system.value, p.F_0.value, p.omega.value, p.x1_0.value])(oscillations.shown.settings)"
-    page.wait_for_function("document.documentElement.dataset.ready === 'true'")
-    assert page.evaluate(state) == ["own", 1, 0.77, 0.125]
-
-
 def test_help_is_also_of_the_handle_that_has_the_focus(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="forced")
     says = page.locator("#controls-says")

@@ -136,21 +136,3 @@ def test_lists_open_at_their_beginning_with_the_way_out_in_sight(
             expect(close).to_be_in_viewport(ratio=1)
         close.click()
         expect(opened).to_be_hidden()
-
-
-def test_the_full_screen_stays_when_the_scene_changes(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="coupled")
-    page.keyboard.press("f")
-    page.wait_for_function("document.fullscreenElement !== null")
-    page.evaluate("oscillations.open({scene: 'forced'})")
-    page.wait_for_function("oscillations.shown.scene === 'forced' && document.documentElement.dataset.ready === 'true'")
-    assert page.evaluate("document.fullscreenElement !== null")
-    page.keyboard.press("f")
-    page.wait_for_function("document.fullscreenElement === null")
-
-
-def test_r_reveals_what_is_covered(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="coupled", cover="plot:x2,value:omega_minus")
-    page.wait_for_function("oscillations.shown.state.covered.length === 2")
-    page.keyboard.press("r")
-    page.wait_for_function("oscillations.shown.state.covered.length === 0")

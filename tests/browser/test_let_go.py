@@ -169,27 +169,6 @@ def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> 
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
 
 
-def test_a_finger_lets_go(new_page: Callable[..., Page], open_scene: Open) -> None:
-    page = new_page(width=390, height=844, has_touch=True)
-    opened(page, open_scene)
-    slider = page.locator("input[name=k-slider]")
-    slider.scroll_into_view_if_needed()
-    box = slider.bounding_box()
-    assert box
-    y, width = box["y"] + box["height"] / 2, box["width"]
-    browser = page.context.new_cdp_session(page)
-    shares = (0.5, 0.3, -0.2, -0.2, 0.4, 0.6, 0.6)
-    for i, share in enumerate(shares):
-        kind = "touchMove" if i else "touchStart"
-        points = [{"x": max(box["x"] + share * width, 1), "y": y}]
-        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-        if share < 0:
-            is_wide(page)
-    page.wait_for_function("oscillations.shown.settings.k.value > 10")
-    browser.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    is_fitted(page)
-
-
 def test_a_grip_lets_go(page: Page, open_scene: Open) -> None:
     opened(page, open_scene)
     typed(page, "x_0", "9")

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Page, WebSocket, expect
 
 from components.scenes import SCENES
-from tests.browser.waiting import QUIET, passed, played, seek, turned
+from tests.browser.waiting import QUIET, passed, played, turned
 from tests.grids import spread
 
 pytestmark = pytest.mark.browser
@@ -142,28 +142,6 @@ def test_plays_without_the_server(page: Page, open_scene: Open) -> None:
     assert page.evaluate("oscillations.clock.t") == 0
 
 
-def test_stage_shows_what_the_plot_shows(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    columns = page.evaluate("(c => ({t: [...c.t], x1: [...c.x1]}))(oscillations.shown.view.columns.time)")
-    places, _ = page.evaluate("oscillations.shown.view.live.x1")
-    for i in (0, 57, 200):
-        seek(page, columns["t"][i])
-        text = page.locator("svg.stage [data-value=x1]").first.text_content() or ""
-        assert float(text.replace("−", "-")) == pytest.approx(columns["x1"][i], abs=0.5001 * 10**-places)
-
-
-def test_a_slider_changes_the_curve_with_one_message(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    before = page.evaluate("[...oscillations.shown.view.columns.time.x1]")
-    with page.expect_event("console", lambda m: m.text == "painted"):
-        page.evaluate("document.addEventListener('oscillations:painted', () => console.log('painted'), {once: true})")
-        slider = page.locator('input[name="k2-slider"]')
-        slider.focus()
-        slider.press("ArrowRight")
-    assert page.evaluate("[...oscillations.shown.view.columns.time.x1]") != before
-    page.wait_for_url(re.compile("k2="))
-
-
 def test_a_link_restores_the_scene_and_names_what_it_refuses(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled", k2="3.5", m1="-2", energy="modes", hidden="x1_slow", window="50", fruit="pear")
     state = page.evaluate(
@@ -192,26 +170,6 @@ def test_a_script_in_a_link_stays_text(page: Page, open_scene: Open) -> None:
     expect(page.locator(".notice")).to_be_visible()
 
 
-def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="forced")
-    pill = page.get_by_role("slider", name="Drive frequency", exact=True)
-    pill.focus()
-    pill.press("ArrowRight")
-    page.wait_for_function("oscillations.shown.settings.omega.value > 0.8")
-    box = pill.bounding_box()
-    assert box
-    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 5)
-    page.mouse.down()
-    page.mouse.move(box["x"] + 120, box["y"] + 5, steps=4)
-    page.mouse.up()
-    page.wait_for_function("oscillations.shown.settings.omega.value > 1")
-    page.get_by_role("button", name="Drive at the slow natural frequency").click()
-    page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 0.6180339887498949) < 1e-15")
-    page.get_by_role("tab", name="Motion").click()
-    page.wait_for_function("oscillations.shown.view.columns.time?.x1")
-    assert page.evaluate("oscillations.shown.view.columns.time.x1_p === undefined")
-
-
 def test_a_handle_over_the_last_number_says_the_unit(page: Page, open_scene: Open) -> None:
     pill = page.get_by_role("slider", name="Drive frequency", exact=True)
     open_scene(page, scene="forced", curve="log", omega=10)
@@ -225,14 +183,6 @@ def test_a_term_of_the_formula_takes_its_curve_away(page: Page, open_scene: Open
     page.locator(".block.plot .part.slow").first.click()
     page.wait_for_function("oscillations.shown.state.hidden?.includes('x1_slow')")
     page.wait_for_url(re.compile("hidden=x1_slow"))
-
-
-def test_dark_and_light(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    paper = "getComputedStyle(document.body).backgroundColor"
-    light = page.evaluate(paper)
-    page.get_by_role("button", name="Light or dark").click()
-    assert page.evaluate(paper) != light
 
 
 def test_reduced_motion_opens_paused(new_page: Callable[..., Page], open_scene: Open) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -68,32 +67,8 @@ def test_another_unit_changes_labels_and_not_the_drawing(page: Page, open_scene:
     expect(page.locator("#problem-v_0")).to_contain_text("−5 knots is not possible")
 
 
-def test_on_a_phone_no_number_touches_another_and_no_heading_is_cut(
-    new_page: Callable[..., Page], open_scene: Open
-) -> None:
-    page = open_scene(new_page(width=390, height=844, has_touch=True), scene="phugoid")
-    labels = page.evaluate(
-        "(p => p.x.ticks.map(t => [p.px(t), p.figure.model.below[0].major_label_overrides.get(t)]))"
-        "(oscillations.plots.find(p => p.block.name === 'path'))"
-    )
-    shown = [(x, text) for x, text in labels if text]
-    assert shown[-1][1] == "4000 ft"
-    for (x, text), (later, other) in itertools.pairwise(shown):
-        assert later - x > 3.4 * (len(text) + len(other)), (text, other)
-    assert page.evaluate("[...document.querySelectorAll('.head')].every(h => h.scrollWidth <= h.clientWidth)")
-
-
 def test_a_flag_of_the_period_plot_is_the_button_of_its_aircraft(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="phugoid")
     page.get_by_role("button", name="Speed of: Glider").click()
     expect(page.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
     assert page.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)
-
-
-def test_on_a_phone_the_name_of_the_loop_is_whole(
-    new_page: Callable[..., Page], open_scene: Callable[..., Page]
-) -> None:
-    page = open_scene(new_page(390, 844, has_touch=True), scene="phugoid", view="limits")
-    (name,) = [one for one in page.locator("svg text").filter(has_text="loop,").all() if one.is_visible()]
-    box, plot = name.bounding_box(), page.get_by_role("img", name="Velocity upward").bounding_box()
-    assert box and plot and plot["x"] <= box["x"] and box["x"] + box["width"] <= plot["x"] + plot["width"]

@@ -93,23 +93,6 @@ def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values
     assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2&view=response"
 
 
-def test_a_reload_after_a_turn_brings_the_scene_back(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="oscillator")
-    turn(page, "energy")
-    page.reload()
-    arrived(page, "energy")
-
-
-def test_what_came_with_a_link_can_be_left_and_come_back_to(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="forced", omega=1.2, hidden="x1_c")
-    page.wait_for_function("history.state?.scene === 'forced'")
-    turn(page, "modes")
-    page.go_back()
-    arrived(page, "forced")
-    state = page.evaluate("oscillations.shown.state")
-    assert (state["parameters"], state["hidden"]) == ({"omega": 1.2}, ["x1_c"])
-
-
 def test_a_click_for_another_tab_is_the_browsers_own(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     with page.context.expect_page() as opened:

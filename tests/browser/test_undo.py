@@ -109,18 +109,6 @@ def test_a_preset_plays_from_the_start_and_keeps_what_it_does_not_name(page: Pag
     assert page.evaluate("oscillations.messages.state.parameters.window") == 40
 
 
-def test_a_preset_goes_into_what_was_set_just_before(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    page.evaluate(
-        """() => {
-          oscillations.send({type: "set", values: {k1: 9}})
-          oscillations.send({type: "set", values: {window: 33}})
-          oscillations.take({k2: 5})
-        }"""
-    )
-    is_shown(page, k1=9, window=33, k2=5)
-
-
 def test_a_preset_that_is_refused_says_why(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="forced", window=1e-3)
     page.evaluate("oscillations.take({omega: 1e300})")

@@ -18,7 +18,6 @@ from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
-PARTS = "[...oscillations.page.sheet.hosts.keys()].map(({part}) => part).filter(Boolean)"
 BLOCKED = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('blocked') }})"
 
 
@@ -340,12 +339,6 @@ def go(page: Page, place: int) -> None:
     page.wait_for_function("oscillations.walks.walk.card.page === oscillations.page")
 
 
-def show_everything(page: Page) -> None:
-    """Shows every part of the scene, of all its views, and not only those that the step lists."""
-    page.evaluate("parts => oscillations.change(() => ({show: parts}))", parts := page.evaluate(PARTS))
-    page.wait_for_function("parts => oscillations.shown.state.show?.length === parts.length", arg=parts)
-
-
 @pytest.mark.parametrize("name", spread(["tour", "d31", "d32-33", "d34", "waves"], 5))
 def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
     page = walk(f"{name}-01")
@@ -359,28 +352,6 @@ def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
         numbers = page.locator(".card .why [data-value]").all_inner_texts()
         assert all(numbers), numbers
         assert [*looked_at(page)] == [], i
-
-
-@pytest.mark.parametrize(
-    ("name", "told"),
-    [
-        ("d31", {6: "0.471", 7: "Gravity sets where it hangs", 16: "Airliner"}),
-        ("d34", {11: "keeps", 15: "resonant"}),
-    ],
-    ids=["d31", "d34"],
-)
-def test_no_heading_says_what_is_asked(walk: Callable[..., Page], name: str, told: dict[int, str]) -> None:
-    page = walk(f"{name}-01")
-    for number, answer in told.items():
-        go(page, number - 1)
-        show_everything(page)
-        told_in = page.locator(".paper .block:is(.plot:has(.cover:not([hidden])), .proof):visible")
-        expect(told_in).not_to_have_count(0)
-        assert not any(answer in text for text in told_in.all_inner_texts())
-        page.evaluate("oscillations.walks.walk.show(true)")
-        page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
-        show_everything(page)
-        assert answer in page.locator(".paper").inner_text()
 
 
 def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
