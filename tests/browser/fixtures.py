@@ -19,10 +19,8 @@ from components.scenes import SCENES
 from tests.browser.chromium import find
 from tests.browser.tabs import Tab, Tabs
 from tests.browser.waiting import unfold
-from tests.grids import WHOLE
-from tests.serving.server import ROOT, Server, serving
+from tests.serving.server import Server, serving
 
-SCREENSHOTS = ROOT / "build" / "screenshots"
 READY = "document.documentElement.dataset.ready === 'true'"
 # Long enough for a busy machine, but shorter than the page's own timers of 10 s.
 expect.set_options(timeout=9_000)
@@ -140,19 +138,6 @@ def open_scene(server: Server) -> Callable[..., Page]:
         return page
 
     return go
-
-
-@pytest.fixture
-def screenshot() -> Callable[[Page, str], Path]:
-    """Saves a screenshot as build/screenshots/NAME.png if whole grids are tested, because each takes long."""
-
-    def take(page: Page, name: str) -> Path:
-        path = SCREENSHOTS / f"{name}.png"
-        if WHOLE:
-            page.screenshot(path=path)
-        return path
-
-    return take
 
 
 def _foreign(request: Request, server: Server) -> list[str]:

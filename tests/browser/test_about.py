@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, WebSocket, expect
@@ -17,7 +16,6 @@ from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
-Keep = Callable[[Page, str], Path]
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
 LATER = 700  # ms, much longer than the pause after which a request is sent
@@ -99,7 +97,7 @@ def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(
 
 
 @pytest.mark.parametrize("slug", spread(SLUGS))
-def test_it_stays_within_the_panel(slug: str, page: Page, open_scene: Open, screenshot: Keep) -> None:
+def test_it_stays_within_the_panel(slug: str, page: Page, open_scene: Open) -> None:
     open_scene(page, scene=slug, folded=True)
     assert not page.evaluate(HIGH)
     unfold(page)
@@ -108,8 +106,6 @@ def test_it_stays_within_the_panel(slug: str, page: Page, open_scene: Open, scre
     top = "document.querySelector('.{}').getBoundingClientRect().top"
     assert page.evaluate(f"{top.format('about')} - {top.format('panel')}") > -1
     expect(page.locator(".about .bound").first).to_be_in_viewport()
-    screenshot(page, f"{slug}-about")
     page.set_viewport_size({"width": 390, "height": 844})
     passed(page)
     assert all(page.evaluate(FIT).values()), page.evaluate(FIT)
-    screenshot(page, f"{slug}-about-phone")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -18,11 +17,8 @@ def number(page: Page, name: str) -> str:
     return page.locator(f"[data-value={name}]").first.text_content() or ""
 
 
-def test_student_finds_the_lightest_absorber(
-    page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_student_finds_the_lightest_absorber(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="absorber")
-    screenshot(page, "absorber")
     assert number(page, "found0").startswith("nearest is 16.1 % away")
     before = page.evaluate("[...oscillations.shown.view.columns.sweep.swing]")
     page.locator("input[name=m2]").fill("25.1")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -29,16 +28,13 @@ STEPPING = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")
 """A method with steps is running. Methods without steps come first and have been measured."""
 
 
-def test_who_leaves_makes_room_for_the_next(
-    new_page: Callable[..., Page], open_scene: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_who_leaves_makes_room_for_the_next(new_page: Callable[..., Page], open_scene: Open) -> None:
     first, second = (open_scene(new_page(), scene="accuracy", limit=3, system=name) for name in ("wide", "beats"))
     status = ".transport [role=status]"
     first.get_by_role("button", name="Run", exact=True).click()
     expect(first.locator(status)).to_contain_text(UNDER_WAY, timeout=30_000)
     second.get_by_role("button", name="Run", exact=True).click()
     expect(second.locator(status)).to_contain_text("1 measurement before yours")
-    screenshot(second, "accuracy-waiting")
     first.close()
     expect(second.locator(status)).to_contain_text(UNDER_WAY, timeout=30_000)
     expect(second.locator(".count")).to_contain_text("of 60 s", timeout=20_000)

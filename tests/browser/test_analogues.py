@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -17,7 +16,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
 
-def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]) -> None:
+def test_each_picture_chooses_its_system(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="analogues", folded=True)
     tiles = page.get_by_role("group", name="System").get_by_role("button")
     assert tiles.count() == 9
@@ -32,7 +31,6 @@ def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screensho
         assert page.evaluate(BROKEN) == 0
         overflow = "(p => p.scrollHeight - p.clientHeight)(document.querySelector('.panel'))"
         assert page.evaluate(overflow) <= 0, slug
-    screenshot(page, "analogues-pipe")
     page.wait_for_url(re.compile("system=pipe"))
 
 

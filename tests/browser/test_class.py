@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -47,7 +46,7 @@ def voted_again(lecture: Page, phones: list[Page]) -> None:
     counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
 
 
-def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: Callable[[Page, str], object]) -> None:
+def test_a_question_is_asked_answered_twice_and_shown(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-12")
     phones = [joined(window, code) for _ in range(2)]
     for i, phone in enumerate(phones):
@@ -67,7 +66,6 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     for phone in phones:
         expect(phone.locator("h1")).to_have_text("Undamped motion never becomes steady")
         expect(phone.locator(".answers [data-option='1']")).to_contain_text("your answer")
-    screenshot(lecture, "class-votes")
     lecture.wait_for_function("oscillations.clock.playing")
     phones[0].wait_for_function("oscillations.clock.playing")
     lecture.keyboard.press("Space")

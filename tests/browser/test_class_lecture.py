@@ -20,7 +20,6 @@ pytestmark = pytest.mark.browser
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14", "rest": "d34-12"}
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
 SENT = "You can change it until the answer is shown."
-Take = Callable[[Page, str], object]
 
 
 def put(lecture: Page, phone: Page, step: str) -> None:
@@ -28,18 +27,16 @@ def put(lecture: Page, phone: Page, step: str) -> None:
     phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
 
 
-def look(lecture: Page, name: str, screenshot: Take) -> None:
+def look(lecture: Page, name: str) -> None:
     """The screen in front, as the last row sees it."""
-    screenshot(lecture, name)
     assert list(seen(lecture, 1080, f"{name}, after")) == []
 
 
-def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
+def choice(lecture: Page, phone: Page) -> None:
     """Two votes with a discussion between them."""
     put(lecture, phone, "pull")
     phone.locator(".answers [data-option='1']").click()
     expect(phone.get_by_text(SENT)).to_be_visible()
-    screenshot(phone, "lecture-phone")
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
     clicked(lecture)
     counted(lecture, "0", "1", "0")
@@ -56,13 +53,13 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     for page in (lecture, phone):
         expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     expect(phone.locator(".answers [data-option='0']").get_by_role("img", name="right")).to_be_visible()
-    look(lecture, "lecture-choice", screenshot)
+    look(lecture, "lecture-choice")
     clicked(lecture)
     expect(lecture.locator(".card .why")).to_be_visible()
     clicked(lecture)
 
 
-def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
+def number(lecture: Page, phone: Page, remote: Page) -> None:
     """Led by the remote control."""
     put(lecture, phone, "mass")
     phone.get_by_role("textbox", name="Your answer").fill("2")
@@ -72,13 +69,13 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     remote.get_by_role("button", name="Show the answer").click()
     expect(lecture.locator(".votes .all")).to_have_text("1 of 1 is right")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
-    look(lecture, "lecture-number", screenshot)
+    look(lecture, "lecture-number")
     remote.get_by_role("button", name="How it follows").click()
     expect(lecture.locator(".card .follows .lines")).to_be_visible()
     remote.get_by_role("button", name="Next").click()
 
 
-def point(lecture: Page, phone: Page, screenshot: Take) -> None:
+def point(lecture: Page, phone: Page) -> None:
     put(lecture, phone, "place")
     phone.locator(".pill-mark").press("ArrowRight")
     expect(phone.get_by_text(SENT)).to_be_visible()
@@ -88,7 +85,7 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
       const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
     }""")  # the answers are on the axis itself, next to where the mark begins
-    look(lecture, "lecture-point", screenshot)
+    look(lecture, "lecture-point")
     clicked(lecture)
     expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
     clicked(lecture)
@@ -96,7 +93,7 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
     clicked(lecture)
 
 
-def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
+def sketch(lecture: Page, phone: Page) -> None:
     """The sketches take the whole screen."""
     put(lecture, phone, "curve")
     draw(phone, lambda x: 0.9 - 0.88 * x)
@@ -109,7 +106,7 @@ def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
     box = ink.bounding_box()
     assert box and box["width"] > 1700 and box["height"] > 500
     expect(lecture.locator(".class-corner")).to_contain_text("1 here")
-    look(lecture, "lecture-sketch", screenshot)
+    look(lecture, "lecture-sketch")
     expect(phone.locator(".findings li")).to_have_count(5)
     clicked(lecture)
     expect(lecture.locator("h1")).to_have_text("Two poles, and a zero between them")
@@ -131,16 +128,16 @@ def table(lecture: Page, folder: Path) -> list[list[str]]:
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)  # four windows on a busy machine
-def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screenshot: Take, tmp_path: Path) -> None:
+def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], tmp_path: Path) -> None:
     lecture, code = taught(window, "scene=oscillator&projector")
     expect(lecture.locator(".class-corner")).to_contain_text(code)
     remote = remote_of(lecture, window)
     phone = joined(window, code)
     drop(lecture, "five.toml", LECTURE)
-    choice(lecture, phone, screenshot)
-    number(lecture, phone, remote, screenshot)
-    point(lecture, phone, screenshot)
-    sketch(lecture, phone, screenshot)
+    choice(lecture, phone)
+    number(lecture, phone, remote)
+    point(lecture, phone)
+    sketch(lecture, phone)
     put(lecture, phone, "rest")
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("5 of 5")
     clicked(lecture, "PageUp")

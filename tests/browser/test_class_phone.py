@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.browser.classroom import Open, draw, joined, taught
 from tests.browser.waiting import clicked
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-Take = Callable[[Page, str], Path]
 WAITS = ".card-body > .hint[role=status]"
 
 
 @pytest.mark.parametrize("size", [(390, 844), (844, 390)])
-def test_a_choice(size: tuple[int, int], window: Open, screenshot: Take) -> None:
+def test_a_choice(size: tuple[int, int], window: Open) -> None:
     lecture, code = taught(window, "walk=d31&step=d31-03&projector")
     phone, other = joined(window, code, *size), joined(window, code)
     for one, option in ((phone, 1), (other, 0)):
@@ -26,7 +22,6 @@ def test_a_choice(size: tuple[int, int], window: Open, screenshot: Take) -> None
         one.locator(f".answers [data-option='{option}']").click()
     expect(phone.locator(WAITS)).to_contain_text("Sent: Longer: the distance is longer. You can change it until")
     expect(phone.locator(WAITS)).to_contain_text("2 of 2 have answered.")
-    screenshot(phone, f"phone-{size[0]}-waits")
     for _ in range(2):
         clicked(lecture)
     expect(phone.locator(WAITS)).to_have_text("1 of 2 is right.")
@@ -36,7 +31,6 @@ def test_a_choice(size: tuple[int, int], window: Open, screenshot: Take) -> None
     expect(phone.locator(".answers [data-option='1'] .line")).not_to_be_empty()
     expect(phone.locator(".card .try")).to_have_count(0)  # there is no slider
     own = phone.get_by_role("link", name="Try it on your own")
-    screenshot(phone, f"phone-{size[0]}-split")
     own.click()
     expect(phone.get_by_role("slider").first).to_be_visible()
     expect(phone.get_by_role("link", name="Back to the lecture")).to_be_visible()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -20,7 +18,6 @@ from tests.serving.server import Server
 from tests.walks.voters import answers
 
 pytestmark = pytest.mark.browser
-Take = Callable[[Page, str], Path]
 WALKS = load_walks(())
 NAMES = spread(["tour", "d31", "d32-33", "d34", "waves"], 5)
 SIZE = {"width": 1280, "height": 720}
@@ -61,7 +58,7 @@ def explained(page: Page, step: Step) -> list[str]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_alone(name: str, server: Server, page: Page, screenshot: Take) -> None:
+def test_alone(name: str, server: Server, page: Page) -> None:
     page.set_viewport_size(SIZE)
     page.goto(f"{server.url}?walk={name}&projector")
     found: list[str] = []
@@ -70,7 +67,6 @@ def test_alone(name: str, server: Server, page: Page, screenshot: Take) -> None:
         clicked(page)
         page.wait_for_function(TAUGHT)
         found += explained(page, step)
-        screenshot(page, f"path-{step.id}")
         clicked(page)
     expect(page.locator("dialog:is(.contents, .finish)")).to_be_visible()
     assert not found, "\n".join(found)
@@ -78,36 +74,27 @@ def test_alone(name: str, server: Server, page: Page, screenshot: Take) -> None:
 
 @pytest.mark.timeout(600)  # sixteen steps, on four pages
 @pytest.mark.parametrize("name", NAMES)
-def test_with_votes(name: str, server: Server, window: Open, screenshot: Take) -> None:
+def test_with_votes(name: str, server: Server, window: Open) -> None:
     lecture, code = taught(window, f"walk={name}&projector")
     lecture.set_viewport_size(SIZE)
     phones = [joined(window, code, *size) for size in PHONES]
     tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(VOTERS)]
-    pages = [lecture, *phones]
     found: list[str] = []
-
-    def take(when: str) -> None:
-        for page, place in zip(pages, ("hall", "phone", "small", "wide"), strict=True):
-            screenshot(page, f"path-{step.id}-{when}-{place}")
 
     for step in WALKS[name].steps:
         asked(lecture, step)
         voted(server, code, name, step, tokens, phones)
         expect(lecture.locator(".votes [role=status]")).to_contain_text(f"{VOTERS + len(PHONES) - 1} ")
-        take("1-asked")
         clicked(lecture)
         lecture.wait_for_function(f"{LED}.votes.layer")
         assert not lecture.evaluate("oscillations.walks.walk.lesson")
-        take("2-votes")
         clicked(lecture)
         lecture.wait_for_function(TAUGHT)
         for phone in phones:
             expect(phone.locator(".card .why")).to_be_attached()
-        take("3-answer")
         clicked(lecture)
         lecture.wait_for_function(f"!{LED}.votes.layer")
         found += explained(lecture, step)
-        take("4-explained")
         clicked(lecture)
     expect(lecture.locator("dialog:is(.contents, .finish)")).to_be_visible()
     assert not found, "\n".join(found)

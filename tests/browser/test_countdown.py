@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.browser.classroom import LED, Open, joined, remote_of, taught
 from tests.live_class.caller import call
@@ -18,9 +16,7 @@ THIRTY = re.compile("0:(30|2[0-9])")
 FORTY_FIVE = re.compile("0:(4[0-5]|3[1-9])")
 
 
-def test_it_is_seen_by_all_and_closes_the_vote_where_that_is_asked_for(
-    server: Server, window: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_it_is_seen_by_all_and_closes_the_vote_where_that_is_asked_for(server: Server, window: Open) -> None:
     lecture, code = taught(window, "walk=d31&step=d31-03&projector")
     lecture.set_viewport_size({"width": 1280, "height": 720})
     phone = joined(window, code)
@@ -35,8 +31,6 @@ def test_it_is_seen_by_all_and_closes_the_vote_where_that_is_asked_for(
     remote.get_by_role("button", name="15 s more").click()
     for timer in timers:
         expect(timer).to_have_text(FORTY_FIVE)
-    for page, name in zip((lecture, phone, remote), ("hall", "phone", "remote"), strict=True):
-        screenshot(page, f"countdown-{name}")
     lecture.get_by_role("button", name="Close at 0").click()
     expect(lecture.get_by_role("button", name="Close at 0")).to_have_attribute("aria-pressed", "true")
     remote.get_by_role("button", name="Stay open at 0").click()

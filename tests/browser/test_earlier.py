@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 import pytest
 from playwright.sync_api import FilePayload, Page, expect
 
@@ -26,9 +23,7 @@ def choose(lecture: Page, text: str) -> None:
     chooser.value.set_files(table)
 
 
-def test_their_split_is_outlined_and_a_file_that_is_none_of_this_walk_is_refused(
-    window: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_their_split_is_outlined_and_a_file_that_is_none_of_this_walk_is_refused(window: Open) -> None:
     lecture, code = taught(window, "walk=d31&step=d31-03&projector")
     lecture.set_viewport_size({"width": 1280, "height": 720})
     phone = joined(window, code)
@@ -47,4 +42,3 @@ def test_their_split_is_outlined_and_a_file_that_is_none_of_this_walk_is_refused
     counted(lecture, "3 → 0", "1 → 1", "0 → 0")
     shares = "bars => bars.map(bar => bar.style.getPropertyValue('--share'))"
     assert sorted(lecture.locator(".vote-bar .before").evaluate_all(shares)) == ["0.25", "0.75"]
-    screenshot(lecture, "earlier-hall")

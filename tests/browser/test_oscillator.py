@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -14,7 +13,6 @@ from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
-Keep = Callable[[Page, str], Path]
 
 FITS = "document.documentElement.scrollWidth <= innerWidth && document.documentElement.scrollHeight <= innerHeight"
 
@@ -30,7 +28,7 @@ def dot(page: Page, plot: str, tint: str) -> float:
     return float(page.evaluate(f"(b => b.top + b.height / 2)({find}.getBoundingClientRect())"))
 
 
-def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open, screenshot: Keep) -> None:
+def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="oscillator", view="formulas")
     expect(page.locator("h1")).to_have_text("A swing is a turning arrow, seen from the side")
     for t in (0.2, 0.685, 1.4):
@@ -40,10 +38,9 @@ def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open, screens
         assert dot(page, "a", "F") == pytest.approx(dot(page, "law", "ink"), abs=1)
     assert page.evaluate(BROKEN) == 0
     assert page.evaluate(FITS)
-    screenshot(page, "oscillator")
 
 
-def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: Open, screenshot: Keep) -> None:
+def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="energy", view="energy")
     for t in (0.3, 1.09):
         seek(page, t)
@@ -53,7 +50,6 @@ def test_the_bar_of_t_on_v_and_the_curve_of_v_are_level(page: Page, open_scene: 
         assert pytest.approx(dot(page, "energy", "total"), abs=1) == T
     assert page.evaluate(BROKEN) == 0
     assert page.evaluate(FITS)
-    screenshot(page, "energy")
 
 
 FOCUS = """() => (e => e === document.body ? null : (e.getAttribute('aria-label') || e.textContent).trim())

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, expect
 
 from tests.browser.classroom import CONNECTED, LED
 from tests.browser.fixtures import READY
@@ -20,7 +19,7 @@ PHRASE = "swinging über springs"
 
 
 def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phones_in(
-    tmp_path: Path, browser: Browser, screenshot: Callable[[Page, str], object]
+    tmp_path: Path, browser: Browser
 ) -> None:
     with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": PHRASE}) as server:
         desk = calm_context(browser, {"width": 1280, "height": 800}, bypass_csp=True)
@@ -33,7 +32,6 @@ def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phon
         dialog.get_by_label("Passphrase").fill("another one")
         page.keyboard.press("Enter")
         expect(dialog.get_by_role("heading")).to_have_text(re.compile("^This is not the instructors' passphrase"))
-        screenshot(page, "passphrase")
         dialog.get_by_role("button", name="Cancel").click()
         expect(page.get_by_text("No class was opened.")).to_be_visible()
         page.keyboard.press("t")

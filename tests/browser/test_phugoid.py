@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -27,9 +26,7 @@ def drawn(page: Page) -> list[str]:
     return shapes
 
 
-def test_presets_are_pictures_and_change_the_flight(
-    page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_presets_are_pictures_and_change_the_flight(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="phugoid", folded=True)
     page.evaluate(PAUSE)
     before = page.evaluate(HEIGHTS)
@@ -43,7 +40,6 @@ def test_presets_are_pictures_and_change_the_flight(
         page.get_by_role("tab", name=view, exact=True).click()
         page.wait_for_function(f"oscillations.shown.settings.view.value === {view.lower()!r}")
         assert page.evaluate(BROKEN) == 0
-    screenshot(page, "phugoid-loop")
     page.wait_for_url(re.compile("excess=1.*view=limits"))
     for size in ("scrollHeight - p.clientHeight", "scrollWidth - p.clientWidth"):
         assert page.evaluate(f"(p => p.{size})(document.querySelector('.panel'))") <= 0

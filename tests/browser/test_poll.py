@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -27,7 +27,6 @@ options = [{ text = "Too fast" }, { text = "Right" }, { text = "Too slow" }]
 id = "last"
 from = "d34-07"
 """
-Take = Callable[[Page, str], Path]
 AT = "id => oscillations.walks.walk?.step?.id === id"
 
 
@@ -47,7 +46,7 @@ def class_of(window: Open) -> tuple[Page, Page, Page]:
     return lecture, phone, remote
 
 
-def test_a_poll_stands_between_two_steps(class_of: tuple[Page, Page, Page], screenshot: Take) -> None:
+def test_a_poll_stands_between_two_steps(class_of: tuple[Page, Page, Page]) -> None:
     lecture, phone, _ = class_of
     for _ in range(5):  # votes, answer, explanation, formulas, the poll
         clicked(lecture)
@@ -57,25 +56,22 @@ def test_a_poll_stands_between_two_steps(class_of: tuple[Page, Page, Page], scre
     expect(phone.get_by_text("Sent: Right. You can change it until the vote is closed.")).to_be_visible()
     clicked(lecture)
     counted(lecture, "0", "1", "0")
-    screenshot(lecture, "poll-hall")
     clicked(lecture)
     lecture.wait_for_function(AT, arg="last")
     clicked(lecture, "PageUp")
     lecture.wait_for_function(AT, arg="speed")
 
 
-def test_how_sure_the_class_is_can_be_asked_with_any_vote(class_of: tuple[Page, Page, Page], screenshot: Take) -> None:
+def test_how_sure_the_class_is_can_be_asked_with_any_vote(class_of: tuple[Page, Page, Page]) -> None:
     lecture, phone, remote = class_of
     expect(phone.get_by_role("group", name="How sure are you?")).to_be_hidden()
     lecture.keyboard.press("s")
     phone.get_by_role("button", name="Neither").click()
     phone.get_by_role("button", name="Fairly sure").click()
     expect(phone.get_by_text("Sent: Neither")).to_be_visible()
-    screenshot(phone, "sure-phone")
     expect(remote.get_by_text("How sure: 0 guessed, 1 fairly sure (1 right), 0 certain")).to_be_visible()
     expect(remote.get_by_role("button", name="How sure?")).to_have_count(0)  # it is asked
     clicked(lecture)
     expect(lecture.locator(".votes .sure")).to_have_text("How sure: 0 guessed, 1 fairly sure, 0 certain")
     clicked(lecture)
     expect(lecture.locator(".votes .sure")).to_contain_text("1 fairly sure (1 right)")
-    screenshot(lecture, "sure-hall")

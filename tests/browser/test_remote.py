@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -35,7 +32,7 @@ def answered(server: Server, code: str, options: list[int]) -> None:
 
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (844, 390)])
 def test_it_says_what_the_class_answers_and_what_the_next_press_does(
-    width: int, height: int, server: Server, window: Open, screenshot: Callable[[Page, str], Path]
+    width: int, height: int, server: Server, window: Open
 ) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-04&projector")
     phone = joined(window, code)
@@ -51,12 +48,10 @@ def test_it_says_what_the_class_answers_and_what_the_next_press_does(
     phone.wait_for_function("oscillations.asked.card")
     phone.locator(".answers button").first.click()
     remote.wait_for_function("globalThis.buzzes > 0")  # all have answered
-    screenshot(remote, f"remote-{width}-asked")
-    for i, words in enumerate(PRESSES):
+    for words in PRESSES:
         expect(remote.locator(".remote-deeds .filled")).to_have_text(words)
         assert CLOSES not in offered(remote)
         assert ("Vote again" in offered(remote)) == (words == "Show the answer")
-        screenshot(remote, f"remote-{width}-{i}")
         remote.locator(".remote-deeds .filled").click()
     lecture.wait_for_function("oscillations.walks.walk.step.id === 'd34-05'")
     lecture.keyboard.press("j")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, expect
 
 from tests.browser.classroom import Open, joined, remote_of, taught, walked
 from tests.browser.waiting import clicked
@@ -31,7 +31,7 @@ def window(tmp_path: Path, browser: Browser) -> Iterator[Open]:
         yield go
 
 
-def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot: Callable[[Page, str], Path]) -> None:
+def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open) -> None:
     lecture, code = taught(window, "walk=why&projector")
     lecture.set_viewport_size({"width": 1280, "height": 720})
     phones, remote = [joined(window, code) for _ in range(2)], remote_of(lecture, window)
@@ -43,13 +43,10 @@ def test_the_hall_sees_what_is_let_in_and_nothing_else(window: Open, screenshot:
     clicked(lecture)
     expect(lecture.get_by_text("2 answers wait for “Show” on the remote control")).to_be_visible()
     assert "Rubbish" not in lecture.locator("body").inner_text() and BOLD not in lecture.locator("body").inner_text()
-    screenshot(remote, "words-remote")
     remote.get_by_role("listitem").filter(has_text="Rubbish").get_by_role("button", name="Remove").click()
     remote.get_by_role("listitem").filter(has_text=BOLD).get_by_role("button", name="Show").click()
     expect(lecture.locator(".words-shown li")).to_have_text([BOLD])
     expect(lecture.locator(".words-shown b")).to_have_count(0)
-    screenshot(lecture, "words-hall")
-    screenshot(phones[0], "words-phone")
     expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
     remote.get_by_role("button", name="Remove").click()
     expect(lecture.locator(".words-shown li")).to_have_count(0)

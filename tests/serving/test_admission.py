@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from html import unescape
-from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, expect
 
 from app import SHEETS, open_page
 from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Queue, gives_way, ordinal
@@ -152,9 +151,7 @@ def test_who_waits_is_told_so_without_a_session_and_keeps_the_link(server: Serve
 
 @pytest.mark.slow
 @pytest.mark.browser
-def test_the_waiting_page_opens_when_there_is_a_place(
-    server: Server, browser: Browser, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_the_waiting_page_opens_when_there_is_a_place(server: Server, browser: Browser) -> None:
     first, second = browser.new_page(), browser.new_page()
     told: list[str] = []
     second.on("console", lambda message: told.extend([message.text] if message.type == "error" else []))
@@ -163,7 +160,6 @@ def test_the_waiting_page_opens_when_there_is_a_place(
     second.goto(f"{server.url}?scene=coupled&k2=3")
     expect(second.get_by_role("heading")).to_have_text("All 1 places are taken")
     expect(second.locator("#now text")).to_have_text(re.compile(r"^[2-9]\.\d s"))
-    screenshot(second, "waiting")
     first.close()
     expect(second.locator("html[data-ready=true]")).to_be_attached(timeout=40_000)
     expect(second).to_have_url(re.compile(r"\?scene=coupled&k2=3&view=motion$"))
