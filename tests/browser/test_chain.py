@@ -87,20 +87,3 @@ def test_two_masses_open_in_coupled_with_the_same_system(page: Page, open_scene:
     page.get_by_role("link", name="Open in Chain").click()
     page.wait_for_function("oscillations.page.spec.slug === 'chain' && oscillations.page.shown")
     assert page.evaluate(SET, "h") == 0.3
-
-
-@pytest.mark.parametrize("view", ["spectrum", "modes"])
-def test_a_press_over_a_mode_starts_it_and_keys_go_on(view: str, page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="chain", view=view, **PLUCKED)
-    place = page.evaluate(
-        """() => {
-          const plot = oscillations.page.plots.find(({host, absent}) => !absent && host.checkVisibility())
-          const {left, top} = plot.host.getBoundingClientRect(), {height} = plot.frame
-          return [left + plot.px(4.2), top + plot.frame.top + height / 2]
-        }"""
-    )
-    page.mouse.click(*place)
-    page.wait_for_function(f"({SET})('starts') === 'mode' && ({SET})('j') === 4")
-    pill = page.get_by_role("slider", name="Mode that moves alone").locator("visible=true")
-    pill.press("ArrowRight")
-    page.wait_for_function(f"({SET})('j') === 5")

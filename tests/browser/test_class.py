@@ -7,7 +7,7 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import CONNECTED, LED, Open, counted, draw, joined, taught
+from tests.browser.classroom import CONNECTED, LED, Open, counted, joined, taught
 from tests.browser.fixtures import READY
 from tests.browser.waiting import clicked
 
@@ -93,30 +93,6 @@ def test_of_how_many_is_told_anew_when_somebody_comes_or_goes(window: Open) -> N
     expect(votes).to_contain_text("1 of 2 have answered")
     late.close()
     expect(votes).to_contain_text("1 of 1 have answered")
-
-
-def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
-    lecture, code = taught(window, "walk=d34&step=d34-14")
-    phones = [joined(window, code) for _ in range(2)]
-    draw(phones[0], lambda x: 0.2 + 0.6 * x)
-    draw(phones[1], lambda x: 0.9 - 0.6 * x)
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
-    for phone in phones:  # a half sketch may have been sent before the complete one
-        expect(phone.get_by_text("You can change it")).to_be_visible()
-    clicked(lecture)
-    expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
-    lecture.get_by_role("button", name="Middle 50 %").click()
-    clicked(lecture)
-    expect(lecture.get_by_role("button", name=re.compile("^The zero between them 0"))).to_be_visible()
-    expect(phones[0].locator(".findings li")).to_have_count(5)
-    own = phones[1]
-    own.get_by_text("Try it on your own").click()
-    own.wait_for_function(CONNECTED)
-    expect(own.locator(".class-bar")).to_contain_text("On your own")
-    own.get_by_text("Back to the lecture").click()
-    own.wait_for_function(f"{READY} && oscillations.asked?.card")
-    lecture.keyboard.press("j")
-    expect(lecture.get_by_role("dialog", name="Join the class")).to_contain_text(code)
 
 
 def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Open) -> None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.classroom import Open, draw, joined, taught
+from tests.browser.classroom import Open, joined, taught
 from tests.browser.waiting import clicked
-from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 WAITS = ".card-body > .hint[role=status]"
@@ -34,18 +33,3 @@ def test_a_choice(size: tuple[int, int], window: Open) -> None:
     own.click()
     expect(phone.get_by_role("slider").first).to_be_visible()
     expect(phone.get_by_role("link", name="Back to the lecture")).to_be_visible()
-
-
-@pytest.mark.parametrize(("step", "said"), [("d31-02", "Sent: 2.5 s."), ("d34-14", "Sent: a sketch.")])
-def test_a_number_and_a_sketch(step: str, said: str, window: Open, server: Server) -> None:
-    lecture, code = taught(window, f"walk={step.partition('-')[0]}&step={step}&projector")
-    phone = joined(window, code)
-    phone.wait_for_function("oscillations.asked.card")
-    if step == "d31-02":
-        phone.locator("[name=answer]").fill("2.5")
-    else:
-        draw(phone, lambda x: 0.5)
-    expect(phone.locator(WAITS)).to_contain_text(said)
-    for _ in range(2):
-        clicked(lecture)
-    expect(phone.locator(WAITS)).to_have_text("0 of 1 are right.")

@@ -137,13 +137,3 @@ def test_light_and_dark_are_kept(page: Page, server: Server) -> None:
     theme = page.evaluate("document.documentElement.dataset.theme")
     page.reload()
     assert page.evaluate("document.documentElement.dataset.theme") == theme == "dark"
-
-
-def test_in_a_frame_of_another_page_a_scene_stands(page: Page, server: Server) -> None:
-    page.route(
-        "**/frame.html",
-        lambda route: route.fulfill(body=f'<iframe src="{server.url}"></iframe>', content_type="text/html"),
-    )
-    page.goto(f"{server.url}frame.html")
-    frame = page.frame_locator("iframe")
-    expect(frame.get_by_role("heading", level=1)).to_have_text(SCENES["oscillator"].headline)

@@ -6,7 +6,6 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import Open, joined, remote_of, taught
-from tests.browser.halls import TAUGHT
 from tests.live_class.caller import call
 from tests.serving.server import Server
 
@@ -61,15 +60,3 @@ def test_it_says_what_the_class_answers_and_what_the_next_press_does(
     remote.get_by_role("button", name="Show the screen").click()
     expect(lecture.locator(".blank")).to_have_count(0)
     assert not remote.evaluate("document.documentElement.scrollWidth > innerWidth")
-
-
-def test_the_formulas_are_a_button_where_the_next_press_goes_on(window: Open) -> None:
-    lecture, _ = taught(window, "walk=d34&step=d34-05")
-    remote = remote_of(lecture, window)
-    remote.get_by_role("button", name="Show the answer").click()
-    lecture.wait_for_function(TAUGHT)
-    remote.get_by_role("button", name="Show the explanation").click()
-    expect(remote.locator(".remote-deeds .filled")).to_have_text("Next")
-    remote.get_by_role("button", name="How it follows").click()
-    expect(lecture.locator(".card .follows .lines")).to_be_visible()
-    expect(remote.get_by_role("button", name="How it follows")).to_have_count(0)

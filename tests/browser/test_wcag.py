@@ -56,17 +56,6 @@ def test_wider_text_loses_nothing(new_page: Callable[..., Page], open_scene: Ope
     assert [one for one in page.evaluate(CUT) if one not in before] == []
 
 
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (844, 390)])
-def test_either_way_of_holding_a_phone_has_all(
-    new_page: Callable[..., Page], open_scene: Open, width: int, height: int
-) -> None:
-    page = open_scene(new_page(width, height, has_touch=True, is_mobile=True), scene="coupled")
-    for name in ("k2", "x1_0"):
-        expect(page.locator(f"input[name={name}]")).to_be_visible()
-    expect(page.locator(".block.stage").first).to_be_visible()
-    expect(page.locator(".block.plot").first).to_be_visible()
-
-
 def test_the_focus_goes_round_is_seen_everywhere_and_changes_nothing(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     page.keyboard.press("Space")

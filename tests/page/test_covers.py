@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page as BrowserPage
-from playwright.sync_api import expect
 
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
@@ -78,16 +75,3 @@ def test_what_is_nothing_to_cover_is_refused() -> None:
     told = covering(page, "plot:x9")
     assert told["errors"]["state"] == "“plot:x9” cannot be covered here. Still drawn as before."
     assert told["state"]["covered"] == []
-
-
-@pytest.mark.browser
-def test_a_covered_plot_waits_for_its_reveal(page: BrowserPage, open_scene: Callable[..., BrowserPage]) -> None:
-    open_scene(page, scene="coupled")
-    page.evaluate("oscillations.open({scene: 'coupled', covered: ['plot:x2', 'value:omega_minus']})")
-    page.wait_for_function("oscillations.shown.state.covered.length === 2")
-    expect(page.get_by_text("Covered. What do you expect?")).to_be_visible()
-    expect(page.locator("[data-value=omega_minus]").first).to_have_text("?")
-    page.get_by_role("main").get_by_role("button", name="Reveal").click()
-    page.wait_for_function("oscillations.shown.state.covered.length === 1")
-    expect(page.get_by_text("Covered. What do you expect?")).to_be_hidden()
-    page.wait_for_function("oscillations.shown.view.columns.time.x2 !== undefined")
