@@ -48,7 +48,7 @@ async def lesson(site: Site) -> None:
         assert (await room.vote(voter.word, direct[i % 2], **CHOICE, option=i % 2)).status == 204
     assert "X-Accel-Buffering: no" in through.headers
     site.kill(0)
-    async with asyncio.timeout(10):
+    async with asyncio.timeout(30):
         while not streams[0].ended:
             await asyncio.sleep(0.02)
     back = await Stream(site.url, room.code, streams[0].word).open()

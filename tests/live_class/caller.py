@@ -80,7 +80,7 @@ class Stream:
             pass
         self.ended = True
 
-    async def until(self, holds: Callable[[dict[str, Any]], Any], seconds: float = 10.0) -> dict[str, Any]:
+    async def until(self, holds: Callable[[dict[str, Any]], Any], seconds: float = PATIENCE) -> dict[str, Any]:
         """The last event for which something holds, as soon as there is one."""
         async with asyncio.timeout(seconds):
             while True:

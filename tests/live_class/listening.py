@@ -37,7 +37,7 @@ class Listener:
         self.ended = True
 
 
-async def until(happens: Callable[[], object], seconds: float = 10.0) -> None:
+async def until(happens: Callable[[], object], seconds: float = 30.0) -> None:
     async with asyncio.timeout(seconds):
         while not happens():
             await asyncio.sleep(0.01)

@@ -75,15 +75,6 @@ def test_who_does_not_know_the_passphrase_makes_no_key() -> None:
         assert not Keys("swinging springs").is_own(key)
 
 
-async def test_who_lacks_the_key_cannot_lead(in_class: Opened) -> None:
-    async with in_class() as (registry, room):
-        for key in ("", "x" * 32):
-            with pytest.raises(ClosedError):
-                await registry.led(room.code, key)
-        with pytest.raises(ClosedError):
-            await registry.room("ZZZZ")
-
-
 async def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Opened) -> None:
     async with in_class() as (registry, room):
         follower = Listener()

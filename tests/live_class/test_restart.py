@@ -103,13 +103,6 @@ async def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: py
         assert await server.classes.registry.store.rooms() == 2 and not Keys(phrase).is_own(keys[0])
 
 
-async def test_with_a_passphrase_only_keys_of_its_servers_open_a_room_anew() -> None:
-    async with teaching(class_passphrase="swinging springs") as (_, url):
-        own, strange = Keys("swinging springs").new(), Keys().new()
-        assert (await reopened(url, code_of(own), own)).status == 200
-        assert (await reopened(url, code_of(strange), strange)).status == 409
-
-
 @pytest.mark.parametrize("secret", ["", SECRET])
 async def test_a_server_that_is_started_again_finds_the_code_of_a_key(secret: str) -> None:
     """Also one whose secret is made at the start: such a one is not in the code."""

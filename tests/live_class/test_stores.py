@@ -34,7 +34,7 @@ def on(request: pytest.FixtureRequest) -> Kept:
     return partial(made, kind, url)
 
 
-async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 5.0) -> None:
+async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 30.0) -> None:
     async with asyncio.timeout(seconds):
         while not await happens():
             await asyncio.sleep(0.01)
@@ -243,7 +243,7 @@ async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
         heard: list[tuple[str, Parts]] = []
         ready = asyncio.Event()
         task = asyncio.create_task(kept.listen(lambda code, parts: heard.append((code, dict(parts))), ready.set))
-        await asyncio.wait_for(ready.wait(), 5)
+        await asyncio.wait_for(ready.wait(), 30)
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.keep(code, {"clock": b"1"})
@@ -268,7 +268,7 @@ async def test_who_no_longer_listens_hears_nothing(on: Kept) -> None:
             ready = asyncio.Event()
             receive = partial(_append, updates)
             tasks[name] = asyncio.create_task(kept.listen(receive, ready.set))
-            await asyncio.wait_for(ready.wait(), 5)
+            await asyncio.wait_for(ready.wait(), 30)
         tasks["left"].cancel()
         await asyncio.gather(tasks["left"], return_exceptions=True)
         await kept.tell("AAAA", {"clock": b"1"})
@@ -367,4 +367,4 @@ async def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_
         await asyncio.sleep(1)
         assert not listening.done()
         with valkey.silent(), pytest.raises(store.AwayError):
-            await asyncio.wait_for(listening, 5)
+            await asyncio.wait_for(listening, 30)

@@ -46,7 +46,7 @@ async def page_of(server: Server, path: str = "/", **headers: str) -> Reply:
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(10):
+    async with asyncio.timeout(30):
         while not condition():
             await asyncio.sleep(0.01)
 
