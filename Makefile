@@ -20,7 +20,7 @@ BOTH_CORES := -n 2 --dist worksteal
 ONCE_MORE := --reruns 1 -raR
 # Pages wait for frames and timers: three at a time keep two cores busy.
 THREE_PAGES := -n 3 --dist worksteal
-BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
+BROWSER = CHROMIUM="$$($(BIN)/python -m tools.browsers.chromium)"
 # Open a page only if there is a screen, because a text browser would take over the terminal.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
@@ -45,7 +45,7 @@ rest: $(VENV)/test.stamp
 
 # Installs Safari's engine and Firefox from Debian. Without them make rest skips their tests, and says so.
 browsers: $(VENV)/test.stamp
-	$(BIN)/python -m tests.browser.installing
+	$(BIN)/python -m tools.browsers.installing
 
 # All tests, with every value of each grid.
 test-all:

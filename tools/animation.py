@@ -9,10 +9,10 @@ from pathlib import Path
 from PIL import Image
 from playwright.sync_api import Page, sync_playwright
 
-from tests.browser.chromium import find
 from tests.browser.fixtures import READY
 from tests.browser.waiting import passed, redrawn
 from tests.serving.server import serving
+from tools.browsers.chromium import find
 from tools.pictures import STOP
 
 ROOT = Path(__file__).parents[1]

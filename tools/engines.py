@@ -14,10 +14,10 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 from components.scenes import SCENES
-from tests.browser import chromium, firefox, webkit
 from tests.browser.fixtures import READY
 from tests.browser.waiting import FRAMES, PASSED
 from tests.serving.server import serving
+from tools.browsers import chromium, firefox, webkit
 from tools.pictures import INSTANT, SIZES, STOP
 
 SCREENS = ("desk", "phone")

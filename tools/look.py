@@ -17,10 +17,10 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 from components.walks.loading import load_walks
 from components.walks.walk import Walk
-from tests.browser.chromium import find
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, seen
 from tests.serving.server import serving
+from tools.browsers.chromium import find
 
 SIZES = ((1280, 720), (853, 480))
 LEAST = {"a plot beside another": 0.25, "the only plot": 0.35, "the stage": 0.17}

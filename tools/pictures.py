@@ -22,11 +22,11 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from components.scenes import SCENES
 from components.state.page_state import fitted
 from components.walks.registry import all_walks
-from tests.browser.chromium import find
 from tests.browser.fixtures import READY
 from tests.browser.views import seen
 from tests.browser.waiting import passed, redrawn
 from tests.serving.server import serving
+from tools.browsers.chromium import find
 
 SIZES = {"desk": (1280, 720), "phone": (390, 844), "hall": (1920, 1080)}
 INSTANT = 0.3

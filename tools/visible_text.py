@@ -20,10 +20,10 @@ from playwright.sync_api import Page, sync_playwright
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link
-from tests.browser.chromium import find
 from tests.browser.fixtures import READY
 from tests.serving.server import serving
 from tests.states import links
+from tools.browsers.chromium import find
 
 TEXTS = """() => {
   const lines = new Set()

@@ -21,8 +21,8 @@ from tests.attack import protocol, stage
 from tests.attack.extremes import messages, queries, values
 from tests.attack.finding import Finding
 from tests.attack.visit import follow, visit
-from tests.browser.chromium import find
 from tests.serving.server import ROOT, serving
+from tools.browsers.chromium import find
 
 LOG = ROOT / "build" / "attack" / "server.log"
 PATIENCE = 2.0

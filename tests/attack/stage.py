@@ -15,7 +15,7 @@ from components.state.link import Link
 from components.state.page_state import fitted
 from tests.attack.extremes import Values, values
 from tests.attack.finding import Finding
-from tests.browser.chromium import find
+from tools.browsers.chromium import find
 
 READY = "document.documentElement.dataset.ready === 'true'"
 SHOW = r"""async data => {

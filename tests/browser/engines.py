@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page
 
-from tests.browser import firefox, webkit
-from tests.browser.chromium import find
-from tests.browser.driven import Driven
+from tools.browsers import firefox, webkit
+from tools.browsers.chromium import find
+from tools.browsers.driven import DrivenWindow
 
-Window = Page | Driven
+Window = Page | DrivenWindow
 """The methods that tests use: `goto`, `reload`, `set_viewport_size`, `evaluate`, `wait_for_function`, `screenshot`,
 `mouse`, `keyboard`.
 """
@@ -36,7 +36,7 @@ def _chromium(request: pytest.FixtureRequest, _: Path) -> Iterator[Window]:
     chromium.close()
 
 
-def _driven(kind: type[Driven], path: str | None, folder: Path) -> Iterator[Window]:
+def _driven(kind: type[DrivenWindow], path: str | None, folder: Path) -> Iterator[Window]:
     if path is None:
         pytest.skip(f"{kind.__name__} is {MISSING}")
     window = kind(path, folder)

@@ -16,10 +16,10 @@ import pytest
 from playwright.sync_api import Browser, Page, Request, Route, expect, sync_playwright
 
 from components.scenes import SCENES
-from tests.browser.chromium import find
 from tests.browser.tabs import Tab, Tabs
 from tests.browser.waiting import unfold
 from tests.serving.server import Server, serving
+from tools.browsers.chromium import find
 
 READY = "document.documentElement.dataset.ready === 'true'"
 # Long enough for a busy machine, but shorter than the page's own timers of 10 s.

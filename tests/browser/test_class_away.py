@@ -18,12 +18,15 @@ from tests.reconnect.site import Site
 
 pytestmark = pytest.mark.browser
 
-WALK = "".join(
-    (
-        'title = "Mine"\n',
-        *(f'[[step]]\nid = "{id}"\nfrom = "{of}"\n' for id, of in (("pull", "d31-03"), ("curve", "d31-04"))),
-    )
-)
+MINE = """title = "Mine"
+[[step]]
+id = "pull"
+from = "d31-03"
+
+[[step]]
+id = "curve"
+from = "d31-04"
+"""
 BACK = 30_000
 """Milliseconds in which pages must reconnect."""
 READING = 3 * BACK
@@ -31,11 +34,10 @@ READING = 3 * BACK
 SENT = "You can change it"
 
 
-def copied(answers: int) -> str:
-    """True if the instructor's page has copies of so many answers to the first question."""
-    return (
-        f"Object.keys({LED}.copies.answers.get('mine/pull/1') ?? {{}}).length === {answers} && !{LED}.copies.stale.size"
-    )
+def copied(question: str, answers: int) -> str:
+    """True if the instructor's page has copies of so many answers to a question."""
+    of = f"{LED}.copies.answers.get('{question}/1')"
+    return f"Object.keys({of} ?? {{}}).length === {answers} && !{LED}.copies.stale.size"
 
 
 @pytest.fixture
@@ -60,16 +62,22 @@ def tap(phone: Page, option: int) -> None:
     phone.locator(f".answers [data-option='{option}']").click()
 
 
-def begun(context: BrowserContext, site: Site) -> Page:
-    """The instructor's page with a class that asks the first question of a walk from a file."""
+def begun(context: BrowserContext, site: Site) -> tuple[Page, str]:
+    """The instructor's page with a class that asks its first question, and the code of the class."""
     lecture = context.new_page()
-    lecture.goto(f"{site.url}?scene=oscillator")
+    lecture.goto(f"{site.url}?walk=d31&step=d31-03")
     lecture.wait_for_function(CONNECTED)
     lecture.keyboard.press("t")
-    lecture.wait_for_function(LED)
-    drop(lecture, "mine.toml", WALK)
-    lecture.wait_for_function(f"{LED}?.news.question?.step === 'pull'", timeout=READING)
-    return lecture
+    lecture.wait_for_function(f"{LED}?.news.question?.step === 'd31-03'")
+    return lecture, lecture.evaluate(f"{LED}.room.code")
+
+
+def paired(lecture: Page, remote: Page) -> None:
+    """A phone is accepted as the remote control."""
+    remote.goto(address_of(lecture, "Remote control", "tickets"))
+    lecture.get_by_role("button", name="Yes, connect it").click()
+    remote.get_by_role("button", name="Close").click()
+    expect(lecture.get_by_role("dialog")).to_have_count(0)
 
 
 def address_of(lecture: Page, button: str, answer: str) -> str:
@@ -91,30 +99,32 @@ def answered_without_a_server(site: Site, phones: list[Page], remote: Page) -> N
     site.start()
     expect(phones[2].get_by_text(SENT)).to_be_visible(timeout=BACK)
     expect(phones[0].locator(".class-bar")).to_contain_text("Following", timeout=BACK)
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("1 of 2", timeout=READING)
+    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("3 of 16", timeout=BACK)
 
 
 def loaded_again(site: Site, lecture: Page) -> None:
     """The server is killed again, and the instructor's page is loaded again, after the answer was shown."""
     code = lecture.evaluate(f"{LED}.room.code")
-    lecture.wait_for_function(copied(3))
+    lecture.wait_for_function(copied("d31/d31-03", 3))
     site.kill()
     site.start()
     lecture.reload()
-    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=READING)
-    lecture.wait_for_function(f"{LED}.news.question?.lesson && {LED}.votes.tally?.now.answered === 3", timeout=READING)
+    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=BACK)
+    lecture.wait_for_function(f"{LED}.news.question?.lesson && {LED}.votes.tally?.now.answered === 3", timeout=BACK)
     lecture.wait_for_function("oscillations.walks.walk?.lesson")
 
 
 def taken_over(lecture: Page, context: BrowserContext) -> Page:
     """The page of another computer, which takes the lead and has never opened the file of the walk."""
+    lecture.wait_for_function(copied("mine/curve", 3))
     address = address_of(lecture, "Another computer", "word")
     other = context.new_page()
     other.goto(address)
     other.wait_for_function(f"{LED}?.news.number && oscillations.walks.walk?.card", timeout=BACK)
-    other.wait_for_function(copied(3))  # the answers that the first computer had copied
+    other.wait_for_function(copied("mine/pull", 3))  # which the first computer had copied
     assert other.evaluate("oscillations.walks.walk.sheet.name") == "mine"
     expect(lecture.get_by_text("led by another computer").first).to_be_visible()
+    expect(other.locator(".notice")).to_be_hidden()
     return other
 
 
@@ -122,17 +132,12 @@ def taken_over(lecture: Page, context: BrowserContext) -> Page:
 @pytest.mark.timeout(400)  # six windows
 def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserContext], tmp_path: Path) -> None:
     with Site(tmp_path) as site:
-        lecture = begun(contexts[0], site)
-        code = lecture.evaluate(f"{LED}.room.code")
-        remote = contexts[4].new_page()
-        remote.goto(address_of(lecture, "Remote control", "tickets"))
-        lecture.get_by_role("button", name="Yes, connect it").click()
-        remote.get_by_role("button", name="Close").click()
-        expect(lecture.get_by_role("dialog")).to_have_count(0)
-        phones = [context.new_page() for context in contexts[1:4]]
+        lecture, code = begun(contexts[0], site)
+        remote, *phones = (contexts[i].new_page() for i in (4, 1, 2, 3))
+        paired(lecture, remote)
         for phone in phones:
             phone.goto(f"{site.url}{code}")
-        put(phones, "pull")
+        put(phones, "d31-03")
         for phone in phones[:2]:
             tap(phone, 0)
             expect(phone.get_by_text(SENT)).to_be_visible()
@@ -143,22 +148,33 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
         counted(lecture, "2", "1", "0")
         remote.get_by_role("button", name="Show the answer").click()
         lecture.wait_for_function("oscillations.walks.walk.lesson")
-        expect(phones[0].get_by_text("Twice the pull is twice the force")).to_be_visible()
+        expect(phones[2].get_by_text("Twice the pull is twice the force")).to_be_visible()
         loaded_again(site, lecture)
-
-        clicked(lecture)
-        clicked(lecture)
-        put(phones, "curve")
-        for phone in phones:
-            draw(phone, lambda x: 0.2 + 0.6 * x)
-            expect(phone.get_by_text(SENT)).to_be_visible()
-        other = taken_over(lecture, contexts[5])
-        key = other.evaluate(f"{LED}.room.key")
-        assert call(site.url, f"/class/{code}/stored", word=key).json == {"answers": 6, "questions": 2}
-        clicked(other, "PageUp")  # to the question that this computer has never shown
-        put(phones, "pull")
-        other.wait_for_function("oscillations.walks.walk.lesson", timeout=BACK)
-        counted(other, "2", "1", "0")
-        other.evaluate(f"{LED}.end()")
+        led_by_another_computer(site, lecture, phones, contexts[5])
         for page in (*phones, remote):
             expect(page.locator("h1")).to_contain_text("The class is over.", timeout=BACK)
+
+
+def led_by_another_computer(site: Site, lecture: Page, phones: list[Page], context: BrowserContext) -> None:
+    """It leads through a walk from a file, back to a question that it has never shown, and ends the class."""
+    lecture.wait_for_function(CONNECTED, timeout=BACK)
+    drop(lecture, "mine.toml", MINE)
+    lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=READING)
+    put(phones, "pull")
+    for i, phone in enumerate(phones):
+        tap(phone, i // 2)
+        expect(phone.get_by_text(SENT)).to_be_visible()
+    for _ in range(4):
+        clicked(lecture)
+    put(phones, "curve")
+    for phone in phones:
+        draw(phone, lambda x: 0.2 + 0.6 * x)
+        expect(phone.get_by_text(SENT)).to_be_visible()
+    other = taken_over(lecture, context)
+    code, key = other.evaluate(f"[{LED}.room.code, {LED}.room.key]")
+    assert call(site.url, f"/class/{code}/stored", word=key).json == {"answers": 9, "questions": 3}
+    clicked(other, "PageUp")
+    put(phones, "pull")
+    other.wait_for_function("oscillations.walks.walk.lesson", timeout=BACK)
+    counted(other, "2", "1", "0")
+    other.evaluate(f"{LED}.end()")

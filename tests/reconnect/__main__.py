@@ -16,9 +16,9 @@ from tempfile import TemporaryDirectory
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.browser.chromium import find
 from tests.reconnect.losses import LOSSES, too_late, visit
 from tests.reconnect.site import Site
+from tools.browsers.chromium import find
 
 
 def main() -> int:

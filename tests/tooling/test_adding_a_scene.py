@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from tests.browser.fixtures import SCREENSHOTS
 from tests.serving.server import ROOT, serving
 
 TUTORIAL = ROOT / "docs" / "adding-a-scene.md"
@@ -147,6 +146,5 @@ def test_the_scene_is_served_and_drawn(slug: str, project: Path, browser: Browse
         expect(page.get_by_text(sentence).first).to_be_visible()
         assert page.evaluate("oscillations.shown.view.columns.time.x.length") > 300
         page.evaluate("oscillations.clock.playing = false, oscillations.clock.seek(oscillations.clock.end)")
-        page.screenshot(path=SCREENSHOTS / f"{slug}.png")
         assert not faults, faults
         page.close()

@@ -23,10 +23,10 @@ from statistics import median
 import psutil
 from playwright.sync_api import Browser, Page, Response, WebSocket, sync_playwright
 
-from tests.browser.chromium import find
 from tests.serving.server import ROOT, Server, free_port, serving
 from tests.serving.visitor import Visitor
 from tools.bench.network import opened_slowly, start_slowly, turned
+from tools.browsers.chromium import find
 
 REPORT = ROOT / "build" / "load" / "load.md"
 EMPTY_LOG = REPORT.with_name("empty.log")

@@ -12,9 +12,9 @@ import psutil
 from playwright.sync_api import Browser, sync_playwright
 
 from components.scenes import SCENES
-from tests.browser.chromium import find
 from tests.serving.server import Server, serving_panel
 from tools.bench.load import REPORT, machine
+from tools.browsers.chromium import find
 
 SECONDS = 10.0
 WARM = 1.0

@@ -9,10 +9,10 @@ from typing import Any
 
 from playwright.async_api import Browser, Page, async_playwright
 
-from tests.browser.between import between
-from tests.browser.chromium import find
 from tests.live_class.caller import Class
+from tools.bench.between import between
 from tools.bench.network import READY
+from tools.browsers.chromium import find
 
 COUNT = 2
 PHONE = {"width": 390, "height": 844}

@@ -12,9 +12,9 @@ from statistics import median
 from playwright.sync_api import Browser, CDPSession, Page, sync_playwright
 
 from components.scenes import SCENES
-from tests.browser.chromium import find
 from tests.serving.server import Server, serving
 from tools.bench.load import READY, REPORT, machine
+from tools.browsers.chromium import find
 
 PHONE = {"width": 390, "height": 844}
 SLOWED = 6

@@ -1,4 +1,4 @@
-"""`python -m tests.browser.installing` installs Safari's engine and Firefox from Debian, for the tests of `make rest`.
+"""`python -m tools.browsers.installing` installs Safari's engine and Firefox from Debian, for the tests of `make rest`.
 
 It needs root and a Debian whose archive has them; elsewhere it prints the reason and exits with 1.
 """
@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 
-from tests.browser import firefox, webkit
+from tools.browsers import firefox, webkit
 
 PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb", "firefox-esr", "fonts-liberation")
 INSTALL = ("apt-get", "install", "--yes", "--no-install-recommends", *PACKAGES)

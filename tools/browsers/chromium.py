@@ -1,6 +1,6 @@
 """Where the Chromium for the browser tests is: the one that CHROMIUM names, or an installed one, or new.
 
-`python -m tests.browser.chromium` prints its path, or nothing where none could be had; the rest goes to stderr.
+`python -m tools.browsers.chromium` prints its path, or nothing where none could be had; the rest goes to stderr.
 """
 
 from __future__ import annotations
@@ -54,8 +54,10 @@ def _playwrights_own() -> str | None:
 
 
 def _answers(path: str | None) -> bool:
+    if not path:
+        return False
     try:
-        return bool(path) and subprocess.run([path, "--version"], capture_output=True, timeout=30).returncode == 0
+        return subprocess.run([path, "--version"], capture_output=True, timeout=30).returncode == 0
     except (OSError, subprocess.TimeoutExpired):
         return False
 

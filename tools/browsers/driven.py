@@ -32,7 +32,7 @@ KEYS = {
 """Names of keys in Playwright and on the page, with their codes in WebDriver."""
 
 
-class Driven(ABC):
+class DrivenWindow(ABC):
     """One window; subclasses carry the commands of WebDriver to a browser."""
 
     def __init__(self) -> None:
@@ -96,7 +96,7 @@ class Driven(ABC):
 class Mouse:
     """The mouse of a window, in pixels of the page."""
 
-    def __init__(self, window: Driven) -> None:
+    def __init__(self, window: DrivenWindow) -> None:
         self._window = window
 
     def move(self, x: float, y: float) -> None:
@@ -115,7 +115,7 @@ class Mouse:
 class Keyboard:
     """The keys of a window: characters, or the names in `KEYS`."""
 
-    def __init__(self, window: Driven) -> None:
+    def __init__(self, window: DrivenWindow) -> None:
         self._window = window
 
     def press(self, key: str) -> None:

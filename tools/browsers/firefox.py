@@ -11,9 +11,11 @@ import time
 from pathlib import Path
 from typing import Any
 
-from tests.browser.driven import LOOK, PATIENCE, Driven
 from tests.serving.server import free_port
+from tools.browsers.driven import LOOK, PATIENCE, DrivenWindow
 
+EXTRA: dict[str, dict[str, object]] = {"ExecuteAsyncScript": {"sandbox": None}, "TakeScreenshot": {"full": False}}
+"""What Marionette needs to know besides the arguments of WebDriver."""
 NAMES = ("firefox-esr", "firefox")
 AS_NARROW_AS_A_PHONE = ":root, body { min-width: 0 !important; }"
 """For Firefox's own window, which is otherwise at least 500 px wide."""
@@ -24,7 +26,7 @@ def find() -> str | None:
     return os.environ.get("FIREFOX") or next(filter(None, map(shutil.which, NAMES)), None)
 
 
-class Firefox(Driven):
+class Firefox(DrivenWindow):
     """A window of Firefox without a screen."""
 
     def __init__(self, path: str, profile: Path) -> None:
@@ -64,7 +66,7 @@ class Firefox(Driven):
 
     def do(self, command: str, **given: object) -> Any:
         self._number += 1
-        extra = {"ExecuteAsyncScript": {"sandbox": None}, "TakeScreenshot": {"full": False}}.get(command, {})
+        extra = EXTRA.get(command, {})
         message = json.dumps([0, self._number, f"WebDriver:{command}", {**given, **extra}]).encode()
         self._socket.sendall(b"%d:%s" % (len(message), message))
         _, _, error, value = self._read()

@@ -12,8 +12,8 @@ from http.client import HTTPConnection
 from pathlib import Path
 from typing import Any
 
-from tests.browser.driven import LOOK, PATIENCE, Driven
 from tests.serving.server import free_port
+from tools.browsers.driven import LOOK, PATIENCE, DrivenWindow
 
 PYTHON = "/usr/bin/python3"
 """The system's Python, for which Debian has the bindings of GTK."""
@@ -39,7 +39,7 @@ def find() -> str | None:
     return driver if subprocess.run([PYTHON, "-c", BINDINGS], capture_output=True).returncode == 0 else None
 
 
-class WebKit(Driven):
+class WebKit(DrivenWindow):
     """A window of WebKitGTK."""
 
     def __init__(self, driver: str, folder: Path) -> None:
