@@ -229,7 +229,7 @@ class ChainDrawing:
         tint = f"m{mass}"
         return [
             line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
-            line(x, top, x, foot - self.side(mass), tint="mute", style="eq told"),
+            line(x, top, x, foot - self.side(mass), tint="mute", style="eq revealing"),
             arrow(rest(mass), top, x, top, tint=tint),
             text(rest(mass), top - 12, f"*x*_{mass} = {words}", tint=tint, style="t2 b"),
         ]

@@ -14,7 +14,7 @@ export function coverNumber(number) {
 }
 
 /** Parts of a drawing that would reveal the answer while the stage is covered. On the page, sketch.css hides them. */
-export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
+export const REVEALING = ".revealing, .shaft, .shaft + .fill, text:has([data-value])"
 
 const NAMED = new Set(["text", "circle", "wave"])
 

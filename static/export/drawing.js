@@ -1,6 +1,6 @@
 // A plot as a standalone SVG: the content of the figure, in a frame of any size, with its names, flags and shapes.
 
-import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
+import {REVEALING, coveredPlots, isCovered} from "../compare/cover.js"
 import {setAttributes, svg, unitSize} from "../core/dom.js"
 import {Flags, Labels} from "../scene/labels.js"
 import {fixed} from "../core/numbers.js"
@@ -182,7 +182,7 @@ export class Drawing {
     stage.frame(named)
     this.#held(stage, named)
     if (this.page.root.classList.contains("at-rest"))
-      for (const part of stage.svg.querySelectorAll(SPOKEN)) part.remove()
+      for (const part of stage.svg.querySelectorAll(REVEALING)) part.remove()
     const drawn = svg("g", {}, ...stage.svg.childNodes)
     layer.remove()
     return drawn

@@ -59,9 +59,9 @@ export class Choice extends Question {
   #taught(i) {
     const {row, where} = this.rows[i]
     const {host} = this.page
-    const isTold = row.classList.toggle("told")
-    if (host.hall.on) for (const other of this.rows) other.row.classList.toggle("told", isTold && other.row === row)
-    if (where && (isTold || !host.hall.on)) host.open(where)
+    const isShown = row.classList.toggle("replied")
+    if (host.hall.on) for (const other of this.rows) other.row.classList.toggle("replied", isShown && other.row === row)
+    if (where && (isShown || !host.hall.on)) host.open(where)
   }
 
   said() {
@@ -83,7 +83,7 @@ export class Choice extends Question {
     this.element.classList.add("taught")
     for (const [i, {right, reply, where}] of verdicts.entries()) {
       const {row, line, yours} = this.rows[i]
-      row.classList.toggle("told", i === this.chosen)
+      row.classList.toggle("replied", i === this.chosen)
       line.innerHTML = where ? `${reply} <u>${SUCH}</u>` : reply
       this.rows[i].where = where
       yours.textContent = i === this.chosen ? "your answer" : ""

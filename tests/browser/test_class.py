@@ -102,7 +102,7 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     expect(own.get_by_text("You can change it")).to_be_visible()
     clicked(lecture)
     clicked(lecture)
-    own.locator(".told").get_by_text(
+    own.locator(".replied").get_by_text(
         "Show such a case"
     ).click()  # the case that a reply mentions opens on the student's own page
     own.wait_for_function(f"{CONNECTED} && oscillations.shown.state.scene === 'forced' && oscillations.walks")

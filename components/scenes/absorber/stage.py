@@ -123,7 +123,7 @@ def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Sha
             text(zero - 8, lift - 10, number, "end", show=ON_WIDE, **look),
             text(W, lift - 10, number, "end", show=ON_NARROW, **look),
         ]
-    return [line(x, top, x, lift, tint="mute", style="eq told"), arrow(zero, lift, x, lift, tint=tint), *names]
+    return [line(x, top, x, lift, tint="mute", style="eq revealing"), arrow(zero, lift, x, lift, tint=tint), *names]
 
 
 def _both() -> list[Shape]:
@@ -169,15 +169,15 @@ def _verdicts() -> list[Shape]:
     # Above the whole range of mass 2. On a phone, which has no room there, over the upper machine, next to its floor.
     above = FLOORS[0] - 0.5 * side(1) + 6 - NARROW * (0.5 * side(1) + 13) - HALL * 12
     below = wide(FLOORS[1] - side(1) - 23, FLOORS[0] - 14)
-    told = "verdict b halo told"
+    look = "verdict b halo revealing"
     return [
-        text(W, above, "Alone, it shakes", "end", style=told, show=P.alone_shakes),
-        text(W, above, "Alone, it grows without limit", "end", style=told, show=P.alone_grows),
-        text(W, above, "Alone, it beats, slowly", "end", style=told, show=P.alone_beats),
-        text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=told, show=P.alone_within),
+        text(W, above, "Alone, it shakes", "end", style=look, show=P.alone_shakes),
+        text(W, above, "Alone, it grows without limit", "end", style=look, show=P.alone_grows),
+        text(W, above, "Alone, it beats, slowly", "end", style=look, show=P.alone_beats),
+        text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=look, show=P.alone_within),
         text(W, above - 19, f"{N.judged_alone}", "end", tint="mute", style="t0 halo", show=(ON_WIDE, AT_DESK)),
         text(W, below - 19, f"{N.judged}", "end", tint="mute", style="t0 halo", show=(ON_WIDE, P.differ)),
-        *(text(W, below, words, "end", style=told, show=P.verdict[name]) for name, words in VERDICTS.items()),
+        *(text(W, below, words, "end", style=look, show=P.verdict[name]) for name, words in VERDICTS.items()),
     ]
 
 
@@ -249,8 +249,11 @@ def goals() -> Block:
     shapes: list[Shape] = []
     for i in range(3):
         y, met, missed = 14 + (37 + 17 * WIDE) * i, P.met[i], P.missed[i]
-        shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
-        shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
+        shapes += [circle(9, y, 8, style="revealing", show=met), path(TICK, 9, y, style="counter revealing", show=met)]
+        shapes += [
+            circle(9, y, 8, style="hollow revealing", show=missed),
+            path(CROSS, 9, y, style="revealing", show=missed),
+        ]
         shapes.append(text(26, y + 4, f"{N.goal[i]}", "start", style="t2 b"))
         shapes.append(text(26, y + 20, f"{N.found[i]}", "start", tint="mute", style="t0"))
     return stage(

@@ -256,13 +256,13 @@ def dial() -> list[Shape]:
     )
     found = [
         circle(x, y, radius, style="hair", tint="mute"),
-        arc(x, y, 0.45 * radius, turn + quarter - number(c.phi), turn + quarter, style="sum told", tint="ink"),
+        arc(x, y, 0.45 * radius, turn + quarter - number(c.phi), turn + quarter, style="sum revealing", tint="ink"),
     ]
     for side, up, tint, name in hands:
         across, high = radius * number(side), radius * number(up)
         found += [
             arrow(x, y, x + across, y - high, tint=tint, style="thick", head=14),
-            text(x + 1.25 * across, y - 1.2 * high + 5, name, tint=tint, style="b halo told"),
+            text(x + 1.25 * across, y - 1.2 * high + 5, name, tint=tint, style="b halo revealing"),
         ]
     return shown_by(c.has_dial, *found, text(x, H - 6, f"the mass lags by {c.lag_degrees}", style="b halo"))
 

@@ -347,13 +347,13 @@ def bar() -> list[Shape]:
     return [
         *shown_by(
             c.has_energy,
-            rectangle(BAR, edge, BROAD, bottom - edge, style="body told", tint="V"),
-            rectangle(BAR, top, BROAD, edge - top, style="body told", tint="T"),
+            rectangle(BAR, edge, BROAD, bottom - edge, style="body revealing", tint="V"),
+            rectangle(BAR, top, BROAD, edge - top, style="body revealing", tint="T"),
             text(beside, top + 20, f"*T* = {c.T} {WELL.unit}", "start", tint="T", style="b halo"),
             text(beside, top + 36, "motion", "start", tint="T", style="halo"),
             text(beside, bottom - 20, f"*V* = {c.V} {WELL.unit}", "start", tint="V", style="b halo"),
             text(beside, bottom - 4, "position", "start", tint="V", style="halo"),
-            line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level told", tint="V", show=ON_WIDE),
+            line(BAR, ENERGY.y(c.V), ENERGY.x(T), ENERGY.y(c.V), style="level revealing", tint="V", show=ON_WIDE),
         ),
         rectangle(BAR, top, BROAD, whole, style="scaled outline", tint="ink"),
         line(BAR - 8, top, right + 8, top, style="sum", tint="ink"),

@@ -250,8 +250,8 @@ def _shapes() -> list[Shape]:
     for i, place, amplitude in zip(BOTH, places, N.X, strict=True):
         rest = chain.rest(i)
         shapes += [
-            line(rest, lift - 6, rest, last + 8, tint="mute", style="eq told"),
-            line(place, lift, place, foot - chain.side(i), tint="mute", style="eq told"),
+            line(rest, lift - 6, rest, last + 8, tint="mute", style="eq revealing"),
+            line(place, lift, place, foot - chain.side(i), tint="mute", style="eq revealing"),
             arrow(rest, lift, place, lift, tint=f"m{i}"),
             text(rest, lift - 12, f"*X*_{i} = {amplitude} m", tint=f"m{i}", style="t2 b halo"),
         ]
@@ -262,7 +262,7 @@ def _shapes() -> list[Shape]:
     for i in BOTH:
         for length, start in ((P.give[i], 2), (P.need[i], 1)):
             tip = chain.rest(i) + SWING * var(length)
-            shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq told"))
+            shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq revealing"))
     for n, (_, _, tint, wide, narrow) in enumerate(FORCES, start=1):
         y = foot + n * gap
         shapes += [

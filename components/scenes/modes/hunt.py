@@ -148,7 +148,7 @@ def _shapes() -> list[Shape]:
         y = at * H
         shapes += [
             text(0, y - 12, f"{mode} mode {told} of the swing", "start", tint=mode, style="t1 b"),
-            line(0, y, W, y, tint="rule", style="thick faint told"),
+            line(0, y, W, y, tint="rule", style="thick faint revealing"),
             line(0, y, var(share) * W, y, tint=mode, style="thick", show=share),
         ]
     return shapes

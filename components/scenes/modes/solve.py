@@ -167,16 +167,16 @@ def _moving(mode: str) -> list[Shape]:
     shapes = [chain.standing_wall((top + 0.07) * H, 0.155 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
     for i in chain.BOTH:
         full = chain.rest(i) + METRE * W * var(Turning.X[i, mode])
-        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full told"))
+        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full revealing"))
     shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
     for i, place in zip(chain.BOTH, places, strict=True):
         rest, tip = chain.rest(i), axle - METRE * W * var(Turning.y[i, mode])
         shapes += [
-            line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq told"),
-            line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq told"),
+            line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq revealing"),
+            line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq revealing"),
             arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
-            circle(rest, axle, METRE * W * var(Turning.R[i, mode]), tint=f"m{i}", style="orbit told"),
-            line(place, foot, place, tip, tint="mute", style="eq told"),
+            circle(rest, axle, METRE * W * var(Turning.R[i, mode]), tint=f"m{i}", style="orbit revealing"),
+            line(place, foot, place, tip, tint="mute", style="eq revealing"),
             arrow(rest, axle, place, tip, tint=f"m{i}"),
         ]
     return shapes

@@ -414,7 +414,7 @@ def turning(centre: StageVector) -> list[Shape]:
     is_first = c.view == "motion"
     for (x, y), (symbol, tint, _, (across, up)), name in zip(WAYS, LOOKS, IN_WORDS, strict=True):
         place = centre[0] + (RADIUS + across) * x, centre[1] - (RADIUS + up) * y + 5
-        look: Looks = {"tint": tint, "style": "t2 b halo told"}
+        look: Looks = {"tint": tint, "style": "t2 b halo revealing"}
         found += shown_by(is_first, text(*place, name, **look))
         found += shown_by(c.view != "motion", text(*place, symbol, **look))
     return found
@@ -425,8 +425,8 @@ def cross(centre: StageVector, radius: Number) -> list[Shape]:
     reach = radius + 8
     return [
         circle(x, y, radius, style="orbit", tint="mute", held=True),
-        line(x - reach, y, x + reach, y, style="hair told"),
-        line(x, y - reach, x, y + reach, style="hair told"),
+        line(x - reach, y, x + reach, y, style="hair revealing"),
+        line(x, y - reach, x, y + reach, style="hair revealing"),
     ]
 
 
@@ -436,8 +436,8 @@ def right_angles(centre: StageVector) -> list[Shape]:
     for a, b in pairwise(WAYS):
         corner = at(centre, (a[0] + b[0], a[1] + b[1]), 13)
         found += [
-            line(*at(centre, a, 13), *corner, style="floor told"),
-            line(*corner, *at(centre, b, 13), style="floor told"),
+            line(*at(centre, a, 13), *corner, style="floor revealing"),
+            line(*corner, *at(centre, b, 13), style="floor revealing"),
         ]
     return found
 

@@ -123,7 +123,7 @@ def lift_shapes() -> list[Shape]:
     unit: Number = 50 * SIZE
     tip = X + unit * var(S.lift_forward), Y - unit * var(S.lift_up)
     aside = NARROW * 18 - WIDE * 8  # on a phone it starts at the left edge
-    named: Looks = {"style": "t2 b halo told", **FLOWN}
+    named: Looks = {"style": "t2 b halo revealing", **FLOWN}
     return shown_by(
         Places.is_lift,
         arrow(X, Y, X, Y + unit, tint="k", style="thick", head=13, **FLOWN),
