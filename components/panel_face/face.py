@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any
 
 import panel as pn
+from bokeh.events import RangesUpdate
 from panel.viewable import Viewable, Viewer
 
 from components.language.blocks import (
@@ -53,6 +54,12 @@ table { border-collapse: collapse } td { padding: 2px 10px 2px 0 }
 STYLE = TEXT + "".join(f".sample.{name}, .tint.{name} {{ color: {colour} }} " for name, colour in colours().items())
 
 
+class FramePlayer(pn.widgets.Player):
+    """A Player whose frames follow each other quickly: Panel waits 50 ms before it handles a change of a widget."""
+
+    _debounce = 10  # ms; the browser sends two changes for each frame
+
+
 class PanelFace(Viewer):
     """Panel widgets for the parameters of a scene, and Bokeh figures of its stages and plots.
 
@@ -74,7 +81,7 @@ class PanelFace(Viewer):
         self._texts: list[tuple[Any, Callable[[Picture], Html]]] = []
         self.parts: list[tuple[Viewable, str, tuple[str, ...]]] = []
         self.refused = pn.pane.Alert(alert_type="danger", visible=False)
-        self.player = pn.widgets.Player(
+        self.player = FramePlayer(  # type: ignore[no-untyped-call]  # Panel's own has no types
             label="Time", interval=1000 // FRAMES, loop_policy="loop", show_loop_controls=False,
             visible_buttons=["first", "previous", "play", "pause", "next"], sizing_mode="stretch_width", height=70,
             max_width=WIDEST,
@@ -101,6 +108,7 @@ class PanelFace(Viewer):
         self._drawn: tuple[LiveStage | LiveFigure, ...] = (*self.stages.values(), *self.figures.values())
         for one in self._drawn:
             one.model.on_change("inner_width", partial(self._measured, one))
+            one.model.on_event(RangesUpdate, lambda _: self._tick())
         self.widgets = {one.row.name: one.field for one in self.controls}
         self.sliders = {one.row.name: one.slider for one in self.controls if isinstance(one, QuantityControl)}
 
@@ -179,9 +187,9 @@ class PanelFace(Viewer):
         with pn.io.unlocked():
             for one in self.seen:
                 one.tick(picture, named, texts)
-        pn.io.push_notebook(self.paper)
-        for pane, html in self._written:
-            pane.object = filled(html, texts)
+            pn.io.push_notebook(self.paper)
+            for pane, html in self._written:
+                pane.object = filled(html, texts)
 
     def _tell(self, picture: Picture, refused: str = "") -> None:
         """Show the values in all widgets, except where a value was refused: that field keeps its text."""

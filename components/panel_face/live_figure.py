@@ -35,7 +35,7 @@ from components.layout.plots import figure_of
 from components.panel_face.colours import colours, diverging
 from components.panel_face.drawing import Plane, ShapeGlyphs, update
 from components.panel_face.label_collisions import TextBox, text_width
-from components.panel_face.shapes import GlyphRow, text_row
+from components.panel_face.shapes import GlyphRow, subscript, text_row
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.motion import displacements
 from components.scene import Picture, Scene
@@ -108,8 +108,10 @@ class LiveFigure:
         self._legend()
         self.drawing = ShapeGlyphs(self.model, shapes, lambda grab, values: moved(values, grab.begins), 0.7)
         self.dots = ColumnDataSource({"x": [], "y": [], "colour": []})
-        self.model.add_glyph(self.dots, Scatter(x="x", y="y", size=9, fill_color="colour", line_color="white"))
-        self.cursor = Span(dimension="width" if block.y == TIME_AXIS else "height", line_color=colours()["ink"])
+        dot = Scatter(x="x", y="y", size=9, fill_color="colour", line_color="white")
+        self.model.add_glyph(self.dots, dot, level="overlay")
+        side = "width" if block.y == TIME_AXIS else "height"
+        self.cursor = Span(dimension=side, line_color=colours()["ink"], level="overlay")
         if block.time:
             self.model.add_layout(self.cursor)
         lines: tuple[Mark | Handle, ...] = (*block.marks, *block.handles)
@@ -132,11 +134,11 @@ class LiveFigure:
         hover = HoverTool(tooltips=[("", "$name"), ("x", "$x"), ("y", "$y")], renderers=list(self.parts))
         self.model.add_tools(PanTool(), WheelZoomTool(), ResetTool(), SaveTool(), hover)
         self.model.toolbar.autohide = True
-        self.model.toolbar_location = "above"
+        self.model.update(toolbar_location="above", toolbar_inner=True)
         self.model.toolbar.active_drag = None
 
     def _legend(self) -> None:
-        """The names of the curves; a click on one hides it."""
+        """The names of the curves, the uppermost first; a click on one hides it."""
         self.items: list[LegendItem] = []
         self.legend = Legend(
             border_line_color=None, orientation="horizontal", click_policy="hide", label_text_font_size=f"{SMALL}px",
@@ -145,9 +147,9 @@ class LiveFigure:
         named: dict[str, list[Any]] = {}
         for renderer, part in self.parts.items():
             if part.read:
-                named.setdefault(part.read, []).append(renderer)
+                named.setdefault(renderer.name, []).append(renderer)
         if len(named) > 1:
-            self.items = [LegendItem(label=name, renderers=renderers) for name, renderers in named.items()]
+            self.items = [LegendItem(label=name, renderers=one) for name, one in reversed(named.items())]
             self.legend.items = self.items
             self.model.add_layout(self.legend, "above")
 
@@ -191,7 +193,7 @@ class LiveFigure:
         """Return the curve or region that a renderer draws, and give the renderer its colour."""
         kind, place = renderer.name.split(".")
         part: Curve | Region = getattr(self.block, kind)[int(place)]
-        glyph, renderer.name = renderer.glyph, part.read or part.group
+        glyph, renderer.name = renderer.glyph, symbol(part.read or part.group)
         if isinstance(part, Curve):
             glyph.update(line_color=colours()[part.tint], line_width=WIDTHS[part.width])
         if "fill_color" in glyph.properties():
@@ -250,9 +252,15 @@ class LiveFigure:
         self.cursor.location = named["t"]
         seen = [one for renderer, one in self.parts.items() if renderer.visible and isinstance(one, Curve)]
         moving = [(one, named.get(one.signal_x or "t"), named.get(one.signal)) for one in seen if one.signal]
-        dots = [(one, x, y) for one, x, y in moving if x is not None and y is not None]
+        dots = [(one, x, y) for one, x, y in moving if x is not None and y is not None and self._is_inside(x, y)]
         columns = {"x": [x for _, x, _ in dots], "y": [y for _, _, y in dots]}
         update(self.dots, {**columns, "colour": [colours()[one.tint] for one, _, _ in dots]})
+
+    def _is_inside(self, x: float, y: float) -> bool:
+        """Return whether the visitor sees a point, also after a zoom. Bokeh does not clip what is over a plot."""
+        across, up = self.model.x_range, self.model.y_range
+        upright = sorted((up.start, up.end))
+        return bool(across.start <= x <= across.end and upright[0] <= y <= upright[1])
 
     def _flags(self, picture: Picture, plane: Plane) -> Iterator[GlyphRow]:
         """The names of the marks: of an upright line at its upper end, of a level one at its right end."""
@@ -288,6 +296,11 @@ def plot_under(shape: AnyShape) -> str:
     plot next to the stage."""
     names = _names(shape)
     return "" if "wide" in names else next((name.partition(".")[0] for name in names if "." in name), "")
+
+
+def symbol(name: str) -> str:
+    """Return the name of a curve with the index of a symbol as a subscript: x₁ for x1."""
+    return re.sub(r"(?<=^\w)(p?\d|[+−])$", lambda index: subscript(index[0]), name)
 
 
 def _names(shape: AnyShape) -> set[str]:

@@ -119,10 +119,15 @@ def evaluated(shape: AnyShape, named: NamedNumbers) -> SimpleNamespace:
     )
 
 
+def subscript(text: str) -> str:
+    """Return an index as Unicode subscripts; as it is if Unicode lacks one of its letters."""
+    return text.translate(SUBSCRIPTS) if all(ord(letter) in SUBSCRIPTS for letter in text) else text
+
+
 def words(runs: Runs, texts: Mapping[str, str]) -> str:
     """Return a short text with the live numbers in `texts`."""
     read: dict[str, Callable[[str], str]] = {
-        "index": lambda text: text.translate(SUBSCRIPTS),
+        "index": subscript,
         "value": lambda text: texts.get(text, ""),
     }
     return "".join(read[run.kind](run.text) if run.kind in read else run.text for run in runs)

@@ -50,8 +50,8 @@ def _rest_plot() -> Block:
         y=Axes.rest,
         title="Displacement of the machine against time, from its start",
         curves=(
-            curve(S.x1_c, source="rest", tint="xc", width="dash", label="*x*_c"),
-            curve(S.x1_p, source="rest", tint="xp", label="*x*_p"),
+            curve(S.x1_c, source="rest", tint="xc", width="dash", label="*x*_c", read="complementary"),
+            curve(S.x1_p, source="rest", tint="xp", label="*x*_p", read="particular"),
             curve(S.x[1], source="rest", tint="m1", width="sum", label="*x*_1", signal=S.x[STARTED]),
         ),
         heading=(
