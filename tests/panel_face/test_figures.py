@@ -5,6 +5,8 @@ from __future__ import annotations
 import itertools
 
 import pytest
+from bokeh.document import Document
+from bokeh.events import RangesUpdate
 from playwright.sync_api import Browser
 
 from components.panel_face.drawing import ShapeGlyphs
@@ -72,6 +74,32 @@ def test_words_at_an_axis_and_legends_fit_a_phone(slug: str) -> None:
                 names = [text_width(item.label.value, SMALL) for item in one.items if item.visible]
                 count = one.legend.ncols
                 assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < FRAME, view.slug
+
+
+@pytest.mark.parametrize(
+    ("slug", "plot", "names"),
+    [
+        ("coupled", "x1", ["x₁", "slow", "fast"]),
+        ("coupled", "energy", ["T₂", "V₂", "V₁", "T₁"]),
+        ("forced", "response", ["Xₚ₂", "Xₚ₁"]),
+        ("absorber", "rest", ["x₁", "particular", "complementary"]),
+    ],
+)
+def test_a_legend_has_symbols_and_words(slug: str, plot: str, names: list[str]) -> None:
+    figure = fitted(slug, WIDE, WIDE).figures[plot]
+    assert [item.label.value for item in figure.items] == names
+    assert {renderer.name for item in figure.items for renderer in item.renderers} == set(names)
+
+
+def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:
+    """Bokeh does not clip what is over a plot."""
+    face, document = fitted("coupled", WIDE, WIDE), Document()
+    face.__panel__().server_doc(document)
+    figure = face.figures["x1"]
+    assert len(figure.dots.data["x"]) == 3
+    figure.model.x_range.start = 1.0  # a visitor zooms; all dots are at t = 0
+    document.callbacks.trigger_event(RangesUpdate(figure.model))
+    assert figure.dots.data["x"] == []
 
 
 def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
