@@ -12,7 +12,7 @@ def root_plane(sides: tuple[Number, Number, Number, Number], x0: Number, y0: Num
     s = 0 is at (x0, y0). The right half plane is hatched, because roots there need `below_zero`: negative damping.
     """
     left, right, top, bottom = sides
-    legend = "up: swings faster", "left: dies faster", f"right: only for {below_zero}"
+    legend = "up: swings faster", "left: decays faster", f"right: only for {below_zero}"
     return [
         rectangle(x0, top, right - x0, bottom - top, style="body", tint="k2fill"),
         line(left, y0, x0, y0, style="floor", tint="ink"),

@@ -155,7 +155,7 @@ def test_undone_its_decay_a_motion_in_its_plane_is_the_ellipse_of_the_reference(
 
 def test_without_dashpots_nothing_dies_and_both_modes_are_on_the_axis() -> None:
     scene = ModesScene(view="roots")
-    assert "No dashpot: all roots are on the imaginary axis, and nothing dies" in visible_text(scene)
+    assert "No dashpot: all roots are on the imaginary axis, and nothing decays" in visible_text(scene)
     assert sorted(s.imag for s in crosses(scene)) == pytest.approx([-2, -1, 1, 2])
     assert all(abs(s.real) < 1e-9 for s in crosses(scene))
     assert "ζ" not in visible_text(scene) and "slow mode: " in visible_text(scene)

@@ -75,7 +75,7 @@ class Damped(DashpotScene, CaseScene):
         ),
         View(
             "Roots",
-            "Drag the black dot: left it dies faster, up it swings faster. Where does the swinging end?",
+            "Drag the black dot: left it decays faster, up it swings faster. Where does the swinging end?",
             keys=(zeta,), names=("plot:roots",),
         ),
         View(

@@ -85,7 +85,7 @@ class DampedCase(DashpotCase):
     def lasting(self) -> float:
         lasting = self._lasting_with_spring if self.k else self._lasting_without_spring
         if not 0 < lasting < math.inf:
-            raise ValueError("the time in which this motion dies leaves the range of doubles")
+            raise ValueError("the decay time of this motion leaves the range of doubles")
         return lasting
 
     @property

@@ -156,7 +156,7 @@ def plane() -> Block:
     return ROOTS.block(
         curve(c.locus, "thin", "ink", read="other *ζ*", columns=("re", "im"), group="locus"),
         note(formula),
-        title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
+        title="Plane of the roots: to the left a motion decays faster, upwards it swings faster",
         over=roots(), room=Room(2, 2), square=True, plain=True, grow=250, phone=9, height=290,
     )  # fmt: skip
 

@@ -339,7 +339,7 @@ class DrivenCase(SlicedCase):
                 points(response, sweep, true_response, Place("omega", r"$\omega$", "rad/s")),
             ),
         )  # fmt: skip
-        work = "The work put in and the work lost in a cycle are equal once the complementary part has died."
+        work = "The work put in and the work lost in a cycle are equal once the complementary part has decayed."
         bands = {BAND: shown.sources.get(BAND, {}) | shown.sources.get(RINGING, {})}
         return About(tables, work if self.c and self.is_driven and not self.is_once else "", bands_among(bands, x))
 

@@ -113,7 +113,7 @@ class DrivenShown(DrivenCase):
     W = value.optional(lambda c: _work(c) if c.steady else None, "J", "work of the drive per period")
     growth = value.optional(lambda c: _growth(c) if c.is_driven and c.is_sine else None, "m", "growth per period")
     rate = value.optional(lambda c: _rate(c) if c.is_driven and c.is_sine else None, "m/s", "growth per second")
-    decay = value(lambda c: c.one.rates[0], "1/s", "rate at which the transient dies")
+    decay = value(lambda c: c.one.rates[0], "1/s", "decay rate of the transient")
     P_in = value.optional(lambda c: float(c.power["P_in"][-1]) if c.power else None, "W", "mean power of the drive")
     P_lost = value.optional(lambda c: float(c.power["P_lost"][-1]) if c.power else None, "W", "mean power lost")
     # Which formulas and words are shown.

@@ -67,11 +67,11 @@ UNDRIVEN = ("none", "idle", "rest")
 
 FATE = either(
     Forms.transient,
-    dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
-    alike="The complementary part dies, and the particular solution remains.",
+    dies=f"The complementary part decays, each term to 1 % within {N.dies}; the particular solution remains.",
+    alike="The complementary part decays, and the particular solution remains.",
     stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
-    free=f"The motion dies, each of its terms to 1 % within {N.dies}.",
-    alike_free="The motion dies.",
+    free=f"The motion decays, each of its terms to 1 % within {N.dies}.",
+    alike_free="The motion decays.",
     stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
 )
 """The decay of the complementary part with dashpots."""

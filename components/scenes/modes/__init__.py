@@ -112,7 +112,7 @@ class ModesScene(Scene):
             keys=(m2, k2), names=("stage:solve", "plot:det"),
         ),
         View(
-            "Roots", "Drag a cross: where does the motion die sooner, and when does it stop swinging?",
+            "Roots", "Drag a cross: where does the motion decay sooner, and when does it stop swinging?",
             keys=(c1,), names=("choice:grows", "plot:roots"),
         ),
         View(

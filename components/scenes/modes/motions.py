@@ -40,7 +40,7 @@ def _root(place: str) -> Paragraph:
         return either(Motions.root[place], **lines)
     pair, both = rf"$s = {B.rate[place]} \pm {B.turn[place]}\, i$ 1/s", f"{rate} and ${B.other[place]}$ 1/s"
     swings = (
-        rf"It swings and dies, $\zeta = {B.zeta[place]}$, $Q = {B.Q[place]}$; $1/e$ is left after {B.decay[place]} s."
+        rf"It swings and decays, $\zeta = {B.zeta[place]}$, $Q = {B.Q[place]}$; $1/e$ is left after {B.decay[place]} s."
     )
     lines |= {
         "pair": f"{name} {pair}. {swings}",
@@ -69,7 +69,7 @@ def root_words() -> list[Paragraph]:
 
 IN_LINE = (
     rf"**The arrows** stay in line, as $c_1 k_2 = c_2 k_1$ $= {B.cross}$: the shapes are those without dashpots, and "
-    "each mode dies by itself."
+    "each mode decays by itself."
 )
 OFF_LINE = (
     rf"**The arrows** leave the line, by {B.angle['slow']}° and {B.angle['fast']}°, as $c_1 k_2 - c_2 k_1 = {B.gap}$ "
@@ -79,7 +79,7 @@ DRIFTS = "with $a + b t$. Nothing brakes the drift."
 BOTH_REST = r"$x_1(0) + (m_1 v_1(0) + m_2 v_2(0))/c_1$"
 MEET = "Roots have met. A root that occurs more than once has one shape"
 STATEMENTS: dict[str, str] = {
-    Kind.UNDAMPED: "**No dashpot:** all roots are on the imaginary axis, and nothing dies.",
+    Kind.UNDAMPED: "**No dashpot:** all roots are on the imaginary axis, and nothing decays.",
     Kind.DRIFT_BOTH: f"**Nothing ties the masses to a place:** both drift {DRIFTS}",
     Kind.DRIFT_TWO: f"**Nothing ties mass 2 to a place:** it drifts {DRIFTS}",
     Kind.REST_EACH: "**$s = 0$:** no spring brings a mass back. What is left at the end is a displacement: "
@@ -99,7 +99,7 @@ STATEMENTS: dict[str, str] = {
     Kind.ONE_PAIR: "**One motion swings, two do not.** Each has its own shape.",
     f"{Kind.ONE_PAIR}_met": rf"**One pair of roots swings, one does not.** {MEET}: its motions are $e^{{s t}}$ and "
     r"$t\, e^{s t}$.",
-    Kind.CREEPING: "**Nothing swings.** Each motion has its own shape: 1 and 2 creep, 3 and 4 die quickly.",
+    Kind.CREEPING: "**Nothing swings.** Each motion has its own shape: 1 and 2 creep, 3 and 4 decay quickly.",
     Kind.FOUR_REAL: "**Nothing swings.** Four motions, each with its own shape.",
     f"{Kind.FOUR_REAL}_met": rf"**Nothing swings.** {MEET}: its motions are $e^{{s t}}$, $t\, e^{{s t}}$ and so on.",
 }

@@ -30,7 +30,7 @@ NAMES = {
     Kind.REST_EACH: ("slower motion", "faster motion"),
     Kind.PROPORTIONAL: ("slow mode", "fast mode"),
     Kind.EXCEPTIONAL: ("the one mode",),
-    Kind.PARTED: ("dies later", "dies sooner"),
+    Kind.PARTED: ("decays later", "decays sooner"),
     Kind.TWO_PAIRS: ("slow mode", "fast mode"),
 }
 CROSSED = ("from the slow mode", "from the fast mode")

@@ -200,8 +200,8 @@ def _plane() -> Block:
     paths = (curve(C.im[j], x=C.re[j], source="paths", tint="T", width="line", group="paths") for j in ROOTS)
     return plot(
         PLANE, x=Axes.re, y=Axes.im, x_column=C.re[0],
-        title="Plane of the roots s, with their paths as a dashpot grows: to the left a motion dies faster, upwards it "
-        "swings faster",
+        title="Plane of the roots s, with their paths as a dashpot grows: to the left a motion decays faster, upwards "
+        "it swings faster",
         curves=tuple(paths),
         heading=(
             term("", "none", "ink", formula=r"\text{roots } s"),
