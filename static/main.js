@@ -252,7 +252,7 @@ export class Lecture {
     try {
       const page = new Page(sheet, extras, this)
       const before = this.page
-      page.controls.presets.element.append(this.undo.element)
+      page.controls.presets.title.after(this.undo.element)
       page.panel.append(this.hall.tab())
       this.host.querySelector(".page")?.remove()
       this.host.append(page.root)

@@ -35,10 +35,10 @@ class Presets {
     )
     const look = presets.some(preset => preset.outline) ? "tiles pair" : "chips"
     const chips = element("div", {class: look, role: "group", "aria-label": start}, ...this.buttons)
-    const parts = folded
-      ? [element("details", {class: "fold"}, element("summary", {}, start), chips)]
-      : [element("h2", {}, start), chips]
-    this.element = element("section", {class: "group"}, ...parts)
+    this.title = folded
+      ? element("details", {class: "fold"}, element("summary", {}, start), chips)
+      : element("h2", {}, start)
+    this.element = element("section", {class: "group"}, this.title, ...(folded ? [] : [chips]))
   }
 
   /** Shows what to watch in the current preset if the visitor has pressed its button. @param {string | null} preset */
@@ -145,8 +145,9 @@ export class Controls {
     this.host = host
     this.spec = spec
     this.views = views
-    this.keysTitle = element("h2")
-    this.keys = element("section", {class: "group keys-of-view", hidden: ""}, this.keysTitle)
+    this.picturesTitle = element("h2")
+    this.pictures = element("section", {class: "group keys-of-view pictures", hidden: ""}, this.picturesTitle)
+    this.keys = element("section", {class: "group keys-of-view", hidden: ""}, element("h2", {}, "Move this"))
     this.send = send
     this.pictured = pictured
     // Show help only for the focused control.
@@ -154,7 +155,7 @@ export class Controls {
     this.sections = spec.groups.map(group => this.#section(group))
     this.presets = new Presets(spec, take)
     host.classList.add("controls")
-    if (views.length) host.append(this.keys)
+    if (views.length) host.append(this.pictures, this.keys)
     if (spec.presets.length) host.append(this.presets.element)
     host.append(...this.sections, this.says)
   }
@@ -224,8 +225,12 @@ export class Controls {
       row.hidden = false
     }
     const keys = this.views.find(({word}) => word === view)?.keys ?? []
-    for (const name of keys) this.keys.append(/** @type {{row: HTMLElement}} */ (this.rows.get(name)).row)
-    this.keysTitle.textContent = this.keys.querySelector(".tiles")?.getAttribute("aria-label") ?? "Move this"
+    for (const name of keys) {
+      const {row} = /** @type {{row: HTMLElement}} */ (this.rows.get(name))
+      const isPictures = row.classList.contains("tiles")
+      if (isPictures) this.picturesTitle.textContent = row.getAttribute("aria-label")
+      ;(isPictures ? this.pictures : this.keys).append(row)
+    }
     this.bare = this.spec.groups.map(
       ({rows, actions, facts}) => rows.every(({name}) => keys.includes(name)) && !actions.length && !facts.length,
     )
@@ -283,9 +288,11 @@ export class Controls {
     this.#arrange(viewOf(settings))
     for (const [i, {form}] of this.spec.groups.entries())
       this.sections[i].hidden = this.bare[i] || (Boolean(form) && !forms[form])
-    for (const {row, form} of this.rows.values())
-      if (row.parentElement === this.keys) row.hidden = Boolean(form) && !forms[form]
-    this.keys.hidden = ![...this.rows.values()].some(({row}) => row.parentElement === this.keys && !row.hidden)
+    for (const section of [this.pictures, this.keys]) {
+      const rows = [...this.rows.values()].filter(({row}) => row.parentElement === section)
+      for (const {row, form} of rows) row.hidden = Boolean(form) && !forms[form]
+      section.hidden = rows.every(({row}) => row.hidden)
+    }
     for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
     for (const choice of this.choices) choice.update(settings)
     this.presets.update(preset)

@@ -11,6 +11,7 @@ import {Hand} from "../controls/hand.js"
 import {later, using} from "../later.js"
 import {Live} from "./live.js"
 import {Notice} from "../core/notes.js"
+import {ReadingOrder} from "./reading_order.js"
 import {Sheet} from "./sheet.js"
 import {Tools} from "../shell/tools.js"
 import {PAPER, Views} from "./views.js"
@@ -84,6 +85,7 @@ export class Page {
     this.tools = new Tools(this)
     this.panel.append(this.tools.element)
     this.root.append(this.paper, this.panel)
+    this.order = new ReadingOrder(this)
     this.parts = this.#parts()
   }
 
@@ -159,6 +161,7 @@ export class Page {
   draw(at) {
     if (!this.shown) return
     unitSize() // as above, because reading after writing would compute the layout twice in a frame
+    if (!this.measured) guarded(() => this.order.follow())
     const {axes, time} = this.shown.view
     const named = this.compare.named(at)
     const {t} = named
@@ -178,6 +181,7 @@ export class Page {
   /** Shows the first picture, except the figures, which come later. @param {Drawn} shown */
   start(shown) {
     this.live.find(this.root)
+    this.order.follow() // before rows that scroll have a position, which a move would reset
     this.apply(shown)
     this.place()
     this.draw(this.clock.t)

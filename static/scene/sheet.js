@@ -169,15 +169,16 @@ export class Sheet {
   /**
    * Hides blocks that belong neither to the view nor to the step's list of parts. Returns true if a part of `block` is
    * left.
-   * @param {page.Block} block @param {Drawn} shown @returns {boolean}
+   * @param {page.Block} block @param {Drawn} shown @param {boolean} [isOutside] true inside a hidden block
+   * @returns {boolean}
    */
-  #updateBlock(block, shown) {
+  #updateBlock(block, shown, isOutside = false) {
     const {settings, state, view} = shown
     const parts = state.show ?? []
     const isInView = parts.length > 0 || !block.views.length || block.views.includes(viewOf(settings))
-    let isShown = isInView && (!block.form || Boolean(view.forms[block.form]))
-    if (isShown && (block.kind === "row" || block.kind === "column"))
-      isShown = block.blocks.map(child => this.#updateBlock(child, shown)).includes(true)
+    let isShown = !isOutside && isInView && (!block.form || Boolean(view.forms[block.form]))
+    if (block.kind === "row" || block.kind === "column")
+      isShown = block.blocks.map(child => this.#updateBlock(child, shown, !isShown)).includes(true)
     else if (parts.length) isShown &&= parts.includes(block.part)
     const host = /** @type {HTMLElement} */ (this.hosts.get(block))
     host.classList.toggle("at-desk", !block.hall && !parts.length) // visible in hall mode too if a step lists it

@@ -9,7 +9,7 @@ export const ANSWER_FIRST = "Answer first: a guess is fine"
 const CHOOSE = "Choose an answer" // on the filled button of a tour that waits for one
 export const FOLLOWS = "How it follows"
 const CHOSEN = ".seg, .tiles, .window" // controls other than sliders
-const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // parts that are disabled before the answer
+const HELD = ".transport, .paper .handles, .block .seg, .paper .grips" // parts that are disabled before the answer
 const GRABBED = ".grip, .handles [data-grab]" // parts that can be dragged
 
 export class Card {

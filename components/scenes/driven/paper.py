@@ -86,7 +86,7 @@ def paper() -> Block:
         column(
             in_views(response(), "response", "forces"),
             in_views(phase(), "response"),
-            in_views(desk(choice(AXES, phone=62)), "response"),
+            in_views(desk(choice(AXES)), "response"),
             *in_harmonics(sweeps("M", "harmonics", c.sine_at)),
             *in_convolution(),
             in_views(displacement(), "motion", "power", "formulas"),

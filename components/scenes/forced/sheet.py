@@ -50,7 +50,7 @@ def forced_sheet() -> Block:
             *(in_views(_motion(i), "motion", "forces", "formulas") for i in BOTH),
             in_views(_energy(), "work"),
             in_views(words(FATE, style="numbers", phone=15, name="fate"), "motion"),
-            in_views(desk(choice(SCALE, phone=62)), "bode"),
+            in_views(desk(choice(SCALE)), "bode"),
             in_views(desk(_options()), "response"),
             grow=440,
         ),
@@ -59,9 +59,9 @@ def forced_sheet() -> Block:
 
 def _options() -> Block:
     return row(
-        words("**Particular solution**", phone=62),
-        choice(CURVE, basis=0, phone=62),
-        when(F.lecture, choice(UNITS, basis=0, phone=62)),
+        words("**Particular solution**"),
+        choice(CURVE, basis=0),
+        when(F.lecture, choice(UNITS, basis=0)),
         grow=0,
         basis=34,
         gap=10,
