@@ -8,9 +8,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
-from components.scenes import SCENES
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.reach import REACHES, REMARKS
 from physics.analogues import ANALOGUES
@@ -19,7 +17,6 @@ from tests.page.scripts import played
 from tests.scenes.checks import quantities
 
 systems = pytest.mark.parametrize("slug", ANALOGUES)
-LINEAR = [slug for slug in ANALOGUES if slug not in ("pendulum", "rocking")]
 G = 9.81
 
 # What omega_n is, once more, from the table of the lecture.
@@ -40,40 +37,6 @@ def own(slug: str) -> list[str]:
     """The parameters of one system."""
     names = [name for name in quantities(Analogues) if name.startswith(f"{slug}_")]
     return [*names, "theta_0"] if ANALOGUES[slug].length_of else names
-
-
-@pytest.mark.parametrize("slug", ["pendulum", "rocking"])
-@pytest.mark.parametrize("degrees", [1.0, 60.0, -120.0, 179.0])
-def test_exact_swing_solves_the_equation_of_motion(slug: str, degrees: float) -> None:
-    scene = Analogues(system=slug, theta_0=degrees)
-    data, square = scene.sources["time"].data, OMEGA[slug](scene) ** 2
-    start = [math.radians(degrees), 0.0]
-    swing = solve_ivp(
-        lambda _, y: [y[1], -square * math.sin(y[0])],
-        (0, data["t"][-1]), start, "DOP853", data["t"], rtol=1e-12, atol=1e-14,
-    ).y[0]  # fmt: skip
-    np.testing.assert_allclose(data["q"], swing, atol=1e-7 * abs(start[0]))
-    np.testing.assert_allclose(data["x"], start[0] * np.cos(math.sqrt(square) * data["t"]), atol=1e-12)
-
-
-@systems
-def test_frequency_is_that_of_the_lectures_table(slug: str) -> None:
-    scene = Analogues(system=slug)
-    for name in own(slug):
-        quantity = quantities(Analogues)[name]
-        scene.set({name: math.floor(sum(quantity.softbounds) / 2) or quantity.softbounds[1]})
-    data, omega = scene.sources["time"].data, OMEGA[slug](scene)
-    np.testing.assert_allclose(data["x"], data["x"][0] * np.cos(omega * data["t"]), atol=1e-11 * abs(data["x"][0]))
-
-
-@pytest.mark.parametrize("slug", LINEAR)
-def test_what_is_linear_moves_with_its_spring(slug: str) -> None:
-    scene = Analogues(system=slug)
-    scene.set({f"{slug}_start": 3.7 * ANALOGUES[slug].swing})
-    data = scene.sources["time"].data
-    assert data["q"][0] == 3.7 * ANALOGUES[slug].swing
-    np.testing.assert_array_equal(data["q"], data["x"])
-    assert scene.shown.forms["linear"] and not scene.shown.forms["swinging"]
 
 
 def test_energies_of_the_pendulum_and_of_its_spring_part() -> None:
@@ -102,14 +65,6 @@ def test_lateness_is_that_of_the_agm_and_its_flags_stand_on_it() -> None:
     assert scene.shown.values["late_percent"] == "5.00"
 
 
-def test_the_mass_of_a_pendulum_is_moved_in_vain() -> None:
-    scene = Analogues()
-    before = scene.sources["time"].data["q"]
-    scene.set({"pendulum_m": 7.0, "spring_k": 3.0})
-    np.testing.assert_array_equal(scene.sources["time"].data["q"], before)
-    assert scene.shown.values["k"] == "68.7"
-
-
 @pytest.mark.parametrize(
     ("label", "period"), [("Radio", 1e-6), ("Guitar", 1 / 329.6), ("Swell", 11.32), ("Cavendish", 840)]
 )
@@ -120,28 +75,11 @@ def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, perio
     assert 1 <= period / scene.shown.pace.auto <= 12
 
 
-def test_the_balance_is_cavendishs() -> None:
-    assert {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5}.items() <= Analogues.presets["Cavendish"].items()
-
-
-def test_the_aircraft_of_slide_7_is_found() -> None:
-    texts = str(Analogues.sheet())
-    assert [slug for slug in SCENES if f"?scene={slug}" in texts] == ["phugoid"]
-
-
 @systems
 def test_only_the_chosen_systems_controls_stand(slug: str) -> None:
     scene = Analogues(system=slug)
     shown = [group.names for group in scene.groups if group.stands(scene.shown.forms)]
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])
-
-
-def test_too_fast_to_draw_is_a_band() -> None:
-    scene = Analogues(system="circuit", window=1.0)
-    band = scene.sources["band"].data
-    assert "q" not in scene.sources["time"].data
-    np.testing.assert_allclose([band["q_hi"], band["q_lo"]], [[1e-6] * len(band["t"]), [-1e-6] * len(band["t"])])
-    assert "period_seen" not in scene.shown.scalars
 
 
 def test_many_half_waves_are_drawn_as_twelve_and_it_is_said() -> None:

@@ -17,7 +17,6 @@ from components.quantities.formatting import parse_number
 from components.scene import Scene
 from components.scene.traces import Floats
 from components.scenes import SCENES
-from components.state.csv_export import tables
 from physics.damped import DampedOscillator
 from tests.grids import tries
 from tests.page.headless_page import Page, put
@@ -55,27 +54,6 @@ def test_a_link_with_zeta_alone_sets_c() -> None:
     assert DAMPED.at({"zeta": 1.0}).c == pytest.approx(12.566622)
     assert DAMPED.at({"zeta": 1.0, "c": 3.0}).zeta == pytest.approx(3.0 / 12.566622)
     assert DAMPED.at({"zeta": 1.0, "c": 3.0, "keep": "zeta"}).c == pytest.approx(12.566622)
-
-
-COLUMNS = {
-    "Light": "t x upper lower V T E E_0 heat P",
-    "Door closer": "t x slow fast V T E E_0 heat P",
-    "Critical": "t x V T E E_0 heat P",
-    "No dashpot": "t x V T E E_0",
-}
-
-
-@pytest.mark.parametrize("label", COLUMNS)
-def test_the_columns_of_a_file_keep_their_names_and_their_order(label: str) -> None:
-    time, locus = tables(DAMPED, taken("damped", label).shown)
-    assert [head.split(" [")[0] for head in time.head] == COLUMNS[label].split()
-    assert (time.head[:2], locus.head) == (("t [s]", "x [m]"), ("re [1/s]", "im [1/s]"))
-
-
-def test_the_columns_of_bands_keep_their_order() -> None:
-    _, band, _ = tables(DAMPED, DAMPED.at({"c": 1e-3, "window": 1e4}).shown)
-    names = [head.split(" [")[0] for head in band.head]
-    assert " ".join(names) == "t upper lower x_lo x_hi V_mean T_mean E_mean E_0_mean heat_mean P_mean"
 
 
 def late(scene: Scene, share: float) -> float:
@@ -182,10 +160,6 @@ def test_the_power_is_greatest_where_it_is_said_to_be(zeta: float, start: dict[s
     if at == "before":
         assert motion.x[top] * motion.v[top] < 0 and (motion.x[top:] * motion.x[top] < 0).any()
     assert "just before" not in msgspec.json.encode(DAMPED.sheet()).decode()
-
-
-def test_what_does_not_swing_keeps_nothing_from_swing_to_swing() -> None:
-    assert [bool(DAMPED(**values).shown.values["keep"]) for values in ({}, {"zeta": 1.5}, {"k": 0.0})] == [1, 0, 0]
 
 
 @pytest.mark.parametrize("zeta", [1 - 9e-7, 1 - 3.6e-8, 1.0, 1 + 5e-7])

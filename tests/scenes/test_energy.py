@@ -8,7 +8,6 @@ from scipy.integrate import solve_ivp
 
 from components.scenes.energy import Energy
 from components.scenes.energy.case import PLANETS
-from tests.page.headless_page import take_preset
 from tests.scenes.checks import columns
 
 CASE = {"m": 0.8, "k": 17.0, "g": 3.71, "x_0": -0.12, "v_0": 0.9}
@@ -37,18 +36,6 @@ def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
         np.testing.assert_allclose(data["gravity"], gravity, atol=1e-9)
 
 
-def test_the_datum_shifts_v_by_a_constant_and_takes_the_equality() -> None:
-    one, other = Energy(**CASE), Energy(**CASE, datum="separate")
-    shift = (CASE["m"] * CASE["g"]) ** 2 / (2 * CASE["k"])
-    for source in ("time", "well"):
-        ahead = columns(other, source)["V"] - columns(one, source)["V"]
-        np.testing.assert_allclose(ahead, shift, rtol=1e-12)
-    np.testing.assert_array_equal(columns(one)["x"], columns(other)["x"])
-    assert one.shown.values["T_max"] == one.shown.values["E_total"]
-    assert other.shown.values["T_max"] != other.shown.values["E_total"]
-    assert columns(other, "well")["other"] == pytest.approx(columns(one, "well")["V"])
-
-
 def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
     scene = Energy()
     motion, values = columns(scene), scene.shown.values
@@ -63,13 +50,6 @@ def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
         assert -scene.shown.scalars["natural"] == pytest.approx(delta)
 
 
-def test_turning_points_stand_on_the_level() -> None:
-    scene = Energy(**CASE)
-    C = scene.shown.scalars["C"]
-    assert CASE["k"] * C**2 / 2 == pytest.approx(columns(scene, "time")["total"][0])
-    assert np.abs(columns(scene)["x"]).max() == pytest.approx(C, rel=1e-3)
-
-
 def test_other_planets_stand_where_the_mass_would_hang() -> None:
     scalars = Energy().shown.scalars
     assert scalars["planet1"] - scalars["natural"] == pytest.approx(3.71 / 39.4)
@@ -80,38 +60,6 @@ def test_a_natural_length_far_away_is_left_out_of_the_picture() -> None:
     scene = Energy(x_0=0.001)
     assert (scene.shown.scalars["natural_seen"], scene.shown.scalars["natural_far"]) == (0.0, 1.0)
     assert scene.shown.axes["x"].end == pytest.approx(-0.00125)
-
-
-def test_the_three_terms_of_the_slide_add_up_to_half_k_x_squared() -> None:
-    """k (x + delta)^2/2 - k delta^2/2 - m g x = k x^2/2: gravity drops out, and T_max = V_max as from equilibrium."""
-    scene = Energy(**CASE, datum="slide")
-    time, well = scene.sources["time"].data, scene.sources["well"].data
-    constant = scene.sources["time"].data["constant"][0]
-    assert constant == pytest.approx(-((CASE["m"] * CASE["g"]) ** 2) / (2 * CASE["k"]))
-    for data, x in ((time, time["x"]), (well, well["x"])):
-        total = data["spring"] + constant + data["gravity"]
-        np.testing.assert_allclose(total, CASE["k"] * x**2 / 2, atol=1e-14 * np.abs(data["spring"]).max())
-        np.testing.assert_allclose(data["V"], CASE["k"] * x**2 / 2, rtol=1e-14)
-    assert scene.shown.values["E_total"] == scene.shown.values["T_max"] == Energy(**CASE).shown.values["T_max"]
-    axis = scene.shown.axes["E"]
-    ends = [column.min() for column in (time["spring"], time["gravity"])] + [constant]
-    assert axis.start < min(ends) and axis.end > time["spring"].max()
-
-
-@datums
-def test_too_fast_to_draw_are_the_bands_between_the_extremes(datum: str) -> None:
-    scene = Energy(window=500.0, datum=datum)
-    band, E = columns(scene, "band"), scene.k * scene.x_0**2 / 2
-    shift = (scene.m * scene.g) ** 2 / (2 * scene.k) if datum == "separate" else 0.0
-    np.testing.assert_allclose([band["T_lo"], band["T_hi"] - E], 0.0, atol=1e-12)
-    np.testing.assert_allclose([band["V_lo"] - shift, band["V_hi"] - shift - E], 0.0, atol=1e-12)
-
-
-def test_presets_leave_gravity_and_datum() -> None:
-    scene = Energy(g=1.62, datum="separate")
-    for label in scene.presets:
-        assert not take_preset(scene, label)
-        assert (scene.g, scene.datum) == (1.62, "separate")
 
 
 def test_the_button_of_the_planet_in_force_is_known() -> None:

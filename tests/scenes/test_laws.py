@@ -42,27 +42,33 @@ def test_a_picture_of_any_state_is_finite_or_refused_in_words(slug: str, decades
     holds()
 
 
-COLUMNS = {
-    "oscillator": "time: t x v a, loop: t x v a",
-    "energy": "time: t x T V total, well: x V",
-    "analogues": "time: t x q, excess: curve angle excess",
-    "damped": "time: t x upper lower V T E E_0 heat P, locus: re im",
-    "driven": "time: t x x_c x_p, below: omega M lag power, power: t P_in P_lost",
-    "modes": "path: t x1 x2",
-    "coupled": "time: t x1 x1_slow x1_fast x2 x2_slow x2_fast T1 V1 V2 T2, modes: slow1 slow2 fast1 fast2",
-    "forced": "time: t x1 x1_p x1_c x2 x2_p x2_c, energy: t gain work, response: omega Xp1 Xp2, "
-    "nyquist: omega re1 re2 im1 im2",
-    "absorber": "rest: t x1 x1_p x1_c, sweep: w swing stroke alone, helped: w helped_lo helped_hi",
-}
-"""Tables and columns of the files of a scene as it opens: programs read them by these names."""
+CHAIN = "t x1 x1_slow x1_fast x2 x2_slow x2_fast"
+COLUMNS: list[tuple[str, dict[str, Any], str]] = [
+    ("oscillator", {}, "time: t x v a, loop: t x v a"),
+    ("energy", {}, "time: t x T V total, well: x V"),
+    ("analogues", {}, "time: t x q, excess: curve angle excess"),
+    ("damped", {}, "time: t x upper lower V T E E_0 heat P, locus: re im"),
+    ("damped", {"zeta": 1.5}, "time: t x slow fast V T E E_0 heat P, locus: re im"),
+    ("damped", {"c": 0.0}, "time: t x V T E E_0"),
+    ("damped", {"c": 1e-3, "window": 1e4},
+     "band: t upper lower x_lo x_hi V_mean T_mean E_mean E_0_mean heat_mean P_mean"),
+    ("driven", {}, "time: t x x_c x_p, below: omega M lag power, power: t P_in P_lost"),
+    ("modes", {}, "path: t x1 x2"),
+    ("coupled", {}, f"time: {CHAIN} T1 V1 V2 T2, modes: slow1 slow2 fast1 fast2"),
+    ("coupled", {"energy": "modes"}, f"time: {CHAIN} E_slow E_fast E_total"),
+    ("forced", {}, "time: t x1 x1_p x1_c x2 x2_p x2_c, energy: t gain work, response: omega Xp1 Xp2, "
+     "nyquist: omega re1 re2 im1 im2"),
+    ("absorber", {}, "rest: t x1 x1_p x1_c, sweep: w swing stroke alone, helped: w helped_lo helped_hi"),
+]  # fmt: skip
+"""Tables of files and the columns that they begin with: programs read them by these names."""
 
 
-@pytest.mark.parametrize("slug", COLUMNS)
-def test_a_default_file_keeps_its_columns(slug: str) -> None:
-    scene = SCENES[slug]()
+@pytest.mark.parametrize(("slug", "values", "text"), COLUMNS)
+def test_a_file_keeps_its_columns(slug: str, values: dict[str, Any], text: str) -> None:
+    scene = SCENES[slug](**values)
     found = {table.name: [name.split(" [")[0] for name in table.head] for table in tables(SCENES[slug], scene.shown)}
-    for text in COLUMNS[slug].split(", "):
-        name, _, columns = text.partition(": ")
+    for part in text.split(", "):
+        name, _, columns = part.partition(": ")
         assert found[name][: len(columns.split())] == columns.split()
 
 

@@ -15,7 +15,7 @@ from components.scene.frames import framed
 from components.scenes.phugoid import Phugoid
 from components.scenes.phugoid.swing import AIRCRAFT, SPEEDS
 from physics.phugoid import CUSP_EXCESS, flight, linear_flight
-from tests.page.headless_page import apply_message, picture_wire
+from tests.page.headless_page import picture_wire
 from tests.page.scripts import played
 from tests.scenes.chains import number
 from tests.scenes.visible_sentences import visible_text
@@ -45,25 +45,6 @@ def test_book_values() -> None:
     assert {name: scene.shown.values[f"tau_{name}"] for name in AIRCRAFT} == {
         "model": "4.83 s", "glider": "12.4 s", "light": "20.7 s", "airliner": "113 s",
     }  # fmt: skip
-
-
-@pytest.mark.parametrize("excess", EXCESSES)
-def test_path_is_the_flight_over_distance(excess: float) -> None:
-    scene = Phugoid(excess=excess)
-    path, end = scene.sources["path"].data, scene.shown.axes["along"].end
-    times = np.linspace(0, 400, 40001)
-    flight = flown(scene, times)
-    # Loops turn back, so compare as sets of points: each of the path lies on the flight.
-    for x, y in zip(path["x"][::40], path["y"][::40], strict=True):
-        gap = np.hypot(flight["x"] - x, flight["h"] - y).min()
-        assert gap < 0.03 * scene.v_0 * (1 + abs(excess))
-    assert path["x"][-1] >= end or excess > 1  # tight loops creep: 28 of them do not fill the frame
-
-
-def test_frames_of_height_and_speed_are_mirror_images() -> None:
-    axes, scene = Phugoid().shown.axes, Phugoid()
-    assert axes["v"].end == pytest.approx(axes["h"].end * scene.g / scene.v_0)
-    assert axes["h"].start == -axes["h"].end
 
 
 def test_no_property_of_the_aircraft_but_its_speed_enters() -> None:
@@ -129,36 +110,6 @@ def test_what_the_clock_plays_is_the_flight(excess: float) -> None:
         np.testing.assert_allclose(now[name] * scale, size, atol=tolerance * unit)
 
 
-@pytest.mark.parametrize("excess", [0.1, 0.6, CUSP_EXCESS, 1.0])
-def test_aircraft_trades_once_a_swing_and_the_spring_twice(excess: float) -> None:
-    scene = Phugoid(excess=excess, view="energy")
-    data = scene.sources["time"].data
-    turns = {name: np.count_nonzero(np.diff(np.sign(np.diff(data[name]))) < 0) for name in ("v", "share", "twin")}
-    assert turns["share"] == turns["v"]
-    assert turns["twin"] in (4, 5)
-    if excess == CUSP_EXCESS:
-        assert data["share"].min() == pytest.approx(0.0, abs=1e-3)
-    np.testing.assert_allclose(data["share"], ((1 + data["v"] / scene.v_0) / (1 + excess)) ** 2, atol=1e-12)
-
-
-def test_invariant_is_constant_along_each_curve() -> None:
-    scene = Phugoid(view="limits")
-    own, family = scene.sources["velocity"].data, scene.sources["family"].data
-    curves = {"own": (own["u"], own["w"])} | {
-        name: (family[f"u_{name}"], family[f"w_{name}"]) for name in ("a", "cusp", "loop")
-    }
-    for name, expected in {
-        "own": 0.23467,
-        "a": 2 / 3 - 0.04 * (1 + 0.2 / 3),
-        "cusp": 0.0,
-        "loop": -2 / 3,
-    }.items():
-        u, w = curves[name][0] + 1, curves[name][1]
-        np.testing.assert_allclose(u - np.hypot(u, w) ** 3 / 3, expected, atol=1e-5)
-    assert scene.shown.values["C"] == "0.235"
-    assert np.hypot(family["u_cusp"] + 1, family["w_cusp"]).min() < 1e-9
-
-
 @given(st.floats(-8, -0.83).map(lambda power: 10**power), st.sampled_from((-1, 1)))
 def test_the_error_of_the_heights_is_that_of_the_first_period(size: float, sign: int) -> None:
     """It shrinks with the swing: over the first period, next to the amplitude of the linear theory."""
@@ -173,24 +124,6 @@ def test_the_error_of_the_heights_is_that_of_the_first_period(size: float, sign:
     assert number(verdict.split("about ")[1].split(" %")[0]) == pytest.approx(off, rel=0.06)
 
 
-def test_period_is_one_line_for_every_aircraft() -> None:
-    scene = Phugoid()
-    line = scene.sources["periods"].data
-    for name, (_, speed, weight) in AIRCRAFT.items():
-        assert apply_message(scene, {"type": "act", "name": name}) == {}
-        assert (scene.v_0, scene.m) == (speed, weight)
-        assert np.interp(speed, line["v_0"], line["tau"]) == pytest.approx(math.sqrt(2) * math.pi * speed / scene.g)
-
-
-def test_too_many_swings_become_a_band() -> None:
-    scene = Phugoid(window=5000.0)
-    assert "h" not in scene.sources["time"].data
-    band = scene.sources["band"].data
-    assert band["h_lo"].min() == pytest.approx(-0.78 * scene.v_0**2 / scene.g, rel=1e-2)
-    assert set(scene.sources["path"].data) == {"t"}
-    assert scene.sources["path_band"].data["y_hi"].max() > 0
-
-
 def test_cusp_and_loop_are_drawn_without_a_break() -> None:
     for excess in (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1), 0.74):
         scene = Phugoid(excess=float(excess))
@@ -198,13 +131,6 @@ def test_cusp_and_loop_are_drawn_without_a_break() -> None:
         step = np.hypot(np.diff(path["x"]), np.diff(path["y"]))
         assert step.max() < 0.1 * scene.v_0**2 / scene.g
         assert path["y"].max() == pytest.approx(0.5 * scene.v_0**2 / scene.g, rel=0.05)
-
-
-def test_at_the_cusp_the_invariant_is_shown_as_zero() -> None:
-    scene = Phugoid(view="limits")
-    for excess, shown in ((CUSP_EXCESS, "0.000"), (0.0, "0.667"), (1.0, "−0.667")):
-        scene.excess = excess
-        assert scene.shown.values["C"] == shown
 
 
 def test_lines_of_other_flights_are_named_unless_a_loop_makes_them_small() -> None:
