@@ -39,13 +39,6 @@ def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
     assert scene.shown.values["lightest"] == f"{mass * (1 + 1e-3):.4g} kg"
 
 
-def test_mass_ratios_of_the_book() -> None:
-    assert lightest_tuned(50.0) / M1 == pytest.approx(0.2025)
-    assert lightest_tuned(48.0) == pytest.approx(25.04, abs=0.005)
-    scene = Absorber(omega=50.0, m2=20.25)
-    assert met(scene) == [True, True, True]
-
-
 def test_goals_see_swing_and_stroke() -> None:
     assert met(Absorber(k2=30e3)) == [False, False, True]
     assert met(Absorber(m2=10.0)) == [False, True, False]
@@ -91,26 +84,10 @@ def test_tuned_spring_follows_mass_and_speed() -> None:
 def test_knob_drags_the_valley() -> None:
     scene = Absorber()
     assert apply_message(scene, {"type": "set", "values": {"_valley": 40.0}}) == {}
-    assert (scene.k2, scene.tuning, scene._valley) == (25600.0, "free", 40.0)
+    assert (scene.k2, scene.tuning, scene.values["_valley"]) == (25600.0, "free", 40.0)
     data = scene.sources["sweep"].data
     low = np.argmin(np.where((data["w"] > 36) & (data["w"] < 44), data["swing"], np.inf))
     assert data["w"][low] == pytest.approx(40.0, abs=1e-9)
-
-
-def test_detached_the_machine_is_alone() -> None:
-    scene = Absorber(tuning="detached")
-    data = scene.sources["sweep"].data
-    np.testing.assert_array_equal(data["swing"], data["alone"])
-    assert not data["stroke"].any()
-    assert scene.shown.forms["helped"] == "never"
-    assert scene.shown.scalars["is_detached"] == 1
-    scene.tuning = "tuned"
-    assert scene.shown.scalars["is_still"] == 1
-
-
-def test_verdict_tells_help_from_harm() -> None:
-    assert Absorber(k2=30e3).shown.forms["why"] == "less"
-    assert Absorber(omega=60.0, k2=36e3).shown.forms["why"] == "more"
 
 
 def test_den_hartogs_optimum() -> None:
@@ -123,13 +100,6 @@ def test_den_hartogs_optimum() -> None:
     heights = [scene.shown.scalars[f"{name}_y"] for name in "PQ"]
     assert heights == pytest.approx([1e3 * best.height * F_0 / K1] * 2, rel=1e-3)
     assert scene.shown.forms["why"] == "damped"
-
-
-def test_no_damping_is_the_lecture() -> None:
-    lecture, none = Absorber(), Absorber(damping="added", c=0.0)
-    np.testing.assert_array_equal(none.sources["sweep"].data["swing"], lecture.sources["sweep"].data["swing"])
-    assert not none.sources["compare"].data
-    assert not lecture.shown.forms["damped"]
 
 
 def test_damping_stays_out_until_asked_for() -> None:
