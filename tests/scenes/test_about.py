@@ -30,6 +30,10 @@ STIFF = [{"k2": 10.0**power} for power in (8, 10, 12)]
 STIFF_SOON = {"k2": 1e12, "window": 2e-5}
 TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
 VIEWS = ("guess", "solve", "roots", "sweep", "hunt")
+DASHPOTS = [
+    {"c1": c1, "c2": c2}
+    for c1, c2 in ((0.4, 0.2), (0.2, 0.0), (0.0, 3.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3))
+]
 CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
 ENDS, STARTS = ("fixed-fixed", "fixed-free", "free-free"), ("pulse", "pluck", "mass", "mode")
 SHAPES = ("square", "triangle", "pulses", "impulses", "step", "impulse")
@@ -68,6 +72,7 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({"view": view, **chain} for view in VIEWS for chain in CHAINS),
         *({"view": "sweep", "swept": name, "k2": 1e12} for name in ("m1", "m2", "k1", "k2")),
         {"view": "hunt", "answer": "shown"},
+        *({"view": "roots", **chain, **dashpots} for dashpots in DASHPOTS for chain in ({}, {"k1": 0.0}, {"k2": 0.0})),
     ],
     "forced": [
         *STIFF,
@@ -75,6 +80,7 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({**ON_SLOW, "omega": w} for w in (1.0, 2.0, 1.0 + 1e-12, 2.0 - 1e-12, math.sqrt(2.0))),
         *({name: 10.0**power} for name in ("m1", "m2", "k1", "F_0", "x1_0") for power in (-150, 150)),
         *({"omega": 1e-150}, {"k1": 0.0}, {"k2": 0.0}, {"F_0": 0.0}, {"omega": 0.0}),
+        *({**dashpots, "x1_0": 0.5} for dashpots in DASHPOTS),
     ],
     "driven": [
         *(

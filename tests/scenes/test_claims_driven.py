@@ -79,40 +79,6 @@ def test_what_is_said_of_the_particular_solution() -> None:
     assert seen == {"finite", "loose", "none", "idle", "rest", "resonance", "near"}
 
 
-@pytest.mark.parametrize("omega", np.linspace(0.619, 1.617, 31))
-def test_mass_1_swings_against_the_push_up_to_its_zero_and_with_it_from_there(omega: float) -> None:
-    scene = Forced(omega=float(omega))
-    X = amplitudes(scene)
-    assert X is not None
-    assert (X[0] < 0) == (omega < 1), "what is said of the slide's chain"
-    assert Forced.watch["All equal"].startswith("In xₚ mass 1 swings against the push from ω₋ to 1 rad/s")
-    assert scene.shown.values["way1"] == ("against F" if omega < 1 else "with F")
-
-
-def test_the_swing_grows_by_what_is_told_whatever_the_start() -> None:
-    draw = Draw("growth")
-    for _ in range(25):
-        scene = Forced(view="formulas", **chain(draw), F_0=draw.size())
-        j = draw.pick.choice((0, 1))
-        scene.set({"omega": float(mp.sqrt(squares(scene)[j])), "x1_0": draw.number()})
-        if scene.shown.forms["steady"] != "resonance":
-            continue
-        told = visible_text(scene)
-        assert "the swing of" in told and "envelope" not in str(scene.sheet())
-        for i in (0, 1):
-            rate = scene._case().growth[i]
-            late, later = (2 * math.pi / scene.omega * n for n in (4e5, 8e5))
-            swings = [largest(scene, i, t) for t in (late, later)]
-            if rate * late > 0.5 * swings[0]:
-                assert (swings[1] - swings[0]) / (later - late) == pytest.approx(rate, rel=0.05)
-
-
-def test_without_spring_2_mass_2_stays_at_resonance() -> None:
-    scene = Forced(k2=0.0, omega=1.0)
-    assert scene.shown.forms["steady"] == "resonance"
-    assert [one.value for one in scene.readouts()[:2]] == [math.inf, 0.0] and scene.shown.values["Xp2"] == "+0.00"
-
-
 # The absorber
 
 
@@ -205,44 +171,15 @@ def test_a_tuned_absorber_however_light_grows_as_is_said(omega: float, m2: float
         assert why == "still" and m2 >= 1e-4
 
 
-@pytest.mark.parametrize(("omega", "why"), [(5.0, "same"), (30.0, "adds"), (500.0, "same")])
-def test_far_from_its_resonances_no_resonance_is_blamed(omega: float, why: str) -> None:
-    scene = Absorber(own=True, omega=omega, k2=36864.0, tuning="free", view="formulas")
-    assert scene.shown.forms["why"] == why
-    assert "too near" not in visible_text(scene)
-
-
-def test_exactly_is_said_of_the_tuned_spring_alone() -> None:
-    scene = Absorber(view="formulas")
-    assert "exactly" in visible_text(scene) and "almost" not in visible_text(scene)
-    scene = Absorber(k2=36900.0, tuning="free", view="formulas")
-    assert "exactly" not in visible_text(scene) and "almost as hard" in visible_text(scene)
-
-
-def test_a_machine_that_is_hardly_moved_is_not_said_to_grow() -> None:
-    for omega in (0.05, 0.5, 1.0, 2.0):
-        scene = Absorber(omega=omega)
-        assert scene.shown.forms["why"] in ("aside", "still")
-        assert largest(scene, 0, 1e4 / omega) < 2.0 * 2.1e-3
-        assert largest(scene, 1, 1e4 / omega) > 10 * largest(scene, 0, 1e4 / omega) or omega > 1
-
-
 def test_within_an_ulp_of_a_resonance_that_hardly_moves_the_machine_it_is_not_said_to_grow() -> None:
     """For as long as a double tells phases it stays within what is said, and mass 2 goes much farther."""
     ulps = 0
     for omega in (1e-6, *np.geomspace(1e-9, 1e-4, 60).tolist()):
         scene = Absorber(omega=omega)
-        j, near = scene._shown_case.nearest
-        ulps += near < 2.0**-53
-        assert scene.shown.forms["why"] in ("aside", "still"), (omega, j)
+        ulps += min(abs(mp.sqrt(square) / scene.omega - 1) for square in squares(scene)) < 2.0**-53
+        assert scene.shown.forms["why"] in ("aside", "still"), omega
         late = 1e14 / omega
         told = number(scene.shown.values["rest1"]) * 10.0 ** scene.shown.axes["X1"].exponent
         assert largest(scene, 0, late) <= 1.006 * told, omega
         assert largest(scene, 1, late) > 10 * largest(scene, 0, late), omega
     assert ulps > 10
-
-
-def test_bands_and_goals_have_their_units_and_say_of_what_they_are() -> None:
-    assert "rad/s" in str(Absorber.sheet()).split("less vibration from")[1][:200]
-    values = Absorber().shown.values
-    assert "xₚ" in values["goal1"] and "xₚ" in values["goal2"]

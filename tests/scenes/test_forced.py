@@ -6,8 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from components.chain.forces import LENGTH
 from components.scenes.forced import Forced
@@ -63,16 +61,6 @@ def test_with_or_against_the_push_is_said(omega: float, ways: str) -> None:
     assert [shown.values[f"way{i}"] for i in (1, 2)] == [f"{way} F" for way in ways.split()]
 
 
-def test_still_mass_1_stands_still() -> None:
-    """The preset starts on the particular solution: from rest mass 1 would swing by up to 0.99 m."""
-    rest = np.abs(Forced(omega=1.0).sources["time"].data["x1"]).max()
-    assert rest == pytest.approx(0.99, abs=0.01)
-    scene = Forced()
-    take_preset(scene, "Still mass 1")
-    data = scene.sources["time"].data
-    assert np.abs(data["x1"]).max() < 1e-15 and np.abs(data["x2"]).max() == pytest.approx(1.0, rel=1e-3)
-
-
 def test_growth_at_resonance_is_said_and_drawn() -> None:
     """m1 = 2, m2 = 1, k1 = 4, k2 = 2 at omega_- = 1: M_- = 6 kg, so x1 grows by F_0/(2 M_- omega_-) = 1/12 m/s."""
     scene = Forced(m1=2.0, k1=4.0, k2=2.0, omega=1.0)
@@ -108,20 +96,6 @@ def test_lecture_axes_are_not_offered_without_a_wall() -> None:
     assert scene.shown.axes["X"].unit == "m"
     assert scene.shown.forms["lecture"] == ""
     assert any("k₁" in note for note in scene.shown.notes)
-
-
-def test_steady_start_leaves_no_complementary_part() -> None:
-    scene = Forced()
-    assert apply_message(scene, {"type": "act", "name": "steady"}) == {}
-    data = scene.sources["time"].data
-    assert np.abs(data["x1_c"]).max() < 1e-15 and np.abs(data["x2_c"]).max() < 1e-15
-    assert apply_message(scene, {"type": "act", "name": "rest"}) == {}
-    assert (scene.v1_0, scene.v2_0) == (0.0, 0.0)
-
-
-def test_refusals_write_numbers_as_they_are_typed() -> None:
-    errors = apply_message(Forced(), {"type": "typed", "name": "omega", "text": "1e300"})
-    assert "= 1e300 rad/s" in errors["omega"]
 
 
 def test_near_resonance_the_parts_give_way_to_the_envelope() -> None:
@@ -182,14 +156,3 @@ def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> Non
     swing = scene.sources["response"].data["Xp1"]
     assert np.abs(swing).min() <= least
     assert np.all(np.abs(swing) > 0) == (shown == "log")
-
-
-@given(st.floats(0.0, 4.0))
-def test_the_preset_says_on_which_side_of_the_push_mass_1_swings(omega: float) -> None:
-    """With the push below the slow frequency, then by turns."""
-    Xp1 = float(particular_solution(TwoMassChain(m1=1, m2=1, k1=1, k2=1), 1.0, [omega])[0, 0])
-    assert Forced.watch["All equal"].startswith(
-        "In xₚ mass 1 swings against the push from ω₋ to 1 rad/s, with it up to ω₊"
-    )
-    if min(abs(omega - edge) for edge in (1 / GOLDEN, 1.0, GOLDEN)) > 1e-6:
-        assert (Xp1 < 0) == (1 / GOLDEN < omega < 1.0 or omega > GOLDEN)

@@ -62,20 +62,6 @@ def test_the_push_never_takes_back_in_a_cycle_and_its_work_is_a_depth() -> None:
         assert ("no work in a cycle" in visible_text(scene)) == (not any(works))
 
 
-def test_with_little_damping_lag_1_falls_back_and_lag_2_goes_on() -> None:
-    draw = Draw("lags")
-    for _ in range(25):
-        values = drawn(draw) | {"c1": draw.size(-4, -3), "c2": draw.size(-4, -3)}
-        chain = chain_of(values)
-        slow, fast = chain.chain.modes().omega
-        omega = np.geomspace(slow, fast, 2000)[1:-1]
-        one, two = chain.lags(omega)
-        assert one.max() > 3.0 and one[np.argmax(one) :].min() < 0.2
-        assert two[-1] > math.pi and chain.lags(3 * fast)[1] > math.pi
-    strong = chain_of(STRONG)  # where the walk says so
-    assert np.all(np.diff(strong.lags(np.geomspace(0.1, 10, 400))[0]) > 0) and not chain_resonances(strong).X1.dips
-
-
 def test_peaks_widths_and_dips_are_marked_in_the_view_that_shows_them() -> None:
     scene, found = SCENES["forced"](**LIGHT, view="bode"), chain_resonances(chain_of(LIGHT))
     scalars, up = scene.shown.scalars, scene.shown.axes["X"]

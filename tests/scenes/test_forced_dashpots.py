@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from components.chain import of_scene, start_of
 from components.chain.forces import LENGTH, on_masses
 from components.language.state import Frame
 from components.scenes.forced import Forced
 from components.scenes.forced.damped_case import DampedForcedCase
-from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import UNDRIVEN
-from components.state.csv_export import tables
+from physics.transient import DampedModes
 from tests.page.scripts import played
 
 CHAINS: list[dict[str, float]] = [
@@ -25,12 +25,19 @@ CHAINS: list[dict[str, float]] = [
 DASHPOTS = [(0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3)]
 
 
+def modes_of(scene: Forced) -> DampedModes:
+    """The motion of a scene with dashpots."""
+    x_0, v_0 = start_of(scene)
+    drive = {"F_0": scene.F_0, "omega": scene.omega}
+    return DampedModes(chain=of_scene(scene), c=scene.c2, c1=scene.c1, x_0=x_0, v_0=v_0, **drive)
+
+
 @pytest.mark.parametrize("chain", CHAINS)
 @pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
 def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: float) -> None:
     """The browser's signals against the physics' own numbers, to what a drawing shows: places, and Newton's law."""
     scene = Forced(**chain, c1=c1, c2=c2, view="forces")
-    shown, modes = scene.shown, scene._case().modes
+    shown, modes = scene.shown, modes_of(scene)
     axes, t = shown.axes, np.linspace(0.05, 0.97, 4) * shown.axes["t"].end
     motion = modes.motion(t)
     forces = on_masses(modes.chain, motion, scene.F_0, scene.omega, (c1, c2))
@@ -47,14 +54,14 @@ def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: fl
 @pytest.mark.parametrize("chain", CHAINS[:2])
 @pytest.mark.parametrize(("c1", "c2"), [(0.8, 0.4), (0.6, 0.0), (0.0, 0.9)])
 def test_the_swing_at_resonance_is_finite_and_remains(chain: dict[str, float], c1: float, c2: float) -> None:
-    omega = Forced(**chain)._case().natural[0]
+    omega = float(of_scene(Forced(**chain)).modes().omega[0])
     scene = Forced(**chain, c1=c1, c2=c2, omega=omega, window=120.0)
     data = scene.sources["time"].data
     late = data["t"] > 100
     assert scene.shown.forms["steady"] == "braked"
     for i in (1, 2):
         X = data[f"x{i}_p"].max()
-        assert pytest.approx(abs(scene._case().modes.particular[i - 1]), rel=0.01) == X
+        assert pytest.approx(abs(modes_of(scene).particular[i - 1]), rel=0.01) == X
         assert abs(data[f"x{i}_c"][late]).max() < 0.03 * X
         np.testing.assert_allclose(data[f"x{i}_c"] + data[f"x{i}_p"], data[f"x{i}"], atol=1e-12 * X)
         response = scene.sources["branch0"].data
@@ -67,7 +74,7 @@ def test_the_work_of_the_drive_becomes_energy_and_heat(chain: dict[str, float], 
     scene = Forced(**chain, c1=c1, c2=c2, view="work")
     data = scene.sources["energy"].data
     size = abs(data["work"]).max() + abs(data["gain"]).max()
-    heat = DampedForcedCase(scene._case().modes, float(data["t"][-1])).heat(data["t"])
+    heat = DampedForcedCase(modes_of(scene), float(data["t"][-1])).heat(data["t"])
     np.testing.assert_allclose(data["work"] - data["gain"], heat, atol=1e-7 * size)
     assert np.all(np.diff(heat) >= 0)
 
@@ -83,8 +90,7 @@ def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
     """The zero of mass 1 at sqrt(k2/m2) is marked where it is one."""
     assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
     assert Forced(c1=0.2, k1=0.0).shown.scalars["mark_minus"] == Forced(k1=0.0).shown.scalars["mark_minus"] == 0.0
-    assert Forced(c1=0.2, omega=1.0)._case().swings[0] == 0.0
-    assert Forced(c2=0.2, omega=1.0)._case().swings[0] > 0.1
+    assert Forced(c1=0.2, omega=1.0).numbers["Xp1"].value == 0.0 < Forced(c2=0.2, omega=1.0).numbers["Xp1"].value
 
 
 @pytest.mark.parametrize("curve", ["size", "signed", "log"])
@@ -116,33 +122,13 @@ def test_a_drive_that_does_not_turn_pushes_nothing(chain: dict[str, float], c1: 
     """F_0 sin(0 t) = 0 is no resonance, though nothing ties the masses to the wall: the swings are those of the curve
     at its left end, as without dashpots."""
     still, pushed = (Forced(**chain, c1=c1, c2=c2, omega=0.0, F_0=F_0) for F_0 in (0.0, 1.0))
-    times = np.linspace(0.0, 9.0, 5)
-    np.testing.assert_array_equal(pushed._case().motion(times).x, still._case().motion(times).x)
+    one, other = (scene.shown.traces["time"].exact(np.linspace(0.0, 9.0, 5)) for scene in (still, pushed))
+    for name in ("x1", "x2"):
+        np.testing.assert_array_equal(other[name], one[name])
     if chain.get("k2", 1.0):
-        np.testing.assert_allclose(pushed._case().swings, Forced(**chain, omega=0.0, F_0=1.0)._case().swings)
+        sizes = [[scene.numbers[f"Xp{i}"].value for i in (1, 2)] for scene in (pushed, Forced(**chain, omega=0.0))]
+        np.testing.assert_allclose(*sizes)
     assert "At ω = 0 the force F₀ sin ωt is 0 at all times." in pushed.shown.notes
-
-
-def test_each_curve_of_the_response_is_named_over_it() -> None:
-    named = {term.curve: term.tint for term in response_plot().heading if term.curve}
-    assert named == {curve.group: curve.tint for curve in response_plot().curves}
-
-
-@pytest.mark.parametrize("values", [{}, {"c1": 0.1}, {"omega": 0.6180339887498949}, {"view": "work"}])
-def test_no_table_is_of_times_alone(values: dict[str, float]) -> None:
-    assert all(len(table.head) > 1 for table in tables(Forced, Forced(**values).shown))
-
-
-def test_dashpots_are_carried_with_the_chain() -> None:
-    assert {"c1", "c2"} <= set(Forced.shares.values())
-    assert Forced().action("rest") == dict.fromkeys(("x1_0", "x2_0", "v1_0", "v2_0"), 0.0)
-
-
-@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
-def test_about_these_numbers_finds_no_number_beyond_its_bound(c1: float, c2: float) -> None:
-    scene = Forced(c1=c1, c2=c2, x1_0=0.5)
-    for table in scene.about(scene.shown).tables:
-        assert table.rows and all(point.off <= table.limit for point in table.rows), table
 
 
 @pytest.mark.parametrize("c2", [0.0, 0.86])

@@ -6,16 +6,13 @@ import cmath
 import math
 import re
 
-import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 
 from components.language.blocks import StageBlock
 from components.language.shapes import Label
 from components.layout.sheet import in_force
-from components.scenes.forced import Forced
 from components.scenes.modes import ModesScene
-from components.state.shared_system import brought, taken_along
 from physics.coupled import TwoMassChain
 from physics.damped_chain import NEAR, Kind
 from tests.grids import tries
@@ -26,7 +23,6 @@ from tests.scenes.visible_sentences import sentences, visible_text
 
 NUMBER = r"[−+]?[0-9]+(?:\.[0-9]+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 
-DASHPOTS = [(0.4, 0.2), (0.2, 0.0), (0.0, 3.0), (1e12, 1.0)]
 CHAINS = [
     (2.0, 1.0, 4.0, 2.0),
     (0.7, 3.0, 1.0, 5.0),
@@ -157,34 +153,7 @@ def test_the_picture_plays_the_motions_that_its_titles_name(case: Case) -> None:
         assert any(x == pytest.approx(both, abs=1e-6) for both in could)
 
 
-def test_the_arrows_wind_inward_at_a_constant_angle() -> None:
-    """As the browser plays them, by the slow mode's numbers of LECTURE-BEYOND 3.4."""
-    scene = ModesScene(view="roots", c2=0.2)
-    sizes, angles = [], []
-    for t in (0.0, 3.0, 11.0):
-        now = played(scene.shown, t * 10.0 ** -scene.shown.axes["t"].exponent)
-        one, two = (complex(float(now[f"x{i}_slow"]), float(now[f"y{i}_slow"])) for i in (1, 2))
-        sizes.append(abs(one))
-        angles.append(math.degrees(cmath.phase(two / one)))
-    assert angles == pytest.approx([-3.8082] * 3, abs=1e-3)
-    assert sizes[1] / sizes[0] == pytest.approx(math.exp(-0.0166003 * 3), rel=1e-5)
-    assert np.all(np.diff(sizes) < 0)
-    assert scene.shown.values["slow_ratio"] == "1.99 at −3.81°" and scene.shown.values["slow_angle"] == "3.81"
-
-
 @pytest.mark.parametrize("view", ["guess", "solve", "sweep", "hunt"])
 def test_the_other_views_say_that_they_leave_the_dashpots_out(view: str) -> None:
     assert any("without the dashpots" in note for note in ModesScene(view=view, c1=0.1).shown.notes)
     assert not any("dashpots" in note for note in ModesScene(view=view).shown.notes)
-
-
-def test_dashpots_go_along_with_the_chain() -> None:
-    shared = taken_along(Forced.at({"c1": 0.3, "c2": 0.1}), {})
-    assert {"c1": 0.3, "c2": 0.1}.items() <= brought(ModesScene, shared).items()
-
-
-@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
-def test_about_these_numbers_checks_the_exponents(c1: float, c2: float) -> None:
-    for scene in scenes(c1, c2):
-        for table in scene.about(scene.shown).tables:
-            assert table.rows and all(row.off <= table.limit for row in table.rows), (scene.values, table)

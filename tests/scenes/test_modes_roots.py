@@ -18,7 +18,6 @@ from physics.root_paths import RootPath, Varied, exceptional_point
 from tests.grids import tries
 from tests.page.hand import Hand, grabs
 from tests.physics.braked_cases import BRAKED, CASES, Case, case_of, cases
-from tests.scenes.visible_sentences import visible_text
 
 each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
 WAYS: tuple[Varied, ...] = ("c1", "c2", "both")
@@ -104,13 +103,6 @@ def test_the_diamond_is_the_exceptional_point(case: dict[str, Any]) -> None:
             assert min(abs(drawn - s) for s in point.roots) < 1e-6 * abs(point.roots[0])
 
 
-def test_the_default_chain_has_its_exceptional_point_on_the_path_of_c1() -> None:
-    shown = ModesScene(view="roots").shown
-    assert (shown.scalars["met"], shown.scalars["met1"]) == (1, pytest.approx(-0.5))
-    assert shown.scalars["met1_im"] == pytest.approx(math.sqrt(7) / 2)
-    assert not ModesScene(view="roots", grows="c2").shown.scalars["met"]
-
-
 @pytest.mark.parametrize(("grows", "names"), [("c1", {"c1"}), ("c2", {"c2"}), ("both", {"c1", "c2"})])
 def test_a_hand_on_a_root_sets_the_dashpot_of_the_nearest_one(grows: Varied, names: set[str]) -> None:
     scene = ModesScene(view="roots", grows=grows, c1=0.8, c2=0.5)
@@ -135,34 +127,3 @@ def test_a_hand_on_a_root_sets_the_dashpot_of_the_nearest_one(grows: Varied, nam
             assert values["c1"] / values["c2"] == pytest.approx(0.8 / 0.5, rel=0.05)
             continue
         assert values == pytest.approx({name: wanted[int(name[1]) - 1] for name in names}, rel=0.05)
-
-
-def test_undone_its_decay_a_motion_in_its_plane_is_the_ellipse_of_the_reference() -> None:
-    """The half axes for c2 = 0.2."""
-    scene = ModesScene(view="roots", c2=0.2)
-    for mode, s, axes in zip(
-        ("slow", "fast"),
-        DampedChain(m1=2, m2=1, k1=4, k2=2, c2=0.2).roots[::2],
-        ((1.1187, 0.0298), (1.4009, 0.0927)),
-        strict=True,
-    ):
-        data = scene.sources[f"spiral_{mode}"].data
-        t = np.linspace(0.0, min(4.0 / -s.real, 16 * math.pi / s.imag), len(data[f"spiral1_{mode}"]))
-        undone = np.array([data[f"spiral{i}_{mode}"] * np.exp(-s.real * t) for i in (1, 2)])
-        arrows = np.linalg.lstsq(np.array([np.cos(s.imag * t), np.sin(s.imag * t)]).T, undone.T)[0]
-        assert np.linalg.svd(arrows, compute_uv=False) == pytest.approx(axes, abs=1e-4)
-
-
-def test_without_dashpots_nothing_dies_and_both_modes_are_on_the_axis() -> None:
-    scene = ModesScene(view="roots")
-    assert "No dashpot: all roots are on the imaginary axis, and nothing decays" in visible_text(scene)
-    assert sorted(s.imag for s in crosses(scene)) == pytest.approx([-2, -1, 1, 2])
-    assert all(abs(s.real) < 1e-9 for s in crosses(scene))
-    assert "ζ" not in visible_text(scene) and "slow mode: " in visible_text(scene)
-
-
-def test_motions_begin_again_when_they_have_died() -> None:
-    """The slow mode dies at 0.25 1/s; what is left at the end of the window is less than 2 %."""
-    braked, free = ModesScene(view="roots", c1=2.0, c2=1.0), ModesScene(view="roots")
-    assert braked.shown.axes["t"].end == pytest.approx(16.0)
-    assert free.shown.axes["t"].end == pytest.approx(8 * math.pi)
