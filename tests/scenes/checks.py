@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
 from collections.abc import Iterator
@@ -18,13 +17,11 @@ from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
 from components.state.page_state import PageState
-from tests.grids import WHOLE
 from tests.page.headless_page import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """Matches a hyphen that is used as a minus sign."""
-EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
 
 EXTREME_LINKS = (
     "scene=forced&m1=1e175&v2_0=1e308",
@@ -48,29 +45,6 @@ def choices(scene: type[Scene]) -> Iterator[dict[str, Any]]:
 def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:
     """The numbers of a source as arrays."""
     return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
-
-
-def corners(scene: type[Scene], most: int = 64 if WHOLE else 16) -> Iterator[dict[str, float]]:
-    """Yield the corners of all sliders; an even selection of them if there are many."""
-    names = list(quantities(scene))
-    whole = list(itertools.islice(itertools.product((0, 1), repeat=len(names)), 2 ** min(len(names), 16)))
-    for pick in whole[:: max(1, len(whole) // most)]:
-        yield {name: _inside(scene.param[name], end) for name, end in zip(names, pick, strict=True)}
-
-
-def _inside(quantity: Quantity, end: int) -> float:
-    low, high = quantity.softbounds
-    return float((low, high)[end])
-
-
-def typed(scene: type[Scene]) -> Iterator[dict[str, float]]:
-    """Every quantity alone at values far beyond its slider, at 0 and with the other sign, as far as physics allows."""
-    values = (0.0, *EXTREMES, *(-v for v in EXTREMES))
-    for i, (name, quantity) in enumerate(quantities(scene).items()):
-        # A sample takes every other value, of each quantity others.
-        for value in values if WHOLE else values[i % 2 :: 2]:
-            if quantity.refusal(value) is None:
-                yield {name: value}
 
 
 def check_picture(scene: Scene | PageState) -> None:

@@ -9,20 +9,14 @@ import pytest
 
 from components.dashpot import DashpotCase, DashpotScene, apparatus, keeping, parts
 from components.language.blocks import Block
-from components.language.picture import Digits
-from components.language.signals import DampedMass, Derived
-from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.sheet import blocks, column, row, stage
 from components.layout.stage import H, T, W, line, text
-from components.paper.deferred import Attributes, deferred, recorded
+from components.paper.deferred import Attributes, deferred
 from components.paper.plot_axes import TIME, axis
-from components.paper.plots import Plot, along, counted, curve, drag, either, layer, path, stack, words
-from components.quantities.axes import Axis
+from components.paper.plots import Plot, along, curve, drag, either, layer, stack, words
 from components.quantities.parameters import displacement, velocity
 from components.scene.case import CaseScene, ComparedNumber, example
-from components.scene.picture import draw
-from physics.damped import DampedOscillator
 from physics.sampling import periods
 
 
@@ -85,28 +79,6 @@ class Friction(DashpotScene, CaseScene):
     compared = (ComparedNumber("tau_d", "τ_d", "s"),)
 
 
-def test_examples_are_presets_with_their_sentences() -> None:
-    assert Friction.presets == {"Light": {"c": 1.257}, "Heavy": {"c": 40.0}}
-    assert Friction.watch == {"Light": "Each swing keeps half.", "Heavy": "It creeps."}
-
-
-def test_the_numbers_are_those_of_the_physics() -> None:
-    scene = Friction(c=2.0, v_0=0.4)
-    columns = scene.sources["time"].data
-    motion = DampedOscillator(m=1.0, c=2.0, k=39.48).motion(0.1, 0.4, columns["t"])
-    assert list(columns) == ["t", "x", "zero", "V", "E"]
-    assert np.array_equal(columns["x"], motion.x)
-    assert columns["E"] == pytest.approx(0.5 * 39.48 * motion.x**2 + 0.5 * motion.v**2, rel=1e-14)
-
-
-def test_each_signal_follows_those_that_it_is_made_of() -> None:
-    signals = Friction().shown.signals
-    assert list(signals) == ["zero", "x", "V", "v", "T", "E"]
-    assert isinstance(signals["x"], DampedMass) and isinstance(signals["v"], DampedMass)
-    made = {name: [term.names for term in one.value.terms] for name, one in signals.items() if isinstance(one, Derived)}
-    assert made == {"zero": [()], "V": [("x", "x")], "T": [("v", "v")], "E": [("V",), ("T",)]}
-
-
 def test_what_is_missing_is_neither_drawn_nor_compared() -> None:
     light, heavy = Friction(), Friction(c=40.0)
     assert light.shown.values["tau_d"] == "1.01" and heavy.shown.values["tau_d"] == ""
@@ -130,85 +102,6 @@ def test_a_fast_motion_is_a_band_and_its_energies_are_means() -> None:
     ]
     assert picture.columns["time"]["V"] == pytest.approx(picture.columns["time"]["E"] / 2, rel=1e-14)
     assert picture.columns["band"]["x_hi"][0] == pytest.approx(0.1, rel=1e-3)
-
-
-def test_layers_without_a_top_are_added_up() -> None:
-    stacked = stack(layer(c.V, "V"), layer(c.T, "T"), layer(c.E, "total"))
-    assert [(one.below, one.edge.name) for one in stacked] == [("zero", "V"), ("V", "V_T"), ("V_T", "V_T_E")]
-    case = FrictionShown(Friction().values)
-    assert np.array_equal(stacked[1].edge.compute(case, {}).at(case.times), case.E.at(case.times))
-
-
-def test_an_axis_may_be_made_whole_and_another_one_counts_like_it() -> None:
-    own = Axis(-1.0, 1.0, "m", ticks=(0.5,))
-    whole, other = axis("m", lambda c: own, "whole"), axis("J", lambda c: (0.0, 2e4), "other")
-    like = axis("J", lambda c: (0.0, 5.0), "like", like=other)
-    assert whole.axis(None) is own
-    plot, book = Plot("counted", TIME, like), recorded(c.T).book
-    assert plot.y(c.T) == Plot("counted", TIME, other).y(c.T)
-    assert book.number(recorded(c.T), like) == book.number(recorded(c.T), other)
-
-
-def test_a_number_of_no_plot_has_an_axis_that_always_fits() -> None:
-    force = axis("N", lambda c: (0.0, 1e5), "F")
-
-    class Pulled(FrictionShown):
-        F = value(lambda c: -c.k * c.free.x)
-
-    pulled = deferred(Pulled)
-
-    class PulledScene(Friction):
-        case = Pulled
-        paper = staticmethod(
-            lambda: column(
-                X.block(curve(pulled.x), title="Displacement"), words(f"{counted(pulled.F, force):+} {force.unit_text}")
-            )
-        )
-
-    picture = draw(PulledScene(), framing="kept", frame=Frame(ranges={"F": (0.0, 1.0)})).picture
-    assert "F" not in picture.axes and "F" not in picture.sources["time"]
-    assert (picture.values["F_unit"], picture.live["F"]) == ("·10³ N", Digits(0, True))
-    assert isinstance(made := picture.signals["F"], Derived)
-    assert made.value.terms[0].factor == pytest.approx(-0.03948)
-
-
-def test_a_path_has_its_own_interval() -> None:
-    class Turning(FrictionShown):
-        v = value(lambda c: c.free.v)
-
-        @property
-        def intervals(self) -> dict[str, tuple[float, int]]:
-            return {"turn": (2 * np.pi / self.one.omega_d, 5)}
-
-    turning = deferred(Turning)
-    plane = Plot("plane", X.up, axis("m/s", lambda c: (-1.0, 1.0), "v"))
-
-    class TurningScene(Friction):
-        case = Turning
-        paper = staticmethod(
-            lambda: row(
-                X.block(curve(turning.x), title="Displacement"),
-                plane.block(path(turning.v, turning.x, source="turn"), title="Plane"),
-            )
-        )
-
-    scene = TurningScene()
-    columns = scene.sources["turn"].data
-    assert list(columns) == ["t", "x", "v"] and list(scene.sources["time"].data) == ["t", "x"]
-    motion = DampedOscillator(m=1.0, c=1.257, k=39.48).motion(0.1, 0.0, columns["t"])
-    assert np.array_equal(columns["x"], motion.x) and np.array_equal(columns["v"], motion.v)
-    _, one = (one for block in blocks(TurningScene.sheet()) for one in getattr(block, "curves", ()))
-    assert (one.x, one.y, one.signal_x, one.signal) == ("x", "v", "x", "v")
-
-
-def test_a_kept_frame_keeps_axes_and_window() -> None:
-    drawn = draw(Friction(), framing="kept", frame=Frame(ranges={"x": (-1.0, 1.0)}, window=2.0))
-    assert (drawn.picture.axes["x"].start, drawn.picture.axes["x"].end) == (-1.0, 1.0)
-    assert drawn.picture.traces["time"].end == 2.0
-
-
-def test_a_scene_without_about_has_no_such_section() -> None:
-    assert not Friction.is_checked() and Friction().about(Friction().shown) is None
 
 
 def test_a_number_that_is_none_must_be_optional() -> None:

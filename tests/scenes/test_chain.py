@@ -230,8 +230,3 @@ def test_the_panel_face_draws_the_masses_by_colour() -> None:
     start = displacements(scene)[0] / scene.h
     np.testing.assert_allclose(image[0], start, atol=1e-12)
     assert figure.model.y_range.start > figure.model.y_range.end == 0
-
-
-def test_a_small_chain_names_the_scene_that_it_is() -> None:
-    assert "Oscillator" in Chain(N=1).shown.notes[0]
-    assert "Coupled" in Chain(N=2, ends="fixed-free").shown.notes[0]

@@ -110,16 +110,6 @@ def mode_ratios(values: dict[str, float]) -> list[float]:
     return [-gamma + delta, -gamma - delta]
 
 
-@pytest.mark.parametrize(
-    ("m1", "m2", "k1", "k2", "start"),
-    [(0.1, 10.0, 100.0, 0.1, (1.0, 1.0)), (1.0, 1e-4, 1.0, 4e-4, (1.0, 0.0))],
-)
-def test_a_filled_rectangle_and_a_parabola_are_no_line(m1: float, m2: float, k1: float, k2: float, start: Any) -> None:
-    scene = ModesScene(view="hunt", m1=m1, m2=m2, k1=k1, k2=k2, x1_0=start[0], x2_0=start[1])
-    assert scene.shown.forms["verdict"] == "mixed"
-    assert "of the swing" in str(scene.sheet())
-
-
 # Modes, guess
 
 
@@ -195,12 +185,6 @@ def test_what_a_hand_must_add() -> None:
         else:
             assert max(parts) > 0.00499
     assert seen == {"no extra force: a mode", "almost no extra force", "force of your hand"}
-
-
-def test_a_drift_in_step_needs_no_hand() -> None:
-    assert ModesScene(view="guess", k1=0.0, omega=0.0, ratio=1.0).shown.values["you_add"] == "no extra force: a mode"
-    held = ModesScene(view="guess", k2=0.0, omega=0.0)
-    assert held.shown.values["you_add"] == "force of your hand", "mass 1 is held by spring 1"
 
 
 # Modes, solve and sweep

@@ -11,17 +11,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from components.language.shapes import Label
 from components.layout.sheet import blocks
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
-from components.scenes.driven.forces import BASE, PX, polygon
+from components.scenes.driven.forces import BASE, PX
 from physics.bode import driven_resonances
 from physics.driven import Drive, DrivenOscillator
 from physics.magnification import highest, magnification
 from tests.grids import tries
-from tests.page.headless_page import Page, put
 from tests.page.scripts import each
 from tests.scenes.chains import number
 from tests.scenes.presets import readout, taken
@@ -133,24 +131,6 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
     assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
 
 
-@settings(max_examples=tries(100), deadline=None)
-@given(st.floats(0.1, 2.4), st.floats(0.01, 1.5))
-def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -> None:
-    """A push of 36 px, as in a low hall: the middles of both names are 9 px off the lines of the push and of kX."""
-    scene = DRIVEN(zeta=zeta, omega=r * math.sqrt(39.48))
-    at = corners(scene)
-    named = {**scene.shown.scalars, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "response.y0": 0.0}
-    named["response.y1"] = -36 / at["scale"]
-    labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "kind_unbalance" not in shape.show]
-    for name in ("F", "φ") if at["lags"] else ("F",):
-        label = next(label for label in labels if label.words[0].text == name)
-        x, y = each("static/core/signals.polynomial", ((place, named) for place in (label.x, label.y)))
-        middle = complex(x, y - 5)
-        for arrow in (-36j * at["up"], 36 * complex(at["across"], -at["end"])):
-            share = min(max((middle * arrow.conjugate()).real / abs(arrow) ** 2, 0.0), 1.0)
-            assert abs(middle - share * arrow) > 9, (name, middle, arrow)
-
-
 @pytest.mark.parametrize("kind", KINDS)
 def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
     """Nothing of it, its circle neither, lies on the formulas below; above its highest arrow is room for a name."""
@@ -234,13 +214,6 @@ def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
     assert sentence(scene).startswith(told)
     if told.startswith(("At ω", "No push")):
         assert corners(scene)["idle"] and not scene.shown.columns["power"]
-
-
-def test_the_height_at_one_sets_the_damping_and_c_follows() -> None:
-    page = Page(DRIVEN())
-    put(page, zeta=0.1)
-    assert page.scene.c == pytest.approx(0.2 * math.sqrt(39.48))
-    assert page.shown.scalars["peak"] == pytest.approx(5.0)
 
 
 def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -260,13 +260,6 @@ def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices
     assert np.count_nonzero(tails["tail_t"] == t[-1]) <= 14
 
 
-def test_short_slices_miss_a_push_that_changes_in_them() -> None:
-    """A sine of eight times the natural frequency has a period of a slice."""
-    assert "changes within slices" in sentence(DRIVEN(view="convolution", omega=50.0, slices=61), "sums")
-    assert "changes within slices" in sentence(DRIVEN(view="convolution", push="square", slices=100), "sums")
-    assert "too long" in sentence(DRIVEN(view="convolution", slices=12), "sums")
-
-
 def test_impulses_are_slices_already() -> None:
     scene = DRIVEN(view="convolution", push="impulses", omega=2.0)
     assert "x_sliced" not in scene.sources["time"].data and "misses" not in scene.numbers

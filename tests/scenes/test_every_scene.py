@@ -11,7 +11,7 @@ from components.scenes import SCENES
 from components.state.encoding import COARSE, span
 from components.state.scene_sheet import column_axes
 from tests.page.headless_page import Page, apply_message, take_preset
-from tests.scenes.checks import check_picture, choices, corners, quantities, solves, typed
+from tests.scenes.checks import check_picture, choices, quantities, solves
 
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
@@ -131,36 +131,3 @@ def test_a_change_is_small(scene_class: type[Scene]) -> None:
         page.say({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
     around = 340  # bytes of the frames that Bokeh sends with it
     assert max(len(packet["data"]) for packet in page.packets) + around <= MOST_BYTES.get(scene_class.slug, 3000)
-
-
-@scenes
-def test_corners_of_all_sliders(scene_class: type[Scene]) -> None:
-    scene = scene_class()
-    drawn = 0
-    for values in corners(scene_class):
-        try:
-            scene.set(values)
-        except ValueError as reason:
-            assert str(reason)
-            continue
-        drawn += 1
-        check_picture(scene)
-    assert drawn
-
-
-@scenes
-def test_values_far_beyond_the_sliders(scene_class: type[Scene]) -> None:
-    drawn = refused = 0
-    for values in typed(scene_class):
-        scene = scene_class()
-        before = scene.shown
-        try:
-            scene.set(values)
-        except ValueError as reason:
-            assert str(reason), values
-            assert scene.shown is before
-            refused += 1
-            continue
-        drawn += 1
-        check_picture(scene)
-    assert drawn > refused

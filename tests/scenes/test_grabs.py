@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 
 from components.chain import START
-from components.language.shapes import Along, AnyShape, Grab
-from components.scene import Scene
+from components.language.shapes import Along, Grab
 from components.scene.picture import frame_of
 from components.scenes import SCENES
 from components.scenes.coupled import BY_MODES
@@ -40,34 +39,6 @@ FOLLOWS = {
     "coupled": ("given_by", *BY_MODES, *START),
 }
 """Parameters that follow from one that is set: a tuned spring follows the speed, modes a start."""
-
-
-def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:
-    """The scene in a form in which the shape is drawn, in one that it is shown by where there is one."""
-    ways = sorted(({}, *shown_ways(slug)), key=lambda values: not any(one in shape.show for one in values.values()))
-    for values in ways:
-        scene = SCENES[slug](**values)
-        now = scene.shown
-        begun = all(one.of in now.signals for one in grab.start if one.of)
-        moved = all(way.moves in {*now.signals, *now.scalars} for way in grab.ways if way.moves)
-        if begun and moved and all(way.axis in now.axes for way in grab.ways if way.axis):
-            return scene
-    raise AssertionError(f"{slug} never draws {grab.label}")
-
-
-@pytest.mark.parametrize("slug", SCENES)
-def test_what_a_hand_sets_and_moves_is_there(slug: str) -> None:
-    for shape, grab in grabs(SCENES[slug]):
-        scene = shown_with(slug, shape, grab)
-        picture, known = scene.shown, scene.linked()
-        for way in grab.ways:
-            assert not way.parameter or way.parameter in known, way
-            assert not way.rate or way.rate in known, way
-            assert not way.moves or way.moves in picture.signals or way.moves in picture.scalars, way
-            assert not way.axis or way.axis in picture.axes, way
-        for begin in grab.start:
-            assert begin.parameter in known, begin
-            assert not begin.of or begin.of in picture.signals, begin
 
 
 @pytest.mark.parametrize("slug", SCENES)
@@ -135,16 +106,6 @@ def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff:
                 assert begun[one.parameter] == pytest.approx(slope, rel=1e-6), grab.label
                 going += 1
     assert going == 8
-
-
-def test_most_scenes_can_be_taken_in_hand() -> None:
-    held = {slug: {way.parameter for _, grab in grabs(SCENES[slug]) for way in grab.ways} for slug in SCENES}
-    assert {"x_0", "v_0"} <= held["oscillator"]
-    assert "x_0" in held["energy"]
-    assert {"x1_0", "x2_0"} <= held["coupled"] & held["forced"] & held["modes"] & held["absorber"]
-    assert {"omega", "ratio"} <= held["modes"] and "omega" in held["forced"] & held["absorber"]
-    assert "excess" in held["phugoid"]
-    assert {"theta_0", "floating_start", "string_start", "spring_start"} <= held["analogues"]
 
 
 def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() -> None:

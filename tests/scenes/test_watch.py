@@ -9,7 +9,6 @@ import pytest
 
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import records
-from physics.coupled import free_modes
 from physics.forced import forced_motion
 from physics.integrators.accuracy import SYSTEMS, Run
 from tests.scenes.presets import readout, taken
@@ -77,55 +76,11 @@ def test_the_driven_masses() -> None:
     assert below.omega < own == at.omega < above.omega
 
 
-EXPLICIT, STEPPING = {"verlet", "rk4", "dop853"}, {"verlet", "rk4", "dop853", "newmark", "radau", "lsoda"}
-
-
 def runs(slug: str, method: str) -> list[Run]:
     """The runs with a result, coarse to fine."""
     known = records(slug)
     assert known
     return [run for run in known.runs.by_method.get(method, ()) if run.error is not None and run.time is not None]
-
-
-def fast_over_slow(slug: str) -> float:
-    slow, fast = SYSTEMS[slug].chain.modes().omega
-    return float(fast / slow)
-
-
-def test_what_stepping_costs() -> None:
-    for method in STEPPING:
-        first, *_, last = runs("benign", method)
-        assert first.error and last.error and first.time and last.time, method
-        assert last.error < 1e-2 * first.error and last.time > 2 * first.time, method
-    assert len(runs("benign", "closed")) == 1 and (runs("benign", "closed")[0].error or 0.0) < 1e-15
-    assert fast_over_slow("beats") < 1.05 < 3 < fast_over_slow("benign")
-    reached = []
-    for method in STEPPING:
-        close, apart = (
-            next((run.time for run in runs(slug, method) if (run.error or 0.0) <= 1e-5), None)
-            for slug in ("beats", "benign")
-        )
-        assert close or not apart, method
-        if close and apart:
-            assert close < apart, method
-            reached.append(method)
-    assert len(reached) >= 3
-    assert fast_over_slow("wide") == pytest.approx(2000, rel=1e-3)
-    assert fast_over_slow("light") == pytest.approx(1000, rel=1e-3) and SYSTEMS["light"].chain.m2 == 1e-6
-    for slug in ("wide", "light"):
-        close = [run for method in STEPPING for run in runs(slug, method) if (run.error or 0.0) <= 1e-6]
-        assert all(run.evaluations > 1e7 for run in close), slug
-
-
-def test_where_explicit_methods_get_nowhere() -> None:
-    wider = SYSTEMS["wider"]
-    slow, fast = free_modes(wider.chain, wider.x_0, wider.v_0).amplitude[:, 0]
-    assert fast < 1e-9 * slow
-    slow, fast = SYSTEMS["dashpot"].problem().rates
-    assert fast == pytest.approx(1e6 * slow, rel=1e-5)
-    for slug in ("wider", "dashpot"):
-        assert not any(runs(slug, method) for method in EXPLICIT), slug
-        assert runs(slug, "newmark") and runs(slug, "radau")
 
 
 def test_the_formula_at_resonance() -> None:
