@@ -70,8 +70,10 @@ class FreeDecay:
     def v(self) -> ExactMotion:
         """The velocity in m/s. If it oscillates, the mass has half of the energy on average."""
         one, motion, twin = self.oscillator, self._motion, replace(self)
+        a_0 = float(one.exact_starts(self.x_0, self.v_0)[1][1])
+        speed = replace(self, x_0=self.v_0, v_0=a_0)  # the decay whose displacement is this velocity
         return Elementary(
-            symbol="v", exact=lambda t: motion(t).v, played=self.fadings[1], size=lambda: abs(twin.fastest.v),
+            symbol="v", exact=lambda t: motion(t).v, played=self.fadings[1], size=speed._size,
             omega=one.omega_d, square=lambda: twin._decaying_energy / one.m,
         )  # fmt: skip
 
@@ -108,9 +110,8 @@ class FreeDecay:
     @cached_property
     def fastest(self) -> Moment:
         """The moment at which the mass is fastest."""
-        found = self.first_top_speed
-        moments = self.moments([0.0] if found is None else [0.0, found])
-        return max(moments, key=lambda moment: abs(moment.v))
+        top = self._first_turn_and_top_speed[1] or self._start
+        return max(self._start, top, key=lambda moment: abs(moment.v))
 
     def peaks(self, count: int) -> list[Moment]:
         """Return the first turns on the side of the first one, where it oscillates; at rest the start is a turn.
@@ -151,9 +152,22 @@ class FreeDecay:
         ValueError
             If a number is not possible, or a result leaves the range of doubles.
         """
-        turn = self.first_turn
-        times = [0.0, *([] if turn is None or turn > end else [turn]), *([end] if end < inf else [])]
-        return max(abs(moment.x) for moment in self.moments(times))
+        turn = self._first_turn_and_top_speed[0]
+        if turn and turn.t <= end:  # later turns are smaller
+            return max(abs(self.x_0), abs(turn.x))
+        return max(abs(moment.x) for moment in (self._start, *(self.moments([end]) if end < inf else ())))
+
+    @property
+    def _start(self) -> Moment:
+        return Moment(0.0, self.x_0, self.v_0)
+
+    @cached_property
+    def _first_turn_and_top_speed(self) -> tuple[Moment | None, Moment | None]:
+        """The first turn and the first top speed after the start. Computing both takes as long as computing one."""
+        times = self.first_turn, self.first_top_speed
+        moments = iter(self.moments([t for t in times if t is not None]))
+        turn, top = (None if t is None else next(moments) for t in times)
+        return turn, top
 
     def _size(self) -> float:
         """Return about the largest |x| in m."""
