@@ -155,7 +155,8 @@ class FreeDecay:
         turn = self._first_turn_and_top_speed[0]
         if turn and turn.t <= end:  # later turns are smaller
             return max(abs(self.x_0), abs(turn.x))
-        return max(abs(moment.x) for moment in (self._start, *(self.moments([end]) if end < inf else ())))
+        last = self.moments([end]) if end < inf else []
+        return max(abs(moment.x) for moment in [self._start, *last])
 
     @property
     def _start(self) -> Moment:

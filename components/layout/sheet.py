@@ -3,9 +3,11 @@ and functions that look things up in a sheet."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal
 
+import msgspec
 import param
 from msgspec.structs import replace
 
@@ -30,6 +32,10 @@ from components.layout.text import rich
 
 MOST_TIMES = 50
 """Largest ratio of the shares of two neighbouring blocks."""
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
+"""Matches a string in JSON, with the colon after it if it is a key."""
+LIVE = re.compile(r'data-value="(\w+)"')
+"""Matches the name of a live number in HTML."""
 Paragraph = str | Forms
 """A text, or several forms of it."""
 
@@ -182,6 +188,16 @@ def in_force(block: Block, forms: Mapping[str, str]) -> Iterator[Block]:
         if isinstance(block, (Row, Column)):
             for inner in block.blocks:
                 yield from in_force(inner, forms)
+
+
+def names_in(parts: Iterable[object]) -> frozenset[str]:
+    """Return the names of the signals, numbers, texts and forms that some parts of a sheet need.
+
+    All strings in these parts count as names, so that none is missed.
+    """
+    text = msgspec.json.encode([*parts]).decode()
+    strings = {string for string, key in STRING.findall(text) if not key}
+    return frozenset(strings.union(LIVE.findall(text.replace(r"\"", '"'))))
 
 
 def axes_of_columns(sheet: Block) -> dict[str, dict[str, str]]:

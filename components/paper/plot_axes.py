@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from msgspec.structs import replace
@@ -31,8 +31,6 @@ class PlotAxis:
     plain: bool = False
     seen: Callable[[Any], Range] | None = None
     like: PlotAxis | None = None
-    unit_is_shown: bool = field(default=False, init=False)
-    share_is_used: bool = field(default=False, init=False)
 
     @property
     def counting(self) -> PlotAxis:
@@ -63,13 +61,11 @@ class PlotAxis:
     @property
     def unit_text(self) -> str:
         """The unit with its power of ten, in a text."""
-        self.unit_is_shown = True
         return rf"\val{{{self.name}_unit}}"
 
     @property
     def share(self) -> Expression:
         """One unit of the axis, relative to its upper end."""
-        self.share_is_used = True
         return named(f"{self.name}_share")
 
 

@@ -10,6 +10,7 @@ from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.language.state import Frame
+from components.layout.sheet import names_in
 from components.paper.deferred import FORMATS, Book, CountedNumber, ExpressionRecord, attributes, recorded
 from components.paper.plot_axes import PlotAxis
 from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
@@ -31,11 +32,16 @@ class CasePaper:
     book: Book
 
     @cached_property
+    def names(self) -> frozenset[str]:
+        """All names that the sheet contains."""
+        return names_in([self.block])
+
+    @cached_property
     def axes(self) -> dict[str, PlotAxis]:
         """The axes of the plots, and the axes that give the stage its scale, by name."""
         plots = [built.plot for built in self.book.plots.values()]
         axes = [axis for plot in plots for axis in (plot.across, plot.up)]
-        used = [use.axis for use in self.book.numbers.values() if use.axis and use.axis.share_is_used]
+        used = [use.axis for use in self.book.numbers.values() if use.axis and f"{use.axis.name}_share" in self.names]
         return {axis.name: axis for axis in (*axes, *used)}
 
     @cached_property
@@ -109,12 +115,12 @@ class CasePaper:
     def units(self) -> dict[str, str]:
         """The axes whose unit is shown in a text, by the name of the text."""
         known = self.axes | self.other_axes
-        return {f"{name}_unit": name for name, one in known.items() if one.unit_is_shown}
+        return {text: name for name in known if (text := f"{name}_unit") in self.names}
 
     @cached_property
     def shares(self) -> dict[str, str]:
         """The axes whose upper end shapes use, by the name of the number."""
-        return {f"{name}_share": name for name, one in self.axes.items() if one.share_is_used}
+        return {share: name for name in self.axes if (share := f"{name}_share") in self.names}
 
     @cached_property
     def has_floor(self) -> bool:

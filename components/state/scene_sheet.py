@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator
 from functools import cache
 from hashlib import sha256
@@ -17,13 +16,10 @@ from components.language.messages import SceneSheet, Shown
 from components.language.state import State
 from components.layout.controls import panel, settings
 from components.layout.plots import with_figures
-from components.layout.sheet import axes_of_columns, blocks
+from components.layout.sheet import LIVE, axes_of_columns, blocks
 from components.scene import Scene
 from components.state.encoding import view_of
 from components.state.wire import WINDOW, as_json
-
-LIVE = re.compile(r'data-value="(\w+)"')
-"""Matches the name of a live number in HTML."""
 
 
 @cache

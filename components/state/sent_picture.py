@@ -2,34 +2,26 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-import msgspec
-
 from components.language.blocks import Column, StageBlock
-from components.layout.sheet import axes_of_columns
+from components.layout.sheet import axes_of_columns, names_in
 from components.layout.views import shown_blocks
 from components.scene import Picture, Scene
 from components.scene.scene import VIEW
 from components.state.covers import with_needs
 from components.state.encoding import ColumnAxes
 from components.state.page_state import PageState
-from components.state.scene_sheet import LIVE, column_axes, scene_sheet
+from components.state.scene_sheet import column_axes, scene_sheet
 
-STRING = re.compile(r'"((?:[^"\\]|\\.)*)"(:?)')
-"""Matches a string in JSON, with the colon after it if it is a key."""
 MOST_LISTS = 300
 """Size of the cache for views and lists of parts."""
 
 
 @dataclass(frozen=True)
 class SentParts:
-    """The needs of the shown parts of a sheet: the axis of each column, and the names of signals and scalars.
-
-    All strings in these parts count as names, so that none is missed.
-    """
+    """The needs of the shown parts of a sheet: the axis of each column, and the names of signals and scalars."""
 
     axes: ColumnAxes
     names: frozenset[str]
@@ -46,12 +38,9 @@ def sent_parts(now: PageState) -> SentParts | None:
 @lru_cache(MOST_LISTS)
 def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentParts:
     blocks, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
-    text = msgspec.json.encode([*blocks, sheet.panel, sheet.spoken]).decode()
-    strings = {string for string, key in STRING.findall(text) if not key}
-    names = strings.union(LIVE.findall(text.replace(r"\"", '"')))
     return SentParts(
         axes_of_columns(Column(blocks=tuple(blocks))),
-        frozenset(names),
+        names_in([*blocks, sheet.panel, sheet.spoken]),
         any(isinstance(one, StageBlock) for one in blocks),
     )
 

@@ -12,7 +12,7 @@ from components.language.plots import Curve
 from components.language.shapes import AnyShape, Label
 from components.language.text import Forms
 from components.layout.controls import Group
-from components.layout.sheet import in_force
+from components.layout.sheet import LIVE, in_force
 from components.layout.views import shown_blocks
 from components.quantities.parameters import names_of
 from components.quantities.refusals import in_words
@@ -20,7 +20,6 @@ from components.scene import Picture, Scene
 from components.scene.scene import VIEW
 from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
 from components.state.page_state import PageState
-from components.state.scene_sheet import LIVE
 from components.walks.links import Scenes, standing_at
 from components.walks.texts import live_names
 from components.walks.walk import Step, Walk

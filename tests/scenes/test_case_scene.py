@@ -137,3 +137,29 @@ def test_an_attribute_may_not_have_the_name_of_a_parameter() -> None:
 
         class Hidden(DashpotScene, CaseScene):
             case = Shown
+
+
+@pytest.mark.parametrize("order", [(True, False), (False, True)])
+def test_a_picture_does_not_depend_on_papers_built_before_it(order: tuple[bool, bool]) -> None:
+    """Two papers share the time axis; one of them also shows its unit, and a length relative to its end."""
+    shown = {uses: _timed(uses).at().shown for uses in order}
+    assert (shown[True].scalars["t_share"], shown[True].values["t_unit"]) == (1 / shown[True].axes["t"].end, "s")
+    assert not shown[False].scalars and not shown[False].values
+
+
+def _timed(uses_time: bool) -> type[Friction]:
+    class Timed(FrictionShown):
+        pass
+
+    x = deferred(Timed).x
+
+    class TimedScene(Friction):
+        case = Timed
+        paper = staticmethod(
+            lambda: column(
+                X.block(curve(x), title="x", over=[line(0, 0, 90 * TIME.share, 0)] if uses_time else []),
+                *([words(f"in {TIME.unit_text}")] if uses_time else []),
+            )
+        )
+
+    return TimedScene
