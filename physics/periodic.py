@@ -18,10 +18,13 @@ from fractions import Fraction
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
-from physics.precision.exact import Array
+from physics.precision.exact import FINE, PI, Array, exact, precise, remainders
 from physics.precision.turns import cospi, sinpi
 from physics.valid import check_finite, check_positive, is_number, keep_doubles, shown
+
+_PERIODS, _BITS = 64, 250  # bits of the number of periods until a time, and of a time in a piece
 
 PushKind = Literal["square", "triangle", "pulses", "impulses", "step", "impulse"]
 
@@ -193,3 +196,32 @@ class PeriodicPush:
             case "pulses":
                 return np.asarray(2 * size * np.abs(np.sin(np.pi * np.mod(self.width * n, 1.0))) / over)
         return np.full_like(over, size * self.omega / math.pi)
+
+
+class TimesInPieces(NamedTuple):
+    """Times by the period they are in, the piece of it, and tau + rest in s since that piece began."""
+
+    period: list[int]
+    piece: NDArray[np.int_]
+    tau: Array
+    rest: Array
+
+    @classmethod
+    def of(cls, push: PeriodicPush, t: Array) -> "TimesInPieces":
+        """Return the piece of each time of t (n,), and the time since its start."""
+        none = np.zeros(t.size, dtype=int)
+        if push.once:
+            return cls(none.tolist(), none, t, np.zeros_like(t))
+        with precise():
+            rate, T = exact(push.omega) / (2 * PI), 2 * PI / exact(push.omega)
+        above, below = T.as_integer_ratio()
+        shift = _BITS - above.bit_length() + below.bit_length()
+        unit = (above << max(0, shift)) // (below << max(0, -shift))
+        turns = remainders(rate, t, 1 << _PERIODS)
+        shares = [turn & ((1 << FINE) - 1) for turn in turns]
+        begins = [math.floor(one.begin * (1 << FINE)) for one in push.pieces]
+        piece = np.array([sum(share >= begin for begin in begins) - 1 for share in shares], dtype=int)
+        times = [(share - begins[i]) * unit >> FINE for share, i in zip(shares, piece.tolist(), strict=True)]
+        tau = [math.ldexp(float(time), -shift) for time in times]
+        rest = [math.ldexp(float(time - int(float(time))), -shift) for time in times]
+        return cls([turn >> FINE for turn in turns], piece, np.array(tau), np.array(rest))

@@ -22,23 +22,20 @@ from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from physics.laplace import NOTHING, Expansion, expanded
-from physics.periodic import PeriodicPush, Piece
-from physics.precision.exact import FINE, PI, Array, exact, precise, remainders, two_product, two_sum
+from physics.periodic import PeriodicPush, Piece, TimesInPieces
+from physics.precision.exact import Array, two_product, two_sum
 from physics.precision.polynomials import Polynomial, context
+from physics.push_maps import STATE_DIGITS, ExactPieces, PhasePoint, in_context
 from physics.transient import DIGITS, Effort, in_pairs
 from physics.valid import check_not_negative, finite_array, in_range
 
 QUANTITIES = "the displacement", "the velocity"
 _CLOSE = Effort(2.0**-56, of_largest=True)
-_DIGITS, _MOST = 40, 8000
-_DIED_OUT = -1e5  # of an exponent: e^-1e5 is negligible
-_PERIODS = 64  # bits of the number of periods until a time
-_SHORT, _TERMS, _BITS = 0.1, 12, 250  # bits of a time in a piece
-
-PhasePoint = tuple[Any, Any]  # x and v, numbers of mpmath
+_MOST = 8000  # digits
+_SHORT, _TERMS = 0.1, 12  # rad, and terms of a Taylor series
 
 
 class PushedMotion(NamedTuple):
@@ -58,35 +55,6 @@ class PushLine(NamedTuple):
     n: int
     f: complex
     X: complex
-
-
-class AffineMap(NamedTuple):
-    """x and v become a x + b v + p and c x + d v + q; numbers of mpmath."""
-
-    a: Any
-    b: Any
-    c: Any
-    d: Any
-    p: Any
-    q: Any
-
-    def at(self, state: PhasePoint) -> PhasePoint:
-        """Return the state to which a state is moved."""
-        x, v = state
-        return self.a * x + self.b * v + self.p, self.c * x + self.d * v + self.q
-
-    def after(self, first: "AffineMap") -> "AffineMap":
-        """The map that applies another one first."""
-        (p, q), zero = self.at((first.p, first.q)), 0 * self.p
-        plain = AffineMap(*self[:4], zero, zero)
-        (a, c), (b, d) = plain.at((first.a, first.c)), plain.at((first.b, first.d))
-        return AffineMap(a, b, c, d, p, q)
-
-    @property
-    def fixed(self) -> PhasePoint:
-        """The state that it leaves alone."""
-        below = (1 - self.a) * (1 - self.d) - self.b * self.c
-        return ((1 - self.d) * self.p + self.b * self.q) / below, (self.c * self.p + (1 - self.a) * self.q) / below
 
 
 @dataclass(frozen=True)
@@ -194,10 +162,10 @@ class PushedMass:
         """The rate of change of the force in a piece, as a piece, and of the state at its start."""
         ctx = context(DIGITS)
         m, c, k, (x, v) = ctx.mpf(self.m), ctx.mpf(self.c), ctx.mpf(self.k), start
-        rise = _number(ctx, piece.rise) * self.push.omega / (2 * ctx.pi)
+        rise = in_context(ctx, piece.rise) * self.push.omega / (2 * ctx.pi)
         return piece._replace(force=_fraction(rise), rise=Fraction(0)), (
             v,
-            (_number(ctx, piece.force) - c * v - k * x) / m,
+            (in_context(ctx, piece.force) - c * v - k * x) / m,
         )
 
     def from_rest(self, t: ArrayLike) -> PushedMotion:
@@ -206,10 +174,10 @@ class PushedMass:
         check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
         places, pieces = TimesInPieces.of(self.push, t), self.push.pieces
         starts, m = self._from_rest(places), Fraction(self.m)
-        ctx = context(_DIGITS)
-        rises = [_number(ctx, one.rise / m) * self.push.omega / (2 * ctx.pi) for one in pieces]
+        ctx = context(STATE_DIGITS)
+        rises = [in_context(ctx, one.rise / m) * self.push.omega / (2 * ctx.pi) for one in pieces]
         numbers = [
-            (*starts[key], _number(ctx, pieces[key[1]].force / m), rises[key[1]])
+            (*starts[key], in_context(ctx, pieces[key[1]].force / m), rises[key[1]])
             for key in zip(places.period, places.piece.tolist(), strict=True)
         ]
         hi = np.array([[float(one) for one in row] for row in numbers]).T
@@ -251,6 +219,11 @@ class PushedMass:
         ((work, _),) = _agreed(self, lambda exactly: [(exactly.work, exactly.ctx.zero)])
         return float(work)
 
+    def exactly(self, digits: int) -> ExactPieces:
+        """Return the motion through the pieces of the push in numbers of so many decimal `digits`."""
+        resonant = bool(self.resonant_line)
+        return ExactPieces(context(digits), (self.m, self.c, self.k), self.push, resonant)
+
     def _check_steady(self) -> None:
         """Raise ValueError if no steady motion exists."""
         if self.steady_exists:
@@ -264,9 +237,9 @@ class PushedMass:
             "motion exists: another frequency or a dashpot is needed"
         )
 
-    def _from_rest(self, places: "TimesInPieces") -> dict[tuple[int, int], PhasePoint]:
+    def _from_rest(self, places: TimesInPieces) -> dict[tuple[int, int], PhasePoint]:
         """x and v at the start of each piece of each period in which a time is, from rest."""
-        exactly = _Exact(context(6 * _DIGITS), self)
+        exactly = self.exactly(6 * STATE_DIGITS)
         state, period = exactly.jump.at((exactly.ctx.zero, exactly.ctx.zero)), 0
         found = dict[tuple[int, int], PhasePoint]()
         pieces = sorted(set(zip(places.period, places.piece.tolist(), strict=True)))
@@ -281,7 +254,7 @@ class PushedMass:
         """The motion in a piece as a sum of exponentials."""
         ctx, m, c = context(DIGITS), Fraction(self.m), Fraction(self.c)
         x, v = map(_fraction, start)
-        rise = _fraction(_number(ctx, piece.rise) * self.push.omega / (2 * ctx.pi))
+        rise = _fraction(in_context(ctx, piece.rise) * self.push.omega / (2 * ctx.pi))
         forces = (rise, piece.force) if rise else (piece.force,) if piece.force else ()
         return self._transformed((*forces, m * v + c * x, m * x), len(forces))
 
@@ -293,173 +266,13 @@ class PushedMass:
         P = (*(Fraction(0),) * zeros, *map(Fraction, (self.k, self.c, self.m)))
         return expanded(P, (start,) * 3, (NOTHING,) * 3, 0.0, DIGITS, undamped=not self.c)
 
-    def _summed(self, tau: Array, terms: Expansion, one: Callable[["_Exact", float], PhasePoint]) -> Array:
+    def _summed(self, tau: Array, terms: Expansion, one: Callable[[ExactPieces, float], PhasePoint]) -> Array:
         """x and v (2, n) as the sum of `terms`, one by one where these cancel too far."""
         values, sure = in_pairs(terms, tau, _CLOSE)
-        exactly = _Exact(context(3 * _DIGITS), self)
+        exactly = self.exactly(3 * STATE_DIGITS)
         for n in np.flatnonzero(~sure | (tau == 0.0)).tolist():
             values[[0, 3], n] = [float(part) for part in one(exactly, tau[n])]
         return values[[0, 3]]
-
-
-class TimesInPieces(NamedTuple):
-    """Times by the period they are in, the piece of it, and tau + rest in s since that piece began."""
-
-    period: list[int]
-    piece: NDArray[np.int_]
-    tau: Array
-    rest: Array
-
-    @classmethod
-    def of(cls, push: PeriodicPush, t: Array) -> "TimesInPieces":
-        """Return the piece of each time of t (n,), and the time since its start."""
-        none = np.zeros(t.size, dtype=int)
-        if push.once:
-            return cls(none.tolist(), none, t, np.zeros_like(t))
-        with precise():
-            rate, T = exact(push.omega) / (2 * PI), 2 * PI / exact(push.omega)
-        above, below = T.as_integer_ratio()
-        shift = _BITS - above.bit_length() + below.bit_length()
-        unit = (above << max(0, shift)) // (below << max(0, -shift))
-        turns = remainders(rate, t, 1 << _PERIODS)
-        shares = [turn & ((1 << FINE) - 1) for turn in turns]
-        begins = [math.floor(one.begin * (1 << FINE)) for one in push.pieces]
-        piece = np.array([sum(share >= begin for begin in begins) - 1 for share in shares], dtype=int)
-        times = [(share - begins[i]) * unit >> FINE for share, i in zip(shares, piece.tolist(), strict=True)]
-        tau = [math.ldexp(float(time), -shift) for time in times]
-        rest = [math.ldexp(float(time - int(float(time))), -shift) for time in times]
-        return cls([turn >> FINE for turn in turns], piece, np.array(tau), np.array(rest))
-
-
-class _Exact:
-    """The motion through pieces in numbers of mpmath, and its steady states.
-
-    Where nodes of a divided difference are one they are parted by a share of the digits: what is left are a quarter.
-    """
-
-    def __init__(self, ctx: Any, mass: PushedMass) -> None:
-        self.ctx, self.push = ctx, mass.push
-        self.m, self.c, self.k = map(ctx.mpf, (mass.m, mass.c, mass.k))
-        self.T = 2 * ctx.pi / self.push.omega
-        self.hair = ctx.mpf(10) ** (-ctx.dps // 4) / self.T
-        half, square = self.c / (2 * self.m), self.k / self.m
-        excess = half**2 - square
-        if excess < 0:
-            swing = ctx.sqrt(-excess)
-            self.p: tuple[Any, Any] = (ctx.mpc(-half, swing), ctx.mpc(-half, -swing))
-        else:
-            fast = half + ctx.sqrt(excess)
-            self.p = (ctx.mpc(-square / fast if fast else 0), ctx.mpc(-fast))
-        self.rate = max(abs(self.p[1]), self.push.omega * ctx.one)
-        self.least = abs(ctx.mpf(self.push.size)) / self.m / (1 if self.push.impulsive else self.rate)
-        if mass.resonant_line:  # of a line that is missing, or no steady motion would exist
-            self.p = (self.p[0] - self.hair, self.p[1] - self.hair)
-
-    @property
-    def steady_starts(self) -> list[PhasePoint]:
-        """x and v at the start of each piece."""
-        half, *others = self.maps
-        if self.push.alternates:
-            for one in others[: len(self.maps) // 2 - 1]:
-                half = one.after(half)
-            return self.through(AffineMap(*(-one for one in half)).fixed)
-        for one in others:
-            half = one.after(half)
-        return self.through(self.jump.after(half).fixed)
-
-    @cached_property
-    def maps(self) -> list[AffineMap]:
-        """The map of each piece."""
-        return [self._map(piece) for piece in self.push.pieces]
-
-    @cached_property
-    def jump(self) -> AffineMap:
-        """The map of an impulse."""
-        one, none = self.ctx.one, self.ctx.zero
-        J = self.ctx.mpf(self.push.size) if self.push.impulsive else none
-        return AffineMap(one, none, none, one, none, J / self.m)
-
-    def same(self, before: PhasePoint, now: PhasePoint) -> bool:
-        """True if two states are equal, relative to the smallest velocity that the push causes."""
-        (x, v), (y, w) = before, now
-        size = self.least + abs(y) * self.rate + abs(w)
-        return bool(max(abs(x - y) * self.rate, abs(v - w)) <= self.ctx.mpf(10) ** -_DIGITS * size)
-
-    def through(self, state: PhasePoint) -> list[PhasePoint]:
-        """x and v at the start of each piece, from those at the start of a period."""
-        states = [state]
-        for one in self.maps[:-1]:
-            states.append(one.at(states[-1]))
-        return states
-
-    def periods(self, state: PhasePoint, count: int) -> PhasePoint:
-        """x and v after so many periods."""
-        for i in range(count.bit_length()):
-            while len(self._powers) <= i:
-                self._powers.append(self._powers[-1].after(self._powers[-1]))
-            if count >> i & 1:
-                state = self._powers[i].at(state)
-        return state
-
-    @cached_property
-    def _powers(self) -> list[AffineMap]:
-        """A period, two of them, four and so on."""
-        whole, *others = self.maps
-        for one in (*others, self.jump):
-            whole = one.after(whole)
-        return [whole]
-
-    @property
-    def work(self) -> Any:
-        """The energy that a cycle brings."""
-        F, T, m, w = self.ctx.mpf(self.push.size), self.T, self.m, self.ctx.mpf(self.push.width)
-        exp = self._exp
-        if self.push.kind == "square":
-            return 4 * F**2 / m * self._divided(lambda z: (exp(z * T / 2) - 1) / (exp(z * T / 2) + 1), 1)
-        if self.push.kind == "triangle":
-            return -64 * F**2 / (m * T**2) * self._divided(lambda z: (exp(z * T / 2) - 1) / (exp(z * T / 2) + 1), 3)
-        if self.push.kind == "pulses":
-            on, off = w * T, T - w * T
-            over = lambda z: (1 - exp(z * off)) * (1 - exp(z * on)) / (exp(z * T) - 1) if z else z  # noqa: E731
-            return F**2 / m * self._divided(over, 1)
-        return -(F**2) / (2 * m) * self._divided(lambda z: z * (exp(z * T) + 1) / (exp(z * T) - 1), 0)
-
-    def _map(self, piece: Piece) -> AffineMap:
-        return self.forced(_number(self.ctx, piece.end - piece.begin) * self.T, piece)
-
-    def forced(self, tau: Any, piece: Piece) -> AffineMap:
-        """The map from the start of a piece to a time after it."""
-        F, rise = _number(self.ctx, piece.force) / self.m, _number(self.ctx, piece.rise) / self.T / self.m
-        B, slope = self.B(tau, 0), self._divided(lambda z: z * self._exp(z * tau), 0)
-        E2, E3 = self.B(tau, 1) if F or rise else F, self.B(tau, 2) if rise else rise
-        return AffineMap(
-            slope + self.c / self.m * B, B, -self.k / self.m * B, slope, F * E2 + rise * E3, F * B + rise * E2
-        )
-
-    def B(self, tau: Any, zeros: int) -> Any:
-        """e^(p tau)[0, .., 0, p1, p2] with so many nodes at 0: B, E2 or E3."""
-        return self._divided(lambda z: self._exp(z * tau), zeros)
-
-    def response(self, tau: float, start: Polynomial, zeros: int) -> PhasePoint:
-        """x and v of a motion whose transform is start/(s^zeros (m s^2 + c s + k)), start m or m s + c."""
-        if len(start) > 1:
-            free = self.forced(tau, Piece(*(Fraction(0),) * 3))
-            return free.a, free.c
-        slope = self.B(tau, zeros - 1) if zeros else self._divided(lambda z: z * self._exp(z * tau), 0)
-        return self.B(tau, zeros), slope
-
-    def _divided(self, f: Callable[[Any], Any], zeros: int) -> Any:
-        """f[0, .., 0, p1, p2] with so many nodes at 0."""
-        nodes: list[Any] = []
-        for z in (*(self.ctx.mpc(0),) * zeros, *self.p):
-            while any(abs(z - other) < self.hair / 2 for other in nodes):
-                z += self.hair
-            nodes.append(z)
-        parts = (f(z) / self.ctx.fprod(z - other for other in nodes if other is not z) for z in nodes)
-        return self.ctx.fsum(parts).real
-
-    def _exp(self, z: Any) -> Any:
-        return self.ctx.exp(z) if z.real > _DIED_OUT else self.ctx.zero
 
 
 @lru_cache(maxsize=64)
@@ -468,12 +281,12 @@ def _steady_starts(mass: PushedMass) -> list[PhasePoint]:
     return _agreed(mass, lambda exactly: exactly.steady_starts)
 
 
-def _agreed(mass: PushedMass, compute: Callable[["_Exact"], list[PhasePoint]]) -> list[PhasePoint]:
+def _agreed(mass: PushedMass, compute: Callable[[ExactPieces], list[PhasePoint]]) -> list[PhasePoint]:
     """States that do not change with twice the digits, relative to their motion."""
-    spent, states = 3 * _DIGITS, list[PhasePoint]()
+    spent, states = 3 * STATE_DIGITS, list[PhasePoint]()
     while spent < _MOST:
         spent *= 2
-        exactly = _Exact(context(spent), mass)
+        exactly = mass.exactly(spent)
         before, states = states, compute(exactly)
         if before and all(exactly.same(*pair) for pair in zip(before, states, strict=True)):
             break
@@ -488,10 +301,6 @@ def _combined(terms: Iterable[tuple[Array, Array, Array]]) -> Array:
         total, carried = two_sum(total, p)
         rest = rest + (carried + e + lo * curve)
     return np.asarray(total + rest)
-
-
-def _number(ctx: Any, value: Fraction) -> Any:
-    return ctx.mpf(value.numerator) / value.denominator
 
 
 def _fraction(value: Any) -> Fraction:
