@@ -199,7 +199,17 @@ class PeriodicPush:
 
 
 class TimesInPieces(NamedTuple):
-    """Times by the period they are in, the piece of it, and tau + rest in s since that piece began."""
+    """Times by the period and the piece of a push in which they are.
+
+    Attributes
+    ----------
+    period : list of int
+        The number of the period of each time.
+    piece : ndarray of int (n,)
+        The piece of the period.
+    tau, rest : ndarray (n,)
+        The time in s since the piece began, as the sum of two doubles.
+    """
 
     period: list[int]
     piece: NDArray[np.int_]
@@ -208,7 +218,7 @@ class TimesInPieces(NamedTuple):
 
     @classmethod
     def of(cls, push: PeriodicPush, t: Array) -> "TimesInPieces":
-        """Return the piece of each time of t (n,), and the time since its start."""
+        """Return the period and the piece of the `push` at each time of t (n,) in s, and the time since its start."""
         none = np.zeros(t.size, dtype=int)
         if push.once:
             return cls(none.tolist(), none, t, np.zeros_like(t))

@@ -25,7 +25,13 @@ PhasePoint = tuple[Any, Any]  # x and v, numbers of mpmath
 
 
 class AffineMap(NamedTuple):
-    """x and v become a x + b v + p and c x + d v + q; numbers of mpmath."""
+    """A map of the state: x and v become a x + b v + p and c x + d v + q, in SI units.
+
+    Attributes
+    ----------
+    a, b, c, d, p, q : mpf
+        The coefficients, numbers of mpmath.
+    """
 
     a: Any
     b: Any
@@ -35,12 +41,12 @@ class AffineMap(NamedTuple):
     q: Any
 
     def at(self, state: PhasePoint) -> PhasePoint:
-        """Return the state to which a state is moved."""
+        """Return the `state` after the map."""
         x, v = state
         return self.a * x + self.b * v + self.p, self.c * x + self.d * v + self.q
 
     def after(self, first: "AffineMap") -> "AffineMap":
-        """The map that applies another one first."""
+        """Return the map that applies `first` before this one."""
         (p, q), zero = self.at((first.p, first.q)), 0 * self.p
         plain = AffineMap(*self[:4], zero, zero)
         (a, c), (b, d) = plain.at((first.a, first.c)), plain.at((first.b, first.d))
@@ -48,7 +54,7 @@ class AffineMap(NamedTuple):
 
     @property
     def fixed(self) -> PhasePoint:
-        """The state that it leaves alone."""
+        """The state that the map leaves alone."""
         below = (1 - self.a) * (1 - self.d) - self.b * self.c
         return ((1 - self.d) * self.p + self.b * self.q) / below, (self.c * self.p + (1 - self.a) * self.q) / below
 
@@ -56,7 +62,18 @@ class AffineMap(NamedTuple):
 class ExactPieces:
     """The motion through pieces in numbers of mpmath, and its steady states.
 
-    Where nodes of a divided difference are one they are parted by a share of the digits: what is left are a quarter.
+    Equal nodes of a divided difference are separated by a quarter of the digits; at least a quarter remains.
+
+    Parameters
+    ----------
+    ctx : MPContext
+        The context of the numbers.
+    oscillator : tuple of three floats
+        m in kg, c in N s/m and k in N/m.
+    push : PeriodicPush
+        The push.
+    resonant : bool
+        True if the mass has no dashpot and its natural frequency is a multiple of omega.
     """
 
     def __init__(self, ctx: Any, oscillator: tuple[float, float, float], push: PeriodicPush, resonant: bool) -> None:
@@ -79,7 +96,7 @@ class ExactPieces:
 
     @property
     def steady_starts(self) -> list[PhasePoint]:
-        """x and v at the start of each piece."""
+        """x in m and v in m/s at the start of each piece of the steady motion."""
         half, *others = self.maps
         if self.push.alternates:
             for one in others[: len(self.maps) // 2 - 1]:
@@ -96,26 +113,26 @@ class ExactPieces:
 
     @cached_property
     def jump(self) -> AffineMap:
-        """The map of an impulse."""
+        """The map of the impulse at the start of a period."""
         one, none = self.ctx.one, self.ctx.zero
         J = self.ctx.mpf(self.push.size) if self.push.impulsive else none
         return AffineMap(one, none, none, one, none, J / self.m)
 
     def same(self, before: PhasePoint, now: PhasePoint) -> bool:
-        """True if two states are equal, relative to the smallest velocity that the push causes."""
+        """Return True if the states `before` and `now` are equal, relative to the least velocity caused by the push."""
         (x, v), (y, w) = before, now
         size = self.least + abs(y) * self.rate + abs(w)
         return bool(max(abs(x - y) * self.rate, abs(v - w)) <= self.ctx.mpf(10) ** -STATE_DIGITS * size)
 
     def through(self, state: PhasePoint) -> list[PhasePoint]:
-        """x and v at the start of each piece, from those at the start of a period."""
+        """Return x and v at the start of each piece, from the `state` at the start of a period."""
         states = [state]
         for one in self.maps[:-1]:
             states.append(one.at(states[-1]))
         return states
 
     def periods(self, state: PhasePoint, count: int) -> PhasePoint:
-        """x and v after so many periods."""
+        """Return the `state` after `count` periods."""
         for i in range(count.bit_length()):
             while len(self._powers) <= i:
                 self._powers.append(self._powers[-1].after(self._powers[-1]))
@@ -133,7 +150,7 @@ class ExactPieces:
 
     @property
     def work(self) -> Any:
-        """The energy that a cycle brings."""
+        """The energy in J that a cycle brings."""
         F, T, m, w = self.ctx.mpf(self.push.size), self.T, self.m, self.ctx.mpf(self.push.width)
         exp = self._exp
         if self.push.kind == "square":
@@ -150,7 +167,7 @@ class ExactPieces:
         return self.forced(in_context(self.ctx, piece.end - piece.begin) * self.T, piece)
 
     def forced(self, tau: Any, piece: Piece) -> AffineMap:
-        """The map from the start of a piece to a time after it."""
+        """Return the map from the start of a `piece` to the time `tau` in s after it."""
         F, rise = in_context(self.ctx, piece.force) / self.m, in_context(self.ctx, piece.rise) / self.T / self.m
         B, slope = self.B(tau, 0), self._divided(lambda z: z * self._exp(z * tau), 0)
         E2, E3 = self.B(tau, 1) if F or rise else F, self.B(tau, 2) if rise else rise
@@ -159,11 +176,26 @@ class ExactPieces:
         )
 
     def B(self, tau: Any, zeros: int) -> Any:
-        """e^(p tau)[0, .., 0, p1, p2] with so many nodes at 0: B, E2 or E3."""
+        """Return e^(p tau)[0, .., 0, p1, p2] with so many `zeros`, nodes at 0: B, E2 or E3. `tau` is in s."""
         return self._divided(lambda z: self._exp(z * tau), zeros)
 
     def response(self, tau: float, start: Polynomial, zeros: int) -> PhasePoint:
-        """x and v of a motion whose transform is start/(s^zeros (m s^2 + c s + k)), start m or m s + c."""
+        """Return x and v of a motion by its transform start/(s^zeros (m s^2 + c s + k)).
+
+        Parameters
+        ----------
+        tau : float
+            The time in s.
+        start : tuple of Fraction
+            The polynomial m, or m s + c, the constant first.
+        zeros : int
+            The power of s.
+
+        Returns
+        -------
+        tuple of two mpf
+            x and v at this time.
+        """
         if len(start) > 1:
             free = self.forced(tau, Piece(*(Fraction(0),) * 3))
             return free.a, free.c
@@ -185,4 +217,5 @@ class ExactPieces:
 
 
 def in_context(ctx: Any, value: Fraction) -> Any:
+    """Return the `value` as a number of the context `ctx`."""
     return ctx.mpf(value.numerator) / value.denominator

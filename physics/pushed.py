@@ -1,12 +1,8 @@
-r"""Motions of one damped mass under a push that repeats, or acts once: m x'' + c x' + k x = F(t).
+"""Motions of one damped mass under a push that repeats, or acts once: m x'' + c x' + k x = F(t).
 
 A push is constant, or rises evenly, on each of its pieces, so x and v at the end of a piece are affine in those at its
-start. With p1, p2 the exponents of the free motion and f[..] divided differences over them, in e^(p t):
-
-    x = A x_0 + B v_0 + F/m E2 + F'/m E3,   B = [p1, p2],  E2 = [0, p1, p2],  E3 = [0, 0, p1, p2],  A = B' + c/m B.
-
-These are regular at zeta = 0, at critical damping and without a spring. The steady motion is the one that the pieces of
-a period bring back to its start: no Fourier sum. It does not exist where c = 0 and a line n of the push is at
+start: physics.push_maps has these maps, with B, E2 and E3. The steady motion is the one that the pieces of a period
+bring back to its start: no Fourier sum. It does not exist where c = 0 and a line n of the push is at
 omega_n = n omega, or where k = 0 and the push has a mean. From rest a period is applied M times by repeated squaring,
 at a resonance too. States at the start of a piece have as many digits as they need; in pieces motions are summed as in
 physics.transient.
@@ -39,7 +35,15 @@ _SHORT, _TERMS = 0.1, 12  # rad, and terms of a Taylor series
 
 
 class PushedMotion(NamedTuple):
-    """Times in s, displacements in m and velocities in m/s, each (n,)."""
+    """The motion of a mass under a push.
+
+    Attributes
+    ----------
+    t : ndarray (n,)
+        Times in s.
+    x, v : ndarray (n,)
+        Displacements in m, velocities in m/s.
+    """
 
     t: Array
     x: Array
@@ -47,9 +51,16 @@ class PushedMotion(NamedTuple):
 
 
 class PushLine(NamedTuple):
-    """A line of a push, F(t) = sum of Re(f exp(i n omega t)) in N, and of x = sum of Re(X exp(i n omega t)) in m.
+    """A line of F(t) = sum of Re(f exp(i n omega t)), and of the steady motion x = sum of Re(X exp(i n omega t)).
 
-    X is infinite where no steady motion exists because of this line.
+    Attributes
+    ----------
+    n : int
+        The number of the line.
+    f : complex
+        The amplitude of the force in N.
+    X : complex
+        The amplitude of the motion in m; infinite where no steady motion exists because of this line.
     """
 
     n: int
@@ -59,7 +70,19 @@ class PushLine(NamedTuple):
 
 @dataclass(frozen=True)
 class PushedMass:
-    """One damped mass, m in kg, c in N s/m and k in N/m, under a push."""
+    """One damped mass under a push.
+
+    Parameters
+    ----------
+    m : float
+        The mass in kg.
+    c : float
+        The damping in N s/m.
+    k : float
+        The stiffness in N/m.
+    push : PeriodicPush
+        The push.
+    """
 
     m: float
     c: float
@@ -68,7 +91,7 @@ class PushedMass:
 
     @cached_property
     def resonant_line(self) -> int | None:
-        """The n of omega_n = n omega, decided without error; None with a dashpot."""
+        """The n of omega_n = n omega, decided without error; None with a dashpot, or if no line is there."""
         if self.c or not self.k:
             return None
         square = Fraction(self.k) / Fraction(self.m) / Fraction(self.push.omega) ** 2
@@ -95,16 +118,19 @@ class PushedMass:
 
     @property
     def starts(self) -> list[tuple[float, float]]:
-        """x and v at the start of each piece of the steady motion, each rounded once."""
+        """x in m and v in m/s at the start of each piece of the steady motion, each rounded once.
+
+        ValueError if no steady motion exists.
+        """
         self._check_steady()
         return [(float(x), float(v)) for x, v in _steady_starts(self)]
 
     def lines(self, count: int) -> list[PushLine]:
-        """The lines 0 to `count` of the push and of the steady motion, within 5 u."""
+        """Return the lines 0 to `count` of the push and of the steady motion, within 5 u."""
         return [self.line(n) for n in range(count + 1)]
 
     def line(self, n: int) -> PushLine:
-        """Line n of the push and of the steady motion, within 5 u."""
+        """Return line n of the push and of the steady motion, within 5 u."""
         f = self.push.line(n)
         return PushLine(n, f, self._moved_by(n, f))
 
@@ -117,9 +143,9 @@ class PushedMass:
         return f * complex(float(real / square), -float(turned / square))
 
     def steady(self, t: ArrayLike) -> PushedMotion:
-        """x and v at the times t (n,) in s, within 4 u of the largest; the v of an impulse is that just after it.
+        """Return the steady motion at the times t (n,) in s, within 4 u of the largest value.
 
-        ValueError where no steady motion exists.
+        The v of an impulse is that just after it. ValueError if no steady motion exists.
         """
         t, push = finite_array("t", t), self.push
         self._check_steady()
@@ -169,7 +195,11 @@ class PushedMass:
         )
 
     def from_rest(self, t: ArrayLike) -> PushedMotion:
-        """x and v at the times t (n,) in s, 0 or more, from rest before the push: within 4 u of the largest."""
+        """Return the motion from rest before the push at the times t (n,) in s, 0 or more.
+
+        It is within 4 u of the largest value. ValueError if a time is not possible, or a result leaves the range of
+        doubles.
+        """
         t = finite_array("t", t)
         check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
         places, pieces = TimesInPieces.of(self.push, t), self.push.pieces
@@ -195,13 +225,13 @@ class PushedMass:
         return PushedMotion(t, in_range(QUANTITIES[0], x), in_range(QUANTITIES[1], v))
 
     def force(self, t: ArrayLike) -> Array:
-        """F in N at the times t (n,) in s; impulses left out."""
+        """Return F (n,) in N at the times t (n,) in s, without impulses."""
         places = TimesInPieces.of(self.push, finite_array("t", t))
         force, rise = np.array([[float(one.force), float(one.rise)] for one in self.push.pieces])[places.piece].T
         return np.asarray(force + rise * self.push.omega / (2 * math.pi) * places.tau)
 
     def convolution(self, t: float, count: int) -> tuple[Array, Array, Array]:
-        """The push until t in s as so many impulses: their times in s, their sizes in N s, and the x in m each leaves.
+        """Return the push until t in s as `count` impulses: times in s, sizes in N s, and the x in m that each leaves.
 
         The sum of the last row tends to the motion from rest like 1/count^2 if no edge of the push is inside a slice.
         """
@@ -212,7 +242,10 @@ class PushedMass:
 
     @cached_property
     def work(self) -> float:
-        """The energy in J that a cycle of the steady motion brings, all of which the dashpot takes; rounded once."""
+        """The energy in J that the push brings in a cycle of the steady motion and the dashpot takes, rounded once.
+
+        ValueError if no steady motion exists.
+        """
         if not self.c or not self.push.size or self.push.once:
             return 0.0
         self._check_steady()
@@ -221,8 +254,7 @@ class PushedMass:
 
     def exactly(self, digits: int) -> ExactPieces:
         """Return the motion through the pieces of the push in numbers of so many decimal `digits`."""
-        resonant = bool(self.resonant_line)
-        return ExactPieces(context(digits), (self.m, self.c, self.k), self.push, resonant)
+        return ExactPieces(context(digits), (self.m, self.c, self.k), self.push, bool(self.resonant_line))
 
     def _check_steady(self) -> None:
         """Raise ValueError if no steady motion exists."""

@@ -1,8 +1,9 @@
 """One damped oscillator, left alone and driven, in arbitrary precision, to measure others by; independent of
 physics.precision.exact and of physics.damped.
 
-Sums of the exponentials of the roots of m s^2 + c s + k, with digits to burn. Points are asked for at a few times (s)
-or ratios of frequencies.
+Sums of the exponentials of the roots of m s^2 + c s + k, with digits to burn.
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.6 and 2.9 to 2.12.
 """
 
 from collections.abc import Sequence
@@ -18,7 +19,22 @@ Points = dict[str, list[Point]]
 
 
 def damped_points(oscillator: DampedOscillator, x_0: float, v_0: float, t: Sequence[float]) -> Points:
-    """x, the energies V and E = T + V, and the power P lost, each with the size that both parts give it."""
+    """Return a free motion; the size of each value is what both exponentials give it.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass, the dashpot and the spring.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m, the energies V and E = T + V in J, and the power P in W that the dashpot takes.
+    """
     import mpmath as mp
 
     with mp.workprec(BITS):
@@ -36,8 +52,24 @@ def damped_points(oscillator: DampedOscillator, x_0: float, v_0: float, t: Seque
 
 
 def free_part(mp: Any, m: Any, c: Any, k: Any, start: Any, rate: Any, t: Any) -> tuple[Any, Any]:
-    """Anything that obeys m x'' + c x' + k x = 0, and its size: that of both exponentials, or of start and slope where
-    they have not parted."""
+    """Return anything that obeys m x'' + c x' + k x = 0; all numbers are mpmath's.
+
+    Parameters
+    ----------
+    mp : MPContext
+        The context of mpmath.
+    m, c, k : mpf
+        The mass in kg, the damping in N s/m and the stiffness in N/m.
+    start, rate : mpf
+        The value and its rate of change at t = 0.
+    t : mpf
+        The time in s.
+
+    Returns
+    -------
+    tuple of two mpf
+        The value, and its size: that of both exponentials, or of start and slope where they have not parted.
+    """
     root = mp.sqrt(c * c - 4 * m * k)
     p, q = (-c + root) / (2 * m), (-c - root) / (2 * m)
     slope = abs(start) + abs(rate - mp.re(p) * start) * t
@@ -52,7 +84,26 @@ def free_part(mp: Any, m: Any, c: Any, k: Any, start: Any, rate: Any, t: Any) ->
 def driven_points(
     oscillator: DrivenOscillator, omega: float, size: float, kind: Drive, x_0: float, v_0: float, t: Sequence[float]
 ) -> Points:
-    """x, measured by the free motion of the start and what the drive can have done by then."""
+    """Return the motion under a drive that begins at t = 0.
+
+    The size is that of the free motion, and of what the drive can have done by then.
+
+    Parameters
+    ----------
+    oscillator : DrivenOscillator
+        The mass, the dashpot and the spring.
+    omega, size, kind
+        The drive, as in `DrivenOscillator.response`.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m.
+    """
     import mpmath as mp
 
     with mp.workprec(BITS):
@@ -87,7 +138,22 @@ def _from_rest(mp: Any, m: Any, c: Any, k: Any, w: Any, t: Any) -> Any:
 
 
 def response_points(oscillator: DrivenOscillator, kind: Drive, omega: Sequence[float]) -> Points:
-    """|X| over F_0/k, over Y or over mu e/m, and the lag, each with its own error if r is a rounded number."""
+    """Return the steady response; sizes are the errors that a rounded r = omega/omega_n causes.
+
+    Parameters
+    ----------
+    oscillator : DrivenOscillator
+        The mass, the dashpot and the spring.
+    kind : {"force", "base", "unbalance"}
+        The drive.
+    omega : sequence of float
+        A few frequencies in rad/s.
+
+    Returns
+    -------
+    dict of lists of Point
+        M, which is |X| over F_0/k, over Y or over mu e/m, and the lag in rad.
+    """
     import mpmath as mp
 
     with mp.workprec(BITS // 4):

@@ -1,6 +1,7 @@
 """The driven chain with dashpots in arbitrary precision, independent of physics.transient.
 
 The state (x1, x2, v1, v2) less the particular solution follows y' = A y: its exponential is summed as a power series.
+For the equations and their source see physics.damped_chain.
 """
 
 import math
@@ -17,7 +18,7 @@ _REAL = 1e-50
 
 
 def braked_points(modes: DampedModes, t: Sequence[float]) -> dict[str, list[Point]]:
-    """x1 and x2 at times t, each with the sum of its largest parts up to then."""
+    """Return x1 and x2 in m of the motion of `modes` at the times t in s; sizes are the largest parts up to then."""
     import mpmath as mp
 
     points: dict[str, list[Point]] = {"x1": [], "x2": []}
@@ -34,7 +35,7 @@ def braked_points(modes: DampedModes, t: Sequence[float]) -> dict[str, list[Poin
 
 
 def braked_swings(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Point]]:
-    """|Xp1| and |Xp2| at drive frequencies in rad/s."""
+    """Return |Xp1| and |Xp2| in m, steady amplitudes of the chain of `modes`, at drive frequencies `omega` in rad/s."""
     import mpmath as mp
 
     with mp.workdps(DIGITS):
@@ -43,9 +44,9 @@ def braked_swings(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[
 
 
 def braked_lags(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Point]]:
-    """The lags of both masses behind the force in rad, beside one radian, at drive frequencies in rad/s.
+    """Return the lags of both masses of `modes` behind the force in rad, at drive frequencies `omega` in rad/s.
 
-    That of mass 1 is from 0 to pi, that of mass 2 as much more.
+    That of mass 1 is from 0 to pi, that of mass 2 as much more. Sizes are one radian.
     """
     import mpmath as mp
 
@@ -58,7 +59,20 @@ def braked_lags(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Po
 
 
 def braked_exponents(chain: TwoMassChain, c1: float, c2: float) -> list[tuple[Point, Point]]:
-    """Real and imaginary part of each exponent with Im >= 0, as eigenvalues, with their modulus."""
+    """Return the exponents of the free motion as eigenvalues.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    c1, c2 : float
+        The damping parallel to springs 1 and 2 in N s/m.
+
+    Returns
+    -------
+    list of tuples of two Points
+        Real and imaginary part in 1/s of each exponent with Im >= 0; sizes are its modulus.
+    """
     import mpmath as mp
 
     modes = DampedModes(chain=chain, c=c2, c1=c1, F_0=0.0, omega=0.0)

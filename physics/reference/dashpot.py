@@ -1,6 +1,9 @@
-"""The motion of one mass with a dashpot in arbitrary precision, independent of physics.dashpot.
+"""The motion of one mass with a dashpot in arbitrary precision, independent of physics.damped.
 
-The roots of m r^2 + c r + k, the particular solution by complex division, and the two constants from the start.
+The roots of m r^2 + c r + k, the particular solution by complex division, and the two constants from the initial
+conditions.
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.6 and 2.9.
 """
 
 from typing import Any
@@ -11,7 +14,10 @@ DIGITS = 120
 
 
 def dashpot_rows(problem: Problem) -> list[tuple[Any, Any, Any]]:
-    """x1, v1 and the energy at the output times; numbers of mpmath. The two roots are not equal."""
+    """Return x1 in m, v1 in m/s and the energy in J at the output times of a `problem` with two different roots.
+
+    They are numbers of mpmath.
+    """
     import mpmath
 
     with mpmath.workdps(DIGITS):

@@ -29,7 +29,13 @@ SAME = 1e-70  # relative: closer frequencies are the same in exact arithmetic
 
 
 class Point(NamedTuple):
-    """A true value, and the size that an error in it is measured by."""
+    """A true value, and the size that an error in it is measured by.
+
+    Attributes
+    ----------
+    value, size : Decimal
+        Both in the unit of the quantity, to 40 digits.
+    """
 
     value: Decimal
     size: Decimal
@@ -37,7 +43,17 @@ class Point(NamedTuple):
 
 @dataclass(frozen=True)
 class Reference:
-    """Displacements x + x_rest (2, n), rounded to 106 bits, velocities (2, n), and the energy (n,)."""
+    """The true motion at the output times of a problem.
+
+    Attributes
+    ----------
+    x, x_rest : ndarray (2, n)
+        Displacements x + x_rest in m, rounded to 106 bits.
+    v : ndarray (2, n)
+        Velocities in m/s.
+    energy : ndarray (n,)
+        T + V in J.
+    """
 
     x: Array
     x_rest: Array
@@ -46,25 +62,28 @@ class Reference:
 
     @property
     def size(self) -> float:
-        """The largest displacement."""
+        """The largest displacement in m."""
         return float(np.max(np.abs(self.x)))
 
     @property
     def largest_energy(self) -> float:
-        """The largest T + V."""
+        """The largest T + V in J."""
         return float(np.max(self.energy))
 
     def errors(self, x: Array) -> Array:
-        """|x - true| (n,), the worse of both masses, in units of the largest displacement."""
+        """Return |x - true| (n,), the worse of both masses, over the largest displacement; x is (2, n) in m."""
         difference = np.abs((x - self.x) - self.x_rest)
         return np.asarray(np.max(difference, axis=0) / self.size)
 
     def velocity_errors(self, v: Array) -> Array:
-        """|v - true| (n,), the worse of both masses, in units of the largest velocity."""
+        """Return |v - true| (n,), the worse of both masses, over the largest velocity; v is (2, n) in m/s."""
         return np.asarray(np.max(np.abs(v - self.v), axis=0) / np.max(np.abs(self.v)))
 
     def mode_errors(self, chain: TwoMassChain, x: Array) -> tuple[float, float]:
-        """The largest parts of the error of x in the slow and in the fast mode of a chain with k2 > 0."""
+        """Return the largest parts of the error of x (2, n) in the slow and in the fast mode of a `chain` with k2 > 0.
+
+        They are over the largest displacement.
+        """
         e1, e2 = (x - self.x) - self.x_rest
         slow, fast = (
             np.max(np.abs(chain.m1 * e1 + chain.m2 * r * e2)) * max(1.0, abs(r)) / (chain.m1 + chain.m2 * r * r)
@@ -73,7 +92,7 @@ class Reference:
         return float(slow / self.size), float(fast / self.size)
 
     def energy_errors(self, chain: TwoMassChain, result: Trajectory) -> Array:
-        """|T + V - true| (n,) in units of the largest energy."""
+        """Return |T + V - true| (n,) of the `result` of a method for the `chain`, over the largest energy."""
         T = chain.m1 * result.v[0] ** 2 + chain.m2 * result.v[1] ** 2
         V = chain.k1 * result.x[0] ** 2 + chain.k2 * result.stretch**2
         return np.asarray(np.abs((T + V) / 2 - self.energy) / self.largest_energy)
@@ -90,7 +109,7 @@ class _Mode(NamedTuple):
 
 
 def reference(problem: Problem) -> Reference:
-    """The true motion at the output times of the problem."""
+    """Return the true motion at the output times of a `problem`."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
@@ -106,7 +125,7 @@ def reference(problem: Problem) -> Reference:
 
 
 def modal_points(problem: Problem) -> list[list[list[Point]]]:
-    """The parts of x of each mass in each mode (slow, fast) at each time; sizes are amplitudes and envelopes."""
+    """Return x in m by mode (slow, fast), mass and output time of a `problem`; sizes are amplitudes and envelopes."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
@@ -114,7 +133,22 @@ def modal_points(problem: Problem) -> list[list[list[Point]]]:
 
 
 def points_of_modes(chain: TwoMassChain, amplitude: Pair, phase: Pair, t: Array) -> list[list[list[Point]]]:
-    """The parts of x in a free motion of these amplitudes (m) and phases (rad), slow and fast."""
+    """Return the parts of x in a free motion with given amplitudes and phases.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    amplitude, phase : tuple of two floats
+        Amplitudes in m and phases in rad of the slow and the fast mode.
+    t : ndarray (n,)
+        Times in s.
+
+    Returns
+    -------
+    list of lists of lists of Point
+        x in m by mode, mass and time.
+    """
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(chain)):
@@ -136,7 +170,7 @@ def _points(mp: Any, modes: list[_Mode], omega: float, t: Array) -> list[list[li
 
 
 def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:
-    """omega and X2/X1 of the slow and the fast mode; None if mass 1 is at rest."""
+    """Return omega in rad/s and X2/X1 of the slow and the fast mode of the `chain`; None if mass 1 is at rest."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(chain)):
@@ -145,7 +179,7 @@ def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:
 
 
 def determinants(chain: TwoMassChain, omega: Sequence[float]) -> list[Decimal]:
-    """D = det A (lecture D34, slide 3) at each frequency in rad/s."""
+    """Return D = det A (lecture D34, slide 3) in N^2/m^2 of the `chain` at each frequency `omega` in rad/s."""
     import mpmath
 
     with mpmath.workprec(EXACT):
@@ -155,12 +189,12 @@ def determinants(chain: TwoMassChain, omega: Sequence[float]) -> list[Decimal]:
 
 
 def point(value: Any, size: Any) -> Point:
-    """A point from numbers of mpmath."""
+    """Return a point from `value` and `size`, numbers of mpmath."""
     return Point(decimal(value), decimal(size))
 
 
 def decimal(value: Any) -> Decimal:
-    """A number of mpmath to 40 digits."""
+    """Return the `value`, a number of mpmath, to 40 digits."""
     import mpmath
 
     return Decimal(mpmath.nstr(value, 40))
@@ -234,7 +268,20 @@ def _reach(mp: Any, mode: _Mode, omega: Any, t: Any) -> Any:
 
 
 def envelope(omega: Any, omega_n: Any, t: Any) -> tuple[Any, Any]:
-    """Bounds of |g| and |g'| that hold up to the time t; numbers of mpmath."""
+    """Return bounds of |g| and |g'| up to a time; all numbers are mpmath's.
+
+    Parameters
+    ----------
+    omega, omega_n : mpf
+        The frequency of the drive and the natural frequency in rad/s.
+    t : mpf
+        The time in s.
+
+    Returns
+    -------
+    tuple of two mpf
+        The bounds of |g| in s^2 and of |g'| in s.
+    """
     if not (omega and t):
         return 0 * t, 0 * t
     s, d = (omega + omega_n) / 2, abs(omega - omega_n) / 2

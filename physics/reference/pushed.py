@@ -1,7 +1,8 @@
 """One damped oscillator under a push that is not a sine, in arbitrary precision; independent of physics.pushed.
 
 The motion is the sum of what each edge of the push starts: divided differences of exp(z t) over the roots of
-m s^2 + c s + k, with one node at 0 more for an edge, and two more for a change of slope.
+m s^2 + c s + k, with one node at 0 more for an edge, and two more for a change of slope. For the pushes and their
+source see physics.periodic.
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,7 +19,26 @@ BITS = 1000
 def pushed_points(
     oscillator: DampedOscillator, push: PeriodicPush, x_0: float, v_0: float, largest: float, t: Sequence[float]
 ) -> Points:
-    """x at a few times in s, measured by the free motion of the start and the largest |x| in m from rest."""
+    """Return the motion under a push.
+
+    Parameters
+    ----------
+    oscillator : DampedOscillator
+        The mass, the dashpot and the spring.
+    push : PeriodicPush
+        The push, which begins at t = 0.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    largest : float
+        The largest |x| in m from rest: with the size of the free motion it is the size of a value.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m.
+    """
     import mpmath as mp
 
     with mp.workprec(BITS):

@@ -1,7 +1,6 @@
-"""One oscillator, the pendulum, the phugoid and the steady swing in arbitrary precision, to measure others by.
+"""One oscillator, the pendulum, the phugoid and the steady motion in arbitrary precision, to measure others by.
 
-Independent of physics.precision.exact: mpmath, and the lecture's own formulas, with many spare digits. Points are
-asked for at a few times (s) or frequencies (rad/s).
+Independent of physics.precision.exact: mpmath, and the lecture's own formulas (D31, D34), with many spare digits.
 """
 
 from collections.abc import Sequence
@@ -24,7 +23,22 @@ Points = dict[str, list[Point]]
 
 
 def oscillator_points(oscillator: Oscillator, x_0: float, v_0: float, t: Sequence[float]) -> Points:
-    """x, v and a with sizes for relative errors: their amplitudes, or for x of a free mass the size of its terms."""
+    """Return a free motion without damping.
+
+    Parameters
+    ----------
+    oscillator : Oscillator
+        The mass and the spring.
+    x_0, v_0 : float
+        The displacement in m and the velocity in m/s at t = 0.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m, v in m/s and a in m/s^2. Sizes are amplitudes; for x of a free mass the size of its terms.
+    """
     import mpmath as mp
 
     omega_n = oscillator.omega_n
@@ -43,9 +57,23 @@ def oscillator_points(oscillator: Oscillator, x_0: float, v_0: float, t: Sequenc
 
 
 def hanging_points(mass: HangingMass, x_0: float, v_0: float, t: Sequence[float], separate: bool) -> Points:
-    """x, and T, V and the energies of spring and gravity, each measured by the largest that it reaches.
+    """Return the motion and the energies of a hanging mass.
 
-    V is 0 at equilibrium, or with `separate` the sum of spring and gravity.
+    Parameters
+    ----------
+    mass : HangingMass
+        The mass, the spring and gravity.
+    x_0, v_0 : float
+        The displacement in m from equilibrium and the velocity in m/s at t = 0.
+    t : sequence of float
+        A few times in s.
+    separate : bool
+        True if V is the sum of spring and gravity; else it is 0 at equilibrium.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m; T, V and the energies of spring and gravity in J. Sizes are the largest values that they reach.
     """
     found = oscillator_points(mass.oscillator, x_0, v_0, t)
     m, k, g = map(Decimal, (mass.m, mass.k, mass.g))
@@ -72,7 +100,22 @@ def _turns(omega: float, t: Sequence[float]) -> int:
 
 
 def pendulum_points(pendulum: Pendulum, theta_0: float, t: Sequence[float]) -> list[Point]:
-    """theta of the swing from rest at theta_0, measured by theta_0."""
+    """Return theta in rad of the swing from rest.
+
+    Parameters
+    ----------
+    pendulum : Pendulum
+        The pendulum.
+    theta_0 : float
+        The initial angle in rad.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    list of Point
+        theta in rad; sizes are theta_0.
+    """
     import mpmath as mp
 
     small = max(abs(theta_0), LINEAR)
@@ -84,9 +127,23 @@ def pendulum_points(pendulum: Pendulum, theta_0: float, t: Sequence[float]) -> l
 
 
 def swing(mp: Any, omega: Any, theta_0: float, t: Any) -> tuple[Any, Any, Any]:
-    """theta, theta', theta'' of a pendulum at rest at theta_0 by Jacobi functions; omega is for small swings.
+    """Return the motion of a pendulum from rest by Jacobi functions, in the working precision of mp.
 
-    In the working precision of mp, which has to outlast theta_0^2.
+    Parameters
+    ----------
+    mp : MPContext
+        The context of mpmath; its precision has to outlast theta_0^2.
+    omega : mpf
+        The frequency of small swings in rad/s.
+    theta_0 : float
+        The initial angle in rad.
+    t : mpf
+        The time in s.
+
+    Returns
+    -------
+    tuple of three mpf
+        theta in rad, theta' in rad/s and theta'' in rad/s^2.
     """
     k, k_prime = mp.sin(abs(mp.mpf(theta_0)) / 2), mp.cos(mp.mpf(theta_0) / 2)
     argument = mp.fmod(omega * t, 2 * mp.pi * period_ratio(mp, theta_0))
@@ -97,14 +154,28 @@ def swing(mp: Any, omega: Any, theta_0: float, t: Any) -> tuple[Any, Any, Any]:
 
 
 def period_ratio(mp: Any, theta_0: float) -> Any:
-    """T/T_0."""
+    """Return T/T_0 of a pendulum at rest at theta_0 in rad, as a number of the context mp."""
     return 1 / mp.agm(1, mp.cos(mp.mpf(theta_0) / 2))
 
 
 def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[list[Point]]:
-    """The steady amplitudes of each mass at each frequency, with their own errors.
+    """Return the steady amplitudes of both masses at frequencies that are not natural ones.
 
-    Signed where nothing damps (c = 0), else moduli. The frequencies are not natural ones.
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    c : float
+        The damping parallel to spring 2 in N s/m.
+    F_0 : float
+        The amplitude of the force on mass 1 in N.
+    omega : sequence of float
+        A few frequencies in rad/s.
+
+    Returns
+    -------
+    list of two lists of Point
+        X1 and X2 in m: signed without damping, else moduli. Sizes are |X|.
     """
     import mpmath as mp
 
@@ -114,7 +185,18 @@ def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[flo
 
 
 def stroke_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[Point]:
-    """|X2 - X1| at each frequency, with its own error."""
+    """Return |X2 - X1| at a few frequencies.
+
+    Parameters
+    ----------
+    chain, c, F_0, omega
+        As in `steady_points`.
+
+    Returns
+    -------
+    list of Point
+        The strokes in m, which are their own sizes.
+    """
     import mpmath as mp
 
     with mp.workprec(EXACT):
@@ -123,7 +205,22 @@ def stroke_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[flo
 
 
 def steady(mp: Any, chain: TwoMassChain, c: float, F_0: float, omega: float) -> tuple[Any, Any]:
-    """X1, X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws as two linear equations."""
+    """Return the steady motion from Newton's laws as two linear equations.
+
+    Parameters
+    ----------
+    mp : MPContext
+        The context of mpmath.
+    chain, c, F_0
+        As in `steady_points`.
+    omega : float
+        The frequency of the drive in rad/s.
+
+    Returns
+    -------
+    tuple of two mpc
+        X1 and X2 in m of x_i = Im(X_i exp(i omega t)).
+    """
     m1, m2, k1, k2, damping, F, w = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F_0, omega))
     link = mp.mpc(k2, damping * w)
     a, d = k1 + link - m1 * w**2, link - m2 * w**2
@@ -137,10 +234,24 @@ FREE_FALL = 1e-12  # below this speed the lift is 1e-24 of the weight
 
 
 def flight_points(v_0: float, g: float, excess: float, t: Sequence[float]) -> Points:
-    """h' and v' of the exact phugoid, measured by v_0^2/g and v_0.
+    """Return h' and v' of the exact phugoid.
 
     Taylor series of du/dt = -V w, dw/dt = V u - 1 (lecture D31, slide 10, beyond it) over half a period from the
     start, mirrored from there on.
+
+    Parameters
+    ----------
+    v_0, g : float
+        The speed of level flight in m/s, and gravity in m/s^2.
+    excess : float
+        The initial excess of speed over v_0.
+    t : sequence of float
+        A few times in s.
+
+    Returns
+    -------
+    dict of lists of Point
+        h in m with the size v_0^2/g, v in m/s with the size v_0.
     """
     import mpmath as mp
 

@@ -27,9 +27,21 @@ LONGEST = 20_000.0
 def chain_points(
     chain: UniformChain, x_0: Array, v_0: Array, t: Sequence[float], masses: Sequence[int]
 ) -> dict[int, list[Point]]:
-    """The displacements in m of a few masses at a few times, measured by the amplitudes of its modes and the drift.
+    """Return the displacements of a few masses; sizes are the amplitudes of the modes and the drift.
 
-    ValueError if the times are so long that too many terms are needed.
+    ValueError if a time is so long that too many terms are needed.
+
+    Parameters
+    ----------
+    chain, x_0, v_0
+        The chain, its displacements in m and velocities in m/s at t = 0, each (N,).
+    t, masses : sequences of float and of int
+        A few times in s, and masses counted from 1.
+
+    Returns
+    -------
+    dict of lists of Point
+        x in m of each mass.
     """
     import mpmath as mp
 
@@ -55,7 +67,7 @@ def chain_points(
 
 
 def chain_frequencies(chain: UniformChain, modes: Sequence[int]) -> list[Point]:
-    """The frequencies in rad/s of modes counted from 1, by omega^2 = (k/m) (2 - 2 cos theta)."""
+    """Return the frequencies in rad/s of `modes` of a `chain`, counted from 1, by omega^2 = (k/m) (2 - 2 cos theta)."""
     import mpmath as mp
 
     N, ends = chain.N, chain.ends
