@@ -32,9 +32,22 @@ REPEATS = 1.2  # a run time counts as repeatable if the longest is at most so ma
 
 @dataclass(frozen=True, kw_only=True)
 class System:
-    """A motion to compute: the chain, its start, F_0 sin(omega t) on mass 1, and a dashpot c parallel to spring 1.
+    """A motion to compute: a chain, its initial conditions, and perhaps a drive or a dashpot.
 
-    It lasts so many slow `periods`, or relaxation times.
+    Attributes
+    ----------
+    slug, name : str
+        Its name in addresses, and for readers.
+    chain : TwoMassChain
+        The masses and springs.
+    x_0, v_0 : tuple of two floats
+        Displacements in m and velocities in m/s at t = 0.
+    F_0, omega : float
+        The force F_0 sin(omega t) on mass 1, in N and rad/s.
+    c : float
+        The damping parallel to spring 1 in N s/m.
+    periods : float
+        The duration in slow periods, or in relaxation times with a dashpot.
     """
 
     slug: str
@@ -54,13 +67,14 @@ class System:
 
     @cached_property
     def rates(self) -> tuple[float, float]:
-        """The slow and the fast one, as Problem.rates."""
+        """The slow and the fast one, as `Problem.rates`."""
         return self._asked_for(np.arange(2.0)).rates
 
     def problem(self, periods: float | None = None, outputs: int = OUTPUTS) -> Problem:
-        """The problem over its own or so many slow periods (fast ones where the slow mode is a drift).
+        """Return the problem over so many `periods`, slow ones, or fast ones if the slow mode is a drift.
 
-        The spacing has 40 bits, so that every output time is a double: steps and formulas meet there exactly.
+        It has `outputs` + 1 times, whose spacing has 40 bits, so that each is a double: steps and formulas meet there
+        exactly. ValueError if the chain has no period.
         """
         slow, fast = self.rates
         if not fast:
@@ -77,9 +91,18 @@ class System:
 
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """Seconds a run may take, rounds of timing, and the seconds that quick runs are repeated for in each round.
+    """Limits of a race.
 
-    A run whose times come to more than `budget` seconds is timed `least` times only.
+    Attributes
+    ----------
+    seconds : float
+        The longest time of a run in s.
+    rounds : int
+        The number of rounds of timing.
+    visit : float
+        The time in s for which quick runs are repeated in each round.
+    budget, least : float, int
+        A run whose times come to more than `budget` s is timed `least` times only.
     """
 
     seconds: float = 1.0
@@ -91,12 +114,41 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Run:
-    """The result of one method at one setting; times in s. If `failure` gives a reason, there are no errors.
+    """The result of one method at one setting; times are in s.
 
-    `end` is why the method is not refined beyond it: "floor", "finest", "failed", or "" where it is. `compiled` says
-    that the method was compiled for it, `final_error` the error at the last output alone, `mode_errors` the parts of
-    the error in the slow and the fast mode, `stiff_share` of LSODA's steps those by formulas for stiff equations. The
-    counts are those of physics.integrators.problem.Watch.
+    Attributes
+    ----------
+    system, method : str
+        The slugs of the system and the method.
+    setting : float
+        The setting of the method: steps per output, or rtol.
+    compiled : bool
+        True if the method was compiled for it.
+    failure : str or None
+        The reason why there are no errors.
+    reached : float
+        The share of the motion that was computed.
+    end : str
+        Why the method is not refined further: "floor", "finest", "time limit", "spacing", "no memory left" or
+        "cancelled"; "" where it is.
+    evaluations, jacobians, factorisations, solves, steps : int
+        The counts of `Watch`.
+    rounds : int
+        The number of rounds in which it was timed.
+    time, time_low, time_high : float or None
+        The median, the shortest and the longest of the times.
+    again : float or None
+        The time when the whole benchmark was run once more.
+    error, final_error : float or None
+        The largest error, and that at the last output alone, over the largest displacement.
+    energy_error : float or None
+        The largest error of the energy, over the largest energy.
+    mode_errors : tuple of float
+        The parts of the error in the slow and the fast mode.
+    stiff_share : float
+        The share of LSODA's steps by formulas for stiff equations.
+    error_growth, energy_growth : tuple of float
+        The largest errors so far, at MARKS.
     """
 
     system: str
@@ -104,7 +156,7 @@ class Run:
     setting: float
     compiled: bool = False
     failure: str | None = None
-    reached: float = 1.0  # share of the motion
+    reached: float = 1.0
     end: str = ""
     evaluations: int = 0
     jacobians: int = 0
@@ -112,16 +164,16 @@ class Run:
     solves: int = 0
     steps: int = 0
     rounds: int = 0
-    time: float | None = None  # median of the rounds
+    time: float | None = None
     time_low: float | None = None
     time_high: float | None = None
-    again: float | None = None  # when the whole benchmark was run once more
+    again: float | None = None
     error: float | None = None
     energy_error: float | None = None
     final_error: float | None = None
     mode_errors: tuple[float, ...] = ()
     stiff_share: float = 0.0
-    error_growth: tuple[float, ...] = ()  # worst so far, at MARKS
+    error_growth: tuple[float, ...] = ()
     energy_growth: tuple[float, ...] = ()
 
     @property
@@ -142,7 +194,7 @@ class Run:
         return self.time_high <= REPEATS * self.time_low
 
     def to_dict(self) -> dict[str, Any]:
-        """The run for JSON: numbers, strings, lists and None."""
+        """Return the run for JSON: numbers, strings, lists and None."""
         return asdict(self)
 
 
@@ -151,7 +203,7 @@ COUNTS = ("evaluations", "jacobians", "factorisations", "solves", "steps")
 
 
 def entered(system: System, methods: Sequence[str] = tuple(METHODS)) -> tuple[str, ...]:
-    """The methods that are made for such a system."""
+    """Return those of the `methods` that are made for the `system`."""
     return tuple(slug for slug in methods if METHODS[slug].friction or not system.c)
 
 

@@ -30,12 +30,12 @@ MEMORY = 2**30  # bytes of address space; a measurement touches a tenth of that
 
 
 def encoded_system(system: System) -> dict[str, Any]:
-    """A system as JSON."""
+    """Return a `system` as JSON."""
     return asdict(system)
 
 
 def decoded_system(data: dict[str, Any]) -> System:
-    """The system that `encoded_system` made this of."""
+    """Return the system of which `encoded_system` made `data`."""
     pairs = {name: tuple(data[name]) for name in ("x_0", "v_0")}
     return System(**{**data, **pairs, "chain": TwoMassChain(**data["chain"])})
 
@@ -46,7 +46,7 @@ def tell(**message: Any) -> None:
 
 
 def restrain(niceness: int = NICENESS) -> None:
-    """Lower the priority and limit the memory of this process, if the operating system can."""
+    """Raise the `niceness` and limit the memory of this process, if the operating system can."""
     if hasattr(os, "nice"):
         os.nice(niceness)
     if resource is not None:

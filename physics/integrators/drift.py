@@ -26,9 +26,16 @@ EXPLODED = 100.0
 
 @dataclass(frozen=True)
 class Drift:
-    """The displacement of mass 1, x (n,) in m, after each step at the times t (n,).
+    """The displacement of mass 1 after each step.
 
-    `error` is its largest distance from the exact motion over the largest exact displacement, inf if it explodes.
+    Attributes
+    ----------
+    t : ndarray (n,)
+        Times in s.
+    x : ndarray (n,)
+        Displacements in m.
+    error : float
+        The largest distance from the exact motion over the largest exact displacement; inf if the motion explodes.
     """
 
     t: Array
@@ -38,14 +45,29 @@ class Drift:
 
 @lru_cache(maxsize=64)
 def exact(system: System) -> Drift:
-    """Return the exact motion, by the closed form."""
+    """Return the exact motion of a `system`, by the closed form."""
     problem = system.problem(PERIODS, PERIODS * SMOOTH)
     return Drift(problem.t, _exact(problem))
 
 
 @lru_cache(maxsize=256)
 def drifts(system: System, steps: int, methods: Sequence[str]) -> dict[str, Drift]:
-    """Return the motion of each method that can compute the system, in so many steps a period."""
+    """Return the motion of each method that can compute a system.
+
+    Parameters
+    ----------
+    system : System
+        The motion.
+    steps : int
+        The number of steps in a period.
+    methods : sequence of str
+        The slugs of the methods.
+
+    Returns
+    -------
+    dict of Drift
+        The motions by slug.
+    """
     problem, size = system.problem(PERIODS, PERIODS * steps), float(np.max(np.abs(exact(system).x)))
     true, found = _exact(problem), {}
     for method in entered(system, methods):

@@ -46,19 +46,58 @@ CHUNK = 1024  # steps between two checks of the time limit
 
 
 def interpreted(function: Any) -> Any:
-    """The function as Python runs it."""
+    """Return the `function` as Python runs it."""
     return function
 
 
 @cache
 def advance_of(method: str, side: Acceleration, compiler: Compiler = interpreted) -> Advance:
-    """The stepping function of a method on a right-hand side."""
+    """Return the stepping function of a method.
+
+    Parameters
+    ----------
+    method : str
+        A key of STEPPING.
+    side : Acceleration
+        The right-hand side.
+    compiler : Compiler
+        The compiler of both.
+
+    Returns
+    -------
+    Advance
+        The function, which is cached.
+    """
     advance: Advance = compiler(STEPPING[method].advance(compiler(side)))
     return advance
 
 
 def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
-    """A whole number of equal steps of a method of STEPPING from one output time to the next."""
+    """Compute the motion with equal steps of a method.
+
+    Parameters
+    ----------
+    method : str
+        A key of STEPPING.
+    problem : Problem
+        The motion.
+    steps : float
+        The number of steps from one output time to the next, a whole number.
+    watch : Watch
+        The counts and limits of the run.
+
+    Returns
+    -------
+    Trajectory
+        The motion at the output times.
+
+    Raises
+    ------
+    ValueError
+        If the number of steps is not possible.
+    StoppedError
+        If the steps are below the spacing of doubles, or displacements leave the bound.
+    """
     given, state = begun(method, problem, steps)
     h, side = given[2], right_hand_side(problem)
     advance, states = partial(advance_of(method, side), *given), np.empty((problem.t.size, 4))
@@ -75,9 +114,28 @@ def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Traj
 
 
 def begun(method: str, problem: Problem, steps: float) -> tuple[tuple[Constants, Any, float], StepState]:
-    """Return the arguments of a stepping function, the step h last, and the state at the start.
+    """Return the arguments of a stepping function, and its initial state.
 
-    ValueError or StepTooSmallError where there is no such step.
+    Parameters
+    ----------
+    method : str
+        A key of STEPPING.
+    problem : Problem
+        The motion.
+    steps : float
+        The number of steps from one output time to the next, a whole number.
+
+    Returns
+    -------
+    tuple
+        The arguments (p, numbers, h), and the StepState at t = 0.
+
+    Raises
+    ------
+    ValueError
+        If the number of steps is not possible.
+    StepTooSmallError
+        If a step is below the spacing of doubles.
     """
     if not (steps >= 1 and steps == int(steps)):
         raise ValueError(
@@ -94,7 +152,22 @@ def begun(method: str, problem: Problem, steps: float) -> tuple[tuple[Constants,
 
 
 def exploded(problem: Problem, h: float, n: int) -> StoppedError:
-    """The end of a run whose displacements have left all bounds at output n."""
+    """Return the end of a run whose displacements have left all bounds.
+
+    Parameters
+    ----------
+    problem : Problem
+        The motion.
+    h : float
+        The step in s.
+    n : int
+        The output at which they have left.
+
+    Returns
+    -------
+    StoppedError
+        The reason, and the time reached.
+    """
     fastest = "f" if problem.c else "omega_+"
     return StoppedError(f"unstable step: h {fastest} = {h * problem.rates[1]:.3g}", float(problem.t[n]))
 
@@ -111,32 +184,32 @@ def _advanced(advance: Callable[..., StepState], state: StepState, left: int, h:
 
 
 def constants(problem: Problem) -> Constants:
-    """The numbers that the right-hand side is given."""
+    """Return the numbers of the `problem` that its right-hand side takes."""
     chain = problem.chain
     return chain.m1, chain.m2, chain.k1, chain.k2, problem.F_0, problem.omega, problem.c
 
 
 def right_hand_side(problem: Problem) -> Acceleration:
-    """The accelerations of the problem, with no more in them than the problem has."""
+    """Return the accelerations of the `problem`, with no more in them than the problem has."""
     return damped if problem.c else driven if problem.F_0 else free
 
 
 def free(p: Constants, t: float, x1: float, x2: float, v1: float) -> tuple[float, float]:
-    """Springs alone."""
+    """Springs alone. Parameters and result as in `Acceleration`."""
     m1, m2, k1, k2, _, _, _ = p
     pull = k2 * (x2 - x1)
     return (pull - k1 * x1) / m1, -pull / m2
 
 
 def driven(p: Constants, t: float, x1: float, x2: float, v1: float) -> tuple[float, float]:
-    """Springs and the drive."""
+    """Springs and the drive. Parameters and result as in `Acceleration`."""
     m1, m2, k1, k2, F_0, omega, _ = p
     pull = k2 * (x2 - x1)
     return (pull - k1 * x1 + F_0 * sin(omega * t)) / m1, -pull / m2
 
 
 def damped(p: Constants, t: float, x1: float, x2: float, v1: float) -> tuple[float, float]:
-    """Springs, the drive and the dashpot."""
+    """Springs, the drive and the dashpot. Parameters and result as in `Acceleration`."""
     m1, m2, k1, k2, F_0, omega, c = p
     pull = k2 * (x2 - x1)
     return (pull - k1 * x1 - c * v1 + F_0 * sin(omega * t)) / m1, -pull / m2
@@ -151,6 +224,15 @@ class Tableau:
     v + h sum_j V_ij f_j; the last rows of X and V lead to the end of the step.
 
     Where all rows of V but the last are empty it is a method of Nystroem, for f that does not depend on x'.
+
+    Attributes
+    ----------
+    order : int
+        The order of the method.
+    nodes : tuple of Fraction
+        c_i.
+    X, V : tuple of tuples of Fraction
+        The rows X_ij and V_ij.
     """
 
     order: int
@@ -164,7 +246,7 @@ def _rows(*rows: str) -> tuple[Fractions, ...]:
 
 
 def runge_kutta(order: int, *rows: str) -> Tableau:
-    """A Runge-Kutta method by its rows a_ij and, last, its weights: in x they act twice."""
+    """Return the Runge-Kutta method of an `order` by its rows a_ij and, last, its weights: in x they act twice."""
     V = _rows(*rows)
     X = tuple(
         tuple(sum((a * V[i][j] for i, a in enumerate(row) if i > j), Fraction(0)) for j in range(len(row))) for row in V
@@ -173,7 +255,22 @@ def runge_kutta(order: int, *rows: str) -> Tableau:
 
 
 def nystroem(order: int, nodes: str, weights: str, *rows: str) -> Tableau:
-    """A method of Nystroem by its nodes, its weights for v, and its rows for x of which the last are the weights."""
+    """Return a method of Nystroem.
+
+    Parameters
+    ----------
+    order : int
+        The order of the method.
+    nodes, weights : str
+        Its nodes c_i, and its weights for v, as fractions.
+    *rows : str
+        Its rows for x; the last one has the weights.
+
+    Returns
+    -------
+    Tableau
+        The method.
+    """
     (c,), (b,) = _rows(nodes), _rows(weights)
     return Tableau(order, c, _rows(*rows), (*((),) * len(c), b))
 

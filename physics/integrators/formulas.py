@@ -1,6 +1,8 @@
 """Ways to compute the motion of the driven chain at any time, without steps or with exact ones.
 
-The trailing arguments of each are the setting, which they have no use for, and the watch over the run.
+Each is a `Runner`, which has no use for its setting.
+
+Sources: lecture D34, slides 3 to 8; with a dashpot, beyond lecture D31.
 """
 
 import numpy as np
@@ -12,7 +14,7 @@ from physics.precision.exact import Array
 
 
 def closed_form(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """The closed form of this project."""
+    """The closed form of this project. Parameters and result as in `Runner`."""
     watch.evaluations = problem.t.size
     if problem.c:
         return _with_dashpot(problem)
@@ -35,7 +37,10 @@ def _with_dashpot(problem: Problem) -> Trajectory:
 
 
 def slide_formulas(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64; with a dashpot D31's."""
+    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64; with a dashpot D31's.
+
+    Parameters and result as in `Runner`.
+    """
     chain = problem.chain
     if problem.c:
         return _damped_exponentials(problem, watch)
@@ -66,7 +71,7 @@ def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
     """Frequencies and shapes from scipy.linalg.eigh(K, M); of each mode the free motion and the response from rest.
 
     The response is [cos(d t) sin(s t)/s - cos(s t) sin(d t)/d]/(2 omega_n) with the half sum s and the half difference
-    d of omega and omega_n, which nothing divides by zero.
+    d of omega and omega_n, which nothing divides by zero. Parameters and result as in `Runner`.
     """
     omega, shapes, forces = _eigenmodes(problem)
     free = _superposed(problem, omega, shapes, np.zeros(2), watch)
@@ -82,7 +87,10 @@ def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
 
 
 def naive_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """Modes by eigh with the usual particular solution, mode by mode f/(omega_n^2 - omega^2)."""
+    """Modes by eigh with the usual particular solution, mode by mode f/(omega_n^2 - omega^2).
+
+    Parameters and result as in `Runner`.
+    """
     omega, shapes, forces = _eigenmodes(problem)
     return _superposed(problem, omega, shapes, shapes @ (forces / (omega**2 - problem.omega**2)), watch)
 
@@ -97,7 +105,10 @@ def _eigenmodes(problem: Problem) -> tuple[Array, Array, Array]:
 
 
 def matrix_exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """exp(A dt) from one output time to the next, with the drive as an additional oscillator."""
+    """exp(A dt) from one output time to the next, with the drive as an additional oscillator.
+
+    Parameters and result as in `Runner`.
+    """
     from scipy.linalg import expm
 
     stiffness, mass = matrices(problem)
@@ -119,7 +130,7 @@ def matrix_exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
 
 
 def matrices(problem: Problem) -> tuple[Array, Array]:
-    """K (2, 2) and the diagonal of M."""
+    """Return K (2, 2) in N/m and the diagonal of M (2,) in kg of a `problem`."""
     chain = problem.chain
     stiffness = np.array([[chain.k1 + chain.k2, -chain.k2], [-chain.k2, chain.k2]])
     return stiffness, np.array([chain.m1, chain.m2])

@@ -18,10 +18,22 @@ Offer = tuple[float, float, list[Run]]
 
 @dataclass(frozen=True, kw_only=True)
 class Price:
-    """The run time (s) and the evaluations that an error costs with one method; None if it was not reached.
+    """The cost of an error with one method.
 
-    Then `best` is how near the method came, and `end` why it was not refined further ("" where it was cut short).
-    `repeats` is whether the run times that the price was read off repeat within 20 %, None where measured once.
+    Attributes
+    ----------
+    method : str
+        The slug of the method.
+    time, evaluations : float or None
+        The run time in s and the evaluations; None if the error was not reached.
+    best : float
+        The smallest error of the method.
+    end : str
+        Why the method was not refined further; "" where it was cut short.
+    repeats : bool or None
+        True if the run times repeat within 20 %; None where they were measured once.
+    compiled : bool
+        True if the method was compiled.
     """
 
     method: str
@@ -43,12 +55,12 @@ IN_DOUBLES = ("eigh", "slides")
 
 
 def in_doubles(of: Mapping[str, Price]) -> Price | None:
-    """The price of the closed form in doubles, of the prices by method."""
+    """Return the price of the closed form in doubles, `of` the prices by method; None if it is not among them."""
     return next((of[slug] for slug in IN_DOUBLES if slug in of), None)
 
 
 def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:
-    """The runs of each method, in their order."""
+    """Return the `runs` by method, in their order."""
     found: dict[str, list[Run]] = {}
     for run in runs:
         found.setdefault(run.method, []).append(run)
@@ -56,20 +68,21 @@ def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:
 
 
 def prices(methods: Iterable[Sequence[Run]], wanted: float) -> list[Price]:
-    """The price of the error `wanted` with each method that has a result, from the runs of each, cheapest first."""
+    """Return the prices of the error `wanted`, cheapest first, by the runs of each of `methods` that has a result."""
     found = [price(many, wanted) for many in methods if any(run.error is not None for run in many)]
     return sorted(found, key=dearness)
 
 
 def dearness(price: Price) -> tuple[bool, float, float]:
-    """The key that sorts prices; methods that do not reach the error are last."""
+    """Return the key that sorts by `price`; methods that do not reach the error are last."""
     return price.time is None, price.time or 0.0, price.best
 
 
 def price(runs: Sequence[Run], wanted: float) -> Price:
-    """The price of one method, its runs given coarse to fine, one of them at least with a result.
+    """Return the price of the error `wanted` with one method, by its `runs` from coarse to fine.
 
     It is the least run time at which the straight lines from run to run, both axes logarithmic, are good enough.
+    At least one run must have a result.
     """
     good = [run for run in runs if run.error is not None]
     errors = [max(run.error or 0.0, LEAST) for run in good]
@@ -106,10 +119,10 @@ def _between(start: float, end: float, share: float) -> float:
 
 
 def at_error(runs: Sequence[Run], wanted: float) -> Run | None:
-    """The first run of a method that is good enough."""
+    """Return the first of the `runs` of a method whose error is at most `wanted`; None if there is none."""
     return next((run for run in runs if run.error is not None and run.error <= wanted), None)
 
 
 def at_cost(runs: Sequence[Run], seconds: float) -> Run | None:
-    """The finest run of a method within the given time."""
+    """Return the finest of the `runs` of a method that takes at most so many `seconds`; None if there is none."""
     return next((run for run in reversed(runs) if run.time is not None and run.time <= seconds), None)

@@ -4,6 +4,8 @@
 
 The dashpot c is parallel to spring 1 and is used only for an overdamped oscillator: k2 = 0, mass 2 is
 at rest, and both rates of decay of mass 1 are real.
+
+Source: lecture D34, slides 2 and 6; the dashpot is beyond lecture D31.
 """
 
 from collections.abc import Callable
@@ -19,7 +21,28 @@ MotionState = tuple[float, float, float, float]  # x1, x2, v1, v2
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """A chain, its drive, its start, and the times t (n,) it is asked for: equally spaced, from 0 on."""
+    """A chain, its drive, its initial conditions, and the times at which the motion is wanted.
+
+    Parameters
+    ----------
+    chain : TwoMassChain
+        The masses and springs.
+    x_0, v_0 : tuple of two floats
+        Displacements in m and velocities in m/s at t = 0.
+    t : ndarray (n,)
+        Output times in s, equally spaced from 0 on.
+    F_0, omega : float
+        The force F_0 sin(omega t) on mass 1, in N and rad/s.
+    c : float
+        The damping parallel to spring 1 in N s/m.
+    size : float
+        The largest displacement to be expected in m.
+
+    Raises
+    ------
+    ValueError
+        If there is a dashpot and mass 2 is not at rest without a spring.
+    """
 
     chain: TwoMassChain
     x_0: tuple[float, float]
@@ -27,8 +50,8 @@ class Problem:
     t: Array
     F_0: float = 0.0
     omega: float = 0.0
-    c: float = 0.0  # N s/m
-    size: float = 1.0  # the largest displacement to be expected, in m
+    c: float = 0.0
+    size: float = 1.0
 
     def __post_init__(self) -> None:
         if self.c and (self.chain.k2 or self.x_0[1] or self.v_0[1]):
@@ -53,7 +76,10 @@ class Problem:
 
     @property
     def rates(self) -> tuple[float, float]:
-        """The slow and the fast one: natural frequencies in rad/s (0 for a drift), or rates of decay in 1/s."""
+        """The slow and the fast one: natural frequencies in rad/s (0 for a drift), or rates of decay in 1/s.
+
+        ValueError if a dashpot lets the mass swing.
+        """
         if not self.c:
             slow, fast = self.chain.modes().omega.tolist()
             return slow, fast
@@ -64,9 +90,16 @@ class Problem:
 
 
 class StoppedError(Exception):
-    """A run that was given up; the message is the reason, reached the time it got to in s.
+    """A run that was given up.
 
     `end` is why nothing finer is tried after it, "" where something finer may succeed.
+
+    Parameters
+    ----------
+    reason : str
+        The message.
+    reached : float
+        The time in s that the run reached.
     """
 
     end = ""
@@ -96,11 +129,21 @@ class StepTooSmallError(StoppedError):
 
 @dataclass
 class Watch:
-    """A watch over one run: it counts what the run costs; check(t), called now and then, may raise StoppedError.
+    """A watch over one run: it counts what the run costs, and may stop it.
 
-    `jacobians` counts evaluated Jacobians, `factorisations` LU of the method's matrices, `solves` the linear systems
-    solved with them, which LSODA does not report. `stiff_steps` counts LSODA's steps with formulas for stiff equations.
-    Fixed steps whose displacements pass `bound` (m) are given up as unstable.
+    Attributes
+    ----------
+    check : callable
+        Called now and then with the time in s that the run has reached; it may raise StoppedError.
+    bound : float
+        Fixed steps whose displacements pass it (m) are given up as unstable.
+    evaluations, steps : int
+        Evaluations of the right-hand side, and steps.
+    stiff_steps : int
+        LSODA's steps with formulas for stiff equations.
+    jacobians, factorisations, solves : int
+        Jacobians, LU factorisations of the method's matrices, and linear systems solved with them. LSODA does not
+        report the last.
     """
 
     check: Callable[[float], None] = lambda t: None
@@ -115,7 +158,15 @@ class Watch:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """A computed motion: x and v, each (2, n), and x2 - x1 (n,), which is often better than their difference."""
+    """A computed motion.
+
+    Attributes
+    ----------
+    x, v : ndarray (2, n)
+        Displacements in m and velocities in m/s.
+    stretch : ndarray (n,)
+        x2 - x1 in m, which is often better than the difference of x.
+    """
 
     x: Array
     v: Array
@@ -123,6 +174,11 @@ class Trajectory:
 
 
 def trajectory(states: Array) -> Trajectory:
-    """The trajectory of a method that knows states (n, 4) only: x1, x2, v1, v2."""
+    """Return the trajectory of a method that knows `states` (n, 4) only: x1, x2, v1, v2."""
     x, v = states[:, :2].T, states[:, 2:4].T
     return Trajectory(x=x, v=v, stretch=x[1] - x[0])
+
+
+Runner = Callable[[Problem, float, Watch], Trajectory]
+"""A function that computes a motion: of the problem, the setting of the method (rtol, or steps from one output time to
+the next, or 0) and the watch over the run, it returns the motion at the output times, or raises StoppedError."""

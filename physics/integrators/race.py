@@ -43,10 +43,25 @@ def measure(
     limits: Limits | None = None,
     cancelled: Cancelled = lambda method: False,
 ) -> Iterator[Run]:
-    """Runs as they come, and again with each round that times them. cancelled(method) is asked before and within each
-    run: True gives that method up.
+    """Yield runs as they are completed, and again with each round that times them.
 
-    ValueError where there is nothing to compare with: a chain at rest, an energy no double holds.
+    ValueError if there is nothing to compare with: a chain at rest, an energy that no double holds.
+
+    Parameters
+    ----------
+    systems : sequence of System
+        The motions.
+    methods : sequence of Method
+        The methods.
+    limits : Limits or None
+        The limits of time.
+    cancelled : callable
+        Called with the slug of a method before and within each run: True gives that method up.
+
+    Returns
+    -------
+    iterator of Run
+        The runs.
     """
     limits = limits or Limits()
     pace = median(yardstick() for _ in range(5))
@@ -64,7 +79,7 @@ def measure(
 
 
 def yardstick() -> float:
-    """Seconds that a fixed piece of work takes, half of it plain Python, half NumPy on small arrays."""
+    """Return the seconds that a fixed piece of work takes, half of it plain Python, half NumPy on small arrays."""
     start, x, matrix, vector = clock(), 0.1, np.full((4, 4), 0.2), np.ones(4)
     for _ in range(10_000):
         x = 3.7 * x * (1 - x)
@@ -75,17 +90,34 @@ def yardstick() -> float:
 
 @dataclass(frozen=True)
 class Bench:
-    """The setting that all runs on one system share."""
+    """The setting that all runs on one system share.
+
+    Attributes
+    ----------
+    system, problem : System, Problem
+        The motion, and its times.
+    truth : Reference
+        The true motion.
+    limits : Limits
+        The limits of time.
+    cancelled : callable
+        True for the slug of a method that is given up.
+    pace : float
+        The time in s that the yardstick took at first.
+    """
 
     system: System
     problem: Problem
     truth: Reference
     limits: Limits
     cancelled: Cancelled
-    pace: float  # what the yardstick took at first, in s
+    pace: float
 
     def visit(self, method: Method, setting: float) -> Run:
-        """A timed and judged run, or the row that says why there is none; a quick one is repeated for a while."""
+        """Return a timed and judged run of a `method` at a `setting`, or the row that says why there is none.
+
+        A quick run is repeated for a while.
+        """
         times, runs, pace = list[float](), list[Run](), yardstick()
         while not times or sum(times) < self.limits.visit:
             watch = Watch(bound=EXPLODED * self.truth.size)
@@ -105,7 +137,22 @@ class Bench:
         return runs[0] if runs[0].failure else replace(runs[0], time=time, time_low=time, time_high=time, rounds=1)
 
     def late(self, method: Method, setting: float, share: float) -> Run:
-        """The row of a run that gets no further than this share of the motion in time."""
+        """Return the row of a run that is too slow.
+
+        Parameters
+        ----------
+        method : Method
+            The method.
+        setting : float
+            Its setting.
+        share : float
+            The share of the motion that it would reach in time.
+
+        Returns
+        -------
+        Run
+            A run with the reason.
+        """
         return self._row(method, setting, Watch(), f"time limit {self.limits.seconds:g} s", OverTimeError.end, share)
 
     def _row(
@@ -160,14 +207,38 @@ class Bench:
 
 
 def counts(watch: Watch) -> dict[str, Any]:
-    """Return what a run has cost, by the names of Run."""
+    """Return what a run has cost by its `watch`, by the names of Run."""
     return {name: getattr(watch, name) for name in COUNTS}
 
 
 def bench_of(
     system: System, limits: Limits, cancelled: Cancelled, pace: float, problem: Problem | None = None
 ) -> Bench:
-    """A bench on the system's own problem, or on one of another length; ValueError where there is no comparison."""
+    """Return the bench of a system.
+
+    Parameters
+    ----------
+    system : System
+        The motion.
+    limits : Limits
+        The limits of time.
+    cancelled : callable
+        True for the slug of a method that is given up.
+    pace : float
+        The time in s that the yardstick took at first.
+    problem : Problem or None
+        A problem of another length than the system's own.
+
+    Returns
+    -------
+    Bench
+        The bench, with the true motion.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to compare with: a chain at rest, an energy that no double holds.
+    """
     import scipy.integrate  # here, so that no run pays for it
     import scipy.linalg  # noqa: F401
 
@@ -193,7 +264,7 @@ class Ladder:
         self._times: list[list[float]] = []
 
     def climb(self) -> Run | None:
-        """The run at the next setting."""
+        """Return the run at the next setting; None if the method is given up."""
         if self.bench.cancelled(self.method.slug):
             self.end = "cancelled"
             return None
@@ -216,7 +287,7 @@ class Ladder:
         return self.bench.late(self.method, setting, share)
 
     def again(self, rung: int) -> Run | None:
-        """The run at a rung with its time measured once more."""
+        """Return the run at a `rung` with its time measured once more; None if it is not measured again."""
         if rung >= len(self.runs) or not self._times[rung] or self.bench.cancelled(self.method.slug):
             return None
         if len(self._times[rung]) >= self.bench.limits.least and sum(self._times[rung]) > self.bench.limits.budget:

@@ -34,11 +34,18 @@ from physics.integrators.formulas import (
     slide_formulas,
 )
 from physics.integrators.implicit_steps import RHO
-from physics.integrators.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
+from physics.integrators.problem import (
+    Problem,
+    Runner,
+    StepTooSmallError,
+    StoppedError,
+    Trajectory,
+    Watch,
+    trajectory,
+)
 from physics.precision.exact import Array
 
 Family = Literal["closed", "exact", "fixed", "adaptive"]
-Runner = Callable[[Problem, float, Watch], Trajectory]
 
 IN_PYTHON = ("rk23", "rk45", "dop853", "radau", "bdf")
 """Solvers that choose their steps and are Python themselves: at best their right-hand side is compiled."""
@@ -55,10 +62,26 @@ MUSED, BDF = 18, 2
 
 @dataclass(frozen=True)
 class Method:
-    """One method; its setting is rtol, or steps an output for fixed steps, or 0 where there is none.
+    """One method.
 
-    Without `friction` it is for chains without a dashpot; `solved` says that its linear equations are solved in
-    advance; `compiled` that its stepping function is, as in the benchmark.
+    Attributes
+    ----------
+    slug, name : str
+        Its name in addresses, and for readers.
+    family : {"closed", "exact", "fixed", "adaptive"}
+        The kind of its steps.
+    run : Runner
+        The function that computes a motion. Its setting is rtol, or steps per output for fixed steps, or 0.
+    order : int
+        The order of fixed steps.
+    friction : bool
+        False if it is for chains without a dashpot.
+    solved : bool
+        True if its linear equations are solved in advance.
+    compiled : bool
+        True if its stepping function is compiled, as in the benchmark.
+    tolerances : tuple of float
+        The settings of an adaptive method.
     """
 
     slug: str
@@ -77,7 +100,7 @@ class Method:
         return self.name.partition(" (")[0]
 
     def settings(self) -> tuple[float, ...]:
-        """Coarse to fine: the tolerances, one in each decade, or as many steps as shrink the error by 10 each time."""
+        """Return the settings, coarse to fine: tolerances, or as many steps as shrink the error by 10 each time."""
         if self.family == "adaptive":
             return self.tolerances
         if self.family != "fixed":
@@ -97,9 +120,13 @@ Linear = Callable[[Problem], tuple[Array, RightHandSide]]
 
 
 def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch, linear: Linear | None = None) -> Trajectory:
-    """SciPy's solver of that name; atol is ATOL rtol of the displacements and velocities to be expected.
+    """Compute the motion with a solver of scipy.integrate.solve_ivp, by the name of its class.
 
-    Its steps are not kept: each is interpolated at the output times that it passes, and forgotten.
+    Its steps are not kept: each is interpolated at the output times that it passes, and forgotten. atol is ATOL rtol
+    of the displacements and velocities to be expected. `linear` gives another right-hand side than the one in Python.
+
+    Parameters and result as in `Runner`, whose setting is rtol. StepTooSmallError or StoppedError if the solver gives
+    up.
     """
     from scipy import integrate
 
@@ -150,9 +177,12 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
 def ode(
     name: str, problem: Problem, rtol: float, watch: Watch, linear: Linear | None = None, **options: Any
 ) -> Trajectory:
-    """A solver of scipy.integrate.ode, asked for one output time after the other; tolerances as in solve_ivp.
+    """Compute the motion with a solver of scipy.integrate.ode, by its name, for one output time after the other.
 
-    Its DOP853 takes a single atol, the least of them.
+    Tolerances and `linear` are those of `solve_ivp`; DOP853 takes a single atol, the least of them. The options are the
+    solver's own.
+
+    Parameters and result as in `Runner`, whose setting is rtol. StepTooSmallError if the solver gets no further.
     """
     from scipy import integrate
 
@@ -197,7 +227,7 @@ def _tolerances(problem: Problem, rtol: float) -> Array:
 
 
 def jacobian(problem: Problem) -> Array:
-    """The matrix A (4, 4) of y' = A y."""
+    """Return the matrix A (4, 4) of y' = A y of a `problem`, with y = (x1, x2, v1, v2)."""
     stiffness, mass = matrices(problem)
     A = np.zeros((4, 4))
     A[:2, 2:] = np.eye(2)

@@ -1,4 +1,8 @@
-"""The stability of methods with fixed steps, found by stepping x'' + omega^2 x = 0 in steps of h."""
+"""The stability of methods with fixed steps, found by stepping x'' + omega^2 x = 0 in steps of h.
+
+Sources: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.3 (stability functions);
+E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. (2006), VI.2 (symplectic maps).
+"""
 
 from dataclasses import replace
 from functools import cache
@@ -21,10 +25,23 @@ COUPLED = TwoMassChain(m1=1.0, m2=2.0, k1=1.0, k2=2.0)
 
 
 def amplification(method: str, h_omega: ArrayLike, slow: float | None = None) -> Array:
-    """Growth of a free oscillation a step, against h omega (n,): up to 1 is stable, above 1 it explodes.
+    """Return the growth of a free oscillation in a step: up to 1 is stable, above 1 it explodes.
 
-    The spectral radius of one step's matrix in (x, v/omega), and in the acceleration where a method remembers it. With
-    `slow` it is for two decays, against h times the fast rate, of which the slow one is so large a part.
+    It is the spectral radius of one step's matrix in (x, v/omega), and in the acceleration where a method remembers it.
+
+    Parameters
+    ----------
+    method : str
+        A key of STEPPING.
+    h_omega : array_like (n,)
+        The step times the frequency, in rad.
+    slow : float or None
+        For two decays instead: the slow rate over the fast one. Then h_omega is the step times the fast rate.
+
+    Returns
+    -------
+    ndarray (n,)
+        The growth.
     """
     z = np.atleast_1d(np.asarray(h_omega, dtype=float))
     growth: Array = np.array([_radius(_of_mass_1(method, h, slow)) for h in z.tolist()])
@@ -54,7 +71,22 @@ def _radius(step: Array) -> float:
 
 
 def step_matrix(method: str, problem: Problem, size: int = 4) -> Array:
-    """The matrix of one step without a drive, in (x1, x2, v1, v2); with size 6 also in the accelerations."""
+    """Return the matrix of one step without a drive.
+
+    Parameters
+    ----------
+    method : str
+        A key of STEPPING.
+    problem : Problem
+        The chain; its spacing is the step.
+    size : {4, 6}
+        4 for the state (x1, x2, v1, v2), 6 with the accelerations.
+
+    Returns
+    -------
+    ndarray (size, size)
+        The matrix, in SI units.
+    """
     side, columns = right_hand_side(problem), []
     (given, _), advance = begun(method, problem, 1), advance_of(method, side)
     for x1, x2, v1, v2, *a in np.eye(size).tolist():
@@ -69,7 +101,7 @@ def _size(method: str) -> int:
 
 @cache
 def stability_limit(method: str, slow: float | None = None) -> float:
-    """The first h omega_+ at which the method explodes: 0 for one that always does, inf for one that never does.
+    """Return the first h omega_+ at which the `method` explodes: 0 if it always does, inf if it never does.
 
     If `slow` is given (see `amplification`), return the first product of h and the fast rate instead.
     """
@@ -88,22 +120,29 @@ def stability_limit(method: str, slow: float | None = None) -> float:
 
 
 def stable_count(method: str, problem: Problem) -> int:
-    """Steps an output, a hundredth more than stability asks for; 1 where every number of steps or none is stable."""
+    """Return how many steps per output the `method` needs for the `problem`, with a hundredth to spare.
+
+    It is 1 where every number of steps or none is stable.
+    """
     slow, fast = problem.rates
     limit = stability_limit(method, slow / fast if problem.c else None)
     return max(1, ceil(1.01 * problem.spacing * fast / limit)) if limit else 1
 
 
 def stable_steps(method: str, chain: TwoMassChain) -> float:
-    """Steps a slow period that the method needs to be stable; like sqrt(k2/k1) where it has a limit."""
+    """Return how many steps in a slow period the `method` needs to be stable on the `chain`.
+
+    They grow like sqrt(k2/k1) where the method has a limit.
+    """
     slow, fast = chain.modes().omega
     return float(2 * pi * (fast / slow) / stability_limit(method))
 
 
 def decay_factor(method: str, z: float) -> float:
-    """R(-z): the share of v that a step of h = z leaves of v' = -v, or the spectral radius where a method remembers.
+    """Return R(-z), the share of v that a step of the `method` with h = z leaves of v' = -v.
 
-    As z grows a method that is stable at every step leaves at most 1, one that is L-stable nothing.
+    Where a method remembers accelerations it is a spectral radius. As z grows a method that is stable at every step
+    leaves at most 1, one that is L-stable nothing.
     """
     chain = replace(ONE, k1=0.0)
     step = step_matrix(
@@ -114,9 +153,10 @@ def decay_factor(method: str, z: float) -> float:
 
 
 def form_change(method: str, h_omega: float) -> float:
-    """The largest change in a step of the areas that dp and dx of both masses span: 0 for a symplectic method.
+    """Return by how much a step of the `method` with h omega_+ = h_omega changes areas: 0 for a symplectic method.
 
-    S^T J S - J, with J of the momenta m v, on a chain with both springs.
+    It is the largest entry of S^T J S - J, with J of the momenta m v and the displacements, on a chain with both
+    springs.
     """
     h = h_omega / COUPLED.modes().omega[1]
     S = step_matrix(method, Problem(chain=COUPLED, x_0=(0.0, 0.0), v_0=(0.0, 0.0), t=np.array([0.0, h])))

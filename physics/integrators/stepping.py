@@ -23,12 +23,26 @@ Compiler = Callable[[Any], Any]
 
 @dataclass(frozen=True)
 class Stepping:
-    """A method: its order, how often it evaluates the right-hand side in a step, and its stepping function.
+    """A method with fixed steps.
 
-    `advance` writes it around a right-hand side; `numbers` are its coefficients for a problem and a step. A method that
-    lacks `friction` is for forces that depend on the position only; `solved` are linear equations solved in advance.
-    With `memory` the next step depends on the accelerations too. A method that `splits` solves the coupling spring
-    exactly: the right-hand side it evaluates has k2 = 0.
+    Attributes
+    ----------
+    order : int
+        The order of the method.
+    evaluations : int
+        The evaluations of the right-hand side in a step.
+    advance : callable
+        Returns the stepping function around a right-hand side.
+    numbers : callable
+        Returns the coefficients of a problem and a step in s.
+    friction : bool
+        False if it is for forces that depend on the position only.
+    solved : bool
+        True if linear equations are solved in advance.
+    memory : bool
+        True if the next step depends on the accelerations too.
+    splits : bool
+        True if it solves the coupling spring exactly: the right-hand side that it evaluates has k2 = 0.
     """
 
     order: int

@@ -1,13 +1,14 @@
 """Stiff and highly oscillatory motions, distinguished by the limit of the step.
 
-- A motion is stiff if stability, not accuracy, limits the step of an explicit method (Hairer and Wanner, Solving
-  Ordinary Differential Equations II, IV.1).
+- A motion is stiff if stability, not accuracy, limits the step of an explicit method.
 - It is highly oscillatory if accuracy limits the step because a fast oscillation, which nothing damps, carries part
   of the motion: only a method that solves it exactly can step over it.
 
 The measure is |lambda| h, with the fast rate |lambda| and the step h in s: the step of RK4 at the limit of
 stability, and at the limit of accuracy the step at which Gauss 4, of the same order but stable at every step,
 has the accepted error.
+
+Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.1.
 """
 
 from collections.abc import Iterable
@@ -26,7 +27,15 @@ MotionKind = Literal["stiff", "highly oscillatory", "neither"]
 
 @dataclass(frozen=True)
 class Stiffness:
-    """|lambda| h at the limits of accuracy and of stability, and the fast rate over the slow one."""
+    """The limits of the step of a motion.
+
+    Attributes
+    ----------
+    accurate, stable : float
+        |lambda| h at the limits of accuracy and of stability.
+    spread : float
+        The fast rate over the slow one.
+    """
 
     accurate: float
     stable: float
@@ -41,7 +50,22 @@ class Stiffness:
 
 
 def stiffness(system: System, runs: Iterable[Run], wanted: float = WANTED) -> Stiffness | None:
-    """Return the measure of a system, by its runs of Gauss 4; None if none of them has the wanted error."""
+    """Return the measure of a system.
+
+    Parameters
+    ----------
+    system : System
+        The motion.
+    runs : iterable of Run
+        Its runs, of which those of Gauss 4 count.
+    wanted : float
+        The accepted error.
+
+    Returns
+    -------
+    Stiffness or None
+        None if no run of Gauss 4 has the wanted error.
+    """
     problem = system.problem()
     slow, fast = problem.rates
     steps = _steps([run for run in runs if run.method == "gauss4" and run.error], wanted)
