@@ -64,6 +64,7 @@ lint: $(VENV)/test.stamp
 	$(BIN)/lint-imports
 	$(BIN)/python -m tools.house_rules
 	$(BIN)/python -m tools.plain_english
+	$(BIN)/python -m tools.docstrings
 	$(BIN)/oxfmt --check '**/*.{js,css}'
 	$(BIN)/oxlint static
 	$(BIN)/python -m tools.script_types
