@@ -63,9 +63,39 @@ class FramePlayer(pn.widgets.Player):
 class PanelFace(Viewer):
     """Panel widgets for the parameters of a scene, and Bokeh figures of its stages and plots.
 
-    `widgets` has the fields and choices and `sliders` the sliders by parameter, `presets` and `actions` the buttons by
-    name, `figures` the figures of plots and `stages` those of stages by name, `seen` those that the view shows;
-    `player` moves time. `problems` says why a value was refused, by parameter; the scene is then unchanged.
+    Parameters
+    ----------
+    scene : SceneFace
+        The scene. Widgets change it, and follow every change of it.
+
+    Attributes
+    ----------
+    widgets, sliders : dict of Panel widgets
+        The fields and choices, and the sliders, by parameter.
+    presets, actions : dict of Panel buttons
+        The buttons by label, and by name.
+    figures : dict of LiveFigure
+        The figures of plots by name.
+    stages : dict of LiveStage
+        The animated drawings by name.
+    seen : list of LiveStage and LiveFigure
+        Those that the current view shows.
+    player : FramePlayer
+        The player that moves time.
+    problems : dict of str
+        The reason why a value was refused, by parameter; the scene is then unchanged.
+
+    Examples
+    --------
+    >>> from components.scenes import SCENES
+    >>> face = SCENES["damped"](m=1.0).panel()
+    >>> list(face.figures)
+    ['x', 'P', 'energy', 'roots']
+    >>> face.widgets["m"].value = "-1"
+    >>> face.problems
+    {'m': '−1 kg is not possible: a mass is a finite number above 0. Still drawn with 1.00.'}
+    >>> face.scene.m
+    1.0
     """
 
     def __init__(self, scene: SceneFace) -> None:

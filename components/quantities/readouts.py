@@ -18,9 +18,14 @@ PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
 class SceneNumber:
     """A number of a scene.
 
-    `value`        a float in SI units; infinite only if the physics is infinite
-    `unit`         its unit, "" for a pure number
-    `description`  its meaning in words
+    Attributes
+    ----------
+    value : float
+        The number in SI units; infinite only if the physics is infinite.
+    unit : str
+        Its unit, "" for a pure number.
+    description : str
+        Its meaning in words.
     """
 
     value: float

@@ -12,21 +12,47 @@ from components.scene.scene_info import SceneInfo
 
 def documented(kind: type[SceneInfo]) -> str:
     """Return the docstring of a scene, in the style of NumPy."""
-    lines = [f"{kind.headline}.", "", f"Source: {kind.lecture}, {kind.points}.", "", "Parameters", "----------"]
-    for name, one in kind.linked().items():
-        lines += _parameter(name, one)
-    lines += ["", "Attributes", "----------"]
-    for name, text in ATTRIBUTES.items():
-        lines += [name, f"    {text}"]
+    parameters = [line for name, one in kind.linked().items() for line in _parameter(name, one)]
     presets = ", ".join(f'"{label}"' for label in kind.presets)
-    return "\n".join([*lines, "", "Notes", "-----", *kind.equations, "", f"Presets: {presets}."])
+    sections = {
+        "Parameters": parameters,
+        "Raises": RAISES,
+        "Attributes": ATTRIBUTES,
+        "Methods": METHODS,
+        "Notes": [*kind.equations, "", f"Presets: {presets}."],
+        "Examples": _example(kind),
+    }
+    lines = [f"{kind.headline}.", "", f"Source: {kind.lecture}, {kind.points}."]
+    for title, text in sections.items():
+        lines += ["", title, "-" * len(title), *text]
+    return "\n".join(lines)
 
 
-ATTRIBUTES = {
-    "numbers : dict": "The numbers that the scene shows, as floats in SI units: `.value`, `.unit`, `.description`.",
-    "sources : dict": "The numbers of the curves in SI units, a `ColumnDataSource` each.",
-    "presets : dict": "Values of parameters by label; `scene.param.update(**scene.presets[label])` sets them.",
-}
+RAISES = ["ValueError", "    If a value is not possible. The scene is then unchanged."]
+ATTRIBUTES = [
+    "numbers : dict",
+    "    The numbers that the scene shows, as floats in SI units: `.value`, `.unit`, `.description`.",
+    "sources : dict",
+    "    The numbers of the curves in SI units, a `ColumnDataSource` each.",
+    "presets : dict",
+    "    Values of parameters by label; `scene.param.update(**scene.presets[label])` sets them.",
+]
+METHODS = [
+    "frame(source)",
+    "    Return the numbers of a source or of a plot as columns with units, for `pandas.DataFrame`.",
+    "set(values)",
+    "    Set several parameters at once.",
+    "panel()",
+    "    Return Panel widgets for the parameters, and live Bokeh figures.",
+]
+
+
+def _example(kind: type[SceneInfo]) -> Iterator[str]:
+    """The lines of a doctest that sets the scene's first quantity."""
+    name, first = next((name, one) for name, one in kind.linked().items() if isinstance(one, Quantity) and one.default)
+    yield ">>> from components.scenes import SCENES"
+    yield f'>>> scene = SCENES["{kind.slug}"]({name}={first.default!r})'
+    yield ">>> numbers, columns = scene.numbers, scene.frame()"
 
 
 def _parameter(name: str, one: AnyParameter) -> Iterator[str]:

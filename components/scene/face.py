@@ -17,10 +17,36 @@ from components.scene.scene import Scene
 
 
 class SceneFace(param.Parameterized):
-    """A scene whose parameters can be set: one by one, or several at once by `param.update`.
+    """A scene whose parameters can be set: one by one, or several at once by `param.update` or `set`.
 
-    `value` is the current scene, which is immutable; the face has all its attributes. If a value is outside the limits
-    of its parameter or the physics refuses it, you get a ValueError, and the face is unchanged.
+    It has all attributes of `value`, the current scene, which is immutable: `numbers`, `frame`, `presets` and so on. A
+    notebook shows it as Panel widgets and figures.
+
+    Parameters
+    ----------
+    **values
+        Parameters by name, in SI units and rad. The docstring of each scene lists them with units, limits and defaults.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside the limits of its parameter, or the physics refuses it. The face is then unchanged.
+    AttributeError
+        If a name that is set is not a parameter.
+
+    Examples
+    --------
+    >>> from components.scenes import SCENES
+    >>> scene = SCENES["damped"](m=1.0, k=16.0)
+    >>> scene.c = 4.0
+    >>> scene.numbers["zeta"].value
+    0.5
+    >>> scene.set({"k": 25.0, "c": 5.0})
+    >>> scene
+    SCENES["damped"](k=25.0, c=5.0)
+    >>> scene.m = -1.0
+    Traceback (most recent call last):
+    ValueError: m = −1 kg is not possible: a mass is a finite number above 0.
     """
 
     scene_kind: ClassVar[type[Scene]]
@@ -55,16 +81,19 @@ class SceneFace(param.Parameterized):
 
     @cached_property
     def sources(self) -> dict[str, ColumnDataSource]:
-        """The numbers of the current picture, in SI units."""
+        """The numbers of the current picture in SI units: a `ColumnDataSource` by name, updated after each change."""
         return {name: ColumnDataSource(data=data) for name, data in self.value.shown.sources.items()}
 
     def set(self, values: Values) -> None:
-        """Set several parameters at once; after a ValueError the face is unchanged."""
+        """Set several parameters at once, by name, in SI units and rad.
+
+        Raises ValueError if a value is not possible; the face is then unchanged.
+        """
         if self.value.differing(values):
             self.show(self.value.changed(values))
 
     def panel(self) -> Any:
-        """Return Panel widgets for the parameters and live Bokeh figures: components.panel_face.PanelFace."""
+        """Return Panel widgets for the parameters and live Bokeh figures: a `components.panel_face.PanelFace`."""
         from components.panel_face.face import PanelFace  # imported here, because the server does not need it
 
         return PanelFace(self)
@@ -76,7 +105,7 @@ class SceneFace(param.Parameterized):
         return self.panel()._repr_mimebundle_(include, exclude)
 
     def on_picture(self, listener: Callable[[Picture], None]) -> None:
-        """Call `listener` after every change with the new picture."""
+        """Call `listener` with the new picture after every change."""
         self._listeners.append(listener)
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -98,7 +127,7 @@ class SceneFace(param.Parameterized):
             raise
 
     def show(self, scene: Scene) -> None:
-        """Show another scene of this kind."""
+        """Show another `scene` of this kind."""
         picture = scene.shown
         known: Mapping[str, ColumnDataSource] = vars(self).get("sources", {})
         numbers = picture.sources if known else {}

@@ -44,10 +44,30 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
 
 
 class Scene(SceneInfo, metaclass=_SceneMeta):
-    """One idea of the lecture. A subclass is final: it declares parameters, a sheet, and `picture`.
+    """One idea of the lecture: an immutable set of parameter values, with the picture and the numbers that follow.
 
-    `Scene.at(values)` returns an immutable scene, and `changed(values)` another one; the page uses only these.
-    `Scene(**values)` returns a `SceneFace`, whose parameters can be set.
+    A subclass is final: it declares parameters, a sheet, and `picture`. `Scene.at(values)` returns an immutable scene,
+    and `changed(values)` another one; the page uses only these. `Scene(**values)` returns a `SceneFace`, whose
+    parameters can be set.
+
+    Parameters
+    ----------
+    **values
+        Parameters by name, in SI units and rad. The docstring of each scene lists them with units, limits and defaults.
+
+    Raises
+    ------
+    ValueError
+        If a value is not possible. The message names the value and what is allowed.
+
+    Examples
+    --------
+    >>> from components.scenes import SCENES
+    >>> scene = SCENES["damped"].at({"m": 1.0, "k": 16.0, "c": 4.0})
+    >>> scene.numbers["zeta"].value
+    0.5
+    >>> scene.changed({"c": 8.0}).numbers["zeta"].value
+    1.0
     """
 
     window = Quantity(
@@ -72,8 +92,10 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @abstractmethod
     def picture(self, frame: Frame = FITTED) -> Picture:
-        """Return the picture, a pure function of the parameters and the frame, whose missing parts are fitted. Raises
-        ValueError if doubles cannot represent the result."""
+        """Return the picture, a pure function of the parameters and the frame, whose missing parts are fitted.
+
+        Raises ValueError if doubles cannot represent the result.
+        """
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -110,9 +132,22 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @property
     def numbers(self) -> dict[str, SceneNumber]:
-        """The numbers that the scene shows in any of its views, by name; numbers with no current value are missing.
+        """The numbers that the scene shows in any of its views: a dict of `SceneNumber` by name.
 
-        Raises ValueError if the physics refuses the values of the parameters.
+        Each has a `value` in SI units and rad, a `unit` ("" for a pure number) and a `description`. A number that does
+        not exist for the current parameters is missing, such as the frequency of a mass that does not swing.
+
+        Raises
+        ------
+        ValueError
+            If the physics refuses the values of the parameters.
+
+        Examples
+        --------
+        >>> from components.scenes import SCENES
+        >>> scene = SCENES["damped"](m=1.0, k=16.0, c=4.0)
+        >>> scene.numbers["zeta"]
+        SceneNumber(value=0.5, unit='', description='damping ratio')
         """
         return {}
 
@@ -222,6 +257,12 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         ------
         ValueError
             If there are no such numbers. The message lists the names that have some.
+
+        Examples
+        --------
+        >>> from components.scenes import SCENES
+        >>> list(SCENES["oscillator"](m=2.0).frame())
+        ['t [s]', 'x [m]', 'v [m/s]', 'a [m/s^2]']
         """
         sheet = self.sheet()
         return with_units(self.shown, axes_of_columns(sheet), sources_of_plots(sheet), source)

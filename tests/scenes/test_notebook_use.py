@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import doctest
 import pickle
 import re
 from typing import Any
@@ -10,8 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.panel_face.face import PanelFace
 from components.quantities.parameters import Quantity
 from components.scene import Scene
+from components.scene.face import SceneFace
 from components.scenes import SCENES
 
 scenes = pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
@@ -26,6 +29,18 @@ def test_the_docstring_lists_all_parameters_with_their_units(kind: type[Scene]) 
         assert isinstance(one, Quantity) == line.startswith("float")
         assert not isinstance(one, Quantity) or (one.unit or "a pure number") in line
     assert "None" not in re.findall(r"^    (.+?\.) ", text, re.M)
+
+
+@pytest.mark.parametrize(
+    "documented",
+    [Scene, Scene.frame, Scene.numbers, SceneFace, PanelFace, *SCENES.values()],
+    ids=lambda one: getattr(one, "__name__", "numbers"),
+)
+def test_the_examples_of_docstrings_run(documented: Any) -> None:
+    name = getattr(documented, "__name__", "numbers")
+    examples = doctest.DocTestParser().get_doctest(documented.__doc__ or "", {}, name, None, 0)
+    assert doctest.DocTestRunner().run(examples).failed == 0
+    assert examples.examples
 
 
 @scenes
