@@ -105,10 +105,10 @@ mutants: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tools.mutants $(ARGS)
 
 attack: $(VENV)/test.stamp
-	$(BROWSER) $(BIN)/python -m tests.attack $(ARGS)
+	$(BROWSER) $(BIN)/python -m tools.attack $(ARGS)
 
 reconnect: $(VENV)/test.stamp
-	$(BROWSER) $(BIN)/python -m tests.reconnect $(ARGS)
+	$(BROWSER) $(BIN)/python -m tools.reconnect $(ARGS)
 
 load: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/python -m tools.bench.load $(ARGS)
@@ -126,7 +126,7 @@ soak: $(VENV)/test.stamp
 
 # Starts two replicas behind the real proxy on this machine, kills one, then upgrades all.
 deploy-test: $(VENV)/test.stamp
-	$(BIN)/python -m tests.deploy $(ARGS)
+	$(BIN)/python -m tools.deploy $(ARGS)
 
 # Measures a live class: 300 and 3,000 followers, answers, sketches, and two replicas of which one is killed.
 class: $(VENV)/test.stamp

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.link import Link
-from tests.attack.__main__ import hunt
-from tests.attack.extremes import Message, Values, messages, queries, values
-from tests.attack.visit import Visit, follow, visit
 from tests.serving.server import ROOT
+from tools.attack.__main__ import hunt
+from tools.attack.extremes import ExtremeValues, Message, messages, queries, values
+from tools.attack.visit import Visit, follow, visit
 
 scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
 HUGE = 1.7976931348623157e308
@@ -26,7 +26,7 @@ HUGE = 1.7976931348623157e308
 def test_pages_at_extremes(scene: type[Scene]) -> None:
     @settings(max_examples=15)
     @given(values(scene), messages(scene))
-    def page(link: Values, sent: list[Message]) -> None:
+    def page(link: ExtremeValues, sent: list[Message]) -> None:
         visit(scene.slug, link, sent)
 
     page()
@@ -73,6 +73,6 @@ def test_a_failed_hunt_reports_its_simplest_example() -> None:
 
 def test_the_hunt_is_a_command() -> None:
     shown = subprocess.run(
-        [sys.executable, "-m", "tests.attack", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
+        [sys.executable, "-m", "tools.attack", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
     )
     assert "--seed" in shown.stdout

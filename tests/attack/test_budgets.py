@@ -14,10 +14,10 @@ from components.session.opening import opened
 from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
 from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
-from tests.attack.extremes import EXTREMES, Values, values
 from tests.grids import sample, spread, tries
 from tests.scenes.checks import as_arguments, quantities
 from tests.states import links
+from tools.attack.extremes import EXTREMES, ExtremeValues, values
 
 HERE = "http://here/"
 WORST = (
@@ -86,7 +86,7 @@ def test_every_parameter_at_extremes_stays_within_the_budgets(slug: str) -> None
 def test_combined_extremes_stay_within_the_budgets(slug: str) -> None:
     @settings(max_examples=tries(60))
     @given(values(SCENES[slug]))
-    def page(link: Values) -> None:
+    def page(link: ExtremeValues) -> None:
         check(Link(slug, link))
 
     page()

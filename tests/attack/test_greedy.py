@@ -20,12 +20,12 @@ from components.state.link import Link
 from physics import sinusoids, transient
 from physics.precision import exact
 from physics.transient import DRAWING, EXACT, DampedModes, Effort
-from tests.attack.extremes import Values
-from tests.attack.greedy import GREEDY
 from tests.page.headless_page import unpacked
+from tools.attack.extremes import ExtremeValues
+from tools.attack.greedy import GREEDY
 
 WALKS = [name for name, message in GREEDY.items() if message["type"] == "walk"]
-ABSORBER: Values = {"damping": "added"}
+ABSORBER: ExtremeValues = {"damping": "added"}
 CHANGES = [name for name in GREEDY if name not in WALKS]
 
 
@@ -54,7 +54,7 @@ class DelayedWorker:
         return reply
 
 
-def page(slug: str = "absorber", values: Values = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
+def page(slug: str = "absorber", values: ExtremeValues = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
     """The page of the greedy client, and all packets that it receives."""
     session, packets = opened(SCENES, Link(slug, values)), list[dict[str, Any]]()
     session.send = lambda packet: packets.append(unpacked(packet))

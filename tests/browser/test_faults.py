@@ -9,12 +9,12 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from components.scenes import SCENES
-from tests.attack.stage import faults_of
 from tests.browser.fixtures import READY
 from tests.browser.waiting import QUIET, played, unfold
 from tests.grids import spread
 from tests.scenes.checks import EXTREME_LINKS
 from tests.serving.server import Server
+from tools.attack.stage import faults_of
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tests.attack.protocol import attack
 from tests.serving.server import Server
+from tools.attack.protocol import attack
 
 
 def test_no_abuse_of_the_protocol_gets_through(server: Server) -> None:

@@ -13,8 +13,8 @@ from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link
 from components.state.page_state import fitted
-from tests.attack.extremes import Values, values
-from tests.attack.finding import Finding
+from tools.attack.extremes import ExtremeValues, values
+from tools.attack.result import AttackResult
 from tools.browsers.chromium import find
 
 READY = "document.documentElement.dataset.ready === 'true'"
@@ -40,7 +40,7 @@ SHOW = r"""async data => {
 }"""
 
 
-def attack(url: str, size: int, start: int) -> Iterator[Finding]:
+def attack(url: str, size: int, start: int) -> Iterator[AttackResult]:
     """Draw each scene in Chromium with extreme pictures as the server would send them."""
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=find())
@@ -49,7 +49,7 @@ def attack(url: str, size: int, start: int) -> Iterator[Finding]:
             page.goto(f"{url}?scene={slug}")
             page.wait_for_function(READY)
             faults = list(faults_of(page, scene, size, start))
-            yield Finding(f"{slug}: {size} extreme pictures in Chromium", not faults, "\n".join(faults))
+            yield AttackResult(f"{slug}: {size} extreme pictures in Chromium", not faults, "\n".join(faults))
             page.close()
         chromium.close()
 
@@ -76,7 +76,7 @@ def pictures(scene: type[Scene], size: int, start: int) -> list[tuple[str, dict[
         suppress_health_check=list(HealthCheck),
     )
     @given(values(scene))
-    def draw(link: Values) -> None:
+    def draw(link: ExtremeValues) -> None:
         session = opened(SCENES, Link(scene.slug, link))
         found[fitted(session.now.scene).query] = session.opening()
 

@@ -19,9 +19,9 @@ from urllib.parse import urlsplit
 from tornado.websocket import WebSocketClosedError
 
 from tests.attack.caller import Caller, ask, contents, event, header, patch, refused, said, token_of
-from tests.attack.finding import Finding
-from tests.attack.greedy import greedy
 from tests.serving.visitor import Visitor
+from tools.attack.greedy import greedy
+from tools.attack.result import AttackResult
 
 ALPHABET = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.="
 FLOODERS, SECONDS = 30, 3.0
@@ -75,10 +75,10 @@ ABUSES: dict[str, tuple[str | bytes, ...]] = {
 }
 
 
-def attack(url: str, short: bool = False) -> list[Finding]:
+def attack(url: str, short: bool = False) -> list[AttackResult]:
     """Run all attacks; `short` leaves out the slow ones."""
     findings = [*_links(url), *_closed(url), *_token(url)]
-    hunts: list[Callable[[str], Awaitable[list[Finding]]]] = [_forged, _abused]
+    hunts: list[Callable[[str], Awaitable[list[AttackResult]]]] = [_forged, _abused]
     if not short:
         hunts += [_slow, _flood, greedy]
     for hunt in hunts:
@@ -86,7 +86,7 @@ def attack(url: str, short: bool = False) -> list[Finding]:
     return findings
 
 
-def _links(url: str) -> list[Finding]:
+def _links(url: str) -> list[AttackResult]:
     token = token_of(ask(url, SCENE).text)
     naming = {
         "a session named in a link": ask(url, "/?bokeh-session-id=klass"),
@@ -97,34 +97,36 @@ def _links(url: str) -> list[Finding]:
         "another name": ask(url, Host="attacker.example"),
         "an impossible name": ask(url, Host="["),
     }
-    found = [Finding(name, reply.refused, f"{reply.status}") for name, reply in naming.items()]
+    found = [AttackResult(name, reply.refused, f"{reply.status}") for name, reply in naming.items()]
     for link in LINKS:
         reply = ask(url, f"/?{link}")
-        found.append(Finding(f"the link {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
+        found.append(AttackResult(f"the link {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
     for link in (*LINKS, "scene=absorber&m1=1e300&window=1e-300", "table=%ff", "cover=" + "plot:x," * 900):
         reply = ask(url, f"/data.csv?{link}")
-        found.append(Finding(f"the numbers of {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
-    found.append(Finding("numbers to write", (reply := ask(url, "/data.csv", "POST")).refused, f"{reply.status}"))
+        found.append(AttackResult(f"the numbers of {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
+    found.append(AttackResult("numbers to write", (reply := ask(url, "/data.csv", "POST")).refused, f"{reply.status}"))
     for method in ("POST", "PUT", "DELETE", "OPTIONS", "PATCH", "TRACE"):
         reply = ask(url, "/", method)
-        found.append(Finding(f"the method {method}", reply.refused, f"{reply.status}"))
+        found.append(AttackResult(f"the method {method}", reply.refused, f"{reply.status}"))
     return found
 
 
-def _closed(url: str) -> list[Finding]:
+def _closed(url: str) -> list[AttackResult]:
     replies = {path: ask(url, path) for path in CLOSED}
-    return [Finding(f"closed: {path}", reply.refused, f"{reply.status}") for path, reply in replies.items()]
+    return [AttackResult(f"closed: {path}", reply.refused, f"{reply.status}") for path, reply in replies.items()]
 
 
-def _token(url: str) -> list[Finding]:
+def _token(url: str) -> list[AttackResult]:
     secret = "a-word-that-only-this-visitor-knows"
     page = ask(url, SCENE, Cookie=f"name={secret}", Authorization=f"Basic {secret}", X_Other=secret)
     claims = contents(token_of(page.text))
     alone = {name.lower() for name in claims["headers"]} == {"host"} and not claims["cookies"]
-    return [Finding("the token holds the Host alone", alone and secret not in json.dumps(claims), f"{sorted(claims)}")]
+    return [
+        AttackResult("the token holds the Host alone", alone and secret not in json.dumps(claims), f"{sorted(claims)}")
+    ]
 
 
-async def _forged(url: str) -> list[Finding]:
+async def _forged(url: str) -> list[AttackResult]:
     """Try tokens that the server did not make."""
     random = Random(1)
     token = token_of(ask(url, SCENE).text)
@@ -148,11 +150,11 @@ async def _forged(url: str) -> list[Finding]:
     found = []
     for name, one in forged.items():
         status = await refused(url, one)
-        found.append(Finding(name, 400 <= status < 500, f"{status}"))
+        found.append(AttackResult(name, 400 <= status < 500, f"{status}"))
     return found
 
 
-async def _abused(url: str) -> list[Finding]:
+async def _abused(url: str) -> list[AttackResult]:
     """Each abuse closes its own socket; another visitor continues to work."""
     witness = await Visitor.arrive(url, "scene=coupled")
     found = []
@@ -161,13 +163,13 @@ async def _abused(url: str) -> list[Finding]:
         with suppress(WebSocketClosedError):  # the server may close before the last frame
             await caller.say(*frames)
         code, reason = await caller.closed()
-        found.append(Finding(name, code in (1003, 1008, 1009) and bool(reason), f"{code} {reason}"))
+        found.append(AttackResult(name, code in (1003, 1008, 1009) and bool(reason), f"{code} {reason}"))
         await witness.move("k2", 1 + number / 100)
     await witness.depart()
     return found
 
 
-async def _slow(url: str) -> list[Finding]:
+async def _slow(url: str) -> list[AttackResult]:
     """Requests that never end are dropped."""
     address = urlsplit(url)
     begun = {
@@ -184,10 +186,12 @@ async def _slow(url: str) -> list[Finding]:
         return monotonic() - start
 
     times = await asyncio.gather(*(asyncio.wait_for(held(text), 30) for text in begun.values()))
-    return [Finding(name, took < 15, f"dropped after {took:.0f} s") for name, took in zip(begun, times, strict=True)]
+    return [
+        AttackResult(name, took < 15, f"dropped after {took:.0f} s") for name, took in zip(begun, times, strict=True)
+    ]
 
 
-async def _flood(url: str) -> list[Finding]:
+async def _flood(url: str) -> list[AttackResult]:
     """Measure others' waits before, during and a second after 30 clients send as much as they can."""
     witness = await Visitor.arrive(url, "scene=coupled")
     before = await _latency(witness)
@@ -201,7 +205,7 @@ async def _flood(url: str) -> list[Finding]:
             after = await _latency(witness)
     await witness.depart()
     detail = f"95 of 100 answers within {before:.0f} ms before, {during:.0f} ms during, {after:.0f} ms a second after"
-    return [Finding("a flood leaves nothing behind", after < 1.2 * before, detail)]
+    return [AttackResult("a flood leaves nothing behind", after < 1.2 * before, detail)]
 
 
 async def _flooder(url: str) -> None:

@@ -22,11 +22,11 @@ AXES = ("t", "x", "w", "omega", "X", "X1", "v", "E", "p", "f", "none")
 MOST_ROWS = 1250
 """Most rows in a piece, as in components.language.messages."""
 COVERS = ("plot:x1", "plot:x2", "plot:response", "value:tau", "value:omega", "value:D", "plot:none")
-Values = dict[str, Any]
+ExtremeValues = dict[str, Any]
 Message = dict[str, Any]
 
 
-def values(scene: type[Scene]) -> SearchStrategy[Values]:
+def values(scene: type[Scene]) -> SearchStrategy[ExtremeValues]:
     """Values of some parameters of a scene. Each value alone is possible."""
     each = {name: value(parameter) for name, parameter in scene.linked().items()}
     return st.fixed_dictionaries({}, optional=each)
@@ -110,12 +110,12 @@ def _open(scene: type[Scene]) -> SearchStrategy[Message]:
     return parts.map(lambda state: {"type": "open", "state": {"scene": scene.slug, **state}})
 
 
-def _in_words(given: Values) -> Values:
+def _in_words(given: ExtremeValues) -> ExtremeValues:
     """Return values as a state has them: words for booleans; hidden curves are left out, they have their own field."""
     return {name: word(v) if isinstance(v, bool) else v for name, v in given.items() if name != "hidden"}
 
 
-def _set(given: Values) -> Message:
+def _set(given: ExtremeValues) -> Message:
     return {"type": "set", "values": {name: v for name, v in given.items() if isinstance(v, float)}}
 
 

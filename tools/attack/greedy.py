@@ -15,10 +15,10 @@ from statistics import median, quantiles
 from time import monotonic
 from typing import Any, NamedTuple
 
-from tests.attack.finding import Finding
 from tests.live_class.caller import Class, called
 from tests.live_class.messages import MESSAGES, SKETCH, Client, Send
 from tests.serving.visitor import Visitor
+from tools.attack.result import AttackResult
 
 OTHERS, ROUNDS, SECONDS, PAUSE = 30, 5, 2.0, 0.1
 """Number of other visitors, rounds of each kind, seconds per round, seconds between two changes of a visitor."""
@@ -66,7 +66,7 @@ OF_A_CLASS = (
     "POST /class/CODE/lead restore",
     "POST /class/CODE/word",
 )
-Act = Callable[[], Awaitable[object]]
+GreedyAct = Callable[[], Awaitable[object]]
 
 
 class Waits(NamedTuple):
@@ -76,7 +76,7 @@ class Waits(NamedTuple):
     held: float
 
 
-async def greedy(url: str) -> list[Finding]:
+async def greedy(url: str) -> list[AttackResult]:
     """Measure each kind of greedy client."""
     others = await asyncio.gather(*(Visitor.arrive(url, "scene=coupled") for _ in range(OTHERS)))
     found = [await _compared(url, others, name, acts) async for name, acts in _clients(url)]
@@ -84,7 +84,7 @@ async def greedy(url: str) -> list[Finding]:
     return found
 
 
-async def _clients(url: str) -> AsyncIterator[tuple[str, list[Act]]]:
+async def _clients(url: str) -> AsyncIterator[tuple[str, list[GreedyAct]]]:
     """Yield the name of each greedy client and the requests that it repeats in parallel."""
     for name, message in GREEDY.items():
         page = await Visitor.arrive(url, START)
@@ -103,7 +103,7 @@ async def _clients(url: str) -> AsyncIterator[tuple[str, list[Act]]]:
         yield name, [_sent(client, MESSAGES[name])] * AT_ONCE
 
 
-async def _compared(url: str, others: list[Visitor], name: str, acts: list[Act]) -> Finding:
+async def _compared(url: str, others: list[Visitor], name: str, acts: list[GreedyAct]) -> AttackResult:
     """Alternate calm rounds with rounds that include the greedy client."""
     calm, busy = list[Waits](), list[Waits]()
     for _ in range(ROUNDS):
@@ -112,10 +112,10 @@ async def _compared(url: str, others: list[Visitor], name: str, acts: list[Act])
     before, meanwhile = (1000 * median(one.p95 for one in rounds) for rounds in (calm, busy))
     held = max(one.held for one in busy)
     detail = f"95 of 100 answers within {before:.0f} ms calm, {meanwhile:.0f} ms meanwhile, held {1000 * held:.0f} ms"
-    return Finding(f"others go on: {name}", meanwhile <= TIMES * before and held <= HELD, detail)
+    return AttackResult(f"others go on: {name}", meanwhile <= TIMES * before and held <= HELD, detail)
 
 
-async def _round(url: str, others: list[Visitor], acts: list[Act]) -> Waits:
+async def _round(url: str, others: list[Visitor], acts: list[GreedyAct]) -> Waits:
     end, before = monotonic() + SECONDS, await _lags(url)
     tasks = [asyncio.create_task(_repeated(act, end)) for act in acts]
     waits = await asyncio.gather(*(_waits_of(other, end) for other in others))
@@ -125,7 +125,7 @@ async def _round(url: str, others: list[Visitor], acts: list[Act]) -> Waits:
     return Waits(quantiles([wait for one in waits for wait in one], n=20)[-1], held)
 
 
-async def _repeated(act: Act, end: float) -> None:
+async def _repeated(act: GreedyAct, end: float) -> None:
     with suppress(ConnectionError, TimeoutError):  # the server may send the greedy client away
         while monotonic() < end:
             await act()
@@ -152,11 +152,11 @@ async def _lags(url: str) -> dict[float, float]:
     return {bound: seen - below for (bound, seen), (_, below) in zip(counts, [(0.0, 0.0), *counts], strict=False)}
 
 
-def _sending(page: Visitor, message: Message) -> Act:
+def _sending(page: Visitor, message: Message) -> GreedyAct:
     return lambda: page.say(message)
 
 
-def _changed(page: Visitor, message: Message) -> Act:
+def _changed(page: Visitor, message: Message) -> GreedyAct:
     """Return an action that asks for a different picture each time."""
     numbers = count()
 
@@ -167,10 +167,10 @@ def _changed(page: Visitor, message: Message) -> Act:
     return act
 
 
-def _sent(client: Client, send: Send) -> Act:
+def _sent(client: Client, send: Send) -> GreedyAct:
     numbers = count()
     return lambda: send(client, next(numbers))
 
 
-def _fetched(url: str, *request: Any) -> Act:
+def _fetched(url: str, *request: Any) -> GreedyAct:
     return lambda: called(url, *request)

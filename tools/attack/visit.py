@@ -11,9 +11,9 @@ from components.quantities.refusals import LINK_LOST, SORRY
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import Link, read_query
-from tests.attack.extremes import Message, Values
 from tests.page.headless_page import unpacked
 from tests.scenes.checks import as_arguments, check_picture
+from tools.attack.extremes import ExtremeValues, Message
 
 PASSING = ("answer", "errors", "problems")
 """The fields of an answer that concern its message alone."""
@@ -82,7 +82,7 @@ def bare(slug: str) -> dict[str, Any]:
     return lasting(unpacked(opened(SCENES, Link(slug)).opening()))
 
 
-def visit(slug: str, given: Values, messages: list[Message]) -> float:
+def visit(slug: str, given: ExtremeValues, messages: list[Message]) -> float:
     """Open a link with these values, send messages, and return the CPU time of the slowest answer in s."""
     page = Visit(Link(slug, given))
     for number, message in enumerate(messages):

@@ -17,11 +17,11 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 
 from components.scene import Scene
 from components.scenes import SCENES
-from tests.attack import protocol, stage
-from tests.attack.extremes import messages, queries, values
-from tests.attack.finding import Finding
-from tests.attack.visit import follow, visit
 from tests.serving.server import ROOT, serving
+from tools.attack import protocol, stage
+from tools.attack.extremes import messages, queries, values
+from tools.attack.result import AttackResult
+from tools.attack.visit import follow, visit
 from tools.browsers.chromium import find
 
 LOG = ROOT / "build" / "attack" / "server.log"
@@ -31,12 +31,12 @@ LINES = 40
 """Lines of the detail of a finding that are printed."""
 
 
-def extremes(size: int, start: int) -> Iterator[Finding]:
+def extremes(size: int, start: int) -> Iterator[AttackResult]:
     for slug, scene in SCENES.items():
         took: list[float] = []
         pages = hunt(f"{slug}: {size} pages at extremes", size, start, _pages(scene, took))
         yield pages._replace(detail=pages.detail or f"the slowest answer took {max(took):.2f} s")
-        yield Finding(f"{slug}: no answer takes {PATIENCE:.0f} s", max(took) < PATIENCE)
+        yield AttackResult(f"{slug}: no answer takes {PATIENCE:.0f} s", max(took) < PATIENCE)
         yield hunt(f"{slug}: {size} malformed links", size, start, given(queries(scene))(follow))
 
 
@@ -46,15 +46,15 @@ def _pages(scene: type[Scene], took: list[float]) -> Callable[[], None]:
     )
 
 
-def hunt(name: str, size: int, start: int, test: Callable[[], None]) -> Finding:
+def hunt(name: str, size: int, start: int, test: Callable[[], None]) -> AttackResult:
     """Check a property on `size` random examples. A failure is reported with its simplest example."""
     checks = {"suppress_health_check": list(HealthCheck), "deadline": None, "database": None}
     phases = (Phase.generate, Phase.shrink)
     try:
         seed(start)(settings(max_examples=size, derandomize=False, phases=phases, **checks)(test))()
     except Exception as error:
-        return Finding(name, False, "".join(format_exception(error)))
-    return Finding(name, True)
+        return AttackResult(name, False, "".join(format_exception(error)))
+    return AttackResult(name, True)
 
 
 def main() -> int:
@@ -71,21 +71,21 @@ def main() -> int:
     return 1 if failed else 0
 
 
-def in_words(finding: Finding) -> str:
+def in_words(finding: AttackResult) -> str:
     """Return a line; for a failure also the last lines of its detail, which name the example."""
     if finding.passed:
         return f"passed  {finding.name}" + (f": {finding.detail}" if finding.detail else "")
     return "\n".join([f"FAILED  {finding.name}", *finding.detail.splitlines()[-LINES:]])
 
 
-def found(size: int, start: int) -> Iterator[Finding]:
+def found(size: int, start: int) -> Iterator[AttackResult]:
     yield from extremes(size, start)
     LOG.parent.mkdir(parents=True, exist_ok=True)
     with serving(LOG) as server:
         yield from protocol.attack(server.url)
         if find():
             yield from stage.attack(server.url, size, start)
-        yield Finding("the log has no unexpected line", not server.complaints(), "\n".join(server.complaints()))
+        yield AttackResult("the log has no unexpected line", not server.complaints(), "\n".join(server.complaints()))
 
 
 if __name__ == "__main__":
