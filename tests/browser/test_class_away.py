@@ -14,7 +14,7 @@ from tests.browser.dropping import drop
 from tests.browser.tabs import calm_context
 from tests.browser.waiting import clicked
 from tests.live_class.caller import call
-from tests.reconnect.site import Site
+from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
 
@@ -62,7 +62,7 @@ def tap(phone: Page, option: int) -> None:
     phone.locator(f".answers [data-option='{option}']").click()
 
 
-def begun(context: BrowserContext, site: Site) -> tuple[Page, str]:
+def begun(context: BrowserContext, site: GatedSite) -> tuple[Page, str]:
     """The instructor's page with a class that asks its first question, and the code of the class."""
     lecture = context.new_page()
     lecture.goto(f"{site.url}?walk=d31&step=d31-03")
@@ -89,7 +89,7 @@ def address_of(lecture: Page, button: str, answer: str) -> str:
     return address
 
 
-def answered_without_a_server(site: Site, phones: list[Page], remote: Page) -> None:
+def answered_without_a_server(site: GatedSite, phones: list[Page], remote: Page) -> None:
     """The third phone answers while there is no server, and all notice that."""
     site.kill()
     tap(phones[2], 1)
@@ -102,7 +102,7 @@ def answered_without_a_server(site: Site, phones: list[Page], remote: Page) -> N
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("3 of 16", timeout=BACK)
 
 
-def loaded_again(site: Site, lecture: Page) -> None:
+def loaded_again(site: GatedSite, lecture: Page) -> None:
     """The server is killed again, and the instructor's page is loaded again, after the answer was shown."""
     code = lecture.evaluate(f"{LED}.room.code")
     lecture.wait_for_function(copied("d31/d31-03", 3))
@@ -131,7 +131,7 @@ def taken_over(lecture: Page, context: BrowserContext) -> Page:
 @pytest.mark.slow
 @pytest.mark.timeout(400)  # six windows
 def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserContext], tmp_path: Path) -> None:
-    with Site(tmp_path) as site:
+    with GatedSite(tmp_path) as site:
         lecture, code = begun(contexts[0], site)
         remote, *phones = (contexts[i].new_page() for i in (4, 1, 2, 3))
         paired(lecture, remote)
@@ -155,7 +155,7 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
             expect(page.locator("h1")).to_contain_text("The class is over.", timeout=BACK)
 
 
-def led_by_another_computer(site: Site, lecture: Page, phones: list[Page], context: BrowserContext) -> None:
+def led_by_another_computer(site: GatedSite, lecture: Page, phones: list[Page], context: BrowserContext) -> None:
     """It leads through a walk from a file, back to a question that it has never shown, and ends the class."""
     lecture.wait_for_function(CONNECTED, timeout=BACK)
     drop(lecture, "mine.toml", MINE)

@@ -13,9 +13,9 @@ from tests.browser.fixtures import READY, another_version
 from tests.browser.tabs import calm_context
 from tests.browser.waiting import unfold
 from tests.grids import spread
-from tests.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
-from tests.reconnect.site import Site
 from tests.serving.server import Server
+from tools.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
+from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -23,8 +23,8 @@ MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
-    with Site(tmp_path_factory.mktemp("site")) as found:
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GatedSite]:
+    with GatedSite(tmp_path_factory.mktemp("site")) as found:
         yield found
 
 
@@ -54,11 +54,11 @@ def lost(page: Page) -> None:
 
 
 @pytest.mark.parametrize("name", spread([*LOSSES]))
-def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: Site, name: str) -> None:
+def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 
 
-def test_a_token_that_came_too_late_is_replaced(page: Page, site: Site) -> None:
+def test_a_token_that_came_too_late_is_replaced(page: Page, site: GatedSite) -> None:
     too_late(page, site, seed=1)
 
 

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from textwrap import dedent
 
-from tests.deploy.site import Site
 from tests.serving.server import ROOT
+from tools.deploy.site import DeployedSite
 
 NGINX = shutil.which("nginx", path="/usr/sbin:/usr/local/sbin:/usr/bin:/usr/local/bin:/opt/homebrew/bin")
 WITH_HTTP2 = (1, 25, 1)
@@ -55,7 +55,7 @@ def written(folder: Path, text: str) -> Path:
     return path
 
 
-def behind_nginx(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
+def behind_nginx(site: DeployedSite) -> tuple[Sequence[str], Mapping[str, str]]:
     """Return the recipe with the addresses of a site, without encryption."""
     text = re.sub(r"^ *(ssl_certificate|http2).*\n", "", recipe(), flags=re.M)
     text = text.replace("listen 443 ssl;", f"listen 127.0.0.1:{site.port};")

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from tests.deploy.site import Site, deployed
 from tests.live_class.caller import Answered, Class, Stream, called, streams_closed
 from tests.live_class.stores import valkey_running
 from tests.serving.server import ROOT
+from tools.deploy.site import DeployedSite, deployed
 
 CHOICE = {"walk": "d31", "step": "d31-03"}
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
@@ -33,7 +33,7 @@ async def ordered(room: Class, type: str, **order: Any) -> Answered:
 
 
 @streams_closed()
-async def lesson(site: Site) -> None:
+async def lesson(site: DeployedSite) -> None:
     room = await Class.open(site.url)
     direct = [f"http://127.0.0.1:{port}/" for port in site.ports]
     streams = [await room.follow(url) for url in direct]

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.attack.caller import ask
-from tests.deploy.site import deployed, upgraded
-from tests.deploy.trials import trial
 from tests.serving.server import ROOT
+from tools.deploy.site import deployed, upgraded
+from tools.deploy.trials import trial
 
 
 @pytest.mark.slow

@@ -13,9 +13,9 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from tests.attack.caller import ask
 from tests.deploy.nginx import NGINX, behind_nginx, for_version, recipe, written
-from tests.deploy.site import Site, deployed
-from tests.deploy.trials import trial
 from tests.serving.visitor import Visitor, token_in
+from tools.deploy.site import DeployedSite, deployed
+from tools.deploy.trials import trial
 
 with_nginx = pytest.mark.skipif(not NGINX, reason="nginx is not installed: apt-get install nginx-light")
 OWN = {"host", "http_upgrade", "proxy_add_x_forwarded_for", "request_id"}
@@ -53,7 +53,7 @@ def test_nginx_accepts_the_recipe(tmp_path: Path) -> None:
     assert checked.returncode == 0 and "[warn]" not in checked.stderr, checked.stderr
 
 
-def opened(site: Site) -> list[tuple[float, float]]:
+def opened(site: DeployedSite) -> list[tuple[float, float]]:
     """Return the sessions and the sockets that were opened on each replica."""
     names = ("oscillations_sessions", "oscillations_sockets")
     texts = [ask(f"http://127.0.0.1:{port}/", "/metrics").text for port in site.ports]
@@ -63,7 +63,7 @@ def opened(site: Site) -> list[tuple[float, float]]:
     return [(found[names[0]], found[names[1]]) for found in samples]
 
 
-async def arrive(site: Site, link: str, cookies: bool) -> tuple[Visitor, str]:
+async def arrive(site: DeployedSite, link: str, cookies: bool) -> tuple[Visitor, str]:
     """Open a page as a visitor whose browser keeps cookies or not; return the visitor and the cookie."""
     page = await asyncio.to_thread(ask, site.url, f"/?{link}")
     assert page.status == 200
@@ -76,7 +76,7 @@ async def arrive(site: Site, link: str, cookies: bool) -> tuple[Visitor, str]:
 @pytest.mark.slow
 @pytest.mark.timeout(300)
 def test_page_and_socket_reach_the_same_replica_and_one_network_uses_both(tmp_path: Path) -> None:
-    async def go(site: Site) -> None:
+    async def go(site: DeployedSite) -> None:
         # The longest link with text that does not compress: its token is a header of more than 8 kB.
         long = "scene=coupled&x=" + "".join(f"{i * i * i:x}" for i in range(1500))[:7900]
         came = [await arrive(site, long if i % 4 == 0 else "scene=coupled", cookies=True) for i in range(16)]

@@ -18,15 +18,15 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import Reply, ask
 from tests.deploy.health import health_check
-from tests.deploy.site import COOKIE_SECRET, Site, behind_caddy, caddy, deployed
 from tests.live_class.caller import Class, streams_closed
 from tests.serving.server import ROOT, free_port, serving
+from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
 ASSET = f"/assets/{next(iter(assets()))}"
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeployedSite]:
     with deployed(tmp_path_factory.mktemp("site"), (ROOT,)) as running:
         yield running
 
@@ -35,14 +35,14 @@ def safety_headers(reply: Reply) -> dict[str, str]:
     return {name: reply.headers.get(name, "") for name in SAFE}
 
 
-def test_the_proxys_own_pages_have_the_lectures_safety_headers(site: Site) -> None:
+def test_the_proxys_own_pages_have_the_lectures_safety_headers(site: DeployedSite) -> None:
     own = ask(site.url, "/metrics")
     assert own.status == 404 and safety_headers(own) == safety_headers(ask(site.url, "/")) == SAFE
     assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
     assert "frame-ancestors" in ask(site.url, "/").headers["Content-Security-Policy"]
 
 
-def test_the_replica_cookie_is_signed_and_not_sent_with_cached_files(site: Site) -> None:
+def test_the_replica_cookie_is_signed_and_not_sent_with_cached_files(site: DeployedSite) -> None:
     assert ask(site.url, "/").headers["Set-Cookie"].startswith("replica=")
     file = ask(site.url, ASSET)
     assert (file.status, "Set-Cookie" in file.headers) == (200, False)
@@ -57,7 +57,7 @@ def test_the_proxy_drops_slow_requests_and_ends_despite_open_streams(tmp_path: P
     """A request that comes byte by byte is dropped; a stream of a class stays open."""
 
     @streams_closed()
-    async def go(site: Site) -> None:
+    async def go(site: DeployedSite) -> None:
         room = await Class.open(site.url)
         stream = await room.follow()
         slow = [
@@ -89,7 +89,7 @@ async def dropped(port: int, start: bytes) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
-def test_the_proxy_is_healthy_without_replicas(site: Site, tmp_path: Path) -> None:
+def test_the_proxy_is_healthy_without_replicas(site: DeployedSite, tmp_path: Path) -> None:
     healthy = health_check(tmp_path, "proxy")
     assert healthy(80, site.port) == 0 and healthy(80, free_port()) != 0
     alone = {**behind_caddy(site)[1], "SITE": f"http://127.0.0.1:{(port := free_port())}", "UPSTREAMS": "127.0.0.1:1"}

@@ -7,12 +7,12 @@ import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from tests.deploy.site import Site, deployed
 from tests.live_class.caller import Class
 from tests.live_class.stores import valkey_running
 from tests.serving.server import ROOT
 from tests.serving.visitor import Visitor
 from tools.bench.followers import Hearing, drag, values
+from tools.deploy.site import Site, deployed
 
 AGAIN = 0.2
 """Seconds between tries of a follower that is lost: a page's are as many at first."""

@@ -16,9 +16,9 @@ from tempfile import TemporaryDirectory
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.reconnect.losses import LOSSES, too_late, visit
-from tests.reconnect.site import Site
 from tools.browsers.chromium import find
+from tools.reconnect.losses import LOSSES, too_late, visit
+from tools.reconnect.site import GatedSite
 
 
 def main() -> int:
@@ -27,7 +27,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60.0, help="seconds without a network (60)")
     parser.add_argument("--only", default="", help="a part of the name of a kind of loss")
     options = parser.parse_args()
-    kinds: dict[str, Callable[[Page, Site, int], None]] = {
+    kinds: dict[str, Callable[[Page, GatedSite, int], None]] = {
         name: lambda page, site, seed, loss=loss: visit(page, site, loss, seed, options.seconds)  # type: ignore[misc]
         for name, loss in LOSSES.items()
     }
@@ -42,10 +42,10 @@ def main() -> int:
     return 1 if failed else 0
 
 
-def _tried(browser: Browser, name: str, lose: Callable[[Page, Site, int], None], runs: int) -> int:
+def _tried(browser: Browser, name: str, lose: Callable[[Page, GatedSite, int], None], runs: int) -> int:
     """Return the number of runs that lose a value. It is printed with the duration of a run."""
     times, failed = [], 0
-    with TemporaryDirectory() as folder, Site(Path(folder)) as site:
+    with TemporaryDirectory() as folder, GatedSite(Path(folder)) as site:
         for seed in range(runs):
             context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True)
             start = time.monotonic()

@@ -15,7 +15,7 @@ AGAIN = 0.1
 """Seconds until the next attempt to reconnect."""
 
 
-class Guest:
+class ReturningVisitor:
     """Opens a scene and changes one value; `cookies` says whether the client keeps the proxy's cookie."""
 
     def __init__(self, url: str, cookies: bool) -> None:

@@ -16,7 +16,7 @@ COOKIE_SECRET = "another of more than thirty-two letters"
 COPIED = ("app.py", "reading.py", "components", "physics", "static")
 
 
-class Site:
+class DeployedSite:
     """The lecture at `url`; its replicas end and start one by one."""
 
     front: Server
@@ -65,7 +65,7 @@ class Site:
             self.end(number)
 
 
-Front = Callable[[Site], tuple[Sequence[str], Mapping[str, str]]]
+Front = Callable[[DeployedSite], tuple[Sequence[str], Mapping[str, str]]]
 """Returns the command that starts a proxy for a site, and its environment."""
 
 
@@ -74,7 +74,7 @@ def caddy() -> str:
     return str(Path(sys.executable).with_name("caddy"))
 
 
-def behind_caddy(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
+def behind_caddy(site: DeployedSite) -> tuple[Sequence[str], Mapping[str, str]]:
     """Return the proxy of compose.yaml, with the variables of the Caddyfile."""
     command = (caddy(), "run", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile")
     return command, {
@@ -89,9 +89,9 @@ def behind_caddy(site: Site) -> tuple[Sequence[str], Mapping[str, str]]:
 @contextmanager
 def deployed(
     folder: Path, codes: Sequence[Path] = (ROOT, ROOT), front: Front = behind_caddy, **more: str
-) -> Iterator[Site]:
+) -> Iterator[DeployedSite]:
     """Yield a running site; each replica has the code of a folder. `more` are settings of all of them."""
-    site = Site(folder, len(codes), more)
+    site = DeployedSite(folder, len(codes), more)
     command, environment = front(site)
     try:
         for number, code in enumerate(codes):

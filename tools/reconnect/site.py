@@ -73,7 +73,7 @@ class Gate:
             end.close()
 
 
-class Site:
+class GatedSite:
     """Servers behind the address `url`; it begins with one server."""
 
     def __init__(self, folder: Path) -> None:
@@ -83,7 +83,7 @@ class Site:
         self.gate = Gate()
         self.url = f"http://127.0.0.1:{self.gate.port}/"
 
-    def __enter__(self) -> Site:
+    def __enter__(self) -> GatedSite:
         self.start()
         return self
 

@@ -8,16 +8,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from components.scenes import SCENES
-from tests.deploy.guest import Guest
-from tests.deploy.site import Site, upgraded
 from tests.page.headless_page import Page
+from tools.deploy.guest import ReturningVisitor
+from tools.deploy.site import DeployedSite, upgraded
 
 PACE = 0.25
 """Seconds between two changes of a guest."""
 
 
 @dataclass(frozen=True)
-class Trial:
+class FailureTrial:
     """The outcome of a trial."""
 
     longest: float
@@ -27,13 +27,13 @@ class Trial:
     """Descriptions of guests who see another value than they set."""
 
 
-async def trial(site: Site, guests: int, happening: Callable[[], None], after: float = 1.0) -> Trial:
+async def trial(site: DeployedSite, guests: int, happening: Callable[[], None], after: float = 1.0) -> FailureTrial:
     """Guests change values; `happening` runs after `after` seconds; they continue for as long again."""
-    visitors = [Guest(site.url, cookies=bool(i % 2)) for i in range(guests)]
+    visitors = [ReturningVisitor(site.url, cookies=bool(i % 2)) for i in range(guests)]
     await asyncio.gather(*(visitor.arrive("scene=coupled") for visitor in visitors))
     over = asyncio.Event()
 
-    async def change(number: int, visitor: Guest) -> str:
+    async def change(number: int, visitor: ReturningVisitor) -> str:
         step = 0
         while not over.is_set() or step < 3:
             step += 1
@@ -49,10 +49,12 @@ async def trial(site: Site, guests: int, happening: Callable[[], None], after: f
     over.set()
     lost = [finding for finding in await asyncio.gather(*changing) if finding]
     await asyncio.gather(*(visitor.leave() for visitor in visitors))
-    return Trial(max(visitor.longest for visitor in visitors), sum(visitor.returns for visitor in visitors), lost)
+    return FailureTrial(
+        max(visitor.longest for visitor in visitors), sum(visitor.returns for visitor in visitors), lost
+    )
 
 
-def _lost(visitor: Guest, value: float) -> str:
+def _lost(visitor: ReturningVisitor, value: float) -> str:
     """Describe the value that a guest set and no longer sees; empty if nothing is lost."""
     answer = visitor.answer
     page = Page(SCENES["coupled"]())
@@ -68,14 +70,14 @@ def _lost(visitor: Guest, value: float) -> str:
     return ""
 
 
-def failure(site: Site, guests: int, number: int) -> Trial:
+def failure(site: DeployedSite, guests: int, number: int) -> FailureTrial:
     """Kill a replica; start it again when the guests have left."""
     result = asyncio.run(trial(site, guests, lambda: site.kill(number)))
     site.start(number)
     return result
 
 
-def upgrade(site: Site, guests: int, folder: Path) -> Trial:
+def upgrade(site: DeployedSite, guests: int, folder: Path) -> FailureTrial:
     """Replace the replicas one by one by copies with other static files."""
     code = upgraded(folder)
 

@@ -14,7 +14,7 @@ from components.quantities.formatting import tidy
 from components.scenes import SCENES
 from tests.browser.fixtures import READY
 from tests.browser.waiting import unfold
-from tests.reconnect.site import SECRET, Site
+from tools.reconnect.site import SECRET, GatedSite
 
 LINK = "?scene=coupled&hidden=x1_slow&cover=plot:x2"
 NUMBERS = ("omega_minus", "omega_plus")
@@ -30,11 +30,11 @@ SETTLED = "oscillations.messages.wire && !oscillations.messages.behind && !oscil
 
 
 @dataclass
-class Visit:
+class LostVisit:
     """A page, and the values that were set last."""
 
     page: Page
-    site: Site
+    site: GatedSite
     random: Random
     seconds: float = 0.0
     """Seconds for which the connection stays lost."""
@@ -77,7 +77,7 @@ class Visit:
         self.page.wait_for_timeout(1000 * self.seconds)
 
 
-def killed(visit: Visit) -> None:
+def killed(visit: LostVisit) -> None:
     """Kill the server and start it again."""
     visit.site.kill()
     visit.is_connected(False)
@@ -85,7 +85,7 @@ def killed(visit: Visit) -> None:
     visit.site.start()
 
 
-def offline(visit: Visit) -> None:
+def offline(visit: LostVisit) -> None:
     """Take the browser offline for some time."""
     visit.page.context.set_offline(True)
     visit.is_connected(False)
@@ -94,7 +94,7 @@ def offline(visit: Visit) -> None:
     visit.page.context.set_offline(False)
 
 
-def silent(visit: Visit) -> None:
+def silent(visit: LostVisit) -> None:
     """Let nothing through any more, without an error on the socket."""
     visit.page.evaluate("oscillations.messages.patience = 300")
     visit.site.gate.held = True
@@ -105,7 +105,7 @@ def silent(visit: Visit) -> None:
     visit.site.gate.held = False
 
 
-def suspended(visit: Visit) -> None:
+def suspended(visit: LostVisit) -> None:
     """Suspend the tab and replace the server meanwhile."""
     browser = visit.page.context.new_cdp_session(visit.page)
     browser.send("Page.setWebLifecycleState", {"state": "frozen"})
@@ -116,20 +116,20 @@ def suspended(visit: Visit) -> None:
     visit.change()
 
 
-def dropped(visit: Visit) -> None:
+def dropped(visit: LostVisit) -> None:
     """Drop the session while the server continues to run."""
     visit.site.gate.cut()
     visit.change()
 
 
-def worker(visit: Visit) -> None:
+def worker(visit: LostVisit) -> None:
     """Kill one of two replicas."""
     visit.site.start()
     visit.site.kill()
     visit.change()
 
 
-LOSSES: Mapping[str, Callable[[Visit], None]] = {
+LOSSES: Mapping[str, Callable[[LostVisit], None]] = {
     "server killed and restarted": killed,
     "offline": offline,
     "silence": silent,
@@ -139,9 +139,9 @@ LOSSES: Mapping[str, Callable[[Visit], None]] = {
 }
 
 
-def visit(page: Page, site: Site, loss: Callable[[Visit], None], seed: int, seconds: float = 0.0) -> None:
+def visit(page: Page, site: GatedSite, loss: Callable[[LostVisit], None], seed: int, seconds: float = 0.0) -> None:
     """Set values before, during and after a lost connection."""
-    found = Visit(page, site, Random(seed), seconds)
+    found = LostVisit(page, site, Random(seed), seconds)
     page.goto(site.url + LINK)
     page.wait_for_function(READY)
     unfold(page)
@@ -153,12 +153,12 @@ def visit(page: Page, site: Site, loss: Callable[[Visit], None], seed: int, seco
     found.check()
 
 
-def too_late(page: Page, site: Site, seed: int) -> None:
+def too_late(page: Page, site: GatedSite, seed: int) -> None:
     """Let the page's token expire before its socket opens."""
     session = generate_session_id(SECRET.encode(), signed=True)
     expired = generate_jwt_token(session, SECRET.encode(), signed=True, expiration=-1)
     page.add_init_script(f"globalThis.expired = {expired!r}\n{FIRST_WITH_EXPIRED}")
-    found = Visit(page, site, Random(seed))
+    found = LostVisit(page, site, Random(seed))
     page.goto(site.url + LINK)
     page.wait_for_function(READY)
     unfold(page)

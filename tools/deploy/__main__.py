@@ -10,8 +10,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.deploy.site import deployed
-from tests.deploy.trials import Trial, failure, upgrade
+from tools.deploy.site import deployed
+from tools.deploy.trials import FailureTrial, failure, upgrade
 
 AIM = 2.0
 """Seconds after which every visitor should be served again."""
@@ -34,7 +34,7 @@ def main() -> None:
     sys.exit(any(trial.lost or trial.longest > AIM for trial in trials) or bool(complaints))
 
 
-def _in_words(trial: Trial) -> str:
+def _in_words(trial: FailureTrial) -> str:
     lost = f"; lost: {'; '.join(trial.lost)}" if trial.lost else "; nothing lost"
     return f"{trial.returned} came back, a change took {trial.longest:.2f} s at most{lost}"
 
