@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 from tornado.httpclient import HTTPClientError
 from tornado.websocket import WebSocketClientConnection, websocket_connect
 
-PATIENCE = 15.0
+PATIENCE = 60.0
 """Seconds to wait for an answer of the server."""
 TRACES = ("Traceback", 'File "', "site-packages", "Error:")
 

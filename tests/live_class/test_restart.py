@@ -156,24 +156,6 @@ async def test_what_is_no_answer_is_not_given_back() -> None:
         assert refused.status == 404
 
 
-async def test_a_vote_that_is_closed_takes_no_answers_until_the_next_one() -> None:
-    async with teaching() as (_, url):
-        lesson = await Class.open(url)
-        token = await lesson.token()
-        assert (await lesson.order("close")).status == 409  # nothing is asked
-        await lesson.order("put", **CHOICE)
-        await lesson.order("close")
-        for _ in range(2):
-            assert (await lesson.vote(token, **CHOICE, option=1)).status == 409
-            await lesson.order("put", **CHOICE, vote=1)  # a page that is loaded anew does not open it
-        await lesson.order("put", **CHOICE, vote=2)
-        assert (await lesson.vote(token, **CHOICE, vote=2, option=1)).status == 204
-        await lesson.order("put", **SKETCH)
-        await lesson.order("put", **CHOICE, vote=2)  # it comes back as it was, beside the first
-        tally = await lesson.tally()
-        assert (tally["vote"], tally["now"]["options"], tally["before"]["options"]) == (2, [0, 1, 0], [0, 0, 0])
-
-
 @pytest.mark.parametrize("kind", KINDS)
 async def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: str, valkey: Valkey) -> None:
     async with made(kind, valkey.url) as store:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import Future
+from contextlib import closing
 from functools import partial
 
 import pytest
@@ -38,6 +39,11 @@ READ = Reading("mine", MINE)
 GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
+def hanging() -> closing[ReadingProcess]:
+    """A worker process that comes to no end with some of its jobs, and is ended with the test."""
+    return closing(ReadingProcess("tests.serving.hanging"))
+
+
 @pytest.fixture(scope="module")
 def beside() -> Iterator[ReadingProcess]:
     one = ReadingProcess("reading")
@@ -56,39 +62,32 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProc
 
 
 def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    beside = ReadingProcess("tests.serving.hanging")
     monkeypatch.setattr(apart, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
-    try:
+    with hanging() as beside:
         endless = LinkExport({"scene": [b"endless"]}, "")
         asked = [beside.ask(job) for job in (READ, Reading("endless", MINE), READ, endless, READ)]
         assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
         monkeypatch.setattr(apart, "PATIENCE", 0.2)
         assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
-    finally:
-        beside.close()
 
 
 def test_a_fit_that_takes_too_long_ends_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
-    beside = ReadingProcess("tests.serving.hanging")
     monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
-    try:
+    with hanging() as beside:
         assert beside.ask(Fitting([], [[]], 2, 0)).result(120).refused == FIT_TOO_LONG
         monkeypatch.setattr(apart, "FIT_PATIENCE", 0.2)
         assert beside.ask(Fitting([], [[]], 1, 0)).result(120).refused == LATE
         assert beside.ask(READ).result(120).refused == "read"
-    finally:
-        beside.close()
 
 
 def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
-    beside = ReadingProcess("tests.serving.hanging")
     session = Session(fitted(SCENES["damped"]().value))
-    session.apart = beside
     sent: list[Packet] = []
     session.send = sent.append
     rows = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]]}
-    try:
+    with hanging() as beside:
+        session.apart = beside
         endless = beside.ask(Reading("endless", MINE))
         session.handle({**rows, "number": 1})
         assert beside.pending == 2 and not sent
@@ -101,8 +100,6 @@ def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monke
         beside.ask(READ).result(120)
         answers = [unpacked(one) for one in sent]
         assert [one["answer"] for one in answers] == [2, 3] and answers[1]["refused"] == FIT_TOO_LONG
-    finally:
-        beside.close()
 
 
 def test_who_cannot_be_started_is_said() -> None:
@@ -112,24 +109,20 @@ def test_who_cannot_be_started_is_said() -> None:
 
 
 def test_a_bounded_number_waits() -> None:
-    beside = ReadingProcess("tests.serving.hanging")
-    try:
+    with hanging() as beside:
         asked = [beside.ask(Reading("endless", MINE)), *(beside.ask(READ) for _ in range(WAITING + 3))]
         refused = [one.result(120).refused for one in asked]
         assert refused[0] == WALK_TOO_LONG and refused[-1] == BUSY and set(refused[1:]) == {"read", BUSY}
-    finally:
-        beside.close()
 
 
 def test_networks_take_turns() -> None:
-    beside = ReadingProcess("tests.serving.hanging")
     done: list[str] = []
 
     def note(network: str, reply: Future[Replied]) -> None:
         if not reply.result().is_busy:
             done.append(network)
 
-    try:
+    with hanging() as beside:
         asked = [beside.ask(Reading("endless", MINE), GREEDY)]
         asked += [beside.ask(READ, GREEDY) for _ in range(OF_A_NETWORK + 3)]
         asked += [beside.ask(READ, other) for other in (CALM, "", CALM)]
@@ -139,33 +132,25 @@ def test_networks_take_turns() -> None:
         replies = [one.result(120).refused for one in asked]
         assert replies.count(SHARED) in (3, 2) and replies[-3:] == ["read"] * 3
         assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
-    finally:
-        beside.close()
 
 
 def test_a_network_that_has_used_its_time_is_refused_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "ALLOWANCE", 2)
-    beside = ReadingProcess("tests.serving.hanging")
-    try:
+    with hanging() as beside:
         assert ALLOWANCE > 2
         for _ in range(2):
             beside.ask(Reading("endless", MINE), GREEDY).result(120)
         refused = beside.ask(READ, GREEDY).result(120)
         assert refused.refused == USED_UP and refused.is_busy and 0 < refused.after < 60
         assert beside.ask(READ, CALM).result(120).refused == "read"
-    finally:
-        beside.close()
 
 
 def test_a_job_that_nobody_waits_for_is_left_out() -> None:
-    beside = ReadingProcess("tests.serving.hanging")
-    try:
+    with hanging() as beside:
         first, left = beside.ask(Reading("endless", MINE)), beside.ask(Reading("endless", MINE))
         last = beside.ask(READ)
         assert left.cancel() and first.result(120).refused == WALK_TOO_LONG and last.result(120).refused == "read"
         assert beside.pending == 0
-    finally:
-        beside.close()
 
 
 class Slow:

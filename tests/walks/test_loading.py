@@ -11,7 +11,6 @@ from msgspec.structs import replace
 
 from app import visited
 from components.language.state import Frame
-from components.layout.text import mathml
 from components.scenes import SCENES
 from components.session.session import Session
 from components.state.page_state import fitted
@@ -21,7 +20,7 @@ from components.walks.links import standing_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
-from components.walks.registry import all_walks, asked_step, read_own
+from components.walks.registry import all_walks, asked_step
 from components.walks.subject import Subject
 from components.walks.walk import Walk
 from tools.walk import main
@@ -128,26 +127,6 @@ def test_a_step_holds_all_that_its_link_says() -> None:
     assert standing.drawn.beside and standing.scene.hidden == ["x1_slow"]
 
 
-def test_no_text_becomes_html() -> None:
-    walk = changed("rise?", "rise <b>or</b> <img src=x onerror=alert(1)> fall?")
-    (card,) = walk_sheet(walk, SCENES).steps
-    assert "<b>" not in card.question and "&lt;img" in card.question
-
-
-@pytest.mark.parametrize(
-    "latex",
-    [
-        r"\text{<img src=x onerror=alert(1)>}",
-        r"\text{</mtext><script>1</script>}",
-        r"\href{javascript:alert(1)}{x}",
-        r"\style{position:fixed}{x}",
-    ],
-)
-def test_a_formula_brings_nothing_but_mathml(latex: str) -> None:
-    with pytest.raises(ValueError, match="“"):
-        mathml(latex)
-
-
 def test_a_step_may_stand_on_one_that_is_known() -> None:
     (step,) = read_walk(
         'title = "t"\n[[step]]\nid = "again"\nfrom = "d31-03"\nquestion = "How long?"', "mine", steps_of(OWN.values())
@@ -251,15 +230,6 @@ def test_what_stays_covered_was_covered() -> None:
     assert told(text.replace("omega", "tau")) == ["still: the answer shows nothing that was covered."]
 
 
-def test_the_command_lists_what_can_be_covered(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "mine.toml"
-    path.write_text(ENERGY.replace("value:tau", "value:tua"), encoding="utf-8")
-    assert main([str(path)]) == 1
-    said = capsys.readouterr().out
-    assert "cover: “value:tua” is not possible: choose from " in said
-    assert ", value:tau, " in said
-
-
 def test_what_a_mark_sets_is_a_parameter() -> None:
     steps = steps_of(OWN.values())
     walk = read_walk('title = "t"\n[[step]]\nid = "one"\nfrom = "d34-08"\nsets = "x9_0"', "mine", steps)
@@ -335,12 +305,6 @@ def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
         all_walks([tmp_path], SCENES)
     with pytest.raises(WalkError, match="no folder of walks"):
         all_walks([tmp_path / "nowhere"], SCENES)
-
-
-def test_ones_own_walk_is_checked() -> None:
-    assert read_own(GOOD, "mine", OWN, SCENES).name == "mine"
-    with pytest.raises(WalkError, match="controls"):
-        read_own(GOOD.replace('controls = ["k2"]', 'controls = ["k9"]'), "mine", OWN, SCENES)
 
 
 def test_a_link_names_a_step_by_id_or_number() -> None:

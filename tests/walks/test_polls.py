@@ -36,8 +36,3 @@ def test_one_that_opens_a_walk_has_a_state_and_nothing_else_of_a_question() -> N
         read(TITLE + POLL)
     walk = read(TITLE + POLL.replace("poll =", 'state = "?scene=coupled"\npoll ='))
     assert list(problems(walk, SCENES)) == list(shortcomings(walk, SCENES)) == []
-
-
-def test_of_a_poll_no_answer_is_right() -> None:
-    wrong = read(TITLE + FIRST + POLL.replace('"Right"', '"Right", right = true'))
-    assert [problem.partition("options: ")[2] for problem in problems(wrong, SCENES)] == ["none is right in a poll."]

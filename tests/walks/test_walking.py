@@ -19,7 +19,7 @@ from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from tests.page.headless_page import Page, unpacked
-from tests.walks.strokes import heights, strokes
+from tests.walks.strokes import heights
 
 WALKS = load_walks(())
 SHEETS = {name: walk_sheet(walk, SCENES) for name, walk in WALKS.items()}
@@ -157,15 +157,6 @@ def test_a_sketch_is_told_which_features_it_has(page: Page, step: SketchStep) ->
     assert given(page, step.id)["lesson"]["right"] is None
 
 
-def test_the_zero_between_two_resonances_is_missed(page: Page) -> None:
-    (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-14")
-    assert isinstance(step, SketchStep)
-    saddle = [(x, max(y, 0.8 if x < 1.6 else 0.0)) for x, y in strokes(step)["Xp1"]]
-    lesson = given(page, "d34-14", curves=heights(step, {"Xp1": saddle}))["lesson"]
-    assert [found["name"] for found in lesson["findings"] if not found["has"]] == ["The zero between them"]
-    assert "with friction" in lesson["reply"]
-
-
 def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     verdicts = given(page, "d34-12", option=1)["lesson"]["verdicts"]
     assert [bool(verdict["where"]) for verdict in verdicts] == [False, True, False, True]
@@ -257,10 +248,3 @@ def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
         np.testing.assert_allclose(found, sorted(t % (2 * math.pi / omega_n) for t in expected), rtol=1e-6)
         C = math.hypot(has["x_0"], has["v_0"] / omega_n) * (omega_n if of == "v" else 1.0)
         np.testing.assert_allclose([curve.y[low], curve.y[high]], [-C, C], rtol=1e-7)
-
-
-def test_the_period_of_a_push_is_the_pushs(page: Page) -> None:
-    (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
-    assert isinstance(step, SketchStep)
-    found = given(page, step.id, curves=heights(step))["lesson"]["findings"]
-    assert found[-1]["words"].endswith("true 6.28\xa0s")
