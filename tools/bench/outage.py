@@ -12,7 +12,7 @@ from tests.live_class.stores import valkey_running
 from tests.serving.server import ROOT
 from tests.serving.visitor import Visitor
 from tools.bench.followers import Hearing, drag, values
-from tools.deploy.site import Site, deployed
+from tools.deploy.site import DeployedSite, deployed
 
 AGAIN = 0.2
 """Seconds between tries of a follower that is lost: a page's are as many at first."""
@@ -65,7 +65,7 @@ async def outlived(folder: Path, count: int, seconds: float) -> tuple[int, list[
         return await _class_of(site, count, seconds)
 
 
-async def _class_of(site: Site, count: int, seconds: float) -> tuple[int, list[float], int]:
+async def _class_of(site: DeployedSite, count: int, seconds: float) -> tuple[int, list[float], int]:
     Hearing.EVENTS.clear()
     room = await Class.open(site.url)
     visitor = await Visitor.arrive(f"http://127.0.0.1:{site.ports[1]}/", "scene=coupled")
