@@ -269,14 +269,14 @@ class Ladder:
             self.end = "cancelled"
             return None
         setting = self._settings[len(self.runs)]
-        run = self._foreseen(setting) or self.bench.visit(self.method, setting)
+        run = self.foreseen(setting) or self.bench.visit(self.method, setting)
         self.runs.append(run)
         self._times.append([] if run.time is None else [run.time])
-        self.end = self._end()
+        self.end = self.ending()
         self.runs[-1] = replace(run, end=self.end)
         return self.runs[-1]
 
-    def _foreseen(self, setting: float) -> Run | None:
+    def foreseen(self, setting: float) -> Run | None:
         """The row of a run that would be far out of time, by the time of the run before it: it is not tried."""
         before, limit = self.runs[-1] if self.runs else None, self.bench.limits.seconds
         if before is None or before.time is None or self.method.family != "fixed":
@@ -301,7 +301,7 @@ class Ladder:
         self.runs[rung] = replace(self.runs[rung], rounds=len(times), **told)
         return self.runs[rung]
 
-    def _end(self) -> str:
+    def ending(self) -> str:
         if self.runs[-1].end:
             return self.runs[-1].end
         if len(self.runs) == len(self._settings):

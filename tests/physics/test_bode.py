@@ -162,11 +162,3 @@ def test_lags_in_limits(numbers: dict[str, float], omega: list[float], lags: lis
     """In half turns; at a natural frequency without dashpots the lag of the frequencies just below."""
     found = DampedChain(m1=2, m2=1, **numbers).lags(omega).T / math.pi
     assert found.tolist() == [list(pair) for pair in lags]
-
-
-def test_the_work_of_the_force_is_what_the_dashpots_take() -> None:
-    chain = DampedChain(m1=2, m2=1, k1=4, k2=2, c1=0.3, c2=0.1)
-    for omega in (0.4, 1.0, 1.5, 7.0):
-        assert sum(chain.works(omega, 3.0)) == pytest.approx(
-            -3 * math.pi * chain.response(omega, 3.0)[0].imag, rel=1e-14
-        )

@@ -12,7 +12,6 @@ from scipy.integrate import solve_ivp
 from physics.absorber import damped_amplitude, damped_solution
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
-from physics.particular import particular_solution
 from physics.reference.damped_chain import braked_exponents, braked_points
 from physics.transient import DampedModes
 
@@ -103,20 +102,6 @@ def test_both_shapes_are_those_without_dashpots_where_c1_k2_is_c2_k1() -> None:
             assert complex(rows[1] / rows[0]) == pytest.approx(natural.ratio[j], rel=1e-12)
 
 
-def test_else_the_shapes_are_complex() -> None:
-    """The numbers of LECTURE-BEYOND 3.4 for c1 = 0, c2 = 0.2."""
-    fast, slow = sorted(modes(PLAIN, 0.0, 0.2, F_0=0.0).transient, key=lambda term: term.exponent.real)
-    for term, exponent, ratio, degrees in (
-        (slow, -0.0166003 + 1.0013435j, 1.990381, -3.8082),
-        (fast, -0.1333997 + 1.9925818j, 1.014831, -172.4298),
-    ):
-        shape = complex(term.amplitudes[0, 1] / term.amplitudes[0, 0])
-        assert term.exponent == pytest.approx(exponent, abs=6e-8)
-        assert (abs(shape), math.degrees(math.atan2(shape.imag, shape.real))) == pytest.approx(
-            (ratio, degrees), abs=6e-5
-        )
-
-
 @pytest.mark.parametrize("omega", [0.3, 1.0, 1.4142135623730951, 2.0, 7.0])
 @pytest.mark.parametrize(("c1", "c2"), [(0.4, 0.2), (1e-9, 0.0), (0.0, 1e9), (3.0, 1e-3)])
 def test_the_steady_swing_obeys_newtons_laws(c1: float, c2: float, omega: float) -> None:
@@ -127,12 +112,3 @@ def test_the_steady_swing_obeys_newtons_laws(c1: float, c2: float, omega: float)
     assert abs(-link - omega**2 * X2) < 1e-15 * (sizes + 1)
     sizes_alone = damped_amplitude(PLAIN, c2, 1.0, [omega], c1)[:, 0]
     assert sizes_alone == pytest.approx([abs(X1), abs(X2)], rel=1e-15)
-
-
-def test_at_resonance_a_dashpot_leaves_a_finite_swing_and_without_one_nothing_changes() -> None:
-    assert np.all(np.isinf(damped_solution(PLAIN, 0.0, 1.0, 1.0)))
-    for c1, c2 in EXTREME:
-        assert np.all(np.isfinite(damped_solution(PLAIN, c2, 1.0, 1.0, c1)))
-    np.testing.assert_array_equal(
-        damped_amplitude(PLAIN, 0.0, 1.0, [0.3, 1.7]), abs(particular_solution(PLAIN, 1.0, [0.3, 1.7]))
-    )

@@ -13,9 +13,9 @@ from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
 from physics.precision.exact import sin_cos
 from tests.grids import tries
-from tests.physics.chain_cases import chain_of, chain_with, each_case, each_family
+from tests.physics.chain_cases import chain_with, each_family
 from tests.physics.chain_families import drawn
-from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units, worst
+from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(40))
@@ -25,30 +25,6 @@ thorough = settings(max_examples=tries(40))
 def many_digits():
     with mp.workprec(WORKING_BITS):
         yield
-
-
-@each_case
-def test_reference_modes(case):
-    modes = chain_of(case).modes()
-    for value, key in (
-        (modes.omega[0], "w_minus"),
-        (modes.omega[1], "w_plus"),
-        (modes.ratio[0], "r_minus"),
-        (modes.ratio[1], "r_plus"),
-        (modes.beat, "beat_w_plus_minus_w_minus"),
-    ):
-        true = mp.mpf(case[key])
-        assert ulps(value, true) <= 0.51 or (abs(true) > LARGEST and math.isinf(value))
-
-
-@each_case
-def test_reference_free_motion(case):
-    free = case["free"]
-    motion = free_motion(chain_of(case), free["x0"], free["v0"], free["t"])
-    for i in (0, 1):
-        scale = mp.mpf(free["amplitude_scale"][i])
-        for value, true in zip(motion.x[i], free[f"x{i + 1}"], strict=True):
-            assert units(value, mp.mpf(true), scale) <= 4
 
 
 @each_family
@@ -123,18 +99,6 @@ def test_amplitudes_and_phases_give_the_motion(family):
         assert np.all(modes.amplitude[:, 0] >= 0) and np.all((-np.pi < modes.phase) & (modes.phase <= np.pi))
 
     check()
-
-
-def test_the_numbers_of_the_lecture():
-    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
-    modes = chain.modes()
-    assert modes.omega.tolist() == [1.0, 2.0] and modes.ratio.tolist() == [2.0, -1.0]
-    assert (modes.beat, modes.gamma, modes.delta) == (1.0, -0.5, 1.5)
-    assert modes.omega_lo.tolist() == [0.0, 0.0]
-    free = free_modes(chain, (1.0, 0.0), (0.0, 0.0))
-    assert free.energy.tolist() == [1 / 3, 8 / 3]
-    assert free.amplitude.tolist() == [[1 / 3, 2 / 3], [2 / 3, -2 / 3]]
-    assert free.phase.tolist() == [math.pi / 2, math.pi / 2]
 
 
 def test_phases_beyond_reach_stay_on_the_orbit():

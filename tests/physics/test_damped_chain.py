@@ -238,11 +238,3 @@ def test_both_roots_of_a_proportional_mode_are_those_of_its_own_quadratic(case: 
         assert math.prod(pair).real == pytest.approx(omega**2, rel=1e-14)
         assert sum(pair).real == pytest.approx(-beta * omega**2, rel=1e-14)
         assert one.shape[1] / one.shape[0] == pytest.approx(ratio, rel=1e-14)
-
-
-def test_an_undamped_chain_has_the_modes_of_the_lecture() -> None:
-    chain = DampedChain(m1=2, m2=1, k1=4, k2=2)
-    kind, modes = chain.free_motions
-    assert kind is Kind.UNDAMPED and [one.exponents for one in modes] == [(1j,), (2j,)]
-    assert chain.roots.tolist() == [1j, -1j, 2j, -2j] and chain.shapes.tolist() == [2, 2, -1, -1]
-    assert DampedChain(m1=1, m2=1, k1=0, k2=0).free_motions.modes[0].exponents == (0, 0)

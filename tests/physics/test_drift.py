@@ -30,11 +30,3 @@ def test_a_method_explodes_below_its_least_steps_and_ends_there(slug: str) -> No
                 assert isinf(drift.error) == (steps < least), (method, steps)
             assert (drift.t.size == PERIODS * steps + 1) or drift.error == inf
             assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
-
-
-def test_all_motions_begin_at_the_start_and_a_fine_one_is_exact() -> None:
-    system = SYSTEMS["benign"]
-    true = exact(system)
-    for drift in drifts(system, 100, THREE).values():
-        assert drift.x[0] == true.x[0] == system.x_0[0]
-    assert drifts(system, 500, ("nystrom6",))["nystrom6"].error < 1e-7

@@ -79,20 +79,6 @@ def test_work_is_the_gain_of_energy_within_8_u(family):
     check()
 
 
-@pytest.mark.parametrize("k2", [1e12, 1.0, 1e-12])
-@pytest.mark.parametrize("drive", ["slow", "fast", "slow + 1e-9", "between"])
-def test_a_million_periods(k2, drive):
-    chain = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=k2)
-    slow, fast = chain.modes().omega
-    omega = {"slow": slow, "fast": fast, "slow + 1e-9": slow * (1 + 1e-9), "between": math.sqrt(slow * fast)}[drive]
-    t = np.sort(np.concatenate([np.linspace(0.0, 100.0 / fast, 500), np.linspace(0.0, 2e6 * np.pi / slow, 1500)]))
-    total = chain_energy(chain, forced_motion(chain, 1.0, omega, t)).total
-    work = driven_modes(chain, 1.0, omega).work(t)
-    assert np.all(np.abs(work - total) <= 8 * U * np.maximum.accumulate(total))
-    free = chain_energy(chain, free_motion(chain, (1.0, 0.3), (0.2, -0.5), t)).total
-    assert np.all(np.abs(free - free[0]) <= 8 * U * free[0])
-
-
 @pytest.mark.parametrize("omega", [0.3, 1.0, 1.0000001, 2.0, 5.0])
 @pytest.mark.parametrize("x_0", [(0.0, 0.0), (1.0, -0.5)])
 def test_work_is_the_integral_of_force_times_velocity(omega, x_0):
@@ -104,20 +90,6 @@ def test_work_is_the_integral_of_force_times_velocity(omega, x_0):
 def test_no_drive_does_no_work():
     for F_0, omega in ((0.0, 1.0), (1.0, 0.0)):
         assert not np.any(driven_modes(LECTURE, F_0, omega, (1.0, 0.0)).work([0.0, 1.0, 5.0]))
-
-
-def test_modes_share_the_energy_for_good():
-    """1/3 + 8/3 = 3: two flat lines while the masses pass energy to and fro."""
-    t = np.linspace(0.0, 6e6, 1001)
-    modes = free_modes(LECTURE, (1.0, 0.0), (0.0, 0.0))
-    assert modes.energy.tolist() == [1 / 3, 8 / 3]
-    parts = modes.parts(t)
-    masses = LECTURE.m1 + LECTURE.m2 * LECTURE.modes().ratio ** 2
-    for j, omega in enumerate(LECTURE.modes().omega):
-        energy = masses[j] * (parts[j].v[0] ** 2 + (omega * parts[j].x[0]) ** 2) / 2
-        assert np.all(np.abs(energy - modes.energy[j]) <= 8 * U * modes.energy[j])
-    energy_of = chain_energy(LECTURE, free_motion(LECTURE, (1.0, 0.0), (0.0, 0.0), t))
-    assert np.ptp(energy_of.T[0] + energy_of.V[0]) > 1.0
 
 
 def test_elongations_keep_the_energy_of_a_stiff_spring():

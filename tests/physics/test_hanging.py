@@ -18,22 +18,6 @@ positive = st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-60, 60))
 signed = st.builds(lambda x, sign: sign * x, positive, st.sampled_from([-1.0, 1.0]))
 
 
-def test_book_values():
-    assert MASS.delta_st == pytest.approx(2 * 9.81 / 50, rel=U)
-    assert MASS.omega_n == 5.0
-    assert MASS.datum_shift == pytest.approx(50 * MASS.delta_st**2 / 2, rel=4 * U)
-
-
-def test_gravity_moves_the_equilibrium_and_not_the_frequency():
-    moon = HangingMass(m=2.0, k=50.0, g=1.62)
-    assert moon.omega_n == MASS.omega_n
-    assert moon.delta_st < MASS.delta_st
-    t = np.linspace(0, 3, 20)
-    np.testing.assert_array_equal(moon.motion(0.1, 0.0, t).x, MASS.motion(0.1, 0.0, t).x)
-    weightless = HangingMass(m=2.0, k=50.0, g=0.0)
-    assert (weightless.delta_st, weightless.datum_shift) == (0.0, 0.0)
-
-
 @settings(max_examples=tries(300))
 @given(m=positive, k=positive, g=positive, x=signed)
 def test_energies_against_rational_arithmetic(m, k, g, x):
@@ -62,16 +46,6 @@ def test_total_energy_is_constant_within_8_u(periods):
     free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.13, v_0=-0.4)
     total = (0.5 * MASS.m * free.v**2).at(t) + MASS.well(free.x.at(t))
     assert np.max(np.abs(total / free.E - 1)) <= 8 * U
-
-
-def test_the_two_datums_differ_by_a_constant_and_only_one_has_equal_maxima():
-    t = np.linspace(0, 2 * math.pi / MASS.omega_n, 401)
-    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.1, v_0=0.0)
-    T = (0.5 * MASS.m * free.v**2).at(t)
-    equilibrium, separate = (MASS.well(free.x.at(t), datum) for datum in ("equilibrium", "separate"))
-    np.testing.assert_allclose(separate - equilibrium, MASS.datum_shift, rtol=1e-14)
-    assert np.max(equilibrium) == pytest.approx(np.max(T), rel=1e-14)
-    assert np.max(separate) - np.max(T) == pytest.approx(MASS.datum_shift, rel=1e-13)
 
 
 def test_the_spring_along_a_motion_is_that_of_each_place():

@@ -19,7 +19,6 @@ from physics.integrators.stability import (
     form_change,
     stability_limit,
     stable_count,
-    stable_steps,
 )
 from physics.reference.driven_chain import reference
 
@@ -61,15 +60,6 @@ def test_order_with_a_dashpot(method):
     order = ORDERS[method][0]
     slope = math.log2(error(DAMPED, method, 1) / error(DAMPED, method, 2))
     assert slope == pytest.approx(order, abs=0.15)
-
-
-@pytest.mark.parametrize("method", WEIGHTS)
-def test_weights_are_symmetric_and_sum_to_one(method):
-    weights = WEIGHTS[method]
-    assert weights == weights[::-1]
-    assert math.fsum(weights) == pytest.approx(1.0, abs=4e-16)
-    for power in range(3, {"verlet": 2, "yoshida4": 4, "yoshida6": 6}[method], 2):
-        assert math.fsum(w**power for w in weights) == pytest.approx(0.0, abs=1e-14)
 
 
 @pytest.mark.parametrize(
@@ -151,33 +141,11 @@ def test_a_fast_part_rings_to_the_end_unless_it_is_damped(method):
     assert left < 1e-4 if method in DAMPING else left > 0.9
 
 
-def test_what_a_step_leaves_of_a_decay():
-    for z in (0.1, 1.0, 2.5):
-        assert decay_factor("euler", z) == pytest.approx(1 - z)
-        assert decay_factor("rk4", z) == pytest.approx(1 - z + z**2 / 2 - z**3 / 6 + z**4 / 24)
-        assert decay_factor("midpoint", z) == pytest.approx((1 - z / 2) / (1 + z / 2))
-        assert decay_factor("gauss4", z) == pytest.approx((1 - z / 2 + z**2 / 12) / (1 + z / 2 + z**2 / 12))
-
-
 @fixed
 def test_symplectic_methods_keep_areas(method):
     kept = {*WEIGHTS, "semi", "midpoint", "newmark", "gauss4", "mollified"}
     assert (form_change(method, 0.5) < 1e-14) == (method in kept)
     assert form_change(method, 0.5) < 1e-14 or form_change(method, 0.5) > 1e-8
-
-
-def test_what_grows_or_decays_at_a_step():
-    z = np.array([0.1, 1.0, 2.0])
-    np.testing.assert_allclose(amplification("euler", z), np.hypot(1, z), rtol=1e-12)
-    runge_kutta = np.abs(1 + 1j * z - z**2 / 2 - 1j * z**3 / 6 + z**4 / 24)
-    np.testing.assert_allclose(amplification("rk4", z), runge_kutta, rtol=1e-12)
-
-
-def test_newmark_is_the_implicit_midpoint_where_nothing_drives():
-    one, other = (run_fixed(method, FREE, 3, Watch()) for method in ("newmark", "midpoint"))
-    np.testing.assert_array_equal(one.x, other.x)
-    apart = [run_fixed(method, DRIVEN, 3, Watch()).x for method in ("newmark", "midpoint")]
-    assert np.max(np.abs(apart[0] - apart[1])) > 1e-5
 
 
 @pytest.mark.parametrize("method", WEIGHTS)
@@ -203,18 +171,6 @@ def test_a_step_past_the_limit_is_given_up_with_the_reason(method, share, explod
     with pytest.raises(StoppedError, match="unstable step: h omega_") as stop:
         run_fixed(method, problem, 1, Watch(bound=1e3))
     assert 0 < stop.value.reached < problem.t[-1]
-
-
-def test_explicit_steps_pay_for_a_stiff_spring():
-    soft, stiff = (TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=k2) for k2 in (1e6, 1e10))
-    assert stable_steps("verlet", stiff) / stable_steps("verlet", soft) == pytest.approx(100, rel=1e-4)
-    assert stable_steps("midpoint", stiff) == 0.0
-
-
-def test_implicit_midpoint_keeps_the_energy_and_loses_the_phase():
-    truth, result = reference(FREE), METHODS["midpoint"].run(FREE, 2, Watch())
-    assert np.max(truth.energy_errors(CHAIN, result)) < 1e-14
-    assert np.max(truth.errors(result.x)) > 0.1
 
 
 @pytest.mark.parametrize("method", [*WEIGHTS, "midpoint", "newmark", "gauss4", *SPLITTING])
@@ -279,11 +235,6 @@ def test_steps_are_forgotten(method):
     assert (more - some) / (many - few) < 16
 
 
-def test_the_closed_form_is_within_two_roundings():
-    assert error(FREE, "closed", 0) < 4 * 2.0**-53
-    assert error(DRIVEN, "closed", 0) < 4 * 2.0**-53
-
-
 @pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.order])
 def test_fixed_steps_go_down_by_a_decade_of_error(method):
     steps = METHODS[method].settings()
@@ -291,12 +242,6 @@ def test_fixed_steps_go_down_by_a_decade_of_error(method):
     fine = np.array([n for n in steps if n > 30])
     np.testing.assert_allclose((fine[1:] / fine[:-1]) ** METHODS[method].order, 10, rtol=0.25)
     assert steps[-1] >= 2**40
-
-
-def test_tolerances_go_down_one_a_decade():
-    tolerances = np.array(METHODS["radau"].settings())
-    assert (tolerances[0], tolerances[-1]) == (1e-2, 1e-13)
-    np.testing.assert_allclose(tolerances[:-1] / tolerances[1:], 10)
 
 
 def test_the_fewest_steps_that_are_stable():
@@ -312,26 +257,15 @@ def test_the_fewest_steps_that_are_stable():
     assert (stable_count("gauss4", wide), stable_count("euler", wide)) == (1, 1)
 
 
-def test_tableaux_are_those_of_the_books():
-    """Sums of rows and weights as the order asks: what x'' = 1 and x'' = t come to."""
-    for tableau in TABLEAUX.values():
-        if not any(tableau.V[:-1]) and tableau.order > 1:
-            assert [sum(row) for row in tableau.X[:-1]] == [c * c / 2 for c in tableau.nodes]
-        assert sum(tableau.V[-1]) == 1
-        if tableau.order > 1:
-            assert sum(tableau.X[-1]) == sum(b * c for b, c in zip(tableau.V[-1], tableau.nodes, strict=True)) == 1 / 2
-
-
 @pytest.mark.parametrize("method", ["fortran", "adams", "lsoda", "dop853"])
-def test_evaluations_are_those_that_were_made(method, monkeypatch):
-    made, linear = [], solvers._linear
+def test_evaluations_are_those_that_were_made(method):
+    made = []
 
     def counted(problem):
-        A, rates = linear(problem)
-        return A, lambda t, y: made.append(t) or rates(t, y)
+        A = solvers.jacobian(problem)
+        return A, lambda t, y: made.append(t) or A @ y
 
-    monkeypatch.setattr(solvers, "_linear", counted)
-    METHODS[method].run(FREE, 1e-6, watch := Watch())
+    METHODS[method].run(FREE, 1e-6, watch := Watch(), linear=counted)
     assert watch.evaluations == len(made)
 
 

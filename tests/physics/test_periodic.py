@@ -262,16 +262,6 @@ def test_samples_of_a_long_period_cover_the_window() -> None:
     assert motion.played.at(t) == pytest.approx(motion.at(t), abs=1e-6)
 
 
-def test_a_line_that_is_missing_is_harmless() -> None:
-    """The second harmonic of a square is missing; the third is not."""
-    push = PeriodicPush(kind="square")
-    assert PushedMass(1.0, 0.0, 4.0, push).steady([0.3]).x[0] == pytest.approx((1 - math.cos(0.6)) / 4, rel=1e-14)
-    assert not PushedMass(1.0, 0.0, 9.0, push).steady_exists
-    assert PushedMass(1.0, 0.0, math.nextafter(9.0, 10.0), push).steady_exists
-    grown = np.abs(PushedMass(1.0, 0.0, 9.0, push).from_rest(np.linspace(2000, 2010, 200)).x).max()
-    assert grown == pytest.approx(2005 * 0.07073553, rel=0.01)
-
-
 def test_a_step_and_an_impulse_end_at_rest() -> None:
     step, impulse = (PushedMass(2.0, 1.0, 8.0, PeriodicPush(kind=kind, size=4.0)) for kind in ("step", "impulse"))
     assert step.steady([1.0]).x[0] == 0.5 and impulse.steady([1.0]).x[0] == 0.0

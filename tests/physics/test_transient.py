@@ -2,7 +2,6 @@
 
 import math
 from fractions import Fraction
-from types import SimpleNamespace
 
 import mpmath as mp
 import numpy as np
@@ -14,7 +13,7 @@ from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from physics.precision.polynomials import context
-from physics.transient import DIGITS, DRAWING, FILE, DampedModes, _decimal
+from physics.transient import DIGITS, DRAWING, FILE, DampedModes
 from tests.grids import WHOLE, tries
 from tests.physics.chain_cases import chain_with
 from tests.physics.chain_families import FAMILIES, drawn
@@ -171,21 +170,6 @@ def test_terms_where_exponents_are_equal(chain, c, apart):
     assert error < 1e-5 * np.max(np.abs(x))
 
 
-def test_two_masses_without_a_wall_drift():
-    chain, c = TwoMassChain(m1=1.0, m2=3.0, k1=0.0, k2=2.0), 0.5
-    modes = DampedModes(chain=chain, c=c, F_0=0.0, omega=0.0, x_0=(1.0, 2.0), v_0=(4.0, 0.0))
-    late = modes.motion([1e3]).x[:, 0]
-    assert late == pytest.approx([1.75 + 1e3] * 2, rel=1e-14)
-    (drift,) = (term for term in modes.transient if not term.exponent)
-    assert drift.amplitudes[1] == pytest.approx([1.0, 1.0, 0.0], abs=1e-15)
-
-
-def test_nothing_moves_without_a_force():
-    loose = TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=0.0)
-    motion = modes_of(loose, 1.0, 0.0, 1.0, x_0=(0.0, 1.0)).motion([0.0, 1.0])
-    assert np.array_equal(rows(motion), np.repeat([[0.0], [1.0], [1.0], [0.0], [0.0]], 2, axis=1))
-
-
 def test_a_mass_that_nothing_ties_stays_while_the_other_moves():
     loose = TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0)
     modes = DampedModes(chain=loose, c1=0.5, c=0.0, F_0=0.0, omega=0.0, x_0=(0.1, 0.2), v_0=(0.0, 0.3))
@@ -193,11 +177,6 @@ def test_a_mass_that_nothing_ties_stays_while_the_other_moves():
     moved = [[x[0]] * 3, [float(Fraction(x[1]) + Fraction(0.3) * Fraction(one)) for one in t]]
     assert modes.motion(t).x.tolist() == moved
     assert modes.motion(t).v.tolist() == [[0.0] * 3, [0.3] * 3]
-
-
-def test_a_mantissa_may_be_an_integer_of_another_library():
-    """As mpmath's are wherever gmpy2 happens to be installed."""
-    assert _decimal(SimpleNamespace(_mpf_=(1, np.int64(3), np.int64(-1), 2))) == -1.5
 
 
 def test_no_particular_solution_at_an_undamped_resonance():
