@@ -12,15 +12,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from components.language.state import Frame, State
+from components.language.state import Frame
 from components.quantities.axes import nice_axis
 from components.scene import Picture, Scene
-from components.scene.frames import FITTED, checked, grown, unfitted
+from components.scene.frames import FITTED, checked, grown
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
 from tests.page.headless_page import Page
 from tests.page.scripts import played
-from tests.scenes.checks import check_picture
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 SINES = ("oscillator", "energy", "coupled")
@@ -122,26 +121,6 @@ def test_an_axis_in_a_unit_of_1e_306_may_have_the_range_of_a_page() -> None:
 
 def opened(page: Page, **state: Any) -> dict[str, Any]:
     return page.say({"type": "open", "state": {"scene": "coupled", **state}, "number": len(page.packets) + 1})
-
-
-def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
-    page = Page(SCENES["coupled"]())
-    frame = wider(draw(page.scene).frame)
-    told = opened(page, frame=msgspec.to_builtins(frame))
-    assert told["errors"] == {}
-    standing = msgspec.convert(told["state"], State).frame
-    assert standing == unfitted(frame, draw(page.scene).frame)
-    x = told["view"]["axes"]["x"]
-    told = page.say({"type": "set", "values": {"x1_0": 0.5}, "number": 90})
-    assert told["view"]["axes"]["x"] == x, "a smaller start is seen as smaller"
-    told = page.say({"type": "set", "values": {"x1_0": 30.0}, "number": 91})
-    assert told["view"]["axes"]["x"]["end"] > x["end"]
-    assert told["view"]["axes"]["t"]["end"] == pytest.approx(frame.window)
-    check_picture(page.now)
-    told = opened(page)
-    assert told["state"]["frame"] is None
-    assert page.now.state == State(scene="coupled")
-    same(page.shown, SCENES["coupled"]().shown)
 
 
 @pytest.mark.parametrize(

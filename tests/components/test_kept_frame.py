@@ -107,35 +107,6 @@ def test_a_preset_fits(slug: str) -> None:
         assert told["view"]["pace"] == fresh["view"]["pace"]
 
 
-def test_four_times_the_mass_swings_half_as_fast() -> None:
-    page = page_of("oscillator")
-    before = page.opening()["view"]
-    after = set_value(page, {"m": 4.0})["view"]
-    assert after["axes"]["t"] == before["axes"]["t"]
-    assert after["pace"]["auto"] == before["pace"]["auto"]
-    (_, omega, _, *_), (_, slower, _, *_) = (view["signals"]["x"]["sines"][0] for view in (before, after))
-    assert slower == pytest.approx(omega / 2, rel=1e-12)
-
-
-def test_a_faster_aircraft_is_seen_to_swing_more_slowly() -> None:
-    page = page_of("phugoid")
-    before = page.opening()["view"]
-    after = set_value(page, {"v_0": 3 * page.scene.v_0})["view"]
-    assert (after["axes"]["t"]["end"], after["pace"]["auto"]) == (before["axes"]["t"]["end"], before["pace"]["auto"])
-    assert after["signals"]["x"] != before["signals"]["x"]
-
-
-def test_a_smaller_swing_is_seen_as_smaller_and_nothing_flips() -> None:
-    page = page_of("oscillator")
-    set_value(page, {"v_0": 0.0, "x_0": 0.4})
-    wide = page.now.drawn.frame
-    assert wide.ranges["x"] == (-0.5, 0.5)
-    for x_0 in (0.05, 0.39, 0.05, 0.4):
-        set_value(page, {"x_0": x_0})
-        assert page.now.drawn.frame == wide
-    assert fit(page)["view"]["axes"]["x"]["end"] == pytest.approx(1.25 * 0.4)
-
-
 def test_another_window_is_chosen_by_its_field() -> None:
     page = page_of("coupled")
     set_value(page, {"k2": 3.0})
@@ -167,10 +138,3 @@ def test_where_nothing_can_be_drawn_in_the_frame_it_is_fitted() -> None:
     told = set_value(page, {"x1_0": 1e-3})
     assert told["errors"] == {}
     check_picture(page.now)
-
-
-def test_presets_and_refusals_keep_what_a_scene_without_a_page_does() -> None:
-    """A scene of its own, as tests and tools have it, always fits."""
-    scene = SCENES["oscillator"]()
-    scene.x_0 = 0.4
-    assert standing(scene) == draw(scene.value).frame

@@ -19,7 +19,6 @@ from components.scene import Picture
 from components.scene.frames import FITTED, loosened, unfitted
 from components.scene.picture import frame_of
 from components.scenes import SCENES
-from components.session.opening import opened
 from components.state.link import read_query
 from components.state.wire import Packet
 from tests.page.hand import grabs
@@ -103,16 +102,6 @@ def test_letting_go_after_a_refusal_takes_the_refusal_back() -> None:
     assert page.told["type"] == "shown" and page.told["errors"] == {}
 
 
-def test_one_sweep_of_a_stiffness_and_back_shows_the_swing_again() -> None:
-    page = Page(SCENES["oscillator"]())
-    opens = frame_of(page.shown).ranges["x"]
-    sweep(page, "k", 1e-3, 1e6, page.scene.k)
-    assert frame_of(page.shown).ranges["x"][1] > 20 * opens[1], "during the drag it has grown"
-    state = let_go(page)
-    assert frame_of(page.shown).ranges["x"] == pytest.approx(opens)
-    assert "x" not in (state.frame or FITTED).ranges
-
-
 GRABS = [(slug, grab) for slug in MOVING for _, grab in grabs(SCENES[slug]) if grab.ways[0].parameter]
 
 
@@ -149,18 +138,6 @@ def test_the_plane_of_modes_stays_whatever_lets_go() -> None:
     wide = frame_of(page.shown)
     let_go(page)
     assert frame_of(page.shown) == wide
-
-
-def test_what_is_used_to_a_quarter_stands() -> None:
-    page = Page(SCENES["oscillator"]())
-    sweep(page, "v_0", 0.0)
-    sweep(page, "x_0", 0.4, 0.14)
-    wide = frame_of(page.shown)
-    let_go(page)
-    assert frame_of(page.shown).ranges["x"] == wide.ranges["x"]
-    sweep(page, "x_0", 0.09)
-    let_go(page)
-    assert frame_of(page.shown).ranges["x"][1] < 0.12
 
 
 def test_curves_held_count() -> None:
@@ -241,24 +218,6 @@ def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
     other = Frame(ranges={"w": (2e-4, 1e3)}, window=10.1, given=True)
     assert unfitted(other, fitted) == other
     assert unfitted(FITTED, fitted) is None
-
-
-@pytest.mark.parametrize("slug", MOVING)
-def test_a_link_has_four_digits_and_shows_all_that_was_seen(slug: str) -> None:
-    for name, quantity in quantities(SCENES[slug]).items():
-        page = Page(SCENES[slug]())
-        _, high = page.shown.spans.get(name, quantity.softbounds)
-        sweep(page, name, high / 3 or 1.0)
-        let_go(page)
-        query = page.now.query
-        parts = [part for part in query.split("&") if part.startswith("frame.")]
-        numbers = [number for part in parts for number in part.partition("=")[2].split(",")]
-        assert all(len(number.partition("e")[0].strip("-0.").replace(".", "")) <= 4 for number in numbers), parts
-        link = read_query(as_arguments(query), SCENES)
-        again = opened(SCENES, link).now
-        for axis, span in frame_of(page.shown).ranges.items():
-            own = again.shown.axes[axis]
-            assert share(replace(own, start=span[0], end=span[1]), (own.start, own.end)) == pytest.approx(1, abs=0.03)
 
 
 class Class:

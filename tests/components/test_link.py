@@ -161,34 +161,6 @@ def test_link_is_short_and_in_a_stable_order() -> None:
     assert fitted(scene.value).query == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
 
 
-above_0 = st.floats(min_value=0, exclude_min=True, allow_infinity=False)
-not_negative = st.floats(min_value=0, allow_infinity=False)
-anywhere = st.floats(allow_nan=False, allow_infinity=False)
-
-
-@given(
-    st.fixed_dictionaries(
-        {},
-        optional={
-            "m1": above_0,
-            "k2": not_negative,
-            "x1_0": anywhere,
-            "window": st.none() | above_0,
-            "axes": st.sampled_from(["si", "lecture"]),
-            "steps": st.sampled_from([1.0, 0.5]),
-            "log": st.booleans(),
-            "hidden": st.lists(st.from_regex(r"[A-Za-z0-9_.:+-]{1,40}", fullmatch=True), max_size=8),
-        },
-    )
-)
-def test_link_brings_a_scene_back_exactly(values: dict[str, Any]) -> None:
-    scene = First(**values)
-    link = read_query(query(fitted(scene.value).query), SCENES)
-    back = First(**link.values)
-    assert link.problems == []
-    assert {name: getattr(back, name) for name in values} == {name: getattr(scene, name) for name in values}
-
-
 near = st.floats(-6, 3).flatmap(lambda power: st.sampled_from((10**power, -(10**power))))
 spans = st.tuples(size := st.floats(-1e300, 1e300), size) | st.builds(
     lambda end, by: (end, end + by * abs(end)), st.floats(-1e100, 1e100), near

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import copy
 import json
-import pickle
 import subprocess
 from typing import Any, get_args
 
@@ -292,16 +290,6 @@ def test_the_line_of_a_value_can_be_dragged(slug: str, view: str, plot: str, nam
     assert not face.problems and scene.values[name] != before
 
 
-def test_a_response_has_its_resonances_and_the_drive_marked() -> None:
-    scene = SCENES["forced"]()
-    face = scene.panel()
-    lines = {getattr(one, "at", "") or one.parameter: line for one, line in face.figures["response"].lines.items()}
-    assert lines["omega"].location == pytest.approx(scene.omega)
-    slow = lines["mark_minus"].location
-    face.widgets["k1"].value = face.widgets["k2"].value = "4"
-    assert lines["mark_minus"].location == pytest.approx(2 * slow)
-
-
 def test_the_formulas_are_mathml_with_the_numbers_of_the_picture() -> None:
     scene = SCENES["coupled"]()
     face = scene.panel()
@@ -323,17 +311,6 @@ def test_all_faces_follow_the_scene() -> None:
     assert not {model.id for model in one.figures["x1"].model.references()} & {
         model.id for model in other.figures["x1"].model.references()
     }
-
-
-@scenes
-def test_a_face_is_copied_and_pickled_with_its_values(kind: type[Scene]) -> None:
-    scene = kind()
-    for twin in (copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
-        assert twin.value.key == scene.value.key
-        twin.set({"window": 12.5})
-        assert (twin.window, scene.window) == (12.5, kind.at().values["window"])
-    with pytest.raises(AttributeError, match="cannot be set"):
-        scene.value.window = 3.0
 
 
 def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:

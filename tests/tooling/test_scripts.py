@@ -7,22 +7,12 @@ import re
 from collections import Counter
 from pathlib import Path
 
-import pytest
-
 from tests.serving.server import ROOT
 
 SCRIPTS = sorted((ROOT / "static").rglob("*.js"))
-LONGEST_FILE, LONGEST_LINE = 500, 120
 LARGEST_CIRCLE = 3
 IMPORTED = re.compile(r"""\b(?:from|import)\s*\(?\s*["'](\.{1,2}/[^"']+)["']""")
 """Static and dynamic imports, and those in JSDoc types."""
-
-
-@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.name)
-def test_a_script_is_short(path: Path) -> None:
-    lines = path.read_text(encoding="utf-8").splitlines()
-    assert len(lines) <= LONGEST_FILE
-    assert [line for line in lines if len(line) > LONGEST_LINE] == []
 
 
 def reached(start: Path, imports: dict[Path, set[Path]]) -> set[Path]:
