@@ -16,7 +16,6 @@ from components.scenes.chain import Chain
 from components.session.exports import link_file
 from components.state.covers import without
 from physics.oscillator import Oscillator
-from tests.page.headless_page import Page
 from tests.page.scripts import call
 from tests.scenes.presets import taken
 
@@ -132,15 +131,6 @@ def test_masses_along_the_chain_never_meet_on_the_stage() -> None:
     assert np.diff(x, axis=1).min() > -0.9 * scene.a
 
 
-@pytest.mark.parametrize("view", [view.slug for view in Chain.views])
-def test_a_change_of_sixty_masses_is_small(view: str) -> None:
-    page = Page(Chain(N=60, view=view, starts="pluck", p=20.0))
-    values: list[dict[str, Any]] = [{"h": 0.3}, {"p": 21.0}, {"k": 12.0}, {"h": 0.35}]
-    for number, one in enumerate(values, start=1):
-        page.say({"type": "set", "values": one, "number": number})
-    assert max(len(packet["data"]) for packet in page.packets[1:]) <= 3000
-
-
 def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
     scene = Chain(ends="free-free")
     left, _ = without(Chain, scene.shown, ("plot:field",))
@@ -175,16 +165,6 @@ def test_a_covered_picture_has_no_displacements_in_the_file() -> None:
     assert motions({"N": "8", "cover": "plot:energy"}) is not None
 
 
-@pytest.mark.parametrize("ends", ENDS)
-def test_the_numbers_of_500_masses_are_checked(ends: str) -> None:
-    scene = Chain(N=500, ends=ends)
-    about = scene.of().about(scene.shown)
-    rows = [row for table in about.tables for row in table.rows]
-    assert len(rows) == 3 * 3 + 2
-    assert all(row.off <= table.limit for table in about.tables for row in table.rows)
-    assert about.energy
-
-
 def moves(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
     """The displacements of a scene of one or two masses, by the number of the mass."""
     columns = scene.shown.traces["time"].exact(t)
@@ -214,19 +194,3 @@ def test_one_mass_and_two_lead_to_their_chain(scene: Any) -> None:
     here = chain.shown.traces["time"].exact(t)
     for name, x in moves(scene, t).items():
         np.testing.assert_allclose(here[name], x, atol=1e-14)
-
-
-def test_other_chains_lead_nowhere() -> None:
-    assert not Chain().shown.onward and not Chain(N=2).shown.onward
-    assert not SCENES["coupled"]().shown.onward
-
-
-def test_the_panel_face_draws_the_masses_by_colour() -> None:
-    scene = Chain()
-    figure = scene.panel().figures["field"]
-    data = dict(figure.field.data)
-    ((image,), (width,), (height,)) = (data[name] for name in ("image", "dw", "dh"))
-    assert (width, height) == (50, pytest.approx(13.5, rel=1e-3))
-    start = displacements(scene)[0] / scene.h
-    np.testing.assert_allclose(image[0], start, atol=1e-12)
-    assert figure.model.y_range.start > figure.model.y_range.end == 0

@@ -78,15 +78,6 @@ def test_what_is_said_of_the_largest_energies() -> None:
     assert seen == {"equilibrium", "separate", "slide", "weightless", "rest", "rest_apart"}
 
 
-def test_energy_is_traded_with_position_and_not_with_the_spring_alone() -> None:
-    """From the top to equilibrium T and the energy of the spring both rise: gravity pays for both."""
-    scene = Energy(datum="separate", x_0=-0.2)
-    data = scene.sources["time"].data
-    first = data["t"] <= 0.25 * 2 * math.pi / math.sqrt(scene.k / scene.m)
-    assert np.all(np.diff(data["T"][first]) > 0) and np.all(np.diff(data["spring"][first]) > 0)
-    assert "position" in scene.headline and "spring" not in scene.headline
-
-
 # Analogues
 
 

@@ -123,15 +123,6 @@ def test_units_are_si_whatever_the_axes_count_in() -> None:
     assert "excess [1]" in list(pd.read_csv(io.BytesIO(late), comment="#")) and b"percent" not in late
 
 
-def test_units_of_the_slide_are_told_in_si() -> None:
-    for values in ({}, {"m1": 10.0}):
-        for content in taken(SCENES["forced"](axes="lecture", **values)).values():
-            names = set(pd.read_csv(io.BytesIO(content), comment="#"))
-            assert not {name for name in names if "k1" in name}
-            assert "omega [rad/s]" in names or "omega" not in " ".join(names)
-            assert "Xp1 [m]" in names or "Xp1" not in " ".join(names)
-
-
 def test_powers_of_ten_of_a_unit_are_written_out() -> None:
     for values, unit in (({"m1": 5e-324}, "D [10^324 N^2/m^2]"), ({"k2": 1e300}, "D [10^600 N^2/m^2]")):
         files = taken(SCENES["modes"](view="guess", **values))
@@ -186,12 +177,3 @@ def test_a_frame_has_the_columns_of_a_source_under_the_names_of_the_export(slug:
         assert np.array_equal(found[list(table.head)].to_numpy(), np.array(table.rows), equal_nan=True)
     with pytest.raises(ValueError, match="“nothing” has no numbers here: choose one of "):
         scene.frame("nothing")
-
-
-def test_a_frame_without_a_name_is_the_first_and_follows_the_scene() -> None:
-    scene = SCENES["coupled"]()
-    frame = scene.frame()
-    assert list(frame)[:3] == ["t [s]", "x1 [m]", "x1_slow [m]"]
-    scene.k2 = 3.0
-    assert np.array_equal(scene.frame()["x1 [m]"], scene.sources["time"].data["x1"])
-    assert not np.array_equal(scene.frame()["x1 [m]"], frame["x1 [m]"])

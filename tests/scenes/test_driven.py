@@ -144,26 +144,6 @@ def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
         assert tail - unit * max(at["up"], at["end"]) > 18, (r, zeta)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_its_powers_are_those_of_the_motion_and_meet_in_the_end(kind: str) -> None:
-    scene = DRIVEN(kind=kind, omega=8.0, window=8.0)
-    columns = scene.sources["power"].data
-    t, dt = np.linspace(0.0, 8.0, 160_001), 5e-5
-    one = DrivenOscillator(m=scene.m, c=scene.c, k=scene.k)
-    motion = one.motion(8.0, getattr(scene, SIZES[kind]), t=t[::40], kind=kind)
-    v = np.interp(t, t[::40], motion.v)
-    rate = scene.Y * 8.0 * np.cos(8.0 * t) if kind == "base" else 0.0
-    work = np.concatenate([[0.0], np.cumsum(scene.c * (v - rate)[:-1] ** 2) * dt])
-    for n in (40, 100, -1):
-        now = columns["t"][n]
-        mean = (np.interp(now, t, work) - np.interp(max(now - math.pi / 4, 0), t, work)) / (math.pi / 4)
-        assert columns["P_lost"][n] == pytest.approx(mean, rel=2e-3)
-    assert columns["P_in"][-1] == pytest.approx(columns["P_lost"][-1], rel=1e-3)
-    cycle = columns["P_lost"][-1] * math.pi / 4
-    stroke = steady(scene) - scene.Y if kind == "base" else steady(scene)
-    assert cycle == pytest.approx(math.pi * scene.c * 8.0 * abs(stroke) ** 2, rel=1e-3)
-
-
 def test_the_presets_are_as_they_say() -> None:
     def size(label: str) -> float:
         return float(

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from components.layout.sheet import blocks
 from components.scenes import SCENES
+from physics.convolution import SlicedPush
 from physics.damped import DampedOscillator
 from physics.magnification import highest, magnification
 from physics.periodic import PeriodicPush
@@ -56,6 +57,12 @@ def size_of(scene: Any) -> float:
     return float(scene.J if scene.push.startswith("impulse") else scene.F_0)
 
 
+def pushed(scene: Any) -> tuple[DampedOscillator, PushedMass]:
+    """The mass of a scene by itself, and under its push."""
+    one = DampedOscillator(m=scene.m, c=scene.c, k=scene.k)
+    return one, one.pushed(PeriodicPush(kind=scene.push, size=size_of(scene), omega=scene.omega, width=scene.width))
+
+
 def mean_of(scene: Any) -> float:
     """The size that the harmonics are divided by, in N."""
     return float(scene.J * scene.omega / (2 * math.pi) if scene.push == "impulses" else scene.F_0)
@@ -66,10 +73,8 @@ def mean_of(scene: Any) -> float:
 def test_a_file_has_the_exact_motion_and_its_parts(push: Any, omega: float) -> None:
     scene = DRIVEN(push=push, omega=omega, x_0=0.02, v_0=0.1, c=1.0)
     data = scene.sources["time"].data
-    mass = PushedMass(
-        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=size_of(scene), omega=omega, width=scene.width)
-    )
-    free = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).motion(scene.x_0, scene.v_0, data["t"])
+    one, mass = pushed(scene)
+    free = one.motion(scene.x_0, scene.v_0, data["t"])
     assert data["x"] == pytest.approx(mass.from_rest(data["t"]).x + free.x, rel=1e-15, abs=0)
     if push == "impulse":
         assert {"x_p", "x_c", "F_over_k"}.isdisjoint(data)
@@ -194,7 +199,7 @@ def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
 @pytest.mark.parametrize("push", PUSHES)
 def test_the_mean_powers_are_those_of_the_push(push: Any) -> None:
     scene = DRIVEN(view="power", push=push, omega=2.0944, c=1.0, window=60.0)
-    mass = PushedMass(1.0, 1.0, 39.48, PeriodicPush(kind=push, size=size_of(scene), omega=2.0944, width=0.2))
+    _, mass = pushed(scene)
     for name in ("P_in", "P_lost"):
         assert scene.numbers[name].value == pytest.approx(mass.work * 2.0944 / (2 * math.pi), rel=1e-6)
     assert scene.shown.forms["has_power"] and not scene.shown.forms["no_powers"]
@@ -215,37 +220,22 @@ def test_a_motion_too_fast_or_too_slow_is_drawn_all_the_same(push: Any, values: 
     if "x_hi" not in band:
         assert np.all(np.isfinite(scene.sources["time"].data["x"]))
         return
-    mass = PushedMass(
-        scene.m, scene.c, scene.k, PeriodicPush(kind=push, size=size_of(scene), omega=scene.omega, width=0.2)
-    )
+    _, mass = pushed(scene)
     x = mass.from_rest(np.linspace(0.0, band["t"][-1], 50)).x
     assert np.all(band["x_lo"] <= x.min()) and np.all(band["x_hi"] >= x.max() * (1 - 1e-9))
-
-
-def summed(scene: Any, t: np.ndarray) -> np.ndarray:
-    """The sum of what the slices leave, each by the free motion after its impulse."""
-    end, count = scene.shown.axes["t"].end, int(scene.slices)
-    middles = end * (np.arange(count) + 0.5) / count
-    one, found = DampedOscillator(m=scene.m, c=scene.c, k=scene.k), np.zeros_like(t)
-    push = PeriodicPush(kind=scene.push, size=scene.F_0, omega=scene.omega, width=scene.width)
-    for middle, F in zip(middles, PushedMass(scene.m, scene.c, scene.k, push).force(middles), strict=True):
-        left = one.motion(0.0, F * end / count / scene.m, np.maximum(t - middle, 0.0)).x
-        found += np.where(t > middle, left, 0.0)
-    return found
 
 
 @pytest.mark.parametrize("push", ["square", "triangle", "pulses", "step"])
 @pytest.mark.parametrize("slices", [1, 12, 60, 200])
 def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices: int) -> None:
     scene = DRIVEN(view="convolution", push=push, slices=slices, x_0=0.01, c=1.5, width=0.31)
-    data = scene.sources["time"].data
-    t = data["t"]
-    free = DampedOscillator(m=scene.m, c=1.5, k=scene.k).motion(0.01, 0.0, t)
-    assert data["x_sliced"] == pytest.approx(summed(scene, t) + free.x, abs=1e-13)
-    fine = np.linspace(0.0, t[-1], 1 + 2 * slices * math.ceil(400 / slices))
-    rest = PushedMass(scene.m, 1.5, scene.k, PeriodicPush(kind=push, size=2.0, omega=scene.omega, width=0.31))
-    exact = rest.from_rest(fine).x
-    miss = np.abs(summed(scene, fine) - exact).max()
+    data, (one, mass) = scene.sources["time"].data, pushed(scene)
+    t, end = data["t"], data["t"][-1]
+    sliced = SlicedPush(oscillator=one, force=mass.force, end=end, count=slices)
+    assert data["x_sliced"] == pytest.approx(sliced.x.at(t) + one.motion(0.01, 0.0, t).x, abs=1e-13)
+    fine = np.linspace(0.0, end, 1 + 2 * slices * math.ceil(400 / slices))
+    exact = mass.from_rest(fine).x
+    miss = np.abs(sliced.x.at(fine) - exact).max()
     assert scene.numbers["misses"].value == pytest.approx(miss, rel=0.02)
     share = miss / np.abs(exact).max()
     word = "follows" if share <= 0.05 else "coarse" if scene.numbers["slice_width"].value > 0.1 else "changes"
@@ -255,7 +245,7 @@ def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices
     path, tails = scene.sources["outline"].data, scene.sources["tails"].data
     area = np.trapezoid(np.abs(path["slice"]), path["slice_t"])
     middles = t[-1] * (np.arange(slices) + 0.5) / slices
-    assert area == pytest.approx(np.abs(rest.force(middles)).mean() * t[-1])
+    assert area == pytest.approx(np.abs(mass.force(middles)).mean() * t[-1])
     assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
     assert np.count_nonzero(tails["tail_t"] == t[-1]) <= 14
 

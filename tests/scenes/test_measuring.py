@@ -15,7 +15,7 @@ import psutil
 import pytest
 
 from components.scenes.accuracy.measuring import WAITING, Job, Measuring
-from physics.integrators.accuracy import SYSTEMS, entered
+from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.accuracy_worker import decoded_system, encoded_system
 from tests.serving.server import ROOT, Server, serving
 from tests.serving.visitor import Visitor
@@ -85,14 +85,6 @@ def test_a_measurement_comes_run_by_run_and_is_remembered(two: None) -> None:
     assert any(run.failure and "time limit" in run.failure for run in job.runs)
     again = queue.ask(BENIGN, 0.02, nothing)
     assert again is job
-
-
-def test_with_a_dashpot_only_methods_made_for_it_run(two: None) -> None:
-    queue = Measuring(budget=60.0)
-    job = queue.ask(SYSTEMS["dashpot"], 0.02, nothing)
-    assert job.methods == entered(SYSTEMS["dashpot"], TWO) == ("closed",)
-    wait(lambda: job.state == "done")
-    assert {run.method for run in job.runs} == {"closed"}
 
 
 def test_one_at_a_time_with_the_place_in_the_queue(two: None) -> None:
