@@ -133,25 +133,6 @@ def test_a_pulse_runs_to_the_right_alone() -> None:
     assert moved.argmax() == pytest.approx(99, abs=1) and np.abs(moved[:60]).max() < 1e-3
 
 
-@pytest.mark.parametrize("ends", ENDS)
-def test_each_mass_is_played_by_sinusoids_that_are_its_exact_motion(ends: Any) -> None:
-    chain, t = UniformChain(N=4, m=1.0, k=2.0, ends=ends), np.linspace(0, 5, 11)
-    modes = chain.modes([0.1, 0.0, -0.3, 0.2], [0.0, 0.5, 0.1, 0.0])
-    for p in range(1, 5):
-        one: Any = modes.displacement(p)
-        assert np.array_equal(one.at(t), modes.motion(t).x[p - 1])
-        assert one.played.quick(t) == pytest.approx(one.at(t), abs=1e-14)
-
-
-def test_a_mode_alone_keeps_its_shape() -> None:
-    chain = UniformChain(N=7, m=1.0, k=1.0, ends="free-free")
-    x = chain.one_mode(3, 0.5)
-    motion = chain.motion(x, np.zeros(7), [1.3])
-    assert motion.x[:, 0] == pytest.approx(x * math.cos(1.3 * chain.omega[3]), abs=1e-15)
-    energy = chain.modes(x, np.zeros(7)).energy
-    assert np.abs(x).max() == 0.5 and energy.argmax() == 3 and energy[3] == pytest.approx(energy.sum())
-
-
 def test_a_free_chain_cannot_be_plucked_and_a_start_has_a_number_for_each_mass() -> None:
     chain = UniformChain(N=3, m=1.0, k=1.0, ends="free-free")
     with pytest.raises(ValueError, match="fixed end is needed"):

@@ -16,13 +16,6 @@ from physics.sampling import Sinusoid
 
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
-CHAINS = [
-    LECTURE,
-    STIFF,
-    TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=3.0),
-    TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=0.0),
-    TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=0.0),
-]
 
 
 def begun(chain: TwoMassChain, x_0: tuple[float, float] = (1.0, -0.5)) -> FreeModes:
@@ -41,32 +34,6 @@ def energies(free: FreeModes) -> dict[str, ExactMotion]:
 
 def mean(motion: ExactMotion, t: Array) -> Array:
     return motion.mean.at(t)
-
-
-@pytest.mark.parametrize("chain", CHAINS, ids=str)
-def test_motions_are_those_of_the_chain_and_sums_of_its_modes(chain: TwoMassChain) -> None:
-    t, free = np.linspace(0.0, 5.0, 201), begun(chain)
-    motions, true, (slow, fast) = FreeMotions(free), free.motion(t), free.parts(t)
-    both = motions.both
-    assert np.array_equal([both.v1.at(t), both.v2.at(t)], true.v) and np.array_equal(
-        [both.e1.at(t), both.e2.at(t)], true.e
-    )
-    assert np.array_equal([one.at(t) for one in both.x], (slow + fast).x)
-    assert (motions.fast is None) == (not chain.k1 and not chain.k2)
-    assert np.array_equal([one.at(t) for one in motions.slow.x], slow.x if motions.fast else (slow + fast).x)
-    if motions.fast:
-        assert np.array_equal(motions.fast.e2.at(t), fast.e[1])
-
-
-@pytest.mark.parametrize("chain", CHAINS, ids=str)
-def test_the_browser_plays_what_the_physics_says(chain: TwoMassChain) -> None:
-    motions, t = FreeMotions(begun(chain)), np.linspace(0.0, 5.0, 21)
-    parts = [one for mode in (motions.slow, motions.fast) for one in mode or ()]
-    for part in parts:
-        assert isinstance(part, Elementary) and isinstance(part.played, Harmonic)
-        waves, (start, rate) = part.played.sinusoids, part.played.line
-        played = start + rate * t + sum(wave.amplitude * np.sin(wave.omega * t + wave.phase) for wave in waves)
-        assert played == pytest.approx(part.at(t), rel=1e-9, abs=1e-9 * part.size())
 
 
 def test_elongations_have_their_own_digits() -> None:

@@ -9,45 +9,13 @@ import numpy as np
 import pytest
 
 from physics.free_oscillation import FreeOscillation
-from physics.motion import Elementary, Harmonic
 from physics.oscillator import Oscillator
-from physics.precision.exact import Array
-from physics.reference.single import oscillator_points
 
 T = np.linspace(0.0, 3.0, 301)
 
 
 def released(m: float = 0.7, k: float = 11.0, x_0: float = 0.2, v_0: float = -0.3) -> FreeOscillation:
     return FreeOscillation(oscillator=Oscillator(m=m, k=k), x_0=x_0, v_0=v_0)
-
-
-def played(harmonic: Harmonic, t: Array) -> Array:
-    start, rate = harmonic.line
-    waves = (one.amplitude * np.sin(one.omega * t + one.phase) for one in harmonic.sinusoids)
-    return np.asarray(sum(waves, start + rate * t))
-
-
-@pytest.mark.parametrize("k", [0.0, 11.0])
-def test_values_sizes_and_what_is_played(k: float) -> None:
-    free = released(k=k)
-    true = oscillator_points(free.oscillator, free.x_0, free.v_0, T.tolist())
-    for name, motion, size in zip("xva", (free.x, free.v, free.a), map(free.amplitude, range(3)), strict=True):
-        exact = np.array([float(point.value) for point in true[name]])
-        np.testing.assert_allclose(motion.at(T), exact, rtol=1e-15, atol=4 * np.spacing(size or 1.0))
-        assert isinstance(motion, Elementary) and isinstance(motion.played, Harmonic)
-        np.testing.assert_allclose(played(motion.played, T), exact, atol=1e-12)
-        largest = (
-            abs(free.x_0) if name == "x" and not k else np.abs(exact).max()
-        )  # without a spring it has no largest x
-        assert size == pytest.approx(largest, rel=1e-3)
-
-
-def test_the_band_is_that_of_the_amplitude() -> None:
-    free = released()
-    for motion, size in zip((free.x, free.v, free.a), map(free.amplitude, range(3)), strict=True):
-        low, high = motion.band(0.0) or pytest.fail("it has no band")
-        assert np.all(high.at(T) == size) and np.all(low.at(T) == -size)
-        assert np.abs(motion.at(T)).max() == pytest.approx(size, rel=1e-3)
 
 
 def test_the_energy_is_constant_over_the_motion() -> None:

@@ -46,25 +46,6 @@ def test_determinant_is_that_of_the_matrix(chain: TwoMassChain, omega: float) ->
         assert abs(found - D) <= abs(D) * mp.mpf(10) ** -78
 
 
-@thorough
-@given(usual_chains, st.floats(0.0, 10.0))
-def test_determinant_is_the_distance_of_the_rows(chain: TwoMassChain, omega: float) -> None:
-    """D = k2 (k2 - m2 omega^2) (row 1 - row 2)."""
-    asked = trial(chain, omega)
-    assume(asked.apart is not None)
-    held = Fraction(chain.k2) - Fraction(chain.m2) * Fraction(omega) ** 2
-    expected = Fraction(chain.k2) * held * Fraction(asked.apart or 0)
-    assert abs(Fraction(asked.determinant) - expected) <= abs(expected) * Fraction(1, 10**70)
-
-
-def test_the_sign_of_D_tells_on_which_side_of_a_mode_a_double_lies() -> None:
-    """The golden ratio is no double: its neighbours see different signs, however small D is there."""
-    slow = float(EQUAL.modes().omega[0])
-    below, above = (trial(EQUAL, float(np.nextafter(slow, end))).determinant for end in (0.0, 1.0))
-    assert below > 0 > above
-    assert abs(above) < 1e-15
-
-
 def test_a_row_without_coupling_asks_for_rest_or_for_nothing() -> None:
     assert trial(LOOSE, 1.0).rows[1] == 0
     first, _ = trial(LOOSE, 1.0).rows

@@ -10,7 +10,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.damped import DampedOscillator
@@ -154,32 +154,6 @@ def test_without_a_dashpot_a_missing_line_may_be_at_the_natural_frequency(
     found = SteadyMotion(oscillator=one, push=push).at(exact.t)
     for drawn, true in zip(found, (exact.x, exact.v), strict=True):
         assert drawn == pytest.approx(true, abs=1e-11 * np.abs(true).max())
-
-
-@settings(max_examples=tries(100))
-@given(*[log_uniform(-4, 4)] * 4, st.floats(0.1, 0.9), st.sampled_from(PERIODIC), st.floats(0.0, 30.0))
-def test_from_rest_the_steady_motion_and_a_free_one_add_up(
-    m: float, c: float, k: float, omega: float, width: float, kind: Any, t: float
-) -> None:
-    oscillator = DampedOscillator(m=m, c=c, k=k)
-    mass = oscillator.pushed(PeriodicPush(kind=kind, omega=omega, width=width))
-    start = mass.steady([0.0])
-    jump = mass.push.size / m if mass.push.impulsive else 0.0
-    free = oscillator.motion(-start.x[0], jump - start.v[0], [t])
-    room = 1e-12 * (np.abs(start.x) + np.abs(start.v) / omega + jump / omega + 1 / k + 1 / (m * omega**2))
-    assert mass.from_rest([t]).x == pytest.approx(mass.steady([t]).x + free.x, abs=room[0])
-
-
-@settings(max_examples=tries(100))
-@given(*[log_uniform(-6, 6)] * 4, st.floats(0.05, 0.95), st.sampled_from(PERIODIC))
-def test_the_dashpot_takes_the_work_of_all_lines(
-    m: float, c: float, k: float, omega: float, width: float, kind: Any
-) -> None:
-    """W = pi c omega sum n^2 |X_n|^2: what a thousand lines miss falls like 1/n or faster."""
-    mass = PushedMass(m, c, k, PeriodicPush(kind=kind, omega=omega, width=width))
-    assume(c * omega < 100 * k and math.sqrt(k / m) < 100 * omega)
-    terms = [line.n**2 * abs(line.X) ** 2 for line in mass.lines(2000)]
-    assert math.pi * c * omega * sum(terms) == pytest.approx(mass.work, rel=0.02)
 
 
 @each_steady

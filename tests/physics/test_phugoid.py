@@ -118,37 +118,10 @@ def test_a_period_is_closed_and_symmetric(excess):
     assert (period.u.min() < -1e-9) == period.loops  # only on its back it flies backwards
 
 
-def test_loops_turn_on_and_end_at_the_cusp():
-    loops = flight(1.0, 1.0, 1.0, np.linspace(0, 3 * lanchester(1.0).period, 600))
-    turned = np.unwrap(np.arctan2(loops.w, loops.u))
-    assert np.all(np.diff(turned) > 0)
-    assert turned[-1] == pytest.approx(6 * math.pi, abs=1e-12)
-    assert [lanchester(excess).loops for excess in NEAR_CUSP] == [False, False, True]
-
-
-@pytest.mark.parametrize("slow", [-1.0, -0.999, -0.5, -0.1, -1e-9])
-def test_a_slow_start_is_the_top_of_the_same_motion(slow):
-    motion = flight(1.0, 1.0, slow, [0.0, lanchester(slow).period / 2])
-    fast = math.hypot(motion.u[1], motion.w[1]) - 1
-    assert motion.V[0] == pytest.approx(1 + slow, abs=2e-15)
-    assert motion.h[0] == np.max(motion.h)
-    assert invariant(fast) == pytest.approx(invariant(slow), abs=4e-15)
-    assert motion.w[0] == pytest.approx(0.0, abs=1e-15)
-
-
 def test_lateness_constants_are_the_solved_excesses():
     for lateness, excess in EXCESS_AT_LATENESS.items():
         assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
         assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
-
-
-@pytest.mark.parametrize("excess", [1e-9, 0.1, 0.6, 1.0, -0.5])
-def test_gain_of_speed_keeps_the_digits_of_a_small_disturbance(excess):
-    v_0, g = 45.72, 9.80665
-    motion = flight(v_0, g, excess, np.linspace(0, 40, 200))
-    gain = motion.gain(v_0, g)
-    assert gain[0] == pytest.approx(excess * v_0, rel=1e-14)
-    assert gain == pytest.approx(motion.V - v_0, abs=8 * U * v_0)
 
 
 @pytest.mark.parametrize("excess", [0.1, 0.6, 1.0, -0.5])
