@@ -25,8 +25,8 @@ from components.language.text import Html, Runs, TextRun
 from components.layout.markup import check_markup
 from components.quantities.formatting import excerpt
 
-_SENTENCES = 2048  # limit of cached texts, because texts of visitors' files are unlimited in number
-_SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas
+SENTENCES = 2048  # limit of cached texts, because texts of visitors' files are unlimited in number
+SHORT = 400  # longest cached text in characters; longer ones only reuse their formulas
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
@@ -54,8 +54,8 @@ _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
 def kept(make: Callable[[str], str]) -> Callable[[str], str]:
     """Cache the results for short texts."""
-    remembering = lru_cache(maxsize=_SENTENCES)(make)
-    return lambda text: (remembering if len(text) <= _SHORT else make)(text)
+    remembering = lru_cache(maxsize=SENTENCES)(make)
+    return lambda text: (remembering if len(text) <= SHORT else make)(text)
 
 
 @kept
@@ -151,7 +151,7 @@ def _index(match: re.Match[str]) -> str:
     return match["index"][1:].strip("{}")
 
 
-@lru_cache(maxsize=_SENTENCES)
+@lru_cache(maxsize=SENTENCES)
 def runs(text: str) -> Runs:
     """Return the pieces of a short text in a drawing. Raises ValueError for notations that a drawing does not have."""
     found: list[TextRun] = []

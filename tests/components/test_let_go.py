@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -20,9 +20,8 @@ from components.scene.frames import FITTED, loosened, unfitted
 from components.scene.picture import frame_of
 from components.scenes import SCENES
 from components.state.link import read_query
-from components.state.wire import Packet
 from tests.page.hand import grabs
-from tests.page.headless_page import Page, put
+from tests.page.headless_page import Page
 from tests.scenes.checks import as_arguments, quantities
 
 MOVING = [slug for slug in SCENES if slug != "accuracy"]
@@ -218,27 +217,3 @@ def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
     other = Frame(ranges={"w": (2e-4, 1e3)}, window=10.1, given=True)
     assert unfitted(other, fitted) == other
     assert unfitted(FITTED, fitted) is None
-
-
-class Class:
-    """A class that a page leads; `count` is how many pictures it has been given."""
-
-    count = 0
-
-    def __call__(self, make: Callable[[], Packet]) -> None:
-        self.count += 1
-
-    def end(self) -> None:
-        """Nothing."""
-
-
-def test_a_class_gets_no_picture_again_when_a_hand_lets_go() -> None:
-    page, led = Page(SCENES["coupled"]()), Class()
-    page.session.lead = lambda code, key: led
-    say(page, type="lead", code="ABCD", key="key")
-    put(page, k2=3.0)
-    count = led.count
-    let_go(page)
-    assert led.count == count
-    sweep(page, "k2", 3000.0, 3.0)
-    assert led.count == count + 2

@@ -9,7 +9,7 @@ from html import unescape
 import pytest
 from fontTools.ttLib import TTFont
 
-from components.layout.text import _SENTENCES, _SHORT, kept, mathml, rich
+from components.layout.text import SENTENCES, SHORT, kept, mathml, rich
 from components.scenes import SCENES
 from components.state.scene_sheet import sheet_json
 from tests.tooling.math_font import FONT
@@ -74,10 +74,10 @@ def test_of_what_is_set_little_is_remembered() -> None:
     """Formulas from anybody's file would fill the memory of a server for good: few are kept, and no long one."""
     made: list[str] = []
     set_once = kept(lambda latex: made.append(latex) or latex)
-    for formula in ("x", "x", long := "x" * (_SHORT + 1), long):
+    for formula in ("x", "x", long := "x" * (SHORT + 1), long):
         set_once(formula)
     assert made == ["x", long, long]
-    for number in range(2 * _SENTENCES):
+    for number in range(2 * SENTENCES):
         set_once(str(number))
     set_once("x")
-    assert made[-1] == "x" and _SENTENCES * _SHORT < 2**20
+    assert made[-1] == "x" and SENTENCES * SHORT < 2**20

@@ -293,10 +293,10 @@ def test_the_line_of_a_value_can_be_dragged(slug: str, view: str, plot: str, nam
 def test_the_formulas_are_mathml_with_the_numbers_of_the_picture() -> None:
     scene = SCENES["coupled"]()
     face = scene.panel()
-    texts = [str(pane.object) for pane, _ in face._texts]
+    texts = [str(pane.object) for pane in face.__panel__().select(pn.pane.HTML)]
     assert any("<math" in text and scene.shown.values["omega_minus"] in text for text in texts)
     face.widgets["k2"].value = "5"
-    texts = [str(pane.object) for pane, _ in face._texts]
+    texts = [str(pane.object) for pane in face.__panel__().select(pn.pane.HTML)]
     assert any(scene.shown.values["omega_minus"] in text for text in texts)
 
 

@@ -12,8 +12,6 @@ import pytest
 from physics.integrators.accuracy import SYSTEMS, Run, entered
 from physics.integrators.solvers import METHODS
 from tools.bench import changes, error_vs_time, studies
-from tools.bench.estimates import estimate
-from tools.bench.findings import findings
 from tools.bench.price_table import price_table
 from tools.bench.record import Report, recalled, record, slim
 from tools.bench.tables import markdown, reached_table
@@ -83,35 +81,6 @@ def test_the_document_agrees_with_the_record() -> None:
         assert 0.0 < run.time < 2 * (error_vs_time.PATIENCE if long else 1.0)
 
 
-def test_findings_follow_from_the_runs() -> None:
-    def run(method: str, time: float, compiled: bool = False, **facts: float) -> Run:
-        facts_of = {"error": 1e-10, "evaluations": 1000, "compiled": compiled, **facts}
-        return Run(system="wider", method=method, setting=1, time=time, **facts_of)  # type: ignore[arg-type]
-
-    runs = [run("closed", 2e-3), run("eigh", 1e-3), run("lsoda", 1e-1, stiff_share=0.99, evaluations=5000)]
-    runs += [run("rk4", 1.0, evaluations=10**7), run("rk4", 2e-2, True, evaluations=10**7)]
-    runs += [
-        run("gauss4", 1e-1),
-        run("gauss4", 1.5e-3, True),
-        run("bdf", 1e-1, evaluations=500),
-        run("eigh", 2e-3, True),
-    ]
-    runs += [run("euler", 1.5e-3, evaluations=10**8)]
-    text = " ".join(findings({"wider": runs}))
-    assert (
-        "In Python, a method with steps is cheaper than the closed form as the app runs it on Wide apart, 1e10 at"
-        in text
-    )
-    assert "In Python, no method with steps is cheaper than the closed form in doubles." in text
-    assert (
-        "Compiled, a method with steps is cheaper than the closed form in doubles on Wide apart, 1e10 at 0.001" in text
-    )
-    assert "take 50 to 67 times as long in Python as compiled" in text
-    assert "the best explicit method, RK4, needs 1.00e+07 evaluations, 2e+04 times as many as the best implicit" in text
-    assert findings({"wide": runs}) and "explicit" not in " ".join(findings({"benign": runs})), "it is not stiff"
-    assert "at rtol 1 LSODA takes most of its steps by BDF" in text
-
-
 def test_solves_of_implicit_steps_are_counted_and_shown_next_to_the_evaluations() -> None:
     from physics.integrators.problem import Watch
     from physics.integrators.race import counts
@@ -129,35 +98,6 @@ def test_solves_of_implicit_steps_are_counted_and_shown_next_to_the_evaluations(
     run = Run(system="dashpot", method="bdf", setting=1e-6, error=1e-5, time=0.1, final_error=1e-7, **found["bdf"])
     row = next(line for line in reached_table([run]) if "BDF" in line)
     assert f"| rtol 1e-06, atol 1e-09 | {run.evaluations:.3g} |  | {run.factorisations:.3g} | {run.solves:.3g} |" in row
-
-
-def test_every_unmeasured_cost_has_an_estimate_or_a_reason() -> None:
-    for end, expected in (("time limit", "about 5.62 s"), ("floor", "never"), ("", "not refined so far")):
-        runs = [Run(system="benign", method="rk4", setting=1, time=1.0, evaluations=4000, error=1e-3, end=end)]
-        row = price_table(runs, 1e-6)[2]
-        assert f"| {expected} |" in row and row.endswith("| 1.0e-03 |")
-        assert ("about 2.25e+04" in row) == (end == "time limit"), "1000 ** (1/4) times the evaluations"
-
-
-def test_compiled_times_are_estimated_by_the_time_of_an_evaluation_on_another_system() -> None:
-    python = Run(system="benign", method="rk45", setting=1e-6, time=2e-3, evaluations=1000, error=1e-7, end="finest")
-    beats = [replace(python, system="beats", time=4e-3)]
-    record = {"benign": [python, replace(python, time=1e-3, compiled=True)], "beats": beats}
-    assert "| 4 ms |  |  | about 1 ms |  |  |" in price_table(beats, 1e-6, record)[2]
-    assert "|  | never |  |  | never |  | 1.0e-07 |" in price_table(beats, 1e-9, record)[2], "its errors are the same"
-
-
-def test_compiled_times_are_divided_by_those_of_the_compiled_closed_form() -> None:
-    def run(method: str, time: float, compiled: bool) -> Run:
-        return Run(
-            system="benign", method=method, setting=1e-6, compiled=compiled, time=time, error=1e-7, evaluations=9
-        )
-
-    runs = [run("closed", 4e-3, False), run("eigh", 2e-3, False), run("rk45", 8e-3, False), run("rk4", 6e-3, False)]
-    runs += [run("eigh", 1e-4, True), run("rk45", 5e-3, True), run("rk4", 3e-4, True)]
-    rows = {row.split(" | ")[0].removeprefix("| "): row.split(" | ")[2:] for row in price_table(runs, 1e-6)}
-    assert rows["RK45"][:5] == ["8 ms", "2", "4", "5 ms °", "50"], "° marks a solver that is Python"
-    assert rows["RK4"][:5] == ["6 ms", "1.5", "3", "0.3 ms", "3"]
 
 
 RK4 = Run(system="benign", method="rk4", setting=9, time=1e-2, again=1.2e-2, error=1e-7)
@@ -200,25 +140,6 @@ def test_long_runs_replace_those_that_were_stopped() -> None:
     assert kept == closed and "up to 60 s" in found.about["long"] and "Closed" not in found.about["long"]
     assert (rk45.time, rk45.again, rk45.end) == (15.0, None, "time limit"), "a finer run would have taken too long"
     assert (first.time, first.again, first.end) == (16.0, 25.0, "") and second.end == "finest"
-
-
-def test_estimates_of_the_record_are_near_the_measured_values() -> None:
-    from tools.bench.estimates import checked
-
-    report = recalled(error_vs_time.RECORDED)
-    ratios = checked(report.runs, (1e-3, 1e-6, 1e-9))
-    assert len(ratios) > 20 and min(ratios) > 0.4 and max(ratios) < 2.5
-    for system in ("wide", "light"):
-        for method in ("rk23", "radau", "bdf"):
-            guess = estimate(report.runs, system, method, 1e-6)
-            assert guess and not guess.least and guess.evaluations > 1e7
-    stiff = estimate(report.runs, "wider", "rk45", 1e-6)
-    assert stiff and stiff.least and stiff.text("x") == "at least x"
-
-
-def test_no_cost_in_the_document_is_missing_because_of_the_time_limit() -> None:
-    text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
-    assert "none: time limit" not in text and "| not in time |" not in text
 
 
 @pytest.mark.parametrize(
@@ -274,26 +195,6 @@ def test_a_tiny_record_is_made_and_changed_by_each_option(
     changed("--rewrite")
     assert (tmp_path / "docs/error_vs_time.md").read_text() == page and "at least" in page
     capsys.readouterr()
-
-
-def test_the_document_has_properties_and_spreads_of_counts_of_every_stepping_method() -> None:
-    from tools.bench.methods import methods_table
-
-    names = [row.split(" | ")[0].removeprefix("| ") for row in methods_table() if row.startswith("| ")][2:]
-    assert names == [method.name for slug, method in METHODS.items() if method.family in ("fixed", "adaptive")]
-    spreads = {one.method: one for one in recalled(error_vs_time.RECORDED).rounding}
-    assert spreads.keys() == {slug for slug, method in METHODS.items() if method.family == "adaptive"}
-    text = (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8")
-    for slug, spread in spreads.items():
-        assert f"{METHODS[slug].mark} {100 * spread.share:.2g} %" in text
-
-
-def test_every_source_is_a_book_with_its_section_or_a_paper_of_the_list() -> None:
-    from tools.bench.methods import PAPERS, SOLVERS, SOURCES
-
-    sources = [*SOURCES.values(), *(source for _, _, source in SOLVERS.values())]
-    named = [one for source in sources for one in source.split("; ") if not one.startswith("Hairer")]
-    assert set(named) == PAPERS.keys()
 
 
 def test_neighbours_of_a_run_differ_by_one_unit_in_the_last_place() -> None:
