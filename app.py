@@ -28,7 +28,7 @@ from components.session.links import linked
 from components.session.opening import opened
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
-from components.session.worker import Apart
+from components.session.worker import Worker
 from components.state.commands import sentence
 from components.state.link import read_query, write_query
 from components.state.scene_sheet import sheet_address, sheet_json
@@ -92,10 +92,12 @@ def open_page(
     walks: Walks = NO_WALKS,
     listed: Sequence[dict[str, str]] = (),
     lead: Callable[[str, str], Publish] | None = None,
-    apart: Apart | None = None,
+    worker: Worker | None = None,
 ) -> None:
-    """Fill `document`, the Bokeh document of a new session. `lead` connects the session to a live class; `apart` is the
-    worker process."""
+    """Fill `document`, the Bokeh document of a new session.
+
+    `lead` connects the session to a live class; `worker` is the worker process.
+    """
     session = visited(pn.state.session_args, walks)
     kind = session.now.kind
     document.title = kind.headline
@@ -114,7 +116,7 @@ def open_page(
     session.network = context.token_payload.get("network", "") if context else ""
     session.later = partial(when_open, document)
     session.lead = lead or session.lead
-    session.apart = apart
+    session.worker = worker
     pn.state.on_session_destroyed(lambda _: session.close())
     SceneView(session).server_doc(document, location=False)
 

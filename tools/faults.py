@@ -99,7 +99,7 @@ MUTANTS = (
     ),
     Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_headers.py"),
     # scripts
-    Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
+    Mutant("silence", "static/live_class/stream.js", "receivedAt > SILENCE", "receivedAt > 9 * SILENCE", "tests/js"),
     Mutant("twice told", "static/core/storage.js", "if (!wasReported) note(NOTHING)", "note(NOTHING)", "tests/js"),
     Mutant(
         "slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value",

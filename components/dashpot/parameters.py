@@ -14,12 +14,12 @@ from physics.precision.exact import exact, precise, rounded
 DAMPED_ONLY = "a dashpot only takes energy: c is a finite number, 0 or more"
 
 
-def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity, Quantity, Quantity, Quantity]:
-    """m, k, c and zeta with these defaults; with `hangs` k may be 0."""
+def parts(m: float, k: float, c: float, *, k_may_be_0: bool = True) -> tuple[Quantity, Quantity, Quantity, Quantity]:
+    """m, k, c and zeta with these defaults; with `k_may_be_0` k may be 0."""
     says = "is the stiffness of the spring."
     spring = (
         stiffness(k, symbol="k", says=f"{says} At 0 the mass glides. Any value from 0 up.", softbounds=(0.0, 200.0))
-        if hangs
+        if k_may_be_0
         else positive(
             k, symbol="k", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(1.0, 200.0),
             says=f"{says} Any value above 0.",

@@ -46,7 +46,7 @@ class Group:
     `pictures`  small pictures for the values of a choice: the shapes of a stage for each value
     `facts`     rows of cells under the controls, texts for `rich`
     `dense`     True if the panel has smaller gaps while the group is visible
-    `apart`     True if its values have an effect only while its form is visible
+    `idle_when_hidden`  True if its values have an effect only while its form is visible
     """
 
     title: str
@@ -58,13 +58,13 @@ class Group:
     pictures: Pictures = field(default_factory=dict)
     facts: tuple[tuple[str, ...], ...] = ()
     dense: bool = False
-    apart: bool = False
+    idle_when_hidden: bool = False
 
     @property
     def names(self) -> list[str]:
         return names_of(self.parameters)
 
-    def stands(self, forms: Mapping[str, str]) -> bool:
+    def is_shown(self, forms: Mapping[str, str]) -> bool:
         return self.form is None or bool(forms.get(self.form.name))
 
 

@@ -33,7 +33,7 @@ follow it.
 """
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 NO_CODE = "This is no code of a class. A code has four letters and digits, none of them 0, 1, I, L, O or Q."
-AWAY = "The class cannot be reached at the moment. If it continues, this phone reconnects by itself."
+UNREACHABLE = "The class cannot be reached at the moment. If it continues, this phone reconnects by itself."
 MINUTE = 60.0
 BUFFER = 2**14
 """Bytes that the system may buffer for a slow reader (some systems double it): a few updates."""
@@ -54,7 +54,7 @@ class Follower(ClassHandler):
             return await self.led(code)
         room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
         if room is None:
-            raise RefusedError(404, AWAY)
+            raise RefusedError(404, UNREACHABLE)
         return room
 
     def take_place(self, room: ClassRoom) -> None:
@@ -174,7 +174,7 @@ class Events(Follower):
 
     def _all(self) -> bytes:
         """Send the current state of the room, and to an instructor's page also the news that it has missed."""
-        missed = self._room.untold(self._known) if self.leads else []
+        missed = self._room.news_after(self._known) if self.leads else []
         self._known = self._room.number
         return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
 
@@ -231,7 +231,7 @@ class Now(Follower):
         self.take_place(room)
         self.limit(f"poll {self.word}")
         room.polled(self.word, self.leads)
-        missed = room.untold(self.after) if self.leads else []
+        missed = room.news_after(self.after) if self.leads else []
         if missed:  # send one change; the next request asks for later ones
             own = {name: getattr(missed[0], name) for name in ("number", *LEADERS)}
             self.reply(replace(room.whole(leads=True), **own))

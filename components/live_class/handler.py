@@ -15,7 +15,7 @@ from components.live_class.context import ClassContext
 from components.live_class.question_bank import BusyError
 from components.live_class.registry import ClosedError
 from components.live_class.room import ClassRoom
-from components.live_class.store import AwayError
+from components.live_class.store import UnreachableError
 from components.serving.handlers import SENTENCES, RefusedError, VisitorHandler
 from components.serving.settings import own_address
 from components.serving.shell import version
@@ -23,7 +23,7 @@ from components.serving.visitors import network_of
 
 LONGEST = 8000
 """Bytes of a message to a room; two sketches take a quarter of it."""
-AWAY = "The server cannot reach the data of the class now. Try again in a moment."
+UNREACHABLE = "The server cannot reach the data of the class now. Try again in a moment."
 
 Body = TypeVar("Body")
 Answered = TypeVar("Answered")
@@ -67,8 +67,8 @@ class ClassHandler(VisitorHandler):
             return await asked
         except ClosedError as reason:
             raise RefusedError(404, str(reason)) from reason
-        except AwayError as reason:
-            raise RefusedError(503, AWAY, after=1) from reason
+        except UnreachableError as reason:
+            raise RefusedError(503, UNREACHABLE, after=1) from reason
         except BusyError as reason:
             raise RefusedError(429, str(reason), after=1) from reason
         except ValueError as reason:
@@ -103,8 +103,8 @@ class ClassHandler(VisitorHandler):
 
     def _scheme(self) -> str:
         """Return the scheme that the visitor's browser uses, as a trusted proxy reports it."""
-        told = self.request.headers.get("X-Forwarded-Proto", "")
-        return told if self.context.trusted and told in ("http", "https") else self.request.protocol
+        scheme = self.request.headers.get("X-Forwarded-Proto", "")
+        return scheme if self.context.trusted and scheme in ("http", "https") else self.request.protocol
 
     def _folder(self) -> str:
         """Return the path under which a proxy serves the lecture, as the page itself reports it."""

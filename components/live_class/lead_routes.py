@@ -50,7 +50,7 @@ class PassLead(ClassHandler):
             raise RefusedError(403, NO_WORD)
         lent = msgspec.json.decode(kept, type=Lent)
         room = await self.outcome(self.classes.registry.led(as_code(code), lent.key))
-        await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
+        await self.outcome(store.publish(room.code, {"deed": b'"taken"'}))
         opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
         control = room.parts.get(CONTROL, b"").decode()
         self.reply(TakenOver(query=lent.query, shown=lent.shown, walks=room.own, control=control, **opened))

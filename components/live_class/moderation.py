@@ -38,5 +38,5 @@ class Moderation(Struct, frozen=True, kw_only=True):
         if self.question != question:
             return tuple(words)
         shown, removed = set(self.shown), set(self.removed)
-        told = ((one, normalized(one.text)) for one in words)
-        return tuple(replace(one, shown=text in shown) for one, text in told if text not in removed)
+        pairs = ((one, normalized(one.text)) for one in words)
+        return tuple(replace(one, shown=text in shown) for one, text in pairs if text not in removed)

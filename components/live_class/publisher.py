@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from components.language.class_messages import SentPicture
 from components.live_class.registry import ClosedError, Registry
-from components.live_class.store import AwayError, FullError
+from components.live_class.store import FullError, UnreachableError
 from components.state.wire import Packet
 
 log = logging.getLogger(__name__)
@@ -58,7 +58,7 @@ class Publisher:
         try:
             room = await self._registry.led(self._code, self._key)
             await self._registry.show(room, SentPicture(**make()))
-        except AwayError:
+        except UnreachableError:
             return False
         except (ClosedError, FullError):
             pass  # the room's own news informs the instructor's page; the upkeep handles a full store

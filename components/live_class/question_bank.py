@@ -16,7 +16,7 @@ from components.language.messages import Given
 from components.language.walk import Lesson
 from components.layout.text import plain, rich
 from components.quantities.formatting import excerpt
-from components.session.worker import Apart, Here, Reading
+from components.session.worker import Here, Reading, Worker
 from components.walks import Walks
 from components.walks.cards import asked, parted, place_in_lecture, step_card
 from components.walks.links import Scenes
@@ -41,11 +41,11 @@ class QuestionBank:
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks = walks
         self._scenes = scenes
-        self.apart: Apart = Here(walks, scenes)
+        self.worker: Worker = Here(walks, scenes)
         self._subject = lru_cache(maxsize=64)(self._subject_of)
         self.unanswered = lru_cache(maxsize=64)(self._unanswered)
         self._form = lru_cache(maxsize=512)(self._form_of)
-        self._anew = lru_cache(maxsize=5000)(self._judged_anew)
+        self._judged_again = lru_cache(maxsize=5000)(self._judge_again)
 
     def read_own(self, own: Mapping[str, str], before: ReadWalks) -> ReadWalks:
         """Read walks from texts by name; `before` has the walks read earlier. Raises WalkError for an invalid one."""
@@ -58,7 +58,7 @@ class QuestionBank:
 
     async def try_own(self, name: str, text: str, network: str = "") -> Walk:
         """Read the walk of a file. Raises WalkError if it is invalid, and BusyError if others come first."""
-        replied = await wrap_future(self.apart.ask(Reading(name, text), network))
+        replied = await wrap_future(self.worker.ask(Reading(name, text), network))
         if not replied.walk:
             raise (BusyError if replied.is_busy else WalkError)(replied.refused)
         return replied.walk
@@ -95,8 +95,8 @@ class QuestionBank:
         return Judged(**asdict(given), number=found.number, right=bool(found.right), has=found.has, form=form)
 
     def counted(self, walk: str, step: str, given: Sequence[Judged]) -> Counted:
-        told = [(one.sure, one.right) for one in given if one.sure]
-        levels = tuple((sum(sure == n for sure, _ in told), told.count((n, True))) for n in SURE) if told else ()
+        rated = [(one.sure, one.right) for one in given if one.sure]
+        levels = tuple((sum(sure == n for sure, _ in rated), rated.count((n, True))) for n in SURE) if rated else ()
         return replace(self.step(walk, step).count(given), sure=levels)
 
     def written(self, given: Judged) -> Written:
@@ -132,7 +132,7 @@ class QuestionBank:
         known = _JUDGED.decode(kept)
         if known.form == self._form(known.walk, known.step):
             return known
-        found = self._anew(kept)
+        found = self._judged_again(kept)
         return None if found is None else replace(known, **found)
 
     @staticmethod
@@ -141,7 +141,7 @@ class QuestionBank:
         known = _JUDGED.decode(kept)
         return Voted(**{name: getattr(known, name) for name in Voted.__struct_fields__})
 
-    def _judged_anew(self, kept: bytes) -> dict[str, Any] | None:
+    def _judge_again(self, kept: bytes) -> dict[str, Any] | None:
         """Return the current judgement of an answer, without the answer, because thousands are cached."""
         known = _JUDGED.decode(kept)
         try:

@@ -39,7 +39,7 @@ from components.live_class.question_bank import BusyError, QuestionBank
 from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
 from components.live_class.slices import Slices
-from components.live_class.store import LIFE, MOST_VOTES, OWNER, AwayError, FullError, Parts, Store
+from components.live_class.store import LIFE, MOST_VOTES, OWNER, FullError, Parts, Store, UnreachableError
 from components.walks.questions.question import Judged
 
 LONGEST_COUNT = 600_000.0
@@ -122,7 +122,7 @@ class Registry:
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
-        with suppress(AwayError):  # the class may have ended, but the store cannot be asked now
+        with suppress(UnreachableError):  # the class may have ended, but the store cannot be asked now
             if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
                 raise ClosedError(OVER)
         return None
@@ -180,7 +180,7 @@ class Registry:
             case Moderate():
                 moderation = room.part("moderation", Moderation) or Moderation()
                 await self._keep(room, moderation=moderation.after(order, _question(room.question)))
-                await self.store.tell(room.code, {"answers": b"true"})
+                await self.store.publish(room.code, {"answers": b"true"})
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
             case RestoreAnswers(answers=answers):
@@ -188,7 +188,7 @@ class Registry:
             case DescribeScreen():
                 await self._keep(room, screen=order)
             case EndRoom():
-                with suppress(AwayError, FullError):  # end the class even if the store cannot count this
+                with suppress(UnreachableError, FullError):  # end the class even if the store cannot count this
                     for ended in (room.parts["key"], room.code.encode()):
                         await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
@@ -201,15 +201,15 @@ class Registry:
         vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
         is_same = same and vote == put.vote
         answered = order.answered or (is_same and (put.lesson is not None or put.answered))
-        stands: dict[str, Any] = {
+        settings: dict[str, Any] = {
             "closed": answered or (is_same and put.closed),
             "answered": answered,
             "sure": same and put.sure,
         }
         if is_same:
-            stands |= {"until": put.until, "closes": put.closes}
-        asked_anew = self.bank_of(room).put(walk, step, vote)
-        await self._keep(room, question=msgspec.structs.replace(asked_anew, **stands))
+            settings |= {"until": put.until, "closes": put.closes}
+        asked_again = self.bank_of(room).put(walk, step, vote)
+        await self._keep(room, question=msgspec.structs.replace(asked_again, **settings))
 
     async def _amend(self, room: ClassRoom, order: ShowAnswer | CloseVote | AskSure | CountDown) -> None:
         """Change the current question. Raises ValueError, with a reason, if there is none."""
@@ -268,7 +268,7 @@ class Registry:
         for voter, given, answer in zip(answers, answers.values(), kept, strict=True):
             most = MOST_VOTES if self._keys.is_given(voter, room.parts["key"]) else self._most(room)
             left_out += not await self.store.vote(room.code, _question(given), voter, answer, most, replace=False)
-        await self.store.tell(room.code, {"answers": b"true"})
+        await self.store.publish(room.code, {"answers": b"true"})
         put = room.question
         if put.lesson:
             await self._keep(room, question=msgspec.structs.replace(put, split=await self._split(room)))
@@ -289,14 +289,14 @@ class Registry:
         return room.bank[1]
 
     async def _keep(self, room: ClassRoom, **parts: object) -> None:
-        await self.tell(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
+        await self.publish(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
 
-    async def tell(self, room: ClassRoom, parts: Parts) -> None:
+    async def publish(self, room: ClassRoom, parts: Parts) -> None:
         """Send new parts to the followers of a room: here at once, at other replicas through the store."""
-        room.tell(parts)
+        room.deliver(parts)
         try:
             await self.write(room, parts)
-        except AwayError:
+        except UnreachableError:
             pass
         except ClosedError:  # the store has lost the room, or the class is over
             if self.rooms.get(room.code) is not room:
@@ -304,7 +304,7 @@ class Registry:
 
     async def decide(self, room: ClassRoom, digits: str, is_in: bool) -> None:
         """Accept or reject the remote control with these digits. Raises ValueError, with a reason, if none has."""
-        await self.tell(room, decided(room.parts, digits, is_in))
+        await self.publish(room, decided(room.parts, digits, is_in))
 
     async def write(self, room: ClassRoom, parts: Parts) -> None:
         """Store parts that the followers here already have, and send them to the other replicas."""
@@ -331,7 +331,7 @@ class Registry:
                 raise ValueError("No more answers can be counted for this question.")
             await self.store.unvote(room.code, question, max(gone))
             await self.store.vote(room.code, question, voter, answer, most)
-        await self.store.tell(room.code, {"answers": b"true"})
+        await self.store.publish(room.code, {"answers": b"true"})
 
     @staticmethod
     def _most(room: ClassRoom) -> int:
@@ -355,7 +355,7 @@ class Registry:
         """Return the stored answers to a vote by voter, or the last known ones if the store is unavailable."""
         try:
             room.votes[question] = await self.store.votes(room.code, question)
-        except AwayError:
+        except UnreachableError:
             if question not in room.votes:
                 raise
         return room.votes[question]
@@ -381,7 +381,7 @@ class Registry:
 
     async def _split(self, room: ClassRoom) -> Split | None:
         """Return the counts of the current question for the phones, or None if the store is unavailable."""
-        with suppress(AwayError):
+        with suppress(UnreachableError):
             if tally := await self.tally(room):
                 now, judges = tally.now, self.bank_of(room).judges(tally.walk, tally.step)
                 return Split(
@@ -411,7 +411,7 @@ class Registry:
                 room.end()
         elif parts.get("by") != self._name:
             for one in [*self._coming.get(code, []), *([room] if room else [])]:
-                one.tell(parts)
+                one.deliver(parts)
 
 
 def _question(of: PutTo | Given) -> str:
@@ -420,8 +420,8 @@ def _question(of: PutTo | Given) -> str:
 
 def _unjudged(given: Voted, now: float) -> bytes:
     """Return a restored answer in its stored form, dated no later than now."""
-    told = msgspec.structs.asdict(given) | {"at": min(given.at, now)}
-    return msgspec.json.encode(Judged(**told))
+    fields = msgspec.structs.asdict(given) | {"at": min(given.at, now)}
+    return msgspec.json.encode(Judged(**fields))
 
 
 def _locks(key: str, owner: str) -> Parts:

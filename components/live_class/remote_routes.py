@@ -76,7 +76,7 @@ class RemoteControl(RemoteHandler):
         except ValueError as reason:
             raise RefusedError(429, str(reason), TICKET) from reason
         paired = Paired(digits=digits, key=registry.token(room))
-        await self.outcome(registry.tell(room, begun(digits, paired.key)))
+        await self.outcome(registry.publish(room, begun(digits, paired.key)))
         self.reply(paired)
 
     async def get(self, code: str) -> None:
@@ -99,9 +99,9 @@ class RemoteControl(RemoteHandler):
             await self.outcome(self.classes.registry.obey(room, order))
             self.set_status(204)
             return
-        told = {"deed": done.deed} | ({"step": done.step} if done.deed == "go" else {})
-        parts = {name: msgspec.json.encode(word) for name, word in told.items()}
-        await self.outcome(self.classes.registry.store.tell(room.code, parts))
+        words = {"deed": done.deed} | ({"step": done.step} if done.deed == "go" else {})
+        parts = {name: msgspec.json.encode(word) for name, word in words.items()}
+        await self.outcome(self.classes.registry.store.publish(room.code, parts))
         self.set_status(204)
 
 

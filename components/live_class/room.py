@@ -176,7 +176,7 @@ class ClassRoom:
         else:
             self.polls[name_of(word)] = monotonic()
 
-    def untold(self, number: str) -> list[News]:
+    def news_after(self, number: str) -> list[News]:
         """Return the news only for the instructor's page since a state that it knows."""
         replica, _, count = number.partition(".")
         if replica != self._replica or not count.isdecimal():
@@ -185,7 +185,7 @@ class ClassRoom:
         missed = [own for at, own in self._own if at > late or not own.deed]
         return [own for own in missed if int(own.number.partition(".")[2]) > int(count)]
 
-    def tell(self, parts: Parts) -> None:
+    def deliver(self, parts: Parts) -> None:
         """Store new parts, and send them as one encoded event to everyone in the room."""
         self._count += 1
         self.recount = self.recount or bool({"answers", "question"} & parts.keys())
@@ -196,10 +196,10 @@ class ClassRoom:
         if known:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
-            told = {name: msgspec.json.decode(part) for name, part in own.items()}
+            fields = {name: msgspec.json.decode(part) for name, part in own.items()}
             if "answers" in own:  # only the last count matters, but no order may be lost
                 self._own = deque((one for one in self._own if not one[1].answers), KEPT)
-            news = msgspec.convert({"number": self.number, **told}, News)
+            news = msgspec.convert({"number": self.number, **fields}, News)
             self._own.append((monotonic(), news))
             self.say(news, leaders=True)
         if any(name.startswith(WAITS) for name in parts):

@@ -32,11 +32,11 @@ from components.live_class.store import (
     RESERVE,
     SEEN,
     SLOTS,
-    AwayError,
     FullError,
     Parts,
     Receive,
     Store,
+    UnreachableError,
     size_of,
     slot_of,
 )  # fmt: skip
@@ -240,14 +240,14 @@ class SharedStore(Store):
             raise FullError(OF_THE_STORE)
         return bool(found)
 
-    async def tell(self, code: str, parts: Parts) -> None:
+    async def publish(self, code: str, parts: Parts) -> None:
         async with _asked():
             await self._redis.publish(CHANNEL, _published(code, parts))
 
     async def end(self, code: str) -> None:
         async with _asked():
             await self._end([], [code])
-        await self.tell(code, {})
+        await self.publish(code, {})
 
     async def rooms(self) -> int:
         async with _asked():
@@ -300,7 +300,7 @@ class SharedStore(Store):
         async with _asked():
             times = int(await self._count([_key("count", name)], given))
         if times < 0:
-            raise AwayError(OF_COUNTS)
+            raise UnreachableError(OF_COUNTS)
         return times
 
     async def lend(self, name: str, key: bytes, value: bytes, seconds: float) -> None:
@@ -353,11 +353,11 @@ async def _asked() -> AsyncIterator[None]:
     try:
         yield
     except (ConnectionError, TimeoutError, OSError) as error:
-        raise AwayError("The store that replicas share does not answer.") from error
+        raise UnreachableError("The store that replicas share does not answer.") from error
     except OutOfMemoryError as error:
         raise FullError(OF_THE_STORE) from error
     except RedisError as error:  # while it starts; it may answer later
-        raise AwayError(f"The store that replicas share refuses: {error}.") from error
+        raise UnreachableError(f"The store that replicas share refuses: {error}.") from error
 
 
 def _key(*names: str) -> str:

@@ -44,7 +44,7 @@ Receive = Callable[[str, Parts], None]
 """A listener to the store: called with the code of a room and its new parts, or with no parts if the room has ended."""
 
 
-class AwayError(Exception):
+class UnreachableError(Exception):
     """A refusal because the store does not answer."""
 
 
@@ -90,7 +90,7 @@ class Store(ABC):
         for the share of its owner."""
 
     @abstractmethod
-    async def tell(self, code: str, parts: Parts) -> None:
+    async def publish(self, code: str, parts: Parts) -> None:
         """Send parts to all listeners without storing them."""
 
     @abstractmethod
@@ -137,8 +137,8 @@ class Store(ABC):
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         """Add `more` to the count of an event; return its count in the last so many seconds, at all replicas.
 
-        An event expires after this time, or at most a twelfth of it later. Raises AwayError if too many names are
-        counted already, because the count is then unknown.
+        An event expires after this time, or at most a twelfth of it later. Raises UnreachableError if too many names
+        are counted already, because the count is then unknown.
         """
 
     @abstractmethod
@@ -156,7 +156,7 @@ class Store(ABC):
 
     @abstractmethod
     async def listen(self, receive: Receive, ready: Callable[[], None]) -> None:
-        """Call `receive` with all updates after the call of `ready`. Raises AwayError when the updates end."""
+        """Call `receive` with all updates after the call of `ready`. Raises UnreachableError when the updates end."""
 
     @abstractmethod
     async def close(self) -> None:
@@ -238,16 +238,16 @@ class MemoryStore(Store):
         room.parts.update(parts)
         room.led, room.ends = now + self._life, now + self._alone
         if parts:
-            await self.tell(code, parts)
+            await self.publish(code, parts)
         return True
 
-    async def tell(self, code: str, parts: Parts) -> None:
+    async def publish(self, code: str, parts: Parts) -> None:
         for receive in self._listeners:
             receive(code, parts)
 
     async def end(self, code: str) -> None:
         self._rooms.pop(code, None)
-        await self.tell(code, {})
+        await self.publish(code, {})
 
     async def rooms(self) -> int:
         self._forget()
@@ -319,7 +319,7 @@ class MemoryStore(Store):
         if name not in self._counts and len(self._counts) >= self._most_counts:
             self._forget_counts(now)
             if len(self._counts) >= self._most_counts:
-                raise AwayError(OF_COUNTS)
+                raise UnreachableError(OF_COUNTS)
         slot, known = slot_of(now, seconds), self._counts.get(name) or _Count(now)
         known.slots = {one: times for one, times in known.slots.items() if one >= slot - SLOTS}
         if more:

@@ -15,7 +15,7 @@ from components.live_class.room import ClassRoom
 
 LONGEST = 200
 """Maximum length of an answer in the summary."""
-ToldAnswer: TypeAlias = tuple[bool, str]
+JudgedAnswer: TypeAlias = tuple[bool, str]
 
 
 async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
@@ -25,8 +25,8 @@ async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
     for question in await registry.store.questions(room.code):
         walk, step, vote = question.split("/")
         asked[walk, step].append(int(vote))
-    told = [await _summary(registry, room, *one, sorted(votes)) for one, votes in asked.items() if bank.judges(*one)]
-    return [one for one in told if one]
+    judged = [await _summary(registry, room, *one, sorted(votes)) for one, votes in asked.items() if bank.judges(*one)]
+    return [one for one in judged if one]
 
 
 async def stored(registry: Registry, room: ClassRoom) -> Stored:
@@ -41,12 +41,12 @@ async def _summary(
     registry: Registry, room: ClassRoom, walk: str, step: str, numbers: Sequence[int]
 ) -> StepSummary | None:
     """Return the summary of a question, or None if it has no answers left."""
-    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[ToldAnswer]()
+    bank, votes, last = registry.bank_of(room), list[VoteSummary](), list[JudgedAnswer]()
     for number in numbers:
         kept = await registry.votes(room, f"{walk}/{step}/{number}")
-        if told := [one for one in await registry.slices.map(partial(_told, bank), kept.values()) if one]:
-            votes.append(VoteSummary(vote=number, answered=len(told), right=sum(is_right for is_right, _ in told)))
-            last = told
+        if judged := [one for one in await registry.slices.map(partial(_judged, bank), kept.values()) if one]:
+            votes.append(VoteSummary(vote=number, answered=len(judged), right=sum(is_right for is_right, _ in judged)))
+            last = judged
     if not votes:
         return None
     mistake, mistaken = _mistake(last)
@@ -61,7 +61,7 @@ async def _summary(
     )
 
 
-def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
+def _judged(bank: QuestionBank, kept: bytes) -> JudgedAnswer | None:
     """Return whether an answer is right, and the text of a wrong one. Sketches have no text, because it takes long to
     compute.
     """
@@ -71,9 +71,9 @@ def _told(bank: QuestionBank, kept: bytes) -> ToldAnswer | None:
     return one.right, "" if one.right or one.curves else " ".join(bank.written(one)).strip()
 
 
-def _mistake(told: Sequence[ToldAnswer]) -> tuple[str, int]:
+def _mistake(judged: Sequence[JudgedAnswer]) -> tuple[str, int]:
     """Return the most frequent wrong answer, and its count."""
-    for text, count in Counter(text for _, text in told if text).most_common(1):
+    for text, count in Counter(text for _, text in judged if text).most_common(1):
         if len(text) <= LONGEST:
             return text, count
     return "", 0

@@ -12,7 +12,7 @@ from time import monotonic, time
 from components.language.class_messages import News
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import SILENCE, ClassRoom
-from components.live_class.store import AwayError, FullError, Parts
+from components.live_class.store import FullError, Parts, UnreachableError
 
 log = logging.getLogger(__name__)
 
@@ -77,7 +77,7 @@ class Upkeep:
             task, reason = asyncio.create_task(self._return(back, lost)), "nothing is said"
             try:
                 await self.registry.store.listen(self._receive, back.set)
-            except AwayError as error:
+            except UnreachableError as error:
                 reason = str(error.__cause__ or error)
             except Exception:
                 log.exception("The store that replicas share could not be listened to")
@@ -126,7 +126,7 @@ class Upkeep:
         if room.missed == PATIENCE:
             self.registry.receive(room.code, {})
         elif changed:
-            room.tell(changed)
+            room.deliver(changed)
 
     async def _save(self, room: ClassRoom) -> None:
         """Store unsaved parts. If the store has lost the room, the instructor's replica restores it first."""
@@ -156,7 +156,7 @@ class Upkeep:
         """Check one room. An error there is logged and does not affect the others."""
         try:
             await act
-        except (AwayError, ClosedError):
+        except (UnreachableError, ClosedError):
             pass
         except FullError as reason:
             if not self._full:

@@ -49,8 +49,8 @@ class VoteRows:
         walk, step, vote = self._question
         asked, words = self._asked = self._asked or self._of(walk, step)
         given = time_of(one.at), str(one.here or "")
-        told = (*given, walk, step, vote, asked, *self._bank.written(one), words[one.right], SURE.get(one.sure, ""))
-        return line((self._phones[name], *map(cell, told)))
+        cells = (*given, walk, step, vote, asked, *self._bank.written(one), words[one.right], SURE.get(one.sure, ""))
+        return line((self._phones[name], *map(cell, cells)))
 
     def _of(self, walk: str, step: str) -> tuple[str, tuple[str, str]]:
         """Return the question as text, and the words for wrong and right."""

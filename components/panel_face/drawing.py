@@ -12,7 +12,7 @@ from bokeh.models import Plot as BokehPlot
 
 from components.language.shapes import AnyShape, Grab
 from components.panel_face.colours import colours
-from components.panel_face.label_collisions import TextBox, clear
+from components.panel_face.label_collisions import TextBox, without_collisions
 from components.panel_face.shapes import GlyphRow, evaluated, marks, words
 from components.panel_face.ways import dragged
 from components.quantities.axes import Axis
@@ -130,7 +130,7 @@ class ShapeGlyphs:
             except KeyError:
                 continue
         written = [row | {"text": words(row["text"], texts)} for row in found["texts"]]
-        found["texts"] = list(clear([*written, *(row for _, row in flags)], plane.room))
+        found["texts"] = list(without_collisions([*written, *(row for _, row in flags)], plane.room))
         for of, rows in found.items():
             update(self.sources[of], _columns(of, map(self._placed, rows)))
         self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}

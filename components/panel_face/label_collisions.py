@@ -54,19 +54,22 @@ def box_of(row: dict[str, Any]) -> TextBox:
     return TextBox(left - AIR / 2, left + width + AIR / 2, row["y"] - ABOVE * size, row["y"] + BELOW * size)
 
 
-def clear(rows: Iterable[dict[str, Any]], room: TextBox) -> Iterator[dict[str, Any]]:
-    """Yield texts that do not overlap and do not leave the room: first those inside boxes, which stay where they are,
-    then the others in their order, moved as little as possible. Texts to its left or right are left out."""
-    standing: list[TextBox] = []
+def without_collisions(rows: Iterable[dict[str, Any]], room: TextBox) -> Iterator[dict[str, Any]]:
+    """Yield texts that do not overlap and do not leave the room.
+
+    Texts inside boxes come first and stay in place. The others follow in their order, moved as little as possible.
+    Texts left or right of the room are left out.
+    """
+    placed: list[TextBox] = []
     for row in sorted(rows, key=lambda row: row["anchor"] != "inside"):
         if box_of(row).right < room.left or box_of(row).left > room.right:
             continue
-        ways = [(row, (0.0, 0.0))]
+        moves = [(row, (0.0, 0.0))]
         if row["anchor"] != "inside":
-            ways = [(one, way) for one in _wishes(row) if (way := _way(box_of(one), room, standing))]
-        if ways:
-            wish, (across, down) = min(ways, key=lambda pair: math.hypot(*pair[1]))
-            standing.append(box_of(wish).moved(across, down))
+            moves = [(one, move) for one in _wishes(row) if (move := _move(box_of(one), room, placed))]
+        if moves:
+            wish, (across, down) = min(moves, key=lambda pair: math.hypot(*pair[1]))
+            placed.append(box_of(wish).moved(across, down))
             yield wish | {"x": wish["x"] + across, "y": wish["y"] + down}
 
 
@@ -79,19 +82,20 @@ def _wishes(row: dict[str, Any]) -> list[dict[str, Any]]:
     return [row | {"x": row["x"] + across, "y": low, "align": align} for across, align in sides]
 
 
-def _way(box: TextBox, room: TextBox, standing: list[TextBox]) -> tuple[float, float] | None:
-    """Return the shortest way of a text into the room and then up or down, to where it meets no other; None if there is
-    none. One that is wider than the room stays where it is."""
+def _move(box: TextBox, room: TextBox, placed: list[TextBox]) -> tuple[float, float] | None:
+    """Return the shortest move of a text into the room and then up or down to a free place, or None.
+
+    A text wider than the room is not moved across."""
     wide = box.right - box.left > room.right - room.left
     across = 0.0 if wide else max(min(0.0, room.right - box.right), room.left - box.left)
     inward = max(min(0.0, room.bottom - box.bottom), room.top - box.top)
     most = FAR * (box.bottom - box.top)
     box = box.moved(across, inward)
-    downs = [0.0, *(down for one in standing for down in (one.top - box.bottom, one.bottom - box.top))]
+    downs = [0.0, *(down for one in placed for down in (one.top - box.bottom, one.bottom - box.top))]
     for down in sorted(downs, key=abs):
         to = box.moved(0.0, down)
         if abs(down) > most or to.top < room.top or to.bottom > room.bottom:
             continue
-        if not any(to.meets(one) for one in standing):
+        if not any(to.meets(one) for one in placed):
             return across, inward + down
     return None

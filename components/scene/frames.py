@@ -36,11 +36,11 @@ LARGEST = 1e307
 
 @dataclass(frozen=True, kw_only=True)
 class Windowed:
-    """A motion over a time window in s: the window of the frame (`standing`), else the chosen one (`window`), else
+    """A motion over a time window in s: the window of the frame (`frame_window`), else the chosen one (`window`), else
     `lasting`."""
 
     window: float | None
-    standing: float | None = None
+    frame_window: float | None = None
 
     @cached_property
     def lasting(self) -> float:
@@ -54,7 +54,7 @@ class Windowed:
 
     @property
     def end(self) -> float:
-        return self.standing or self.own_end
+        return self.frame_window or self.own_end
 
 
 def checked(frame: Frame) -> Frame:

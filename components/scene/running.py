@@ -18,7 +18,7 @@ class Running(ABC):
     def __init__(self, network: Callable[[], str] = lambda: "") -> None:
         """`network` is the visitor's network, or "" if unknown."""
         self.network = network
-        self.heard: Callable[[], object] = lambda: None
+        self.notify: Callable[[], object] = lambda: None
         """Called when there is news, from any thread."""
 
     @classmethod

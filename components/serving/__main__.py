@@ -17,11 +17,11 @@ import segno
 
 from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
-from components.serving.apart import ReadingProcess
 from components.serving.csv_route import NumbersRoute
 from components.serving.logs import set_up
 from components.serving.server import Server
 from components.serving.settings import Settings, misspelt, read_settings
+from components.serving.worker_process import ReadingProcess
 from components.walks.loading import WalkError
 
 log = logging.getLogger(__name__)
@@ -61,16 +61,16 @@ async def serve(settings: Settings) -> None:
     )  # importing all scenes takes seconds; the first line of the log must not wait for that
 
     folders = [settings.walks] if settings.walks else []
-    lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
-    lecture.bank.apart = apart
+    lecture, worker = walked(map(Path, folders)), ReadingProcess("reading", *folders)
+    lecture.bank.worker = worker
     store = store_at(settings.store)
     live_class = LiveClass(store, lecture.bank, settings.class_passphrase, settings.bokeh_secret_key)
-    numbers = NumbersRoute(apart, settings.arrivals)
-    open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
-    figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: apart.pending)}
+    numbers = NumbersRoute(worker, settings.arrivals)
+    open_page = partial(lecture.open_page, lead=live_class.lead, worker=worker)
+    figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: worker.pending)}
     sheets = {**SHEETS, **lecture.files}
     server = Server(open_page, settings, figures, sheets, [live_class, numbers], lecture.start)
-    asyncio.get_running_loop().call_later(WARM_UP, apart.warm)
+    asyncio.get_running_loop().call_later(WARM_UP, worker.warm)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C arrives as an exception
@@ -81,7 +81,7 @@ async def serve(settings: Settings) -> None:
     if settings.show:
         webbrowser.open(address)
     await server.end(await asked.get())
-    apart.close()
+    worker.close()
     log.info("The lecture has ended")
 
 

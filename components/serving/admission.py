@@ -41,7 +41,7 @@ class Guest(NamedTuple):
     """A visitor with a session: their network, and the time of their last message."""
 
     network: str
-    heard: float
+    last_active: float
 
 
 class InLine(NamedTuple):
@@ -59,15 +59,15 @@ class Queue:
         places: int,
         taken: Callable[[], int],
         clock: Callable[[], float] = monotonic,
-        make_way: Callable[[str], bool] = lambda network: False,
+        free_place: Callable[[str], bool] = lambda network: False,
         held: Callable[[], Mapping[str, int]] = dict,
     ) -> None:
-        """`held` returns the number of places of each network; `make_way` tries to free one for a visitor of a
+        """`held` returns the number of places of each network; `free_place` tries to free one for a visitor of a
         network."""
         self.places = places
         self._taken = taken
         self._clock = clock
-        self._make_way = make_way
+        self._free_place = free_place
         self._held = held
         self._line: dict[str, InLine] = {}
         """Tickets in the order of arrival."""
@@ -91,7 +91,7 @@ class Queue:
             self._line[ticket] = self._line[ticket]._replace(seen=now)
         free = max(0, self.places - self._taken())
         before = self._before(ticket)
-        if before < free or (before == free and ticket in self._line and self._make_way(network)):
+        if before < free or (before == free and ticket in self._line and self._free_place(network)):
             self._line.pop(ticket, None)
             return 0, ""
         return before - free + 1, ticket
@@ -127,7 +127,7 @@ class Admission:
         """
         self.sockets: set[OpenSocket] = set()
         self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
-        self.queue = Queue(places, taken=self.taken, make_way=self._make_way, held=self._held)
+        self.queue = Queue(places, taken=self.taken, free_place=self._free_place, held=self._held)
         self.arrivals = Arrivals(arrivals)
         self.returns = Rate(RETURNS)
         self.returning = Arrivals(RETURNS * arrivals)
@@ -144,7 +144,7 @@ class Admission:
         """The number of places that are taken."""
         return sum(not session.expiration_requested for session in self._sessions())
 
-    def heard(self, session: ServerSession) -> None:
+    def note_activity(self, session: ServerSession) -> None:
         """Record that a visitor has arrived, or sent a message."""
         guest = self.guests.get(session)
         network = guest.network if guest else get_token_payload(session.token).get("network", "")
@@ -162,9 +162,9 @@ class Admission:
     def _held(self) -> Counter[str]:
         return Counter(guest.network for guest in self._in().values())
 
-    def _make_way(self, network: str) -> bool:
+    def _free_place(self, network: str) -> bool:
         """Drop a visitor for one of a network; return False if nobody may be dropped."""
-        leaves = gives_way(self._in(), self.queue.places, network, monotonic())
+        leaves = visitor_to_drop(self._in(), self.queue.places, network, monotonic())
         if leaves is None:
             return False
         leaves.request_expiration()
@@ -173,13 +173,13 @@ class Admission:
         return True
 
 
-def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
+def visitor_to_drop(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
     """Return the visitor to drop for a new one of a network when the server is full.
 
     It is a visitor who has been idle for long; otherwise the quietest one of another network that exceeds its share.
     """
-    quietest = sorted(guests, key=lambda key: guests[key].heard)
-    if quietest and now - guests[quietest[0]].heard >= IDLE:
+    quietest = sorted(guests, key=lambda key: guests[key].last_active)
+    if quietest and now - guests[quietest[0]].last_active >= IDLE:
         return quietest[0]
     held = Counter(guest.network for guest in guests.values())
     large = {one for one, count in held.items() if count > SHARE * places and one != network}

@@ -12,7 +12,7 @@ from components.serving.pages import LONGEST_LINK, TOO_LONG, TOO_MANY
 from components.serving.server import Route
 from components.serving.visitors import Arrivals, network_of
 from components.session.exports import LinkExport
-from components.session.worker import Apart, Replied
+from components.session.worker import Replied, Worker
 
 
 class NumbersHandler(VisitorHandler):
@@ -20,7 +20,7 @@ class NumbersHandler(VisitorHandler):
 
     asked: Future[Replied] | None = None
 
-    def initialize(self, worker: Apart, arrivals: Arrivals) -> None:
+    def initialize(self, worker: Worker, arrivals: Arrivals) -> None:
         self.worker, self.arrivals = worker, arrivals
 
     async def get(self) -> None:
@@ -53,7 +53,7 @@ class NumbersHandler(VisitorHandler):
 class NumbersRoute:
     """The extension for this address. One network may request as many tables per minute as it may open pages."""
 
-    def __init__(self, worker: Apart, arrivals: int) -> None:
+    def __init__(self, worker: Worker, arrivals: int) -> None:
         self._given: dict[str, Any] = {"worker": worker, "arrivals": Arrivals(arrivals)}
 
     def routes(self) -> list[Route]:

@@ -108,7 +108,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         if seconds := self.context.admission.wait(self.visitor, page):
             raise RefusedError(429, TOO_MANY, after=seconds)
         session = await self.get_session()
-        self.context.admission.heard(session)
+        self.context.admission.note_activity(session)
         if not session.document.roots:
             raise HTTPError(500)
         self.context.metrics.arrivals.inc()

@@ -113,14 +113,14 @@ class Server:
 
     def _start(self) -> None:
         self.lecture.start()
-        self._pulse = PeriodicCallback(self._feel_pulses, 1000 * PULSE)
+        self._pulse = PeriodicCallback(self._check_pulses, 1000 * PULSE)
         self._pulse.start()
         self._watch = asyncio.create_task(self.context.metrics.watch())
         logging.getLogger().addHandler(self.context.metrics.errors)
         for extension in self._extensions:
             extension.start()
 
-    def _feel_pulses(self) -> None:
+    def _check_pulses(self) -> None:
         for socket in list(self.context.admission.sockets):
             socket.pulse()
 

@@ -83,7 +83,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
         elif self.connection.session.expiration_requested:
             self.drop(1013, "This page's place has been given to another visitor.")
         else:
-            self.context.admission.heard(self.connection.session)
+            self.context.admission.note_activity(self.connection.session)
             self._be_the_only_one()
 
     def _be_the_only_one(self) -> None:
@@ -155,7 +155,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
             took = await metered(self._answer(message))
             self._rests = monotonic() + took + SURCHARGE * max(0.0, took - CHEAP)
             if isinstance(message, patch_doc) and self.connection and not self.gone.is_set():
-                self.context.admission.heard(self.connection.session)
+                self.context.admission.note_activity(self.connection.session)
                 self.context.metrics.change.observe(monotonic() - arrived)
         self._work = None
 

@@ -12,16 +12,16 @@ from bokeh.util.token import check_token_signature, get_token_payload
 
 def opens_session(token: str, secret: bytes) -> bool:
     """Return True if the token is signed with the secret, for one of our sessions, and not expired."""
-    expiry = _told(token, secret).get("session_expiry")
+    expiry = _payload(token, secret).get("session_expiry")
     return isinstance(expiry, int | float) and time.time() < expiry
 
 
 def page_name(token: str, secret: bytes) -> str:
     """Return the name of the page that has this token, expired or not, or ""."""
-    return str(_told(token, secret).get("page", ""))
+    return str(_payload(token, secret).get("page", ""))
 
 
-def _told(token: str, secret: bytes) -> dict[str, Any]:
+def _payload(token: str, secret: bytes) -> dict[str, Any]:
     """Return the content of a token that is signed with the secret.
 
     The signature is checked before anything is decoded, because an unsigned token can contain anything.
@@ -31,7 +31,7 @@ def _told(token: str, secret: bytes) -> dict[str, Any]:
     if not hmac.compare_digest(expected, signature.encode()):
         return {}
     try:
-        told: dict[str, Any] = get_token_payload(token)
-        return told if check_token_signature(token, secret_key=secret, signed=True) else {}
+        payload: dict[str, Any] = get_token_payload(token)
+        return payload if check_token_signature(token, secret_key=secret, signed=True) else {}
     except (ValueError, KeyError, TypeError):  # the id of a session has a signature of the same form
         return {}

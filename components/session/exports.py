@@ -46,7 +46,7 @@ def page_file(asked: PageExport, scenes: Scenes) -> Packet:
     now = page_state_in(scenes[asked.state.scene], asked.state)
     try:
         with in_words():
-            return packed(as_file(now.asked, now.told[0], asked.page, asked.answer))
+            return packed(as_file(now.asked, now.to_send[0], asked.page, asked.answer))
     except ValueError as reason:
         raise ValueError(f"These numbers cannot be saved: {str(reason).rstrip('.')}.") from reason
 
@@ -63,7 +63,7 @@ def link_file(query: Query, page: str, scenes: Scenes, walks: Walks) -> File:
         raise ValueError(" ".join(problems))
     try:
         with in_words():
-            return as_table(now.asked, now.told[0], page, table)
+            return as_table(now.asked, now.to_send[0], page, table)
     except ValueError as reason:
         raise ValueError(sentence(reason)) from reason
 

@@ -38,9 +38,9 @@ from components.scene.about import no_numbers
 from components.scene.running import Later, Running
 from components.session.exports import AboutExport, PageExport
 from components.session.measured import Fitting, MeasuredRows
-from components.session.worker import Apart, Here, Reading, Replied, Teaching, WorkerJob
+from components.session.worker import Here, Reading, Replied, Teaching, Worker, WorkerJob
 from components.state.commands import Errors, RefusalError
-from components.state.comparison import told_beside
+from components.state.comparison import compared_message
 from components.state.encoding import view_of
 from components.state.page_state import PageState, changed, with_values
 from components.state.scene_sheet import preset_dictionary, sheet_address
@@ -89,9 +89,9 @@ class Session:
     ) -> None:
         self.scenes = scenes or {}
         self.walks: Walks = walks or {}
-        self.apart: Apart | None = None
+        self.worker: Worker | None = None
         """The worker process for long jobs. Without one, the session does them itself."""
-        self._apart: tuple[int | None, Future[Replied]] | None = None
+        self._job: tuple[int | None, Future[Replied]] | None = None
         """The worker's future answer, by the number of the request."""
         self._rows = MeasuredRows()
         self._fit: Future[Replied] | None = None
@@ -112,8 +112,8 @@ class Session:
 
     def close(self) -> None:
         """Forget the visitor, who has left."""
-        if self._apart:
-            self._apart[1].cancel()
+        if self._job:
+            self._job[1].cancel()
         if self.running:
             self.running.close()
         self._end_publishing()
@@ -143,8 +143,8 @@ class Session:
             reply = self._packed(before, answer, (SORRY,))
         if reply:
             self.send(reply)
-        if self.running or not self.now.is_told_like(before):
-            self._tell_class()
+        if self.running or not self.now.sends_the_same_as(before):
+            self._send_to_class()
 
     def _decoded(self, data: object) -> BrowserMessage:
         try:
@@ -174,7 +174,7 @@ class Session:
             case Lead(code=code, key=key):
                 self._end_publishing()
                 self._publish = self.lead(code, key) if code else None
-                self._tell_class()
+                self._send_to_class()
                 return self._packed(self.now, answer)
         if answer is not None and answer == self.now.number:
             return self._packed(self.now, answer)
@@ -185,11 +185,11 @@ class Session:
         if self._is_kept(message, after):
             self.now = after
             return packed(Kept(answer=answer))
-        return self._stand(after, answer)
+        return self._set_state(after, answer)
 
     def _take_rows(self, message: SendRows, answer: int | None) -> Packet | None:
         """Take a piece of a measured record, and give the complete record to the worker."""
-        if self._apart and self._apart[0] == answer and self._fit and not self._fit.done():
+        if self._job and self._job[0] == answer and self._fit and not self._fit.done():
             return None  # the last piece is repeated while its rows are fitted
         if message.piece == 0:
             self._cancel_fit()
@@ -208,7 +208,7 @@ class Session:
     def _is_kept(self, message: BrowserMessage, after: PageState) -> bool:
         """Return True if a drag has ended and the page does not change; then its picture is not sent again."""
         lets_go = isinstance(message, SetValues) and message.holding is False and not message.values
-        return lets_go and not self._errors and not self.running and after.is_told_like(self.now)
+        return lets_go and not self._errors and not self.running and after.sends_the_same_as(self.now)
 
     def _ordered(self, order: str) -> PageState:
         if self.running is None:
@@ -219,7 +219,7 @@ class Session:
             raise RefusalError({"run": str(error)}) from error
         return self.now
 
-    def _stand(self, after: PageState, answer: int | None) -> Packet:
+    def _set_state(self, after: PageState, answer: int | None) -> Packet:
         """Set the new state of the page, after it has been encoded."""
         running = self.running if after.kind is self.now.kind else self._work_for(after)
         after = with_news(after, running)
@@ -234,15 +234,15 @@ class Session:
         if now.kind.work is None:
             return None
         running = now.kind.work(lambda: self.network)
-        running.heard = lambda: self.later(lambda: self._hear_of(running))
+        running.notify = lambda: self.later(lambda: self._send_results(running))
         return running
 
-    def _hear_of(self, running: Running) -> None:
+    def _send_results(self, running: Running) -> None:
         """Send the results of background work at once, unless the visitor has left the scene."""
         if running is self.running:
             self.now = with_news(self.now, running)
             self.send(self._packed(self.now))
-            self._tell_class()
+            self._send_to_class()
 
     def _own_step(self, given: Given) -> Step | None:
         """Return the answered step, if it is in a walk from the visitor's own files."""
@@ -251,20 +251,20 @@ class Session:
 
     def _ask_worker(self, asked: WorkerJob, answer: int | None) -> Packet | None:
         """Give the worker a job, one at a time, and send its result later."""
-        if self._apart and not self._apart[1].done():
-            return None if self._apart[0] == answer else self._worker_packet(asked, AT_ONCE, answer)
-        worker = self.apart
+        if self._job and not self._job[1].done():
+            return None if self._job[0] == answer else self._worker_packet(asked, AT_ONCE, answer)
+        worker = self.worker
         if worker is None:
             worker = Here(self.walks, {self.now.scene.slug: self.now.kind, **self.scenes})
         future = worker.ask(asked, self.network)
-        self._apart = answer, future
+        self._job = answer, future
         self._fit = future if isinstance(asked, Fitting) else None
 
-        def tell(done: Future[Replied]) -> None:
+        def send_reply(done: Future[Replied]) -> None:
             if not done.cancelled():
                 self.later(lambda: self.send(self._worker_packet(asked, done.result(), answer)))
 
-        future.add_done_callback(tell)
+        future.add_done_callback(send_reply)
         return None
 
     def _worker_packet(self, asked: WorkerJob, replied: Replied, answer: int | None) -> Packet:
@@ -282,11 +282,11 @@ class Session:
                 nothing_fitted = Fitted(refused=replied.refused, is_busy=replied.is_busy)
                 return packed(replace(replied.fitted or nothing_fitted, answer=answer))
             case Reading():
-                return self._told_walk(replied, answer)
+                return self._walk_packet(replied, answer)
         self._errors = {"message": replied.refused}
         return self._packed(self.now, answer)
 
-    def _told_walk(self, replied: Replied, answer: int | None) -> Packet:
+    def _walk_packet(self, replied: Replied, answer: int | None) -> Packet:
         if replied.walk:
             own = {**self.now.own, replied.walk.name: replied.walk}
             if len(own) > MOST_OWN:
@@ -294,7 +294,7 @@ class Session:
             self.now = dataclasses.replace(self.now, own=own)
         return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused, is_busy=replied.is_busy))
 
-    def _tell_class(self) -> None:
+    def _send_to_class(self) -> None:
         """Send the page's picture to the followers, with no error messages."""
         if self._publish:
             self._publish(lambda: self._packed(self.now, errors={}))
@@ -309,9 +309,9 @@ class Session:
         running: Running | None = None,
     ) -> Packet:
         """Return everything that the browser needs to show the current state."""
-        shown, left_out = now.told
+        shown, left_out = now.to_send
         view, numbers = view_of(sent_picture(now, shown), drawn_on(now), left_out)
-        held, more = told_beside(now, shown)
+        held, more = compared_message(now, shown)
         scene, work = now.scene, running or self.running
         reply = Shown(
             answer=answer,

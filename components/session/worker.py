@@ -26,7 +26,7 @@ from components.state.wire import Packet
 from components.walks import Walks
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems
-from components.walks.judging import told_of
+from components.walks.judging import reply_to
 from components.walks.links import Scenes
 from components.walks.registry import read_own
 from components.walks.walk import Step, Walk
@@ -74,7 +74,7 @@ class Replied(Struct, frozen=True, kw_only=True):
     seconds: float = 0.0
 
 
-class Apart(Protocol):
+class Worker(Protocol):
     """A worker, whose jobs may come from any thread; `network` is the visitor's network, if known."""
 
     def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]: ...
@@ -108,7 +108,7 @@ def _result(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
         case Reading():
             return _read(asked, walks, scenes)
         case Teaching():
-            return Replied(taught=told_of(asked.given, asked.step, scenes))
+            return Replied(taught=reply_to(asked.given, asked.step, scenes))
         case PageExport():
             return Replied(packet=page_file(asked, scenes))
         case LinkExport():

@@ -31,7 +31,7 @@ MOST_ROWS = 10
 COVERED = "?"
 
 
-def told_beside(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps]]:
+def compared_message(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps]]:
     """Return the part of the message about the compared picture, without hidden items, and its packed numbers.
 
     `shown` is the current picture as it is sent.
@@ -176,8 +176,8 @@ def _followed(scene: Scene, asked: PageState | None) -> set[str]:
 def _moved(now: PageState, other: Scene) -> Iterator[_Pair]:
     """Return the quantities that the panel currently shows."""
     scene = now.scene
-    standing = [group for group in scene.groups if group.stands(now.shown.forms)]
-    for name in dict.fromkeys(name for group in standing for name in group.names):
+    shown = [group for group in scene.groups if group.is_shown(now.shown.forms)]
+    for name in dict.fromkeys(name for group in shown for name in group.names):
         quantity, held, stands = now.kind.param[name], getattr(other, name), getattr(scene, name)
         if not isinstance(quantity, Quantity) or held is None or stands is None:
             continue

@@ -116,7 +116,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
     return left, tuple(sorted(texts))
 
 
-def as_it_stood(
+def picture_before_change(
     scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture from before a change, to be sent while the visitor predicts the next one.
@@ -124,15 +124,15 @@ def as_it_stood(
     New covers do not affect its stage, except that their marks are removed. The `forms` of the next picture decide
     which controls are visible.
     """
-    told, left_out = without(scene, before, covered)
-    stood, _ = without(scene, before, covered[: covered.index(NEXT)])
+    left, left_out = without(scene, before, covered)
+    on_stage, _ = without(scene, before, covered[: covered.index(NEXT)])
     marks = _marks(covered)
     groups = {group.form.name for group in scene.groups if group.form}
     left = replace(
-        told,
-        signals=_less(stood.signals, _made_of(stood.signals, marks)),
-        scalars=_less(stood.scalars, marks),
-        forms={**told.forms, **{name: form for name, form in forms.items() if name in groups}},
+        left,
+        signals=_less(on_stage.signals, _made_of(on_stage.signals, marks)),
+        scalars=_less(on_stage.scalars, marks),
+        forms={**left.forms, **{name: form for name, form in forms.items() if name in groups}},
     )
     return left, left_out
 

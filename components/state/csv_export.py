@@ -89,8 +89,8 @@ def comments(told: PageState, picture: Picture, page: str = "") -> list[str]:
 
 def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
     """Yield a line for each parameter that has an effect in the current state of the scene."""
-    apart = (group for group in scene.groups if group.apart and not group.stands(picture.forms))
-    idle = {name for group in apart for name in group.names}
+    hidden = (group for group in scene.groups if group.idle_when_hidden and not group.is_shown(picture.forms))
+    idle = {name for group in hidden for name in group.names}
     for name, parameter in scene.linked().items():
         if name in idle:
             continue

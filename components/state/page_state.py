@@ -23,7 +23,7 @@ from components.state.commands import Command, RefusalError, asked_values, refus
 from components.state.compared import HIDDEN, WINDOW, moved, own_values, shown_as
 from components.state.covers import NEXT, checked_covers
 from components.state.link import step_query, write_query
-from components.state.predicting import covers_after, put_last, told_of
+from components.state.predicting import covers_after, picture_to_send, put_last
 from components.state.shared_system import Shared, brought, taken_along
 from components.state.states import other_in, scene_in, stated_all, stated_own
 
@@ -79,14 +79,14 @@ class PageState:
     @property
     def seen_frame(self) -> Frame:
         """The frame as the visitor sees it: axes with hidden numbers are wider."""
-        axes, frame = self.told[0].axes, self.drawn.frame
+        axes, frame = self.to_send[0].axes, self.drawn.frame
         wide = {name: (axes[name].start, axes[name].end) for name in frame.ranges if f"ticks:{name}" in self.covered}
         return msgspec.structs.replace(frame, ranges={**frame.ranges, **wide}) if wide else frame
 
     @property
-    def told(self) -> tuple[Picture, tuple[str, ...]]:
+    def to_send(self) -> tuple[Picture, tuple[str, ...]]:
         """The picture to send, and the names of the quantities that are left out of it."""
-        return told_of(self.kind, self.shown, self.before.shown if self.before else None, self.covered)
+        return picture_to_send(self.kind, self.shown, self.before.shown if self.before else None, self.covered)
 
     @cached_property
     def state(self) -> State:
@@ -104,7 +104,7 @@ class PageState:
             show=self.show,
         )
 
-    def is_told_like(self, other: PageState) -> bool:
+    def sends_the_same_as(self, other: PageState) -> bool:
         """Return True if both states surely send the same to the browser. False can mean that they might differ."""
         pairs = zip(self._drawn_of, other._drawn_of, strict=True)
         return all(mine is its for mine, its in pairs) and self._marks == other._marks

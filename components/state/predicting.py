@@ -15,17 +15,17 @@ from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsB
 from components.language.text import Forms
 from components.layout.sheet import blocks
 from components.scene import Picture, Scene
-from components.state.covers import NEXT, PLOT, STAGE, VALUE, as_it_stood, without
+from components.state.covers import NEXT, PLOT, STAGE, VALUE, picture_before_change, without
 from components.state.scene_sheet import plots
 
 
-def told_of(
+def picture_to_send(
     scene: type[Scene], shown: Picture, before: Picture | None, covered: tuple[str, ...]
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture to send, without covered parts, and the names of the quantities that it lacks."""
     if before is None:
         return without(scene, shown, covered)
-    return as_it_stood(scene, before, covered, shown.forms)
+    return picture_before_change(scene, before, covered, shown.forms)
 
 
 def covers_after(scene: Scene, after: Picture, before: Picture, covered: tuple[str, ...]) -> tuple[str, ...]:

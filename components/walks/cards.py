@@ -63,7 +63,7 @@ def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
 def asked(step: Step, subject: Subject) -> str:
     """Return the question of a step with its numbers. Raises ValueError, with a reason, if the scene does not have
     them."""
-    return with_numbers(step.question, lambda: subject.standing.scene)
+    return with_numbers(step.question, lambda: subject.page_state.scene)
 
 
 def parted(question: str) -> tuple[str, str]:

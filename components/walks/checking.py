@@ -15,12 +15,12 @@ from components.walks.cards import ASKS, asked, sentences
 from components.walks.claims import untrue
 from components.walks.giveaways import giveaways
 from components.walks.leaks import leaks
-from components.walks.links import Scenes, standing_at
+from components.walks.links import Scenes, page_state_at
 from components.walks.questions.question import refused
 from components.walks.subject import Subject
 from components.walks.texts import line, live_names
 from components.walks.types import BaseStep
-from components.walks.variants import numbers_drawn, strange_spans, told_apart, variants_of
+from components.walks.variants import numbers_drawn, numbers_text, strange_spans, variants_of
 from components.walks.walk import Step, Walk
 
 MOST_WORDS = 60
@@ -61,7 +61,7 @@ def _doubts(step: Step, subject: Subject) -> Iterator[str]:
 
 def _lost_parts(step: Step, subject: Subject) -> Iterator[str]:
     """Return the controls that would hide a part that the step lists."""
-    after = standing_at(step.shown, subject.scenes)
+    after = page_state_at(step.shown, subject.scenes)
     listed = _listed(step, after.scene)
     for name in step.controls:
         values = getattr(after.kind.param[name], "objects", ()) if listed else ()
@@ -78,7 +78,7 @@ def _listed(step: Step, scene: Scene) -> set[str]:
 def _doubts_of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
     for seed, one in variants_of(step):
         for doubt in one.doubts(Subject(walk, one, scenes, seed)):
-            yield f"vary: with {told_apart(numbers_drawn(step, seed))}: {doubt}"
+            yield f"vary: with {numbers_text(numbers_drawn(step, seed))}: {doubt}"
             return
 
 
@@ -91,7 +91,7 @@ def problems_of(walk: str, place: int, step: Step, scenes: Scenes) -> Iterator[s
 def _of_step(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
     yield from _of_texts(step)
     subject = Subject(walk, step, scenes)
-    found = [*_in_scene(step, subject)] or [*strange_spans(step, subject.standing.kind)]
+    found = [*_in_scene(step, subject)] or [*strange_spans(step, subject.page_state.kind)]
     yield from found or _of_variants(walk, step, scenes)
 
 
@@ -99,16 +99,16 @@ def _of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
     """Return the first problem of a step with numbers that a student may get."""
     for seed, one in variants_of(step):
         for problem in _in_scene(one, Subject(walk, one, scenes, seed)):
-            yield f"vary: with {told_apart(numbers_drawn(step, seed))}: {problem}"
+            yield f"vary: with {numbers_text(numbers_drawn(step, seed))}: {problem}"
             return
 
 
 def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
     field = "state"
     try:
-        before = subject.standing
+        before = subject.page_state
         field = "reveal" if step.reveal else "state"
-        after = standing_at(step.shown, subject.scenes)
+        after = page_state_at(step.shown, subject.scenes)
     except ValueError as reason:
         yield f"{field}: {reason}"
         return

@@ -15,7 +15,7 @@ from components.quantities.formatting import parse_number
 from components.quantities.typed import unit_size
 from components.walks.cards import asked
 from components.walks.leaks import chain_of, texts_in_sight
-from components.walks.links import Scenes, standing_at
+from components.walks.links import Scenes, page_state_at
 from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
@@ -57,13 +57,13 @@ def giveaways(walk: Walk, scenes: Scenes) -> Iterator[str]:
 def _in_sight(walk: Walk, number: int, subject: Subject, scenes: Scenes) -> Iterator[tuple[str, dict[str, str]]]:
     """Return the live numbers of a step's question, and of earlier pictures of the same system, each with its place."""
     *before, step = walk.steps[:number]
-    yield "", texts_in_sight(subject.standing, step.cover, step.show)
+    yield "", texts_in_sight(subject.page_state, step.cover, step.show)
     chain = chain_of(subject.answered.scene)
     for early in before:
         for when, link, covers in (("before", early.state, early.cover), ("after", early.shown, early.still)):
-            standing = standing_at(link, scenes)
-            if chain_of(standing.scene) == chain:
-                yield f" {when} the answer of {early.id}", texts_in_sight(standing, covers, early.show)
+            page = page_state_at(link, scenes)
+            if chain_of(page.scene) == chain:
+                yield f" {when} the answer of {early.id}", texts_in_sight(page, covers, early.show)
 
 
 def _telling(step: Step, texts: dict[str, str], subject: Subject) -> Iterator[tuple[str, str, str]]:
@@ -85,7 +85,7 @@ def _numbers(text: str) -> list[float]:
 
 def _set_to(subject: Subject, unit: str) -> Iterator[float]:
     """Return the quantities that the scene is set to, in SI and in the unit of the answer."""
-    for value in subject.standing.scene.values.values():
+    for value in subject.page_state.scene.values.values():
         if isinstance(value, float):
             yield from (value, value / unit_size(unit))
 

@@ -18,10 +18,10 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
     if step is None:
         refused = f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”."
         return Taught(walk=given.walk, step=given.step, lesson=None, refused=refused)
-    return told_of(given, step, scenes)
+    return reply_to(given, step, scenes)
 
 
-def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
+def reply_to(given: Given, step: Step, scenes: Scenes) -> Taught:
     """Return the reply to an answer, with the student's numbers of the step: a lesson, or a refusal."""
     try:
         step = varied(step, given.seed)

@@ -20,7 +20,7 @@ from components.scene import Picture, Scene
 from components.scene.scene import VIEW
 from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
 from components.state.page_state import PageState
-from components.walks.links import Scenes, standing_at
+from components.walks.links import Scenes, page_state_at
 from components.walks.texts import live_names
 from components.walks.walk import Step, Walk
 
@@ -51,22 +51,22 @@ def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
 
 def before(step: Step, scenes: Scenes) -> Exhibit:
     """Return the picture of a step's question."""
-    return _exhibit(standing_at(step.state, scenes), step.cover, step.show)
+    return _exhibit(page_state_at(step.state, scenes), step.cover, step.show)
 
 
 def after(step: Step, scenes: Scenes) -> Exhibit:
     """Return the picture after the answer. Quantities that only this step hides do not count as hidden."""
-    return _exhibit(standing_at(step.shown, scenes), step.still, step.show)._replace(covered={})
+    return _exhibit(page_state_at(step.shown, scenes), step.still, step.show)._replace(covered={})
 
 
-def _exhibit(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> Exhibit:
-    kind, picture = standing.kind, standing.shown
-    whole = dict(_quantities(standing.scene, picture, show))
+def _exhibit(page: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> Exhibit:
+    kind, picture = page.kind, page.shown
+    whole = dict(_quantities(page.scene, picture, show))
     left, gone = without(kind, picture, covers)
-    shown = dict(_quantities(standing.scene, left, show, frozenset(covers), frozenset(gone)))
+    shown = dict(_quantities(page.scene, left, show, frozenset(covers), frozenset(gone)))
     asked = {name: cover for name, cover in whole.items() if name not in shown}
     by_name = {name: cover for name, cover in asked.items() if cover in covers or not cover.startswith(VALUE)}
-    return Exhibit(chain_of(standing.scene), shown, by_name)
+    return Exhibit(chain_of(page.scene), shown, by_name)
 
 
 def chain_of(scene: Scene) -> object:
@@ -79,13 +79,13 @@ def chain_of(scene: Scene) -> object:
     return scene.slug, tuple(sorted((name, values[name]) for name in names))
 
 
-def texts_in_sight(standing: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
+def texts_in_sight(page: PageState, covers: tuple[str, ...], show: tuple[str, ...]) -> dict[str, str]:
     """Return the visible live numbers of a picture with their texts, in the parts `show` or in its view, without
     covered ones."""
-    picture, gone = without(standing.kind, standing.shown, covers)
-    hidden, seen = frozenset(covers), _seen(standing.scene, picture, show)
+    picture, gone = without(page.kind, page.shown, covers)
+    hidden, seen = frozenset(covers), _seen(page.scene, picture, show)
     names = {name for block in seen for name in _numbers(block, picture, hidden)}
-    names.update(name for group in standing.kind.groups if group.stands(picture.forms) for name in _facts(group))
+    names.update(name for group in page.kind.groups if group.is_shown(picture.forms) for name in _facts(group))
     return {name: picture.values[name] for name in sorted(names.difference(gone)) if picture.values.get(name)}
 
 

@@ -37,7 +37,7 @@ def _of_the_page(link: Link) -> Iterator[str]:
         yield "before: a step cannot begin with an open prediction. Press Reveal, then copy the link."
 
 
-def standing_at(link: str, scenes: Scenes) -> PageState:
+def page_state_at(link: str, scenes: Scenes) -> PageState:
     """Return the page state of a page that opens a link."""
     state = state_of_link(link, scenes)
     kind = scenes[state.scene]

@@ -16,7 +16,7 @@ from components.state.covers import without
 from components.state.page_state import PageState
 from components.state.scene_sheet import plots
 from components.walks.expressions import numbers_of
-from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, standing_at
+from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, page_state_at
 from components.walks.sketch import Ranges, Sketch, sketch, turns
 from components.walks.types import BaseStep
 
@@ -64,19 +64,19 @@ class Subject:
         self.pad, self.true = cache(self._pad), cache(self._true)
 
     @cached_property
-    def standing(self) -> PageState:
+    def page_state(self) -> PageState:
         """The page with the question. Raises ValueError, with a reason, for a link that opens none."""
-        return standing_at(self._step.state, self.scenes)
+        return page_state_at(self._step.state, self.scenes)
 
     @cached_property
     def answered(self) -> PageState:
         """The page with the answer."""
-        return standing_at(self._step.shown, self.scenes)
+        return page_state_at(self._step.shown, self.scenes)
 
     @cached_property
     def numbers_asked(self) -> Mapping[str, float]:
         """The numbers of the scene in the question, by name."""
-        return numbers_of(self.standing.scene)
+        return numbers_of(self.page_state.scene)
 
     @cached_property
     def numbers(self) -> Mapping[str, float]:
@@ -99,7 +99,7 @@ class Subject:
 
     def axes(self, plot: str) -> PlotAxes:
         """Return a plot of the scene. Raises ValueError if there is none of this name."""
-        block, axes = self._block(plot), self.standing.shown.axes
+        block, axes = self._block(plot), self.page_state.shown.axes
         return PlotAxes(axes[block.x], axes[block.y])
 
     def drawn(self, plot: str, curves: Mapping[str, Sketched], names: tuple[str, ...]) -> dict[str, Sketch]:
@@ -110,7 +110,7 @@ class Subject:
         """Return the empty axes on which a sketch is drawn, over the ranges that the covers of the step leave. They are
         the same for a whole class, even if screens show other ranges."""
         block = self._block(plot)
-        axes = without(self.standing.kind, self.standing.shown, self._step.cover)[0].axes
+        axes = without(self.page_state.kind, self.page_state.shown, self._step.cover)[0].axes
         return PlotAxes(axes[block.x], axes[block.y])
 
     def _true(self, plot: str, names: tuple[str, ...]) -> dict[str, Sketch]:
@@ -126,15 +126,15 @@ class Subject:
 
     def _block(self, plot: str) -> PlotBlock:
         """A plot whose axes the current picture has."""
-        for block in plots(self.standing.kind):
-            if block.name == plot and {block.x, block.y} <= self.standing.shown.axes.keys():
+        for block in plots(self.page_state.kind):
+            if block.name == plot and {block.x, block.y} <= self.page_state.shown.axes.keys():
                 return block
         raise ValueError(f"the scene shows no plot “{plot}”")
 
     def _points(self, plot: str, name: str) -> Traced:
         """Return a drawn curve with all its pieces joined. A curve over time includes its exact turning points, which
         are between drawn points."""
-        block, shown, axes = self._block(plot), self.standing.shown, self.axes(plot)
+        block, shown, axes = self._block(plot), self.page_state.shown, self.axes(plot)
         places: Traced = []
         for curve in block.curves:
             columns = shown.sources.get(curve.source, {})

@@ -83,7 +83,7 @@ def with_numbers(text: str, scene: Callable[[], Scene]) -> str:
     return NUMBER.sub(number, text)
 
 
-def told_apart(numbers: Mapping[str, float]) -> str:
+def numbers_text(numbers: Mapping[str, float]) -> str:
     """Return numbers as text: "k1 = 0.5, k2 = 3"."""
     return ", ".join(f"{name} = {shortest(number)}" for name, number in numbers.items())
 

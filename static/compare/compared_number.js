@@ -20,7 +20,7 @@ export class HeldNumber {
     this.group = svg("g", {class: tint}, this.text)
     this.group.style.display = "none"
     stage.svg.append(this.group)
-    stage.clear.labels.push({text: this.text, group: this.group, fixed: false, wishes: () => this.#wishes()})
+    stage.collisions.labels.push({text: this.text, group: this.group, fixed: false, wishes: () => this.#wishes()})
   }
 
   /**
@@ -42,13 +42,13 @@ export class HeldNumber {
 
   /** Possible positions: to the right of the label, or above or below it if there is no room. */
   #wishes() {
-    const {clear, size} = this.stage
-    const {left, right, top, bottom} = clear.box(this.label)
+    const {collisions, size} = this.stage
+    const {left, right, top, bottom} = collisions.box(this.label)
     setAttributes(this.text, {x: right + GAP, y: this.label.getAttribute("y")})
-    const beside = clear.box(this.text)
+    const beside = collisions.box(this.text)
     const line = bottom - top + 3
     const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)
-    const edge = size.narrow ? clear.room.right : size.W // on a phone the plots are below the stage, not next to it
+    const edge = size.narrow ? collisions.room.right : size.W // on a phone the plots are below the stage, not next to it
     return beside.right <= edge ? [beside, below] : [below]
   }
 }

@@ -75,8 +75,8 @@ export function whileHeld(host, move, end) {
  */
 export function steady(part) {
   const top = () => part.getBoundingClientRect().top
-  const stood = top()
-  const observer = new ResizeObserver(() => part.getClientRects().length && scrollBy(0, top() - stood))
+  const before = top()
+  const observer = new ResizeObserver(() => part.getClientRects().length && scrollBy(0, top() - before))
   // If a line appears above and another disappears below, the page keeps its height, so each part is measured.
   for (let inner = part; inner.parentElement && inner !== document.body; inner = inner.parentElement)
     for (const beside of inner.parentElement.children) observer.observe(beside)

@@ -139,7 +139,7 @@ function handleKey(event, lecture) {
     event.stopPropagation()
   }
   if (turns && isBounced(event)) return
-  if (turns && lies()) return close()
+  if (turns && isTurned()) return close()
   known.act(lecture)
 }
 
@@ -153,7 +153,7 @@ function isBounced({timeStamp}) {
 }
 
 /** True if a dialog or menu covers the page; a clicker closes it first. */
-const lies = () => document.querySelector(LIES) !== null
+const isTurned = () => document.querySelector(LIES) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */
 function acts(event, {own}) {

@@ -11,14 +11,14 @@ const LEAPS = {PageUp: 1, PageDown: -1}
 
 // A vertical swipe that starts on a slider scrolls the page. So the slider moves only after a sideways move.
 export class Finger {
-  /** @type {{x: number, y: number, stood: string, sideways: boolean} | null} */
+  /** @type {{x: number, y: number, initial: string, sideways: boolean} | null} */
   swipe = null
 
   /** @param {HTMLInputElement} slider */
   constructor(slider) {
     this.slider = slider
     slider.addEventListener("pointerdown", ({pointerType, clientX: x, clientY: y}) => {
-      this.swipe = pointerType === "touch" ? {x, y, stood: slider.value, sideways: false} : null
+      this.swipe = pointerType === "touch" ? {x, y, initial: slider.value, sideways: false} : null
     })
     slider.addEventListener("pointermove", ({clientX, clientY}) => {
       if (!this.swipe) return
@@ -33,7 +33,7 @@ export class Finger {
   /** True if the last move was only a touch; the slider then goes back to its value. */
   onlyTouched() {
     if (!this.swipe || this.swipe.sideways) return false
-    this.slider.value = this.swipe.stood
+    this.slider.value = this.swipe.initial
     return true
   }
 }

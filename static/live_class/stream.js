@@ -48,7 +48,7 @@ function woken(by) {
 export class Stream {
   state = "events"
   number = "" // number of the last news that were received
-  heardAt = 0 // time of the last data, by the time of day, which continues while a phone sleeps
+  receivedAt = 0 // time of the last data, by the time of day, which continues while a phone sleeps
   knockAt = 0 // time at which polling tries a stream next
   tries = 0 // failed tries since the last data
   missedAt = 0 // when the server first reported that there is no such class
@@ -96,14 +96,14 @@ export class Stream {
   }
 
   #watch() {
-    if (!this.sleeps && Date.now() - this.heardAt > SILENCE) this.control.abort()
+    if (!this.sleeps && Date.now() - this.receivedAt > SILENCE) this.control.abort()
   }
 
   /** Makes one attempt after the other. */
   async #go() {
     if (this.sleeps) await this.#rest(SLEEP)
     if (this.over) return
-    this.heardAt = Date.now()
+    this.receivedAt = Date.now()
     this.control = new AbortController()
     const {signal} = this.control
     const attempt = this.by === "events" ? this.#read(signal).then(() => this.#failed()) : this.#look(signal)
@@ -115,7 +115,7 @@ export class Stream {
 
   /** @param {number} ms */
   #rest(ms) {
-    this.heardAt = Date.now()
+    this.receivedAt = Date.now()
     this.control = new AbortController()
     return pause(ms, this.control.signal)
   }
@@ -152,7 +152,7 @@ export class Stream {
     const came = this.#expect()
     const news = await fetchJson(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)
     if (news) this.#receive(news)
-    else this.#heard()
+    else this.#received()
     if (Date.now() > this.knockAt) this.#knock()
     return ASKING
   }
@@ -196,8 +196,8 @@ export class Stream {
     clearTimeout(timer)
   }
 
-  #heard() {
-    this.heardAt = Date.now()
+  #received() {
+    this.receivedAt = Date.now()
     this.tries = 0
     this.missedAt = 0
     this.state = this.by
@@ -206,7 +206,7 @@ export class Stream {
 
   /** @param {Partial<page.News>} news */
   #receive(news) {
-    this.#heard()
+    this.#received()
     this.number = news.number ?? ""
     this.over = Boolean(news.ended)
     try {

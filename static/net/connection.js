@@ -48,8 +48,8 @@ export class Connection {
     await this.#try(() => this.#open(token, false))
   }
 
-  /** @param {string} token @param {boolean} anew for a new session */
-  async #open(token, anew) {
+  /** @param {string} token @param {boolean} isNew for a new session */
+  async #open(token, isNew) {
     this.token = token
     await bokeh()
     const opened = connect(
@@ -69,7 +69,7 @@ export class Connection {
     }
     this.since = performance.now()
     this.refused = 0
-    this.messages.attach(this.wire, anew)
+    this.messages.attach(this.wire, isNew)
     this.status.found()
     this.#tell()
     document.dispatchEvent(new CustomEvent("oscillations:connected"))

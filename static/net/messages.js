@@ -9,9 +9,9 @@ const LONGER = 4 // factor on the waiting time for these messages
 
 /**
  * Local data about a message: `turn`: it adds an entry to the browser's history; `start`: the clock
- * restarts with its answer; `sets`: the values that it sets if it is built later; `anew`: it must be sent to each new
+ * restarts with its answer; `sets`: the values that it sets if it is built later; `repeated`: it is sent to each new
  * session; `answered`: callback for its answer; `way` and `undoGroup`: for undo.
- * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, anew?: boolean,
+ * @typedef {{turn?: boolean, start?: boolean, sets?: Record<string, page.Value>, repeated?: boolean,
  *   answered?: (message: ServerMessage) => void, way?: import("../shell/undo.js").Direction,
  *   undoGroup?: string}} Envelope
  * @typedef {Envelope & {message: page.BrowserMessage}} Asked
@@ -47,7 +47,7 @@ export class Messages {
   reminder
 
   /** @type {Promise<unknown>} messages are handled in the order of their arrival */
-  heard = Promise.resolve()
+  handled = Promise.resolve()
 
   /**
    * `unpack` reads a packet. `handle` handles a message and, if it is an answer, the message that it answers. `fail` is
@@ -66,16 +66,19 @@ export class Messages {
   /**
    * Takes a connection to the same session or to a new one. A new session gets the current state before the unanswered
    * message is sent again.
-   * @param {import("./wire.js").Wire} wire @param {boolean} anew for a new session
+   * @param {import("./wire.js").Wire} wire @param {boolean} isNew for a new session
    */
-  attach(wire, anew) {
+  attach(wire, isNew) {
     this.wire = wire
-    if (anew) {
-      if (this.asked && !this.asked.anew) this.outbox.unshift(this.asked)
+    if (isNew) {
+      if (this.asked && !this.asked.repeated) this.outbox.unshift(this.asked)
       this.asked = null
-      const greeting = this.greeting().map(message => ({anew, message}))
-      const open = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
-      this.outbox = [...greeting, open, ...this.outbox.filter(waiting => !waiting.anew)]
+      const greeting = this.greeting().map(message => ({repeated: true, message}))
+      const open = {
+        repeated: true,
+        message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state}),
+      }
+      this.outbox = [...greeting, open, ...this.outbox.filter(waiting => !waiting.repeated)]
     }
     this.#flush()
     this.behind = Boolean(this.asked)
@@ -86,7 +89,7 @@ export class Messages {
     clearTimeout(this.reminder)
     this.wire = null
     this.lostConnections++
-    this.heard = Promise.resolve()
+    this.handled = Promise.resolve()
     this.behind = true
   }
 
@@ -125,7 +128,7 @@ export class Messages {
   /** Tests the connection, because a phone that slept does not notice a lost one. */
   probe() {
     if (!this.wire) return
-    if (!this.asked) this.send({type: "set", values: {}}, {anew: true})
+    if (!this.asked) this.send({type: "set", values: {}}, {repeated: true})
     clearTimeout(this.reminder)
     this.reminder = setTimeout(() => this.overdue(), PROBE)
   }
@@ -171,14 +174,14 @@ export class Messages {
 
   /** The visitor's messages that wait for a connection. */
   get #late() {
-    return this.behind ? this.#queue.filter(({anew}) => !anew) : []
+    return this.behind ? this.#queue.filter(({repeated}) => !repeated) : []
   }
 
   /** The unsent messages, for a page that replaces this one. @returns {page.BrowserMessage[]} */
   get left() {
     let {state} = this
-    const plain = this.#queue.flatMap(({message: made, anew}) => {
-      if (anew) return []
+    const plain = this.#queue.flatMap(({message: made, repeated}) => {
+      if (repeated) return []
       const message = typeof made === "function" ? made(state) : made
       if (message?.type === "rows") return [] // measured points are never stored
       if (message?.type === "open") ({state} = message)
@@ -221,7 +224,7 @@ export class Messages {
     const unpacked = this.unpack(packet)
     // Ignore packets of a lost connection, because the server repeats them on the next one.
     const current = () => lostConnections === this.lostConnections
-    this.heard = this.heard
+    this.handled = this.handled
       .then(() => unpacked)
       .then(
         message => current() && this.#receive(message),
@@ -239,7 +242,7 @@ export class Messages {
     const {asked} = this
     if (message.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
-    if (asked.anew && "is_busy" in message && message.is_busy) {
+    if (asked.repeated && "is_busy" in message && message.is_busy) {
       this.reminder = setTimeout(() => this.#sendAsked(), AGAIN) // later messages depend on this state
       return
     }

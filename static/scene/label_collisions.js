@@ -25,7 +25,7 @@ const MOST = 500 // most such points between two neighbouring points of a column
 const OFF = 3 // units from such a point that texts avoid
 const BASE = 0.2 // share of a text's size below its base line
 
-export class Clear {
+export class LabelCollisions {
   /** @type {Map<string, {width: number, size: number, font: string}>} sizes by style and text, digits alike */
   #sizes = new Map()
 
@@ -35,7 +35,7 @@ export class Clear {
   room = {left: -Infinity, right: Infinity, bottom: Infinity}
 
   /** @type {Box[]} */
-  standing = []
+  placed = []
 
   /** @type {Box[]} boxes along the curves of the plot under the texts */
   lines = []
@@ -85,7 +85,7 @@ export class Clear {
    */
   measure(host, picture, under) {
     const texts = [...(under?.over.querySelectorAll("text") ?? [])].filter(({style}) => style.display === "")
-    this.standing = texts.map(text => aired(this.box(text, false)))
+    this.placed = texts.map(text => aired(this.box(text, false)))
     if (under && this.labels.some(({beside}) => beside)) {
       const {left, top, height} = under.frame
       const flags = [...under.controls.querySelectorAll(".flag")].map(flag => flag.getBoundingClientRect())
@@ -105,41 +105,41 @@ export class Clear {
   place() {
     const shown = this.labels.filter(({group}) => group.style.display === "")
     const boxed = shown.filter(({fixed, text}) => fixed && text.style.display === "")
-    const standing = [...this.standing, ...boxed.map(({text}) => aired(this.box(text)))]
+    const placed = [...this.placed, ...boxed.map(({text}) => aired(this.box(text)))]
     for (const label of shown.filter(({fixed}) => !fixed)) {
       const box = this.box(label.text)
-      const place = box.right > box.left ? this.#find(label, box, standing) : box
+      const place = box.right > box.left ? this.#find(label, box, placed) : box
       label.text.style.display = place ? "" : "none"
       if (!place) continue
-      standing.push(place)
+      placed.push(place)
       this.#put(label.text, place)
     }
   }
 
-  /** @param {Label} label @param {Box} box @param {Box[]} standing */
-  #find({wishes, beside}, box, standing) {
+  /** @param {Label} label @param {Box} box @param {Box[]} placed */
+  #find({wishes, beside}, box, placed) {
     const line = box.bottom - box.top
     if (!beside) {
       const asked = (wishes?.() ?? [box]).map(aired)
-      return places([{wishes: asked, down: FAR * line, room: this.#roomOf(box)}], standing)[0]
+      return places([{wishes: asked, down: FAR * line, room: this.#roomOf(box)}], placed)[0]
     }
-    return this.#beside(moved(box, POINT, DROP * line), [...standing, ...this.flags])
+    return this.#beside(moved(box, POINT, DROP * line), [...placed, ...this.flags])
   }
 
   /**
    * Finds a place next to a point that avoids all lines and dots, or as many as possible.
-   * @param {Box} after it @param {Box[]} standing placed texts
+   * @param {Box} after it @param {Box[]} placed placed texts
    */
-  #beside(after, standing) {
+  #beside(after, placed) {
     const {frame} = this
     const lines = [...this.lines, ...this.#dots()]
     const line = after.bottom - after.top
     const before = moved(after, after.left - after.right - 2 * POINT, 0)
     const sides = [after, before].map(aired).filter(({left, right}) => left >= frame.left && right <= frame.right)
-    const [clear] = places([{wishes: sides, down: OUT * line, room: frame}], [...standing, ...lines])
-    if (clear) return clear
+    const [place] = places([{wishes: sides, down: OUT * line, room: frame}], [...placed, ...lines])
+    if (place) return place
     const steps = STEPS.flatMap(step => sides.map(side => moved(side, 0, step * line)))
-    const free = steps.flatMap(wish => places([{wishes: [wish], room: frame}], standing)[0] ?? [])
+    const free = steps.flatMap(wish => places([{wishes: [wish], room: frame}], placed)[0] ?? [])
     const crossed = free.map(box => lines.filter(piece => meet(box, piece)).length)
     return free[crossed.indexOf(Math.min(...crossed))] ?? null
   }

@@ -50,7 +50,7 @@ export class Page {
   /** @type {Transport | import("./run_bar.js").RunBar} */ transport
   /** @type {Compare} */ compare
 
-  toldAt = -Infinity // ms, when the moving numbers were last written
+  writtenAt = -Infinity // ms, when the moving numbers were last written
   timeText = "" // the text of the time that was written then
   isMeasuring = false // set once the view of measured points has been shown
   left = false
@@ -153,7 +153,7 @@ export class Page {
 
   redraw() {
     this.measured = false
-    this.toldAt = -Infinity
+    this.writtenAt = -Infinity
     this.clock.dirty = true
   }
 
@@ -166,8 +166,8 @@ export class Page {
     const named = this.compare.named(at)
     const {t} = named
     const now = performance.now()
-    if (!this.clock.playing || now - this.toldAt > BETWEEN_TEXTS) {
-      this.toldAt = now
+    if (!this.clock.playing || now - this.writtenAt > BETWEEN_TEXTS) {
+      this.writtenAt = now
       this.timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
       guarded(() => this.live.draw(named))
     }

@@ -153,8 +153,8 @@ export class Plot {
     const {view} = shown
     this.shown = shown
     this.view = view
-    const isAway = this.host.closest("[hidden]") !== null
-    this.absent = isAway || !view.axes[this.block.x] || !view.axes[this.block.y]
+    const isHidden = this.host.closest("[hidden]") !== null
+    this.absent = isHidden || !view.axes[this.block.x] || !view.axes[this.block.y]
     const up = this.handles.ruler(this.block.y)
     this.asked = {x: this.handles.ruler(this.block.x), y: this.down && up ? turned(up) : up}
     this.x = this.asked.x ?? this.x

@@ -1,7 +1,7 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
 import {beads, pointed} from "./beads.js"
-import {Clear} from "./label_collisions.js"
+import {LabelCollisions} from "./label_collisions.js"
 import {coveredPlots, tells} from "../compare/cover.js"
 import {inUnits, setAttributes, svg, unitSize, words} from "../core/dom.js"
 import {Grips} from "../controls/grips.js"
@@ -201,7 +201,7 @@ export class Stage {
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(shape, shape.grab)
     if (page) pointed(this, page)
     this.#joins()
-    this.clear = new Clear(this.shapes)
+    this.collisions = new LabelCollisions(this.shapes)
     this.observer = new ResizeObserver(() => {
       const before = this.size
       this.place()
@@ -232,7 +232,7 @@ export class Stage {
     const box = this.svg.getBoundingClientRect()
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
     inUnits(this.svg, W, H)
-    this.clear.forget()
+    this.collisions.forget()
     // The style sheets decide if blocks are stacked, visible in hall mode, or if a stage is low.
     const style = getComputedStyle(this.svg)
     const [narrow, hall, low] = ["--stacked", "--hall", "--low"].map(name => Number(style.getPropertyValue(name)))
@@ -250,7 +250,7 @@ export class Stage {
    */
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
-    this.clear.measure(this.host, origin, this.under)
+    this.collisions.measure(this.host, origin, this.under)
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     const isJoined = !this.size.narrow && [...this.beside].every(name => `${name}.left` in this.plots)
     this.join = {wide: Number(isJoined), narrow: Number(!isJoined)}
@@ -304,6 +304,6 @@ export class Stage {
       if (now) kind.move(parts, now, all)
       this.grips?.place(spec, now && kind.hold?.(now), all)
     }
-    this.clear.place()
+    this.collisions.place()
   }
 }

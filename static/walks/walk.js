@@ -105,7 +105,7 @@ export class Walk {
     const step = this.sheet.steps[place]
     if (!step) return
     this.contents?.close()
-    this.#putAway()
+    this.#closeCard()
     this.lecture.open(this.numbered(step).opens)
   }
 
@@ -116,7 +116,7 @@ export class Walk {
     this.earlierAnswer = given
   }
 
-  #putAway() {
+  #closeCard() {
     forgetAnswered()
     this.lesson = null
     this.earlierAnswer = null
@@ -318,7 +318,7 @@ export class Walk {
     this.contents?.leave()
     this.finish?.leave()
     this.contents = this.finish = null
-    this.#putAway()
+    this.#closeCard()
     this.place = -1
     this.lecture.classes.led?.walked(null)
   }

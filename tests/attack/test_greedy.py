@@ -12,7 +12,7 @@ import pytest
 
 from components.quantities.refusals import SORRY
 from components.scenes import SCENES
-from components.serving.apart import ReadingProcess
+from components.serving.worker_process import ReadingProcess
 from components.session.opening import opened
 from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Replied, WorkerJob
@@ -65,7 +65,7 @@ def page(slug: str = "absorber", values: ExtremeValues = ABSORBER) -> tuple[Sess
 def test_a_huge_walk_is_read_once_in_the_worker_and_gets_a_reason(process: ReadingProcess, name: str) -> None:
     """While a walk is being read, it may be sent again any number of times."""
     session, packets = page()
-    session.apart = apart = DelayedWorker(process)
+    session.worker = apart = DelayedWorker(process)
     delayed: list[Any] = []
     session.later = delayed.append
     for number in (1, *[1] * 20, *range(2, 22)):

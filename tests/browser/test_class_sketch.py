@@ -83,7 +83,7 @@ def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
     wide = []
     for _, step in SKETCHED:
         subject = Subject("", step, SCENES)
-        pad, shown = subject.pad(step.plot).y, subject.standing.shown.axes
+        pad, shown = subject.pad(step.plot).y, subject.page_state.shown.axes
         if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
             wide.append(step.id)
     assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15"} <= set(wide)

@@ -45,7 +45,7 @@ const kinds = sent => sent.map(({type}) => type)
 
 async function answer(messages, fields) {
   messages.receive({type: "walking", answer: messages.asked.message.number, ...fields})
-  await messages.heard
+  await messages.handled
 }
 
 test("a walk that a busy new session could not read is sent again, and the state after it", async () => {
@@ -83,7 +83,7 @@ test("an exception in a message handler does not end the connection, and the nex
   )
   for (const count of [1, 2]) {
     messages.receive(shown(messages.asked.message.number))
-    await messages.heard
+    await messages.handled
     assert.equal(reported.length, count)
   }
   assert.deepEqual(failed, [])
@@ -102,7 +102,7 @@ test("an unreadable packet ends the connection", async () => {
     () => {},
   )
   messages.receive({})
-  await messages.heard
+  await messages.handled
   assert.deepEqual([failed, reported], [["!"], []])
 })
 

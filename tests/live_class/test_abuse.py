@@ -113,7 +113,7 @@ async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyP
             while room[lesson.code].followers < 1:
                 await asyncio.sleep(0.01)
             while room[lesson.code].followers:
-                room[lesson.code].tell({"picture": b'{"sheet":"s","data":"%s"}' % (b"A" * 4000)})
+                room[lesson.code].deliver({"picture": b'{"sheet":"s","data":"%s"}' % (b"A" * 4000)})
                 await asyncio.sleep(0.01)
         mute.close()
 

@@ -17,7 +17,7 @@ from components.live_class import room as room_of
 from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import KEPT, ClassRoom
-from components.live_class.store import AwayError, FullError, MemoryStore, Parts
+from components.live_class.store import FullError, MemoryStore, Parts, UnreachableError
 from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
@@ -49,7 +49,7 @@ class Wayward(MemoryStore):
 
     def _check(self) -> None:
         if self.away:
-            raise AwayError("away")
+            raise UnreachableError("away")
 
 
 @asynccontextmanager
@@ -193,7 +193,7 @@ async def test_a_store_that_stays_away_is_logged_once(
             nonlocal asked
             asked += 1
             if asked < 5:
-                raise AwayError("away") from OSError("no route to it")
+                raise UnreachableError("away") from OSError("no route to it")
             ready()
             await asyncio.Event().wait()
 
@@ -232,10 +232,10 @@ async def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pyte
 def test_answers_do_not_make_a_deed_forgotten() -> None:
     room = ClassRoom("K7HM", {})
     known = room.number
-    room.tell({"deed": b'"next"'})
+    room.deliver({"deed": b'"next"'})
     for _ in range(2 * KEPT):
-        room.tell({"answers": b"true"})
-    assert [(news.deed, news.answers) for news in room.untold(known)] == [("next", False), ("", True)]
+        room.deliver({"answers": b"true"})
+    assert [(news.deed, news.answers) for news in room.news_after(known)] == [("next", False), ("", True)]
 
 
 async def test_a_vote_that_is_asked_for_twice_is_one() -> None:

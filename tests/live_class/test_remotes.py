@@ -20,13 +20,13 @@ def told(listener: Listener) -> list[tuple[str, ...]]:
 def test_two_phones_that_wait_at_once_are_both_asked_for() -> None:
     room, leader, follower = ClassRoom("K7HM", {}), Listener(leads=True), Listener()
     room.listeners |= {leader, follower}
-    room.tell(begun("47", "one"))
-    room.tell(begun("12", "two"))
+    room.deliver(begun("47", "one"))
+    room.deliver(begun("12", "two"))
     assert told(leader) == [("47",), ("12", "47")] and not told(follower)
     assert room.whole(leads=True).remotes == ("12", "47") and room.whole().remotes is None
-    room.tell(decided(room.parts, "12", is_in=True))
+    room.deliver(decided(room.parts, "12", is_in=True))
     assert is_in(room.parts, "two") and not is_in(room.parts, "one") and waits(room.parts, "one")
-    room.tell(decided(room.parts, "47", is_in=False))
+    room.deliver(decided(room.parts, "47", is_in=False))
     assert not is_in(room.parts, "one") and not waits(room.parts, "one") and is_in(room.parts, "two")
     assert told(leader)[2:] == [("47",), ()]
     for digits in ("12", "47", "99"):
@@ -37,7 +37,7 @@ def test_two_phones_that_wait_at_once_are_both_asked_for() -> None:
 def test_who_waits_longer_than_a_minute_is_asked_for_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     room, leader = ClassRoom("K7HM", {}), Listener(leads=True)
     room.listeners.add(leader)
-    room.tell(begun("47", "one"))
+    room.deliver(begun("47", "one"))
     number = room.number
     room.look()
     assert len(leader.news) == 1
@@ -62,9 +62,9 @@ async def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: s
             stores = [await opened.enter_async_context(made(kind, valkey.url)) for _ in range(1 + (kind == "valkey"))]
             registries = await opened.enter_async_context(replicas(*stores))
             code, key = await registries[0].open()
-            await registries[0].tell(await registries[0].room(code), begun("47", "one"))
+            await registries[0].publish(await registries[0].room(code), begun("47", "one"))
             room = await registries[-1].led(code, key)
             assert room.whole(leads=True).remotes == ("47",)
-            await registries[-1].tell(room, decided(room.parts, "47", is_in=True))
+            await registries[-1].publish(room, decided(room.parts, "47", is_in=True))
             first = await registries[0].room(code)
             await until(lambda: is_in(first.parts, "one"))

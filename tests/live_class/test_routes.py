@@ -12,8 +12,8 @@ import pytest
 
 from components.live_class import follower_routes
 from components.live_class.codes import join_key
-from components.serving import apart
-from components.serving.apart import ReadingProcess
+from components.serving import worker_process
+from components.serving.worker_process import ReadingProcess
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.listening import until
 from tests.live_class.served import CHOICE, served, teaching
@@ -125,7 +125,7 @@ async def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_
         assert await lesson.vote(await lesson.token(), **CHOICE, option=1)
         room = server.classes.registry.rooms[lesson.code]
         for deed in ("next", "next"):
-            room.tell({"deed": f'"{deed}"'.encode()})
+            room.deliver({"deed": f'"{deed}"'.encode()})
         heard = []
         while (answer := await called(url, path + known, word=lesson.key)).status == 200:
             known = answer.json["number"]
@@ -270,7 +270,9 @@ async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeyp
 
     async with teaching() as (server, url):
         lesson = await Class.open(url)
-        monkeypatch.setattr(server.classes.registry.bank, "apart", ReadingProcess("none"))
-        monkeypatch.setattr(apart, "WAITING", 0)
+        monkeypatch.setattr(server.classes.registry.bank, "worker", ReadingProcess("none"))
+        monkeypatch.setattr(worker_process, "WAITING", 0)
         refused = await lesson.order("walk", name="mine", text="")
-        assert (refused.status, refused.headers["Retry-After"]) == (429, "1") and refused.json["sentence"] == apart.BUSY
+        assert (refused.status, refused.headers["Retry-After"]) == (429, "1") and refused.json[
+            "sentence"
+        ] == worker_process.BUSY

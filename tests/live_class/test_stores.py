@@ -248,7 +248,7 @@ async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
         await kept.open(code, {"key": b"1"})
         await kept.keep(code, {"clock": b"1"})
         await kept.keep(code, {})
-        await kept.tell(code, {"deed": b'"next"'})
+        await kept.publish(code, {"deed": b'"next"'})
         await kept.end(code)
 
         async def whole() -> bool:
@@ -271,7 +271,7 @@ async def test_who_no_longer_listens_hears_nothing(on: Kept) -> None:
             await asyncio.wait_for(ready.wait(), 30)
         tasks["left"].cancel()
         await asyncio.gather(tasks["left"], return_exceptions=True)
-        await kept.tell("AAAA", {"clock": b"1"})
+        await kept.publish("AAAA", {"clock": b"1"})
 
         async def arrived() -> bool:
             return bool(heard["stays"])
@@ -342,7 +342,7 @@ async def test_no_number_of_names_makes_a_count_forgotten(on: Kept) -> None:
         for name in range(19):
             assert await kept.count(f"other {name}", 6) == 1
         for more in (0, 1):  # it is not known, so it is not said to be none
-            with pytest.raises(store.AwayError):
+            with pytest.raises(store.UnreachableError):
                 await kept.count("one too many", 60, more)
         assert await kept.count("first", 60) == 4
         now += 10  # the others are over
@@ -351,9 +351,9 @@ async def test_no_number_of_names_makes_a_count_forgotten(on: Kept) -> None:
 
 async def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
     async with made("valkey", "redis://127.0.0.1:1/0") as kept:
-        with pytest.raises(store.AwayError):
+        with pytest.raises(store.UnreachableError):
             await kept.parts("K7HM")
-        with pytest.raises(store.AwayError):
+        with pytest.raises(store.UnreachableError):
             await kept.listen(lambda code, parts: None, lambda: None)
 
 
@@ -366,5 +366,5 @@ async def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_
         listening = asyncio.create_task(kept.listen(lambda code, parts: None, lambda: None))
         await asyncio.sleep(1)
         assert not listening.done()
-        with valkey.silent(), pytest.raises(store.AwayError):
+        with valkey.silent(), pytest.raises(store.UnreachableError):
             await asyncio.wait_for(listening, 30)

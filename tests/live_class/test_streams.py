@@ -40,7 +40,7 @@ async def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.M
         await begun.wait()
         server.classes.registry.leave(server.classes.registry.rooms[lesson.code])  # as upkeep does once a second
         registry = server.classes.registry
-        await registry.store.tell(lesson.code, {"deed": b'"next"'})
+        await registry.store.publish(lesson.code, {"deed": b'"next"'})
         await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
         free.set()
         assert await leader.until(lambda event: event.get("deed") == "next")
@@ -60,11 +60,11 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
         slow.sendall(head.encode())
         room = server.classes.registry.rooms[lesson.code]
         await until(lambda: room.is_led if leads else room.followers == 2)
-        room.tell({"deed": b'"back"'})
+        room.deliver({"deed": b'"back"'})
         for i in range(400):
-            room.tell({"picture": b'{"sheet":"%d","data":"%s"}' % (i, b"A" * 4000)})
+            room.deliver({"picture": b'{"sheet":"%d","data":"%s"}' % (i, b"A" * 4000)})
             await asyncio.sleep(0)
-        room.tell({"deed": b'"next"'})
+        room.deliver({"deed": b'"next"'})
         await quick.until(lambda event: event.get("picture", {}).get("sheet") == "399")
         slow.settimeout(30)
         read = b""
@@ -80,11 +80,11 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
 def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None:
     room = rooms.ClassRoom("K7HM", {})
     before = room.number
-    room.tell({"deed": b'"next"'})
-    room.tell({"answers": b"true"})
-    assert [(news.deed, news.answers) for news in room.untold(before)] == [("next", False), ("", True)]
+    room.deliver({"deed": b'"next"'})
+    room.deliver({"answers": b"true"})
+    assert [(news.deed, news.answers) for news in room.news_after(before)] == [("next", False), ("", True)]
     monkeypatch.setattr(rooms, "OBEYED", 0.0)
-    assert [(news.deed, news.answers) for news in room.untold(before)] == [("", True)]
+    assert [(news.deed, news.answers) for news in room.news_after(before)] == [("", True)]
 
 
 async def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -77,7 +77,7 @@ def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
     for group in first.groups:
         for name in group.names:
             quantity = scene.param[name]
-            if name in quantities(scene) and group.stands(first.shown.forms):
+            if name in quantities(scene) and group.is_shown(first.shown.forms):
                 value = 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]
                 yield {name: round(value) if quantity.scale == "count" else value}
 
@@ -108,7 +108,7 @@ def set_by_hand(told: dict[str, Any]) -> list[Any]:
 
 
 def csv_of(page: Page) -> list[list[Any]]:
-    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.now.told[0])]
+    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.now.to_send[0])]
 
 
 def told_of_scene(page: Page) -> list[Any]:

@@ -110,5 +110,5 @@ def test_a_scene_that_was_left_is_closed_and_silent() -> None:
     left.close = lambda: ended.append(True)  # type: ignore[method-assign]
     page.say(opening(State(scene="forced")))
     told = len(page.packets)
-    left.heard()
+    left.notify()
     assert (ended, len(page.packets)) == ([True], told)

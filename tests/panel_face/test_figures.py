@@ -11,7 +11,7 @@ from playwright.sync_api import Browser
 
 from components.panel_face.drawing import ShapeGlyphs
 from components.panel_face.face import PanelFace
-from components.panel_face.label_collisions import TextBox, box_of, clear, text_width
+from components.panel_face.label_collisions import TextBox, box_of, text_width, without_collisions
 from components.panel_face.live_figure import SMALL, WORDS, LiveFigure, LiveStage
 from components.panel_face.shapes import text_row
 from components.scene.face import face_of
@@ -116,14 +116,14 @@ def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
 
 def test_the_later_of_two_overlapping_texts_moves_or_is_left_out() -> None:
     same = [text_row(50, 20, text, "ink", "t1", "middle").row for text in ("first", "other")]
-    one, other = clear(same, TextBox(0, 100, 0, 100))
+    one, other = without_collisions(same, TextBox(0, 100, 0, 100))
     assert (one["x"], one["y"]) == (50, 20) and other["x"] == 50 and other["y"] != 20
     assert not box_of(one).meets(box_of(other))
-    assert [row["text"] for row in clear(same, TextBox(0, 100, 5, 25))] == ["first"]
-    (edge,) = clear([text_row(98, 20, "cut", "ink", "t1", "start").row], TextBox(0, 100, 0, 100))
+    assert [row["text"] for row in without_collisions(same, TextBox(0, 100, 5, 25))] == ["first"]
+    (edge,) = without_collisions([text_row(98, 20, "cut", "ink", "t1", "start").row], TextBox(0, 100, 0, 100))
     assert box_of(edge).right <= 100
     left, right = (text_row(x, 20, "beside", "ink", "t1", "beside").row for x in (95, 5))
-    assert [row["align"] for row in clear([left, right], TextBox(0, 100, 0, 100))] == ["right", "left"]
+    assert [row["align"] for row in without_collisions([left, right], TextBox(0, 100, 0, 100))] == ["right", "left"]
 
 
 @pytest.mark.browser

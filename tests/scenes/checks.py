@@ -107,6 +107,6 @@ def solves(scene: Scene) -> list[Any]:
 def moved(scene: type[Scene]) -> dict[str, float]:
     """One quantity of the first group that stands at another value."""
     forms = scene().shown.forms
-    shown = [name for group in scene.groups if group.stands(forms) for name in group.names]
+    shown = [name for group in scene.groups if group.is_shown(forms) for name in group.names]
     name = next(name for name in shown if name in quantities(scene))
     return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}

@@ -66,7 +66,7 @@ def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monk
     monkeypatch.setattr("components.scenes.accuracy.measurement.queue", lambda: one)
     page = Page(Accuracy())
     page.say({"type": "run", "order": "start", "number": 1})
-    page.session.running.heard()
+    page.session.running.notify()
     assert known(page.scene).here.every == HERE[:2] and unpacked(page.packets[-1])["answer"] is None
     before = page.opening()["state"]
     told = page.say({"type": "choose", "name": "system", "value": "dashpot", "number": 2})

@@ -70,7 +70,7 @@ class Friction(DashpotScene, CaseScene):
     headline = "A dashpot takes the same share of every swing"
     equations = ("m x'' + c x' + k x = 0",)
     examples = (example("Light", "Each swing keeps half.", c=1.257), example("Heavy", "It creeps.", c=40.0))
-    m, k, c, zeta = parts(1.0, 39.48, 1.257, hangs=False)
+    m, k, c, zeta = parts(1.0, 39.48, 1.257, k_may_be_0=False)
     keep = keeping()
     x_0 = displacement(0.1, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where it starts.")
     v_0 = velocity(0.0, symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is how fast it starts.")

@@ -43,7 +43,7 @@ PER_PERIOD, PERIODS = 20, 10
 def taken(now: PageState) -> Tables:
     """The tables that a page takes away, by name, with columns as they are called without units."""
     with in_words():
-        file = as_file(now.asked, now.told[0], "http://here/")
+        file = as_file(now.asked, now.to_send[0], "http://here/")
     return {name: read(content) for name, content in unpacked(file, now.kind.slug)}
 
 
@@ -98,7 +98,7 @@ def check_finite(files: Tables) -> None:
 
 def shown_motions(now: PageState) -> set[str]:
     """The motions that the plots show as curves or as bands."""
-    told, drawn = now.told[0], set[str]()
+    told, drawn = now.to_send[0], set[str]()
     stand = {block.name for block in in_force(now.kind.sheet(), told.forms) if hasattr(block, "curves")}
     for plot in plots(now.kind):
         for curve in plot.curves if plot.name in stand else ():

@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from app import SHEETS, open_page
-from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Queue, gives_way, ordinal
+from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Queue, ordinal, visitor_to_drop
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of
@@ -84,11 +84,13 @@ def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
 def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_network_that_has_most_places() -> None:
     now = 1000.0
     guests = {n: Guest("a", now - n) for n in range(8)} | {n: Guest("b", now - n) for n in (8, 9)}
-    assert gives_way(guests, 10, "c", now) == 7
-    assert gives_way(guests, 10, "a", now) is None
-    assert gives_way({n: guest for n, guest in guests.items() if n}, 10, "c", now) is None  # of ten places it has seven
-    assert gives_way({**guests, 10: Guest("b", now - IDLE)}, 11, "a", now) == 10
-    assert gives_way({}, 10, "a", now) is None
+    assert visitor_to_drop(guests, 10, "c", now) == 7
+    assert visitor_to_drop(guests, 10, "a", now) is None
+    assert (
+        visitor_to_drop({n: guest for n, guest in guests.items() if n}, 10, "c", now) is None
+    )  # of ten places it has seven
+    assert visitor_to_drop({**guests, 10: Guest("b", now - IDLE)}, 11, "a", now) == 10
+    assert visitor_to_drop({}, 10, "a", now) is None
 
 
 async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
@@ -111,8 +113,8 @@ async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None
     back.close()
     admission = server.context.admission
     for session, guest in list(admission.guests.items()):
-        admission.guests[session] = guest._replace(heard=guest.heard - IDLE)
-    admission.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
+        admission.guests[session] = guest._replace(last_active=guest.last_active - IDLE)
+    admission.note_activity(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
     tickets = [await page(f"203.0.{n}.1") for n in range(5)]
     assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
     assert socket.close_code is None

@@ -17,10 +17,10 @@ from tornado.httpclient import AsyncHTTPClient
 from app import NO_WALKS, SHEETS, visited, walked
 from components.language.messages import File
 from components.scenes import SCENES
-from components.serving.apart import ReadingProcess
 from components.serving.csv_route import NumbersRoute
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
+from components.serving.worker_process import ReadingProcess
 from components.session.exports import LinkExport, link_file
 from components.session.worker import Replied, WorkerJob
 from components.state.csv_export import as_file
@@ -40,7 +40,7 @@ def link_table(query: str) -> bytes:
 def files_of(query: str, page: str) -> dict[str, bytes]:
     """The files that a page takes away, by the names of their tables."""
     now = visited(as_arguments(query), NO_WALKS).now
-    file = as_file(now.asked, now.told[0], page)
+    file = as_file(now.asked, now.to_send[0], page)
     if file.kind == "text/csv":
         return {"": file.content}
     with zipfile.ZipFile(io.BytesIO(file.content)) as packed:

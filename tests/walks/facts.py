@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from components.scenes import SCENES
 from components.state.page_state import PageState
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes
 from physics.damped import DampedOscillator
@@ -40,7 +40,7 @@ ONE_PERCENT = math.degrees(amplitude_at_excess(0.01))
 
 
 def at(link: str) -> PageState:
-    return standing_at(link, SCENES)
+    return page_state_at(link, SCENES)
 
 
 def end_of(link: str) -> float:

@@ -12,7 +12,7 @@ import pytest
 from components.scene import Scene
 from components.scene.traces import Floats
 from components.scenes import SCENES
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.sketch import SketchStep
@@ -29,7 +29,7 @@ STEPS = steps_of(load_walks(()).values())
 
 def test_the_acceleration_is_against_the_displacement() -> None:
     """d31-01: at x = +0.150 m it is −5.90 m/s²."""
-    values = standing_at(STEPS["d31-01"].state, SCENES).shown.values
+    values = page_state_at(STEPS["d31-01"].state, SCENES).shown.values
     swing = Oscillator(m=1, k=39.4)
     motion = swing.motion(x_0=0.0, v_0=0.94, t=np.array([0.0, swing.period / 4]))
     assert motion.a[0] == pytest.approx(0, abs=1e-12)
@@ -54,14 +54,14 @@ def test_one_phase_is_enough_from_rest_and_through_equilibrium() -> None:
     assert abs(math.sin(slow[0] - fast[0])) > 0.1
     assert slow[1:] == pytest.approx([math.pi / 2, 0, math.pi / 2]) and fast[1:] == pytest.approx(slow[1:])
     for i, phase in ((1, "1.57 rad"), (2, "0, is enough")):
-        values = standing_at(where("d34-09", i), SCENES).shown.values
+        values = page_state_at(where("d34-09", i), SCENES).shown.values
         assert {values["phi_minus"], values["phi_plus"]} == {"+ 1.57" if i == 1 else "+ 0.00"}
         assert phase in replies("d34-09")[i].reply
 
 
 def test_pushed_slowly_both_masses_go_as_far_as_spring_1_gives_way() -> None:
     """d34-13: at the step's frequency to its three digits."""
-    step = standing_at(STEPS["d34-13"].state, SCENES)
+    step = page_state_at(STEPS["d34-13"].state, SCENES)
     assert step.shown.values["Xp2"] == "+1.00"
     assert particular_solution(slowly, F_0=1.0, omega=0.0) == pytest.approx([1.0, 1.0])
     assert all(abs(particular_solution(slowly, F_0=1.0, omega=omega)[1]) < 0.01 for omega in (20.0, 50.0))
@@ -81,7 +81,7 @@ def test_near_resonance_the_drive_s_part_is_as_large_as_the_mode_s(omega: float)
 
 def such(step: str, i: int) -> Scene:
     """The scene that the reply i of a step leads to."""
-    return standing_at(where(step, i), SCENES).scene
+    return page_state_at(where(step, i), SCENES).scene
 
 
 def where(step: str, i: int) -> str:
@@ -106,7 +106,7 @@ def test_where_damping_is_strong_a_climb_ends_level() -> None:
 
 def test_more_damping_is_sooner_up_to_critical_and_later_beyond() -> None:
     """d32-33-04: 7.13 s, 1.06 s, 4.30 s; and with 0.83, 0.674 s and 1 % past."""
-    there = standing_at(where("d32-33-04", 1), SCENES)
+    there = page_state_at(where("d32-33-04", 1), SCENES)
     assert there.held and (there.scene.values["zeta"], there.held.values["zeta"]) == (1.0, 0.1)
     assert home(0.1) > home(1.0) < home(3.0) and home(0.83) < home(1.0)
     light = DampedOscillator(m=1, c=2 * 0.83 * math.sqrt(39.48), k=39.48)
@@ -183,7 +183,7 @@ def test_friction_passes_energy_from_the_fast_mode_to_the_slow_one() -> None:
 
 def silent(step: str, number: int) -> list[float]:
     """The silent modes of the case that a reply of a step shows."""
-    return standing_at(where(step, number), SCENES).shown.columns["silent"]["silent_j"].tolist()
+    return page_state_at(where(step, number), SCENES).shown.columns["silent"]["silent_j"].tolist()
 
 
 def test_a_pluck_starts_no_mode_with_a_node_at_it() -> None:
@@ -200,7 +200,7 @@ def test_a_pluck_starts_no_mode_with_a_node_at_it() -> None:
 def test_a_free_end_swings_almost_twice_as_far_as_the_pulse() -> None:
     """waves-03: and sends a pulse back that is upright; waves-02: a wall sends back one that is upside down."""
     for step, sign in (("waves-02", -1), ("waves-03", 1)):
-        case = standing_at(STEPS[step].state, SCENES).scene.of()
+        case = page_state_at(STEPS[step].state, SCENES).scene.of()
         chain = UniformChain(N=50, m=case.m, k=case.k, ends=case.ends)
         x = chain.motion(*case.started, np.linspace(0.0, case.lasting / 2, 400)).x
         if sign > 0:

@@ -19,7 +19,7 @@ from components.state.sent_picture import sent_picture
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings
 from components.walks.features import Period
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
@@ -64,10 +64,10 @@ def test_a_walk_opens_and_everything_it_names_is_there(name: str) -> None:
 
 @every_step
 def test_a_step_states_the_scale_of_a_stage_only_with_a_stage(step: Step) -> None:
-    standing = replace(standing_at(step.state, SCENES), show=step.show)
-    said = standing.shown.to_scale in sent_picture(standing, standing.shown).notes
+    page = replace(page_state_at(step.state, SCENES), show=step.show)
+    said = page.shown.to_scale in sent_picture(page, page.shown).notes
     has_stage = any(name.partition(":")[0] == "stage" for name in step.show)
-    assert said == bool(has_stage and standing.shown.to_scale)
+    assert said == bool(has_stage and page.shown.to_scale)
 
 
 def test_every_slide_has_its_step() -> None:
@@ -101,9 +101,9 @@ def test_a_step_is_short(step: Step) -> None:
 @every_step
 def test_a_state_keeps_the_values_of_its_link(step: Step) -> None:
     for link in (step.state, step.shown):
-        standing = standing_at(link, SCENES)
+        page = page_state_at(link, SCENES)
         for name, value in re.findall(r"[?&](\w+)=([-\d.e]+)(?=&|$)", link):
-            assert standing.scene.values[name] == float(value)
+            assert page.scene.values[name] == float(value)
 
 
 @pytest.mark.parametrize(
@@ -122,9 +122,9 @@ def known_numbers(step: Step) -> tuple[set[float], set[str]]:
     parameters: set[float] = set()
     live: set[str] = set()
     for link in (step.state, step.shown):
-        standing = standing_at(link, SCENES)
-        parameters |= {v for v in standing.scene.values.values() if isinstance(v, float)}
-        for text in standing.shown.values.values():
+        page = page_state_at(link, SCENES)
+        parameters |= {v for v in page.scene.values.values() if isinstance(v, float)}
+        for text in page.shown.values.values():
             live.update(re.findall(r"−?\d+(?:\.\d+)?(?!\d|·)", text))
     return parameters, live
 

@@ -17,7 +17,7 @@ from components.scenes import SCENES
 from components.state.covers import PLOT, STAGE, without
 from components.state.page_state import PageState
 from components.state.scene_sheet import plots
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks
 from components.walks.walk import Step
 from tests.page.scripts import played
@@ -41,7 +41,7 @@ def begun(scene: PageState) -> Iterator[tuple[str, float]]:
 
 @every_step
 def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
-    scene = standing_at(step.state, SCENES)
+    scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)
     resting = {name: place for name, place in begun(scene) if left.signals[name] != scene.shown.signals[name]}
     assert resting.keys() >= set(RESTING.get(step.id, "").split())
@@ -53,7 +53,7 @@ def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
 def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
     """Its motion begins at its amplitude, from which the shape could be read."""
     step = next(step for step in STEPS if step.id == "d34-07")
-    scene = standing_at(step.state, SCENES)
+    scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)
     bodies = {f"x{i}_{mode}" for i in (1, 2) for mode in ("slow", "fast")}
     assert {scene.shown.signals[name] for name in bodies}.isdisjoint({derived(0.0)})
@@ -63,7 +63,7 @@ def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
 @every_step
 def test_of_what_is_covered_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
     """Not the parts of a motion either, whose start is an amplitude."""
-    scene = standing_at(step.state, SCENES)
+    scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)
     bodies = {name for name, _ in begun(scene)}
     for plot in plots(scene.kind):

@@ -10,7 +10,7 @@ from components.scenes import SCENES
 from components.state.scene_sheet import plots
 from components.walks.checking import shortcomings
 from components.walks.giveaways import giveaways
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks, read_walk
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
@@ -75,7 +75,7 @@ def test_no_step_of_the_lecture_gives_its_answer_away(name: str) -> None:
 def test_no_step_draws_the_curve_that_a_later_one_asks_for(name: str) -> None:
     """Curves over time are left out: each step has its own motion."""
     steps = load_walks(())[name].steps
-    scenes = [standing_at(step.state, SCENES).kind for step in steps]
+    scenes = [page_state_at(step.state, SCENES).kind for step in steps]
     for place, (step, scene) in enumerate(zip(steps, scenes, strict=True)):
         plot = (
             step.plot

@@ -25,10 +25,10 @@ COMPARED = {
 }
 
 
-def spans(standing: PageState, shown: tuple[str, ...]) -> Iterator[tuple[str, float, float]]:
+def spans(page: PageState, shown: tuple[str, ...]) -> Iterator[tuple[str, float, float]]:
     """The span of each curve that a step shows: its name, in SI units and as a share of its axis."""
-    picture = standing.shown
-    for plot in plots(standing.kind):
+    picture = page.shown
+    for plot in plots(page.kind):
         axis = picture.axes.get(plot.y)
         for curve in plot.curves if axis and (not shown or f"plot:{plot.name}" in shown) else ():
             y = picture.sources.get(curve.source, {}).get(curve.y, np.array([]))
@@ -50,10 +50,10 @@ SKETCHED = {
 def test_what_a_class_has_sketched_stays_in_the_frame(step: str) -> None:
     """An axis with hidden numbers is wider than its curve; the answer keeps it."""
     subject = SKETCHED[step]
-    asked = changed(subject.standing, Open(state=subject.opening), SCENES)
+    asked = changed(subject.page_state, Open(state=subject.opening), SCENES)
     answered = changed(asked, Open(state=subject.answer, keeps=True), SCENES)
     for name in [cover.removeprefix("ticks:") for cover in asked.covered if cover.startswith("ticks:")]:
-        before, after = asked.told[0].axes[name], answered.told[0].axes[name]
+        before, after = asked.to_send[0].axes[name], answered.to_send[0].axes[name]
         assert (before.start, before.end) == (after.start, after.end)
         assert after.ticks
 
@@ -61,7 +61,7 @@ def test_what_a_class_has_sketched_stays_in_the_frame(step: str) -> None:
 @pytest.mark.parametrize("step", COMPARED)
 def test_what_grows_is_drawn_larger(step: str) -> None:
     subject = COMPARED[step]
-    asked = changed(subject.standing, Open(state=subject.opening), SCENES)
+    asked = changed(subject.page_state, Open(state=subject.opening), SCENES)
     answered = changed(asked, Open(state=subject.answer, keeps=True), SCENES)
     if asked.kind is not answered.kind:
         return

@@ -16,7 +16,7 @@ from components.session.session import Session
 from components.state.page_state import fitted
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems, shortcomings
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
@@ -122,9 +122,9 @@ def test_a_step_holds_all_that_its_link_says() -> None:
     session.handle({"type": "open", "number": 1, "state": to_builtins(card.opens)})
     assert at_address == session.now.state == replace(card.opens, frame=session.now.state.frame)
     assert session.now.state.frame and session.now.state.frame.ranges["x"] == (-4.0, 4.0)
-    standing = standing_at(link, SCENES)
-    assert standing.drawn.frame == session.now.drawn.frame
-    assert standing.drawn.beside and standing.scene.hidden == ["x1_slow"]
+    page = page_state_at(link, SCENES)
+    assert page.drawn.frame == session.now.drawn.frame
+    assert page.drawn.beside and page.scene.hidden == ["x1_slow"]
 
 
 def test_a_step_may_stand_on_one_that_is_known() -> None:

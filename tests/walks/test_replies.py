@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from components.scenes import SCENES
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from physics.coupled import TwoMassChain
@@ -28,7 +28,7 @@ def reply_with(step: str, words: str) -> str:
 
 def test_the_spring_pulls_up_all_the_way() -> None:
     assert "the spring pulls up all the way" in reply_with("d31-10", "spring pulls")
-    scene = standing_at(STEPS["d31-10"].state, SCENES).scene
+    scene = page_state_at(STEPS["d31-10"].state, SCENES).scene
     stretch = scene.values["m"] * scene.values["g"] / scene.values["k"] + scene.values["x_0"]
     assert scene.values["x_0"] < 0 < stretch, "stretched from the start on, and more on the way down"
 
@@ -36,7 +36,7 @@ def test_the_spring_pulls_up_all_the_way() -> None:
 def test_friction_does_not_keep_the_guessed_shape_either() -> None:
     reply_with("d34-02", "does not keep this shape either")
     (where,) = (one.where for one in STEPS["d34-02"].options if one.where)  # type: ignore[union-attr]
-    values = standing_at(where, SCENES).scene.values
+    values = page_state_at(where, SCENES).scene.values
     chain = TwoMassChain(**{name: values[name] for name in ("m1", "m2", "k1", "k2")})
     for one in DampedChain.of(chain, values["c1"], values["c2"]).free_motions.modes:
         X1, X2 = one.shape

@@ -14,7 +14,7 @@ from components.session.session import Session
 from components.state.page_state import fitted
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings
-from components.walks.judging import told_of
+from components.walks.judging import reply_to
 from components.walks.loading import load_walks, read_walk
 from components.walks.questions.number import NumericStep
 from components.walks.subject import Subject
@@ -61,7 +61,7 @@ def test_every_seed_has_its_numbers_question_and_answer() -> None:
         assert f"takes {three(Oscillator(m=1, k=k).period)}\xa0s at {k:g}\xa0N/m." in one.given + one.question
         true = Oscillator(m=4, k=k).period
         for text, right in ((f"{true:.3f} s", True), (f"{2 * true:.3f}", False)):
-            lesson = told_of(Given(walk="mine", step="swing", seed=seed, text=text), step, SCENES).lesson
+            lesson = reply_to(Given(walk="mine", step="swing", seed=seed, text=text), step, SCENES).lesson
             assert lesson and lesson.right is right and lesson.places == pytest.approx([true])
             assert right or lesson.reply == "No."
     assert len({one.given for one in card.variants}) == VARIANTS
@@ -144,7 +144,7 @@ def test_a_seed_that_is_none_is_refused(step: bytes, seed: bytes, says: str) -> 
 def test_an_answer_with_a_seed_that_is_none_is_refused() -> None:
     for step, seed in (("d31-02", 38), ("d31-03", 1)):
         found = next(one for one in WALKS["d31"].steps if one.id == step)
-        told = told_of(Given(walk="d31", step=step, seed=seed), found, SCENES)
+        told = reply_to(Given(walk="d31", step=step, seed=seed), found, SCENES)
         assert told.lesson is None and told.refused.startswith("seed: ")
 
 

@@ -14,7 +14,7 @@ from components.live_class.question_bank import QuestionBank
 from components.scenes import SCENES
 from components.state.scene_sheet import plots
 from components.walks.cards import walk_sheet
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
@@ -238,7 +238,7 @@ def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
     for name, of, turns in (("d31-04", "x", (0.5, 1.0)), ("d31-06", "v", (0.25, 0.75))):
         step = steps[name]
         assert isinstance(step, SketchStep)
-        has = standing_at(step.state, SCENES).scene.values
+        has = page_state_at(step.state, SCENES).scene.values
         omega_n = math.sqrt(has["k"] / has["m"])
         phase = math.atan2(has["v_0"] / omega_n, has["x_0"])  # x = C cos(omega_n t - phase)
         expected = [(2 * math.pi * turn + phase) / omega_n for turn in turns]

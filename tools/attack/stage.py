@@ -21,7 +21,7 @@ READY = "document.documentElement.dataset.ready === 'true'"
 SHOW = r"""async data => {
   const [sheet] = oscillations.sheets.known.keys()  // as this server has it: Bokeh counts its models
   oscillations.messages.receive({sheet, data: Uint8Array.from(data).buffer})
-  await oscillations.messages.heard
+  await oscillations.messages.handled
   await oscillations.turning
   const {page} = oscillations, fault = /NaN|Infinity|undefined/
   for (const share of [0, 0.37, 1]) {

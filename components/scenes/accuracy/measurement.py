@@ -111,7 +111,7 @@ class Measurement(Running):
                 del self._found[next(iter(self._found))]
 
     def _heard(self) -> None:
-        self.heard()
+        self.notify()
 
 
 def _idle(scene: Measurable) -> Progress:

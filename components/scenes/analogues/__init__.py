@@ -121,11 +121,11 @@ class Analogues(Scene):
             notes=_notes(case),
         )
 
-    def _case(self, standing: float | None = None) -> AnalogueCase:
+    def _case(self, frame_window: float | None = None) -> AnalogueCase:
         system = ANALOGUES[self.system]
         p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
-        return AnalogueCase(system=system, p=p, q_0=start, window=self.window, standing=standing)
+        return AnalogueCase(system=system, p=p, q_0=start, window=self.window, frame_window=frame_window)
 
     @property
     def numbers(self) -> dict[str, SceneNumber]:

@@ -121,10 +121,10 @@ def groups(every: Mapping[str, Quantity], theta_0: Quantity) -> Iterator[Group]:
     """The group of each system, visible while it is chosen."""
     for slug, system in ANALOGUES.items():
         own = tuple(every[f"{slug}_{parameter.name}"] for parameter in system.parameters)
-        yield Group("", own, system.name, folded=True, form=Forms.of[slug], apart=True)
+        yield Group("", own, system.name, folded=True, form=Forms.of[slug], idle_when_hidden=True)
     for slug in LINEAR:
-        yield Group("", (every[f"{slug}_start"],), form=Forms.of[slug], apart=True)
-    yield Group("", (theta_0,), form=Forms.swinging, apart=True)
+        yield Group("", (every[f"{slug}_start"],), form=Forms.of[slug], idle_when_hidden=True)
+    yield Group("", (theta_0,), form=Forms.swinging, idle_when_hidden=True)
 
 
 def _quantity(name: str, parameter: Parameter) -> Quantity:

@@ -126,7 +126,7 @@ class Coupled(CaseScene):
     groups = (
         chain.chain_group(m1, m2, k1, k2),
         Group("Start", (x1_0, x2_0)),
-        Group("", (X_slow, phi_slow, X_fast, phi_fast), form=GIVEN_BY_MODES, apart=True),
+        Group("", (X_slow, phi_slow, X_fast, phi_fast), form=GIVEN_BY_MODES, idle_when_hidden=True),
         Group("", (v1_0, v2_0, given_by), "Start velocities, or modes", folded=True),
     )
 

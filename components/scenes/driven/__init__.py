@@ -112,7 +112,7 @@ class DrivenScene(DashpotScene, CaseScene):
     omega = angular_frequency(
         4.398, softbounds=(0.0, 2.5 * NATURAL), says="is the frequency of the drive. Any value from 0 up."
     )
-    m, k, c, zeta = parts(1.0, 39.48, 2.513, hangs=False)
+    m, k, c, zeta = parts(1.0, 39.48, 2.513, k_may_be_0=False)
     keep = keeping()
     x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
     v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
@@ -150,12 +150,12 @@ class DrivenScene(DashpotScene, CaseScene):
     )  # fmt: skip
     groups = (
         Group("Drive", (kind,)),
-        Group("", (omega,), form=REPEATS, apart=True),
+        Group("", (omega,), form=REPEATS, idle_when_hidden=True),
         *(Group("", (one,), form=KIND_FORMS[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
-        Group("", (push,), form=PUSHES, apart=True),
-        Group("", (width,), form=PULSES, apart=True),
-        Group("", (J,), form=JOLTS, apart=True),
-        Group("", (slices,), form=SLICED, apart=True),
+        Group("", (push,), form=PUSHES, idle_when_hidden=True),
+        Group("", (width,), form=PULSES, idle_when_hidden=True),
+        Group("", (J,), form=JOLTS, idle_when_hidden=True),
+        Group("", (slices,), form=SLICED, idle_when_hidden=True),
         Group("Mass, spring, dashpot", (m, k, c, zeta), dense=True),
         Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),

@@ -175,5 +175,5 @@ class Phugoid(Scene):
         return flight_about(shown, self._swing())
 
     def _swing(self, frame: Frame = FITTED) -> Swing:
-        seen = {"unit": self.unit, "view": self.view, "window": self.window, "standing": frame.window}
+        seen = {"unit": self.unit, "view": self.view, "window": self.window, "frame_window": frame.window}
         return Swing(v_0=self.v_0, g=self.g, excess=self.excess, **seen)

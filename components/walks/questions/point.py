@@ -48,7 +48,7 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
 
     def problems(self, subject: Subject) -> Iterator[str]:
         yield from super().problems(subject)
-        if self.sets and self.sets not in subject.standing.kind.linked():
+        if self.sets and self.sets not in subject.page_state.kind.linked():
             yield f"sets: “{excerpt(self.sets)}” is not a parameter."
         try:
             axis = self.on(subject)

@@ -12,7 +12,7 @@ from components.language.class_messages import Counted, Voted
 from components.language.messages import Given
 from components.language.walk import Lesson, StepCard
 from components.layout.text import rich
-from components.walks.links import standing_at
+from components.walks.links import page_state_at
 from components.walks.subject import Subject
 from components.walks.texts import line
 from components.walks.types import BaseStep, Reply
@@ -138,7 +138,7 @@ def astray(field: str, replies: Sequence[Reply], subject: Subject) -> Iterator[s
     """Return a sentence for each reply in a field of a walk's file whose link opens nothing."""
     for i, one in enumerate(replies):
         if one.where:
-            yield from refused(f"{field}[{i}].where", partial(standing_at, one.where, subject.scenes))
+            yield from refused(f"{field}[{i}].where", partial(page_state_at, one.where, subject.scenes))
 
 
 def refused(field: str, act: Callable[[], object]) -> Iterator[str]:

@@ -11,8 +11,8 @@ import pytest
 
 from components.language.messages import Given
 from components.scenes import SCENES
-from components.serving import apart
-from components.serving.apart import (
+from components.serving import worker_process
+from components.serving.worker_process import (
     ALLOWANCE,
     BUSY,
     FILE_TOO_LONG,
@@ -62,32 +62,32 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProc
 
 
 def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(apart, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
+    monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
     with hanging() as beside:
         endless = LinkExport({"scene": [b"endless"]}, "")
         asked = [beside.ask(job) for job in (READ, Reading("endless", MINE), READ, endless, READ)]
         assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
-        monkeypatch.setattr(apart, "PATIENCE", 0.2)
+        monkeypatch.setattr(worker_process, "PATIENCE", 0.2)
         assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
 
 
 def test_a_fit_that_takes_too_long_ends_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
+    monkeypatch.setattr(worker_process, "FIT_PATIENCE", 100.0)
     with hanging() as beside:
         assert beside.ask(Fitting([], [[]], 2, 0)).result(120).refused == FIT_TOO_LONG
-        monkeypatch.setattr(apart, "FIT_PATIENCE", 0.2)
+        monkeypatch.setattr(worker_process, "FIT_PATIENCE", 0.2)
         assert beside.ask(Fitting([], [[]], 1, 0)).result(120).refused == LATE
         assert beside.ask(READ).result(120).refused == "read"
 
 
 def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(apart, "FIT_PATIENCE", 100.0)
+    monkeypatch.setattr(worker_process, "FIT_PATIENCE", 100.0)
     session = Session(fitted(SCENES["damped"]().value))
     sent: list[Packet] = []
     session.send = sent.append
     rows = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]]}
     with hanging() as beside:
-        session.apart = beside
+        session.worker = beside
         endless = beside.ask(Reading("endless", MINE))
         session.handle({**rows, "number": 1})
         assert beside.pending == 2 and not sent
@@ -135,7 +135,7 @@ def test_networks_take_turns() -> None:
 
 
 def test_a_network_that_has_used_its_time_is_refused_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(apart, "ALLOWANCE", 2)
+    monkeypatch.setattr(worker_process, "ALLOWANCE", 2)
     with hanging() as beside:
         assert ALLOWANCE > 2
         for _ in range(2):
@@ -168,19 +168,19 @@ class Slow:
 
 
 def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
-    session, apart, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
-    session.send, session.apart, session.network = packets.append, apart, "192.0.2.0/24"
+    session, process, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
+    session.send, session.worker, session.network = packets.append, process, "192.0.2.0/24"
     for number in (1, 1, 2):  # the second is the first, said again by a page that has waited long
         session.handle({"type": "walk", "name": "mine", "text": MINE, "number": number})
     session.handle({"type": "set", "values": {"k2": 3.0}, "number": 3})
     refused, moved = map(unpacked, packets)
     assert (refused["answer"], refused["refused"]) == (2, ONE_AT_A_TIME)
     assert (moved["answer"], moved["errors"]) == (3, {})
-    ((_, future),) = apart.asked
-    assert apart.networks == ["192.0.2.0/24"]
+    ((_, future),) = process.asked
+    assert process.networks == ["192.0.2.0/24"]
     future.set_result(Replied(refused=WALK_TOO_LONG))
     told = unpacked(packets[-1])
     assert (told["answer"], told["sheet"], told["refused"]) == (1, None, WALK_TOO_LONG)
     session.handle({"type": "walk", "name": "mine", "text": MINE, "number": 4})
     session.close()
-    assert apart.asked[1][1].cancelled()
+    assert process.asked[1][1].cancelled()
