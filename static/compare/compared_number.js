@@ -48,7 +48,7 @@ export class HeldNumber {
     const beside = collisions.box(this.text)
     const line = bottom - top + 3
     const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)
-    const edge = size.narrow ? collisions.room.right : size.W // on a phone the plots are below the stage, not next to it
+    const edge = size.narrow ? collisions.room.right : size.W // on a phone the plots are below the stage
     return beside.right <= edge ? [beside, below] : [below]
   }
 }
