@@ -67,12 +67,12 @@ class LiveClass:
         registry, upkeep = self.context.registry, self._upkeep
         return {
             "answers": (
-                "Answers of live classes that were looked up here",
+                "Answers of live classes in this process",
                 lambda: sum(len(votes) for room in registry.rooms.values() for votes in room.votes.values()),
             ),
-            "rooms": ("Live classes that somebody here leads or follows", lambda: len(registry.rooms)),
-            "followers": ("Those who follow one", lambda: registry.followers),
-            "store_rooms": ("Live classes that the store has, of all replicas", lambda: upkeep.rooms),
+            "rooms": ("Live classes with an instructor or follower in this process", lambda: len(registry.rooms)),
+            "followers": ("Followers of live classes", lambda: registry.followers),
+            "store_rooms": ("Live classes in the store, of all replicas", lambda: upkeep.rooms),
             "store_up": ("1 while the store of live classes answers, else 0", lambda: upkeep.listening),
             "store_skew_seconds": ("By how much this clock is ahead of the store's", lambda: upkeep.skew),
         }

@@ -40,15 +40,17 @@ class Metrics:
 
         self.lag = Histogram(
             "oscillations_loop_lag_seconds",
-            "How late the event loop comes to what it is to do",
+            "Delay of the event loop in seconds",
             buckets=BUCKETS,
             registry=self._registry,
         )
         errors = Counter(
-            "oscillations_errors", "Errors in the log; of one place a visitor's are told once", registry=self._registry
+            "oscillations_errors",
+            "Errors in the log; those of visitors count once per place in the code",
+            registry=self._registry,
         )
         self.errors = _Counting(errors)
-        Info("oscillations_build", "What is served", registry=self._registry).info({"version": version})
+        Info("oscillations_build", "Version of the server", registry=self._registry).info({"version": version})
 
     async def watch(self) -> None:
         """Measure the delay of the event loop until cancelled."""

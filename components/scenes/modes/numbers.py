@@ -166,6 +166,12 @@ class EquationNumbers(Declared[Quadratic]):
 
 
 class SolvedNumbers(Declared[TwoMassChain]):
+    """The terms of Solve, without dashpots. `slow_omega` and `fast_omega` are natural frequencies here.
+
+    A scene's `numbers` have them as `omega_slow` and `omega_fast`; `slow_omega` there is the frequency of
+    `BrakedNumbers`, with dashpots.
+    """
+
     gamma = solved(lambda c: c.modes().gamma, meaning="gamma of the lecture: X2/X1 is -gamma ± delta")
     delta = solved(lambda c: c.modes().delta, meaning="delta of the lecture: X2/X1 is -gamma ± delta")
     product = solved(lambda c: -Decimal(c.m1) / Decimal(c.m2))
@@ -244,14 +250,16 @@ def _decay(one: ComplexMode) -> float | None:
 
 
 class BrakedNumbers(Declared[BrakedChain]):
-    """The roots of the motions, their shapes, and the kinds of motion for the sentence on them."""
+    """The roots of the motions with dashpots, their shapes, and the kinds of motion for the sentence on them."""
 
     name = Family(MOTIONS, lambda place: braked(lambda c: c.name(place)), "{}_name")
     s = Family(MOTIONS, lambda place: of_motion(place, exponents), "{}_s")
     rate = Family(
         MOTIONS, lambda place: of_motion(place, _rate, unit="1/s", meaning="real part of the root"), "{}_rate"
     )
-    turn = Family(MODES, lambda place: of_motion(place, _turn, unit="rad/s", meaning="frequency"), "{}_omega")
+    turn = Family(
+        MODES, lambda place: of_motion(place, _turn, unit="rad/s", meaning="frequency, with dashpots"), "{}_omega"
+    )
     other = Family(MODES, lambda place: of_motion(place, lambda one: one.exponents[-1].real), "{}_other")
     zeta = Family(MODES, lambda place: of_motion(place, _zeta, meaning="damping ratio"), "{}_zeta")
     Q = Family(MODES, lambda place: of_motion(place, _quality, meaning="quality factor"), "{}_Q")
