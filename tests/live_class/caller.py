@@ -25,7 +25,7 @@ class Answered(NamedTuple):
 
 
 def call(url: str, path: str, method: str = "GET", body: object = None, word: str = "", **headers: str) -> Answered:
-    """One request with a key or token; names of headers are written with underscores."""
+    """Send one request with a key or token. Underscores in header names become hyphens."""
     connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
     named = {name.replace("_", "-"): value for name, value in headers.items()}
     if word:
@@ -43,10 +43,10 @@ async def called(*given: Any, **more: Any) -> Answered:
 
 
 class Stream:
-    """The events of a room, as they come; `heard` are those read so far with the instant at which each came."""
+    """The events of a class. `heard` has those read so far, each with the time of its arrival."""
 
     begun: set[Stream] = set()
-    """The streams that are not closed."""
+    """Streams that are still open."""
 
     def __init__(self, url: str, code: str, word: str) -> None:
         self.url, self.code, self.word = url, code, word
@@ -81,7 +81,7 @@ class Stream:
         self.ended = True
 
     async def until(self, holds: Callable[[dict[str, Any]], Any], seconds: float = PATIENCE) -> dict[str, Any]:
-        """The last event for which something holds, as soon as there is one."""
+        """Wait for an event that fulfils a condition, and return the last such event."""
         async with asyncio.timeout(seconds):
             while True:
                 for _, event in reversed(self.heard):
@@ -99,7 +99,7 @@ class Stream:
 
 @asynccontextmanager
 async def streams_closed() -> AsyncIterator[None]:
-    """Leaves no stream open, whatever a test comes to: what is left of one that fails would fail a later one."""
+    """Close all streams at the end, so that a failed test does not affect later ones."""
     try:
         yield
     finally:
@@ -107,7 +107,7 @@ async def streams_closed() -> AsyncIterator[None]:
 
 
 class Class:
-    """A room, and its instructor."""
+    """A class, and its instructor."""
 
     def __init__(self, url: str, opened: dict[str, Any]) -> None:
         self.url = url
@@ -127,7 +127,7 @@ class Class:
         return (await called(self.url, f"/class/{self.code}/tally", word=self.key)).json
 
     async def token(self, url: str = "") -> str:
-        """Of somebody who has come in, and asks what is new: who answers is here."""
+        """Send the request of a follower who asks for news; the server counts everyone who asks."""
         token: str = (await called(url or self.url, f"/class/{self.code}/token", "POST")).json["token"]
         assert (await called(url or self.url, f"/class/{self.code}/now", word=token)).status == 200
         return token
@@ -136,7 +136,7 @@ class Class:
         return await Stream(url or self.url, self.code, await self.token(url)).open(keep)
 
     async def lead(self) -> Stream:
-        """The instructor's own stream."""
+        """Open the instructor's stream."""
         return await Stream(self.url, self.code, self.key).open()
 
     async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:

@@ -1,4 +1,4 @@
-"""One Valkey for all tests of rooms."""
+"""One Valkey for all tests of classes."""
 
 from __future__ import annotations
 

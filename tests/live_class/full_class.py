@@ -1,4 +1,4 @@
-"""A class with as many answers as a server keeps, and all that reads them."""
+"""A class with as many answers as a server stores, and the requests that read them."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from tests.live_class.served import LECTURE
 ANSWERS = 5000
 VOTES = 3
 READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "stored")
-"""Below the address of a class, for its instructor."""
+"""Addresses below that of a class, for its instructor."""
 
 
 async def fill(lesson: Class, kept: MemoryStore, asked: dict[str, Any]) -> None:
-    """As many answers as there may be to each of some votes, all of them wrong."""
+    """Fill some votes with the largest number of answers, all of them wrong."""
     judged = LECTURE.bank.judge(Given(**asked))
     assert not judged.right
     for vote in range(1, VOTES + 1):

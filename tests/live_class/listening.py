@@ -1,4 +1,4 @@
-"""Who hears a room in tests, and what is asked in it."""
+"""Listeners of a class in tests, and the questions asked in it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CHOICE = ("d31", "d31-03")
 
 
 class Listener:
-    """Somebody who hears a room."""
+    """A listener of a class."""
 
     def __init__(self, leads: bool = False) -> None:
         self.leads = leads
@@ -45,7 +45,7 @@ async def until(happens: Callable[[], object], seconds: float = 30.0) -> None:
 
 @asynccontextmanager
 async def replicas(*stores: Store) -> AsyncIterator[list[Registry]]:
-    """The rooms of as many replicas as there are stores, each of which listens to its own."""
+    """Open the class at several replicas, each of which listens to its own store."""
     registries = [Registry(store, BANK) for store in stores]
     upkeeps = [Upkeep(registry) for registry in registries]
     for upkeep in upkeeps:

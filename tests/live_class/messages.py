@@ -1,4 +1,4 @@
-"""All that an anonymous visitor can send to a live class: to a room that it has opened, and to one of another."""
+"""All messages that an anonymous visitor can send to a live class: one that it has opened, or another."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ MINE = 'title = "{}"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 
 def code(number: int) -> str:
-    """A code that is hardly any room's, another for each number."""
+    """A code that almost certainly belongs to no class; each number gives another."""
     return "".join(SIGNS[number // 30**i % 30] for i in range(4))
 
 
 class Client:
-    """A client that leads its own class and sends any message any number of times."""
+    """A client that leads a class and sends any message any number of times."""
 
     def __init__(self, url: str, lesson: Class, address: str) -> None:
         self.url = url
@@ -35,16 +35,16 @@ class Client:
         return await self.ask(f"/class/{self.lesson.code}/{path}", method, body, self.lesson.key)
 
     async def enter(self) -> Answered:
-        """A phone that is new comes in by the QR code."""
+        """Join with a new phone by the QR code."""
         return await self.ask(f"/class/{self.lesson.code}/token", "POST", word=join_key(self.lesson.key))
 
     async def phone(self) -> str:
-        """The token of a phone that is new."""
+        """Return the token of a new phone."""
         token: str = (await self.enter()).json["token"]
         return token
 
     async def follow(self, path: str, method: str = "GET", body: object = None) -> Answered:
-        """A phone that is new asks what there is, and then something else."""
+        """Ask for news with a new phone, and then send something else."""
         token = await self.phone()
         await self.ask(f"/class/{self.lesson.code}/now", word=token)
         return await self.ask(f"/class/{self.lesson.code}/{path}", method, body, token)
@@ -75,12 +75,12 @@ class Client:
         return await self.ask(f"/class/{code_of(key)}/lead", "PUT", {}, key)
 
     async def pair(self) -> Answered:
-        """A phone takes a ticket and waits to be let in."""
+        """Take a ticket and wait to be admitted."""
         secret = (await self.lead("tickets", "POST")).json["address"].partition("remote=")[2]
         return await self.ask(f"/class/{self.lesson.code}/remote", "PUT", {"address": secret})
 
     async def control(self, path: str, method: str = "GET", body: object = None) -> Answered:
-        """A phone that is let in takes the place of the last."""
+        """Admit a phone, which replaces the last one."""
         paired = (await self.pair()).json
         if "digits" not in paired:
             return await self.lead(path)
@@ -138,5 +138,7 @@ MESSAGES: dict[str, Send] = {
     "GET /class/CODE/events of the leader": lambda client, n: client.stream(client.lesson.key),
     "POST /class/CODE/lead end": lambda client, n: client.open_and_end(),
 }
-"""What is sent, by its method and route, and what else tells it from others of these; `n` makes each of many another.
-An order to a room has its type there."""
+"""Messages by method and route, with whatever distinguishes several of one route; `n` makes each one different.
+
+An order to a class has its type in the name.
+"""

@@ -1,4 +1,4 @@
-"""A server with a live class, and what a test asks of it."""
+"""A server with a live class, and the requests that tests send to it."""
 
 from __future__ import annotations
 
@@ -33,6 +33,6 @@ async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[t
 
 @asynccontextmanager
 async def teaching(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    """Such a server; no stream that a test begins outlasts the test."""
+    """Yield such a server, and close all streams that the test has opened."""
     async with served(**settings) as serving, streams_closed():
         yield serving

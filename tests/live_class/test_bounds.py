@@ -1,4 +1,4 @@
-"""The bytes that one anonymous visitor can make a class keep."""
+"""The number of bytes that one anonymous visitor can make a class store."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ REFUSED = {
     "PUT /class/CODE/word", "PUT /class/CODE/word of none", "PUT /class/CODE/tickets", "DELETE /class/CODE/tickets",
     "GET /class/CODE/remote", "POST /class/CODE/token of none", "GET /class/CODE/now of none",
 }  # fmt: skip
-"""Guesses, and messages of strangers."""
+"""Guesses and messages of strangers."""
 ROUND = 18
-"""Messages of a kind that are sent before the bytes are counted for the first time, and between two counts."""
+"""Messages of a kind that are sent before the bytes are first counted, and between two counts."""
 STEADY = 2000
-"""Bytes that a round may leave where nothing is kept for each message: caches that fill, lists that grow."""
+"""Bytes that a round may add although nothing is stored per message: filling caches and growing lists."""
 
 
 def test_the_messages_are_all_that_a_class_takes() -> None:
@@ -53,7 +53,7 @@ def test_the_messages_are_all_that_a_class_takes() -> None:
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A server whose bounds are reached by a few messages."""
+    """A server with small limits."""
     for module in (store, shared_store):
         monkeypatch.setattr(module, "ALL_BYTES", 300_000)
         monkeypatch.setattr(module, "RESERVE", 50_000)
@@ -65,7 +65,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def bytes_of(root: object) -> int:
-    """The bytes of all that an object refers to."""
+    """Return the bytes of all objects reachable from one."""
     seen, todo, total = set[int](), [root], 0
     while todo:
         one = todo.pop()
@@ -77,7 +77,7 @@ def bytes_of(root: object) -> int:
 
 
 def bytes_in(url: str) -> int:
-    """The bytes of all that a Valkey keeps."""
+    """Return the bytes of everything that a Valkey stores."""
     with redis.Redis.from_url(url) as client:
         return sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
 
@@ -86,7 +86,7 @@ def bytes_in(url: str) -> int:
 async def test_many_messages_of_a_kind_leave_no_more_than_some(
     kind: str, valkey: Valkey, small: None, subtests: pytest.Subtests
 ) -> None:
-    """Some are taken; as many once more, or twice more, leave nothing, since a bound is reached."""
+    """After some messages a limit is reached: twice or three times as many add nothing."""
     async with made(kind, valkey.url) as kept, served(kept, trusted_proxies=("127.0.0.1",)) as (server, url):
         rooms = server.classes.registry
         for i, (name, send) in enumerate(MESSAGES.items()):

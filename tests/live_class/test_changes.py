@@ -1,4 +1,4 @@
-"""Changes while a room is looked up, or its store is away: nothing newer makes way for something older."""
+"""Changes while a class is looked up or its store is unreachable: newer data is never replaced by older."""
 
 from __future__ import annotations
 
@@ -29,8 +29,7 @@ CLOCK_PART = msgspec.json.encode(CLOCK)
 
 
 class Wayward(MemoryStore):
-    """A store that can be away with all that it knows; `meanwhile` happens after it has looked a room up, before it
-    says what it found."""
+    """A store that can become unreachable; `meanwhile` runs between its look-up of a class and its answer."""
 
     away = False
     meanwhile: Callable[[], Awaitable[object]] | None = None
@@ -54,7 +53,7 @@ class Wayward(MemoryStore):
 
 @asynccontextmanager
 async def rooms() -> AsyncIterator[tuple[Wayward, Registry, Upkeep, str, str]]:
-    """A registry whose store is heard, and an open room."""
+    """A registry that listens to its store, and an open class."""
     store = Wayward()
     registry = Registry(store, BANK)
     listening = asyncio.create_task(store.listen(registry.receive, lambda: None))
@@ -92,7 +91,7 @@ async def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_
         await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
         await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
-        assert room.used and room.question.step == CHOICE[1]  # those who are here have it at once
+        assert room.used and room.question.step == CHOICE[1]  # followers who are connected receive it at once
         store.away = False
         await upkeep._restore(room)
         assert room.question.step == CHOICE[1] and not room.unsaved
@@ -103,7 +102,7 @@ async def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.Monk
     monkeypatch.setattr(publisher, "AGAIN", 0.01)
 
     async with rooms() as (store, registry, _, code, key):
-        store.away = True  # and this replica does not know the room: its instructor's stream is elsewhere
+        store.away = True  # this replica does not know the class, because its instructor's stream is at another
         Publisher(registry, code, key)(lambda: {"sheet": "s", "data": b"1"})
         await asyncio.sleep(0.05)
         store.away = False
@@ -129,7 +128,7 @@ async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monk
         for number in range(50):
             session.handle({"type": "lead", "code": code, "key": key, "number": number})
             await asyncio.sleep(0)
-        assert len(asyncio.all_tasks()) - before <= 2  # the last one, and the one before it on its way out
+        assert len(asyncio.all_tasks()) - before <= 2  # the last picture, and the one before it, which is being sent
         await until(lambda: asked > 60)
         session.close()
         await asyncio.sleep(0.01)
@@ -159,7 +158,7 @@ async def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
         assert room.number != number and room.whole().here == 1
         number = room.number
         await upkeep._look_at(room)
-        assert room.number == number  # nothing has changed: nobody is told the whole again
+        assert room.number == number  # nothing has changed, so nobody gets the complete state again
 
 
 async def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -170,7 +169,7 @@ async def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch:
         assert await store.present(code, "another", {"a phone"}) == 2
         monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + room_of.ASKED)
         await upkeep._look_at(room)
-        assert room.here == 1 and room.names  # whose answers count for some time more
+        assert room.here == 1 and room.names  # whose answers count for some more time
 
 
 async def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:

@@ -1,4 +1,4 @@
-"""The countdown of a vote: by the server's clock, told to all, bounded."""
+"""The countdown of a vote: by the server's clock, sent to everybody, bounded."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tests.live_class.served import CHOICE, teaching
 
 
 async def put(phone: Stream, last: float = 0.0) -> Any:
-    """The question as it is told once its countdown is longer."""
+    """Return the question as it is sent after its countdown is extended."""
     return (await phone.until(lambda event: event.get("question", {}).get("until", 0) > last))["question"]
 
 
@@ -27,10 +27,10 @@ async def test_it_counts_and_counts_longer_and_belongs_to_one_vote() -> None:
         await lesson.order("countdown", seconds=15)
         longer = await put(phone, first["until"])
         assert longer["until"] == first["until"] + 15_000 and not longer["closes"]
-        await lesson.order("countdown", seconds=0, closes=True)  # says only what happens at 0
+        await lesson.order("countdown", seconds=0, closes=True)  # it only decides what happens at 0
         put_so = {"until": longer["until"], "closes": True}
         await phone.until(lambda event: put_so.items() <= event.get("question", {}).items())
-        await lesson.order("put", **CHOICE)  # a page that is loaded anew puts it as it stands
+        await lesson.order("put", **CHOICE)  # a reloaded page sends the order again without changing the countdown
         await lesson.order("put", **CHOICE, vote=2)
         again = await phone.until(lambda event: event.get("question", {}).get("vote") == 2)
         assert again["question"]["until"] == 0 and not again["question"]["closes"]

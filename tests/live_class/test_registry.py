@@ -1,4 +1,4 @@
-"""A class without a browser: what the instructor asks, what followers hear and answer, and a store that goes away."""
+"""A class without a browser: questions, news, answers, and an unreachable store."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ Opened = Callable[[], AbstractAsyncContextManager[tuple[Registry, ClassRoom]]]
 
 @pytest.fixture(params=KINDS)
 def in_class(request: pytest.FixtureRequest) -> Opened:
-    """An open room, on a store of each kind."""
+    """An open class on each kind of store."""
     kind = request.param
     url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
 
@@ -86,7 +86,7 @@ async def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Open
         assert follower.news[0].picture == SentPicture(sheet="s", data=b"\x01\x02")
         told = room.whole()
         assert told.picture and told.clock and told.question and told.question.place == "D31, slide 1 · 3 of 16"
-        assert 1000 * time() - 6000 < told.clock.at < 1000 * time()  # no clock runs since 1970
+        assert 1000 * time() - 6000 < told.clock.at < 1000 * time()  # no clock has run since 1970
         await registry.obey(room, Withdraw())
         await registry.obey(room, EndRoom())
         await until(lambda: follower.ended)
@@ -113,7 +113,7 @@ async def test_asked_again_the_first_vote_is_kept(in_class: Opened) -> None:
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, option in (("one", 0), ("two", 0), ("three", 1), ("one", 1)):
             await registry.vote(room, voter, Given(walk=walk, step=step, option=option))
-        await registry.obey(room, PutQuestion(walk=walk, step=step))  # a page that comes back asks the same vote
+        await registry.obey(room, PutQuestion(walk=walk, step=step))  # a reloaded page asks the same vote
         tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 2, 0) and tally.before is None and tally.now.answered == 3
         await registry.obey(room, PutQuestion(walk=walk, step=step, vote=2))
@@ -132,7 +132,7 @@ async def test_asked_again_the_first_vote_is_kept(in_class: Opened) -> None:
         phones = {row["phone"]: row["answer"] for row in rows if row["vote"] == "1"}
         (again,) = (row for row in rows if row["vote"] == "2")
         assert sorted(phones) == ["1", "2", "3"] and len(set(phones.values())) == 2
-        assert phones[again["phone"]] != again["answer"]  # of one phone, under one number
+        assert phones[again["phone"]] != again["answer"]  # one phone, under one number
 
 
 async def test_a_vote_whose_answer_was_shown_takes_no_more_answers(in_class: Opened) -> None:
@@ -143,7 +143,7 @@ async def test_a_vote_whose_answer_was_shown_takes_no_more_answers(in_class: Ope
         await registry.vote(room, "one", late)
         await registry.obey(room, ShowAnswer())
         assert not room.question.answered
-        for _ in range(2):  # taken back, and put again by a page that is loaded again
+        for _ in range(2):  # withdrawn, and asked again by a reloaded page
             await registry.obey(room, PutQuestion(walk=walk, step=step, vote=1))
             assert room.question.answered and room.question.closed and room.question.lesson is None
             with pytest.raises(ValueError, match="closed"):
@@ -175,7 +175,7 @@ async def test_numbers_points_and_sketches(in_class: Opened) -> None:
             with pytest.raises(ValueError):
                 await registry.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Given))
             for more in ({"text": "=cmd"}, {"option": 0}, {"value": 0.5}, {"curves": {"Xp1": drawn}}):
-                if more.keys() != good.keys():  # a field of another kind goes along into the table of answers
+                if more.keys() != good.keys():  # a field of another type is also stored in the table of answers
                     with pytest.raises(ValueError, match="does not fit"):
                         fields = {"walk": walk, "step": step, **good, **more}
                         await registry.vote(room, "three", msgspec.convert(fields, Given))
@@ -240,7 +240,7 @@ async def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
         await asyncio.sleep(0)
         before = turns
         judged = await registry.given(room, f"{walk}/{step}/1")
-        assert turns - before >= len(judged) == 5  # others have their turns between the answers
+        assert turns - before >= len(judged) == 5  # other tasks run between the answers
         ended.set()
         await beside
         tally = await registry.tally(room)
@@ -279,7 +279,9 @@ async def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Opened)
 
 
 async def test_a_walk_from_a_file_is_read_once(in_class: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Not again after each other one that is handed over; where the store alone has them, each once."""
+    """Answers are read once, not again after each other one that arrives; if only the store has them, each is read
+    once.
+    """
     text, read = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n', list[str]()
     monkeypatch.setattr(question_bank, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
 
@@ -306,7 +308,7 @@ async def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Opened) -> Non
         room.listeners.add(listener)
         with pytest.raises(ValueError, match="is no step that is known"):
             await registry.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-99")))
-        for _ in range(2):  # a page that comes back hands it over again
+        for _ in range(2):  # a reloaded page sends it again
             await registry.obey(room, HandWalk(name=walk, text=text))
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         put = listener.news[-1].question

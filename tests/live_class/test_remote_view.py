@@ -1,4 +1,4 @@
-"""The brief on a remote control: what it has of a question, and what it refuses."""
+"""The summary of a question on a remote control, and the orders that it refuses."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ NOTED = (
 
 
 class Remote:
-    """A remote control that is let in."""
+    """An admitted remote control."""
 
     def __init__(self, url: str, path: str, key: str) -> None:
         self.url, self.path, self.key = url, path, key
@@ -71,5 +71,5 @@ async def test_the_words_of_the_next_press_come_from_the_instructors_screen() ->
         for wrong in ({"next": "x" * 10_000}, {"deeds": ["fly"]}, {"deeds": ["go"] * 21}, {"next": 1}):
             refused = await lesson.order("screen", **wrong)
             assert refused.status == 400 and refused.json["sentence"] == "This is not what the lecture's page sends."
-        assert not any("screen" in event for _, event in stream.heard)  # phones are not told
+        assert not any("screen" in event for _, event in stream.heard)  # phones get nothing
         await stream.close()

@@ -1,4 +1,4 @@
-"""Remote controls that wait: told as they stand, to whoever leads the room, however late."""
+"""Waiting remote controls: the page that leads the class gets the current list at any time."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_who_waits_longer_than_a_minute_is_asked_for_no_more(monkeypatch: pytest
     assert len(leader.news) == 1
     monkeypatch.setattr(remotes, "time", lambda: 4e9)
     room.look()
-    assert told(leader) == [("47",), ()] and room.number != number  # who only asks now and then learns it too
+    assert told(leader) == [("47",), ()] and room.number != number  # a page that only polls gets it too
     with pytest.raises(ValueError, match="No remote control with"):
         decided(room.parts, "47", is_in=True)
 

@@ -38,7 +38,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
             await visitor.dictionary(told["picture"]["sheet"]),
         )
         assert b'"k2":3.5' in text and b'"answer":null' in text
-        await visitor.say({"type": "set", "values": {"k2": -1.0}})  # what is refused is nobody else's business
+        await visitor.say({"type": "set", "values": {"k2": -1.0}})  # refusals are not sent to the class
         late = await lesson.follow()
         whole = await late.until(lambda event: event.get("picture"))
         assert whole["picture"] == told["picture"]
@@ -79,7 +79,7 @@ async def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_
         path = f"/class/{lesson.code}/answer"
         assert (await called(url, path, "POST", {**CHOICE, "option": 0}, token)).status == 409
         gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
-        assert gone.status == 204  # of another question nothing is said, shown or not
+        assert gone.status == 204  # nothing is sent for another question, whether its answer is shown or not
         for wrong, status in (
             ({**CHOICE, "option": 7}, 409), ({**CHOICE, "option": 0, "who": "me"}, 400), ([], 400),
             ({**CHOICE, "option": 0, "vote": 2}, 409), ({**CHOICE, "text": "x" * 9000}, 413),
@@ -154,10 +154,15 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
 
         wrong = "2222" if lesson.code != "2222" else "3333"
         assert [await enter(wrong, f"198.51.100.{i}") for i in range(6)] == [404] * 4 + [429] * 2
-        assert await enter(lesson.code, "198.51.100.9") == 429  # nor does the right one tell that it is right
+        assert await enter(lesson.code, "198.51.100.9") == 429  # the correct code does not reveal that it is correct
         assert await enter(lesson.code.lower(), "203.0.113.9") == 200
         path, secret = f"/class/{lesson.code}/token", lesson.opened["address"].partition("join=")[2]
-        for word, status in ((secret, 200), (lesson.key, 429), ("x" * 12, 429), ("", 429)):  # the QR code is no guess
+        for word, status in (
+            (secret, 200),
+            (lesson.key, 429),
+            ("x" * 12, 429),
+            ("", 429),
+        ):  # a QR code does not count as a guess
             assert (await called(url, path, "POST", word=word, X_Forwarded_For="198.51.100.9")).status == status
         monkeypatch.setattr(follower_routes, "ALL_MISSES", 6)
         assert [await enter(wrong, f"192.0.{i}.1") for i in range(3)] == [404, 404, 429]
@@ -175,7 +180,7 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         paired = (await called(url, path, "PUT", {"address": secret})).json
         assert (await called(url, path, "PUT", {"address": secret})).status == 403
         assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [paired["digits"]]
-        late = await lesson.lead()  # a first screen that was away, or is loaded anew, learns it too
+        late = await lesson.lead()  # the instructor's page learns it too after an outage or a reload
         assert (await late.until(lambda event: "remotes" in event))["remotes"] == [paired["digits"]]
         assert (await called(url, path, word=paired["key"])).json is None
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 403
@@ -259,14 +264,14 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
             answer = await called(url, "/class", "POST", word=word)
             assert answer.status == 401 and answer.json["sentence"].startswith(sentence)
         assert (await called(url, "/class", "POST", word="wrong")).status == 429
-        for _ in range(3):  # whoever guesses from this network does not hold up who knows it
+        for _ in range(3):  # failed guesses from this network do not block a phone with a valid token
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
         assert await server.classes.registry.store.rooms() == 3
 
 
 async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An instructor's page hands it once more; what is refused for good it gives up."""
+    """An instructor's page sends it once more, and gives up after a final refusal."""
 
     async with teaching() as (server, url):
         lesson = await Class.open(url)

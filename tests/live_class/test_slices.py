@@ -1,4 +1,4 @@
-"""The work that a class with many answers makes in one turn of the event loop."""
+"""The work of a class with many answers in one turn of the event loop."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from tests.live_class.messages import NUMBER, SKETCH
 from tests.live_class.served import CHOICE, served
 
 MOST_WORK = 20_000
-"""Calls of functions in one turn of the event loop: some milliseconds."""
+"""Function calls in one turn of the event loop: a few milliseconds."""
 
 
 class Work:
-    """The most calls of functions that this thread makes in one turn of its event loop."""
+    """Measures the most function calls of this thread in one turn of its event loop."""
 
     def __init__(self) -> None:
         self.most = self._calls = 0
@@ -69,7 +69,7 @@ async def test_no_number_of_answers_holds_the_event_loop(
                 replied = await called(url, f"/class/{lesson.code}/{path.format(**asked)}", word=lesson.key)
             assert (replied.status == 200 and str(ANSWERS) in replied.text) or len(replied.text) > 100 * ANSWERS
             assert work.most < MOST_WORK
-            assert path == "answers.csv" or not written  # no sketch is written as text where nobody reads it
+            assert path == "answers.csv" or not written  # sketches are not encoded if nobody reads them
             written.clear()
 
 

@@ -1,4 +1,4 @@
-"""The answers of a class as its phones hear of them: how many while they wait, the split with the answer."""
+"""The information of phones on a class's answers: their number during the vote, the split with the answer."""
 
 from __future__ import annotations
 

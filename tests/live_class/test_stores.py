@@ -1,4 +1,4 @@
-"""The contract of every store of rooms: one set of tests for memory and for Valkey."""
+"""The contract of every store of classes: one set of tests for memory and for Valkey."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ async def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: K
             assert await kept.keep(code, {})
 
         async def over() -> bool:
-            await kept.present(code, "here", {"one"})  # followers are no sign of the instructor
+            await kept.present(code, "here", {"one"})  # followers do not show that the instructor is there
             return await kept.parts(code) == {}
 
         await until(over)
@@ -123,14 +123,14 @@ async def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Kept) -> None
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Stores for 100 kB in all, a tenth of it for pictures and questions alone."""
+    """Stores with 100 kB in all, a tenth of it for pictures and questions only."""
     for module in (store, shared_store):
         monkeypatch.setattr(module, "ALL_BYTES", 100_000)
         monkeypatch.setattr(module, "RESERVE", 10_000)
 
 
 async def fill(kept: Store, code: str) -> int:
-    """Fill a room with as many answers as it takes; returns their bytes."""
+    """Fill a class with as many answers as it accepts, and return their bytes."""
     for number in count():
         try:
             assert await kept.vote(code, f"d31/a/{number % 9}", f"{number:019}", b"x" * 1000, 10**6)
@@ -140,7 +140,7 @@ async def fill(kept: Store, code: str) -> int:
 
 
 async def test_a_greedy_owner_leaves_the_others_a_share(on: Kept, small: None) -> None:
-    """However many rooms it has; and what a room has shown is kept all the same."""
+    """The limit holds for any number of classes; a class keeps the picture it has shown."""
     async with on() as kept:
         for code, owner in (("AAAA", b"greedy"), ("BBBB", b"greedy"), ("CCCC", b"other"), ("DDDD", b"")):
             await kept.open(code, {"key": b"1", **({store.OWNER: owner} if owner else {})})
@@ -151,7 +151,7 @@ async def test_a_greedy_owner_leaves_the_others_a_share(on: Kept, small: None) -
         with pytest.raises(store.FullError, match="memory for live classes is full"):
             await kept.keep("DDDD", {"walks": b"x" * 30_000})
         await kept.end("AAAA")
-        assert await fill(kept, "CCCC") > 3000  # what has ended is free
+        assert await fill(kept, "CCCC") > 3000  # ended classes free their bytes
 
 
 async def test_rooms_that_are_over_take_no_bytes(on: Kept, small: None) -> None:
@@ -168,7 +168,7 @@ async def test_rooms_that_are_over_take_no_bytes(on: Kept, small: None) -> None:
 
 
 async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(valkey: Valkey, small: None) -> None:
-    """Of the smallest answers, for which a store needs more than for what is in them; many votes have one alone."""
+    """The smallest answers need more bytes than they contain; many votes have only one answer."""
     async with made("valkey", valkey.url) as kept:
         with redis.Redis.from_url(valkey.url) as client:
             client.flushall()
@@ -291,7 +291,9 @@ async def test_those_present_are_counted_over_replicas(on: Kept) -> None:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.present(code, "a", ["one", "two"]) == 2
-        assert await kept.present(code, "b", ["two", "three", "four"]) == 4  # with two tabs at two replicas one is one
+        assert (
+            await kept.present(code, "b", ["two", "three", "four"]) == 4
+        )  # one phone with two tabs at two replicas counts once
         assert await kept.present(code, "a", ["one"]) == 4
         assert await kept.present(code, "b", ()) == 1
 
@@ -304,7 +306,7 @@ async def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Kept) 
         await kept.lend(name, b"key", b"ticket", 60)
         taken = [await kept.take(*asked) for asked in ((name, b"wrong"), ("other", b"key"), (name, b"key"))]
         assert taken == [b"", b"", b"ticket"] and await kept.take(name, b"key") == b""
-        for key in (b"first", b"second"):  # which takes the place of the first
+        for key in (b"first", b"second"):  # it replaces the first
             await kept.lend(name, key, b"of the " + key, 60)
         assert [await kept.take(name, key) for key in (b"first", b"second")] == [b"", b"of the second"]
         await kept.lend(name, b"key", b"short", 0.05)
@@ -316,7 +318,7 @@ async def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Kept) 
 async def test_whatever_is_counted_counts_for_the_whole_span_and_a_twelfth_more_at_most(
     on: Kept, seconds: float
 ) -> None:
-    """At any instant, so that no boundary of a span lets anybody start again."""
+    """At any time, so that no interval boundary gives anybody a new allowance."""
     chance, now = Random(45), time.time()
     async with on(clock=lambda: now) as kept:
         for name in ("steady", "bursts"):
@@ -341,11 +343,11 @@ async def test_no_number_of_names_makes_a_count_forgotten(on: Kept) -> None:
             assert await kept.count(f"asked {name}", 60, 0) == 0
         for name in range(19):
             assert await kept.count(f"other {name}", 6) == 1
-        for more in (0, 1):  # it is not known, so it is not said to be none
+        for more in (0, 1):  # its count is unknown, so it is not reported as 0
             with pytest.raises(store.UnreachableError):
                 await kept.count("one too many", 60, more)
         assert await kept.count("first", 60) == 4
-        now += 10  # the others are over
+        now += 10  # the others have expired
         assert await kept.count("one too many", 60) == 1 and await kept.count("first", 60) == 5
 
 

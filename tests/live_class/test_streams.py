@@ -1,4 +1,4 @@
-"""Streams of a live class at their edges: what is told while one begins, or while its reader is slow."""
+"""Edge cases of the streams of a live class: news while a stream starts or its reader is slow."""
 
 from __future__ import annotations
 

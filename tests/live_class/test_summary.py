@@ -1,4 +1,4 @@
-"""The summary of a class, and the lead that goes from one computer to another."""
+"""The summary of a class, and moving the lead to another computer."""
 
 from __future__ import annotations
 
@@ -94,11 +94,9 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         words = [
             (await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("-")[2] for _ in range(2)
         ]
-        assert (await called(url, path, "PUT", {"word": words[0]})).status == 403  # the second took its place
+        assert (await called(url, path, "PUT", {"word": words[0]})).status == 403  # the second one has replaced it
         assert (await called(url, f"/class/{other.code}/word", "PUT", {"word": words[1]})).status == 403
-        assert (
-            await called(url, path, "PUT", {"word": words[1]})
-        ).status == 200  # at the wrong code it was not used up
+        assert (await called(url, path, "PUT", {"word": words[1]})).status == 200  # a wrong code does not use it up
         await leader.close()
 
 

@@ -1,4 +1,4 @@
-"""Confidence of a class: asked with any vote, counted with it, in the table."""
+"""Confidence in a class: asked with any vote, counted with it, in the table."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ async def test_how_sure_those_are_who_answer_is_counted_with_the_vote() -> None:
         assert (await lesson.tally())["now"]["sure"] == [[1, 1], [0, 0], [2, 1]]
         table = (await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)).text
         assert sorted(row["sure"] for row in DictReader(StringIO(table))) == ["", "certain", "certain", "guessed"]
-        await lesson.order("put", **CHOICE, vote=2)  # it is asked again with the next vote, of another question not
+        await lesson.order(
+            "put", **CHOICE, vote=2
+        )  # it is asked again with the next vote, but not with another question
         again = await phone.until(lambda event: event.get("question", {}).get("vote") == 2)
         assert again["question"]["sure"]
         await lesson.order("put", walk="d31", step="d31-02")

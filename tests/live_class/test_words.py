@@ -1,4 +1,4 @@
-"""Short answers in words: equal ones are one group, and none is shown before the instructor shows it."""
+"""Short text answers: equal ones form a group, and no group is visible before the instructor shows it."""
 
 from __future__ import annotations
 
@@ -48,15 +48,15 @@ async def test_equal_answers_are_one_group_and_hidden_until_they_are_shown() -> 
         ]  # fmt: skip
         assert (await lesson.order("moderate", text="energy", shows=True)).status == 204
         assert [shown for text, _, shown in await words(lesson) if text != "Because"] == [True]
-        await lesson.vote(await lesson.token(), **ASKED, text="energy")  # one more of what is shown
+        await lesson.vote(await lesson.token(), **ASKED, text="energy")  # one more of a visible group
         assert (4, True) in [(count, shown) for _, count, shown in await words(lesson)]
         await lesson.order("moderate", text="Energy", shows=False)
         assert await words(lesson) == [("Because", 1, False)]
         table = (await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)).text
-        assert len(list(DictReader(StringIO(table)))) == 5  # the table has what was removed
+        assert len(list(DictReader(StringIO(table)))) == 5  # the table has removed answers too
         await lesson.order("put", **ASKED, vote=2)
         assert (await lesson.vote(await lesson.token(), **ASKED, vote=2, text="Energy")).status == 204
-        assert await words(lesson) == [("Energy", 1, False)]  # another vote begins hidden
+        assert await words(lesson) == [("Energy", 1, False)]  # another vote starts hidden
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,5 @@
-// The page's own stage, grips and hand in node: what a hand does to the grabbed shapes of a sheet, on a layout made up
-// here.
+// The page's own stage, grips and drags in Node, on a made-up layout: the effect of a pointer on the draggable shapes
+// of a sheet.
 
 import {Compare} from "../../static/compare/compare.js"
 import {Clock} from "../../static/core/clock.js"
@@ -11,11 +11,11 @@ import {Stage} from "../../static/scene/stage.js"
 
 const ROOM = {W: 640, H: 240}
 const FRAME = {left: 40, top: 20, width: 430, height: 170}
-const ASIDE = 31 // from a plot to the next
+const ASIDE = 31 // between two plots
 
 let page, stage, grip, plots, said
 
-/** A sheet is opened in a layout: its plots, shapes of which the first is grabbed, a picture, an instant. */
+/** Opens a sheet in a layout: plots, shapes (the first is dragged), a picture and an instant. */
 export function open(blocks, shapes, layout, view, t) {
   const messages = {last: 0, rests: true}
   const send = ({values}) => (messages.last++, Object.assign(said, values))
@@ -39,14 +39,14 @@ export function show(view) {
   stage.plots = framed(stand.map(([name, x, y]) => [name, view.axes[x], view.axes[y]]))
 }
 
-/** The places of plots by name and axes. */
+/** The positions of plots by name and axes. */
 function framed(all) {
   const placed = ([name, x, y], i) =>
     geometry(Object.assign(Object.create(Plot.prototype), {box: FRAME, x, y}), name, ASIDE * i, ASIDE * i)
   return Object.assign({}, ...all.map(placed))
 }
 
-/** Draws shapes once, whichever plots stand: an error where they speak of what neither these nor the picture have. */
+/** Draws shapes once for all visible plots. A name that neither they nor the picture have is an error. */
 export function draw(blocks, shapes, layout, view) {
   open(blocks, shapes, layout, view, 0)
   stage.plots = framed(blocks.map(([name]) => [name, PLAIN, PLAIN]))
@@ -55,7 +55,7 @@ export function draw(blocks, shapes, layout, view) {
   at(false)
 }
 
-/** Where the grip is, with what the hand has moved or as the picture has it; null where it is not drawn. */
+/** The position of the grip with the dragged values or those of the picture; null if it is not drawn. */
 export function at(moved) {
   const {signals, scalars} = page.shown.view
   const {t} = page.clock
@@ -64,7 +64,7 @@ export function at(moved) {
   return grip.x === null ? null : [grip.x, grip.y]
 }
 
-/** A pointer takes the grip or moves it to a place: the values that the server hears of. */
+/** Takes the grip or moves it to a place; returns the values sent to the server. */
 export function does(deed, x, y) {
   said = {}
   at(true)

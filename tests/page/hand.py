@@ -1,4 +1,4 @@
-"""A hand on a page without a browser: the page's own scripts, on a layout made up in hand.js."""
+"""Pointer input on a page without a browser: the page's own scripts on the layout of hand.js."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Point = tuple[float, float]
 
 
 def grabs(scene: type[Scene], forms: dict[str, str] | None = None) -> Iterator[tuple[AnyShape, Grab]]:
-    """Each shape of a scene's sheet that is grabbed; with the forms of a picture those in blocks that stand."""
+    """Return each draggable shape of a scene's sheet; with the forms of a picture, those of visible blocks."""
     for block in blocks(scene.sheet()) if forms is None else in_force(scene.sheet(), forms):
         for shape in block.shapes if isinstance(block, (StageBlock, PlotBlock)) else ():
             if shape.grab:
@@ -33,7 +33,7 @@ def sets(grab: Grab) -> list[str]:
 
 
 def draw(scene: type[Scene], picture: Picture, shapes: Sequence[AnyShape]) -> None:
-    """Draws shapes in all layouts at once, as a picture starts; a name that it has not is a fault."""
+    """Draw shapes in all layouts at the start of a picture; an unknown name is an error."""
     layout = dict.fromkeys(("wide", "narrow", "stacked", "hall", "desk", "low"), 1)
     call("tests/page/hand.draw", _axes(scene), shapes, layout, _view(picture))
 
@@ -47,7 +47,7 @@ def _view(picture: Picture) -> PagePicture:
 
 
 class Hand:
-    """Over a shape of a page, a wide one or a phone's, at an instant; the frame stands while it holds on."""
+    """A pointer over a shape of a wide page or a phone at one instant; the frame stays fixed during a drag."""
 
     def __init__(self, now: PageState, shape: AnyShape, *, wide: bool, t: float) -> None:
         self.now = now
@@ -63,12 +63,12 @@ class Hand:
         call("tests/page/hand.show", _view(self.now.shown))
 
     def at(self, *, moved: bool = True) -> Point | None:
-        """Where the grip is, with what the hand has moved or as the picture has it; None where it is not drawn."""
+        """Return the position of the grip with the dragged values or those of the picture; None if it is not drawn."""
         found = call("tests/page/hand.at", moved)
         return found and (found[0], found[1])
 
     def take(self) -> Named:
-        """The values that are set when the grip is taken."""
+        """Return the values that are set when the grip is taken."""
         return self._does("pointerdown", self.at() or (0.0, 0.0))
 
     def move(self, to: Point) -> Named:

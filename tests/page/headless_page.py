@@ -27,7 +27,7 @@ def value_of(scene: Scene | SceneFace) -> Scene:
 
 
 def apply_message(scene: SceneFace, data: object) -> Errors:
-    """Apply a message to the face of a scene; return its refusals, under "message" if it is none of the page's."""
+    """Apply a message to the face of a scene and return its refusals; key "message" if the message is invalid."""
     try:
         said = decoded(data)
     except ValueError as error:
@@ -43,7 +43,7 @@ def apply_message(scene: SceneFace, data: object) -> Errors:
 
 
 def take_preset(scene: SceneFace, label: str) -> Errors:
-    """A press on the button of a preset: what it sets goes into the state of the page, which is opened."""
+    """Press the button of a preset: its values go into the state of the page, which is opened."""
     page = Page(scene)
     buttons = panel(scene.param.objects("existing"), (), presets=scene.scene_kind.presets).presets
     (sets,) = (button.sets for button in buttons if button.label == label)
@@ -56,7 +56,7 @@ def take_preset(scene: SceneFace, label: str) -> Errors:
 
 
 def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:
-    """The picture as the browser has it after unpacking: nested lists and dicts, columns as arrays."""
+    """Return the picture as unpacked by the browser: nested lists and dicts, columns as arrays."""
     kind = scene.kind if isinstance(scene, PageState) else type(value_of(scene))
     view, numbers = view_of(scene.shown, column_axes(kind))
     msgspec.json.decode(as_json(view), type=PagePicture)
@@ -64,7 +64,7 @@ def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:
 
 
 class Page:
-    """A session, and all packets that it has sent."""
+    """A session and all packets that it has sent."""
 
     def __init__(self, shown: Scene | SceneFace, problems: tuple[str, ...] = ()) -> None:
         scene = value_of(shown)

@@ -1,4 +1,4 @@
-// The page's own scripts, for tests in Python: a function of a module and its cases a line, and what it gives for each.
+// The page's own scripts for tests in Python: each input line has a function and its cases, each output line results.
 
 import {createInterface} from "node:readline"
 import "../js/browser.js"

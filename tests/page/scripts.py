@@ -1,4 +1,4 @@
-"""The page's own scripts, in one process of node for all tests of a worker."""
+"""The page's own scripts, in one Node process for all tests of a worker."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _node() -> subprocess.Popen[bytes]:
 
 
 def each(function: str, cases: Iterable[Iterable[object]]) -> list[Any]:
-    """The results of a function that a module exports, "static/core/ruler.toSI", case by case."""
+    """Return the results of an exported function, such as "static/core/ruler.toSI", one for each case."""
     process = _node()
     assert process.stdin and process.stdout
     process.stdin.write(as_json([*function.split("."), [list(one) for one in cases]]) + b"\n")
@@ -47,19 +47,21 @@ def call(function: str, *given: object) -> Any:
 
 
 def values_of(signals: Mapping[str, AnySignal], scalars: Mapping[str, float], t: ArrayLike) -> dict[str, Floats]:
-    """Signals over the scalars and these, at times in the unit of the time axis."""
+    """Return signals evaluated with the scalars and `values`, at times in the unit of the time axis."""
     times = np.asarray(t, dtype=float)
     found = call("static/core/signals.over", signals, scalars, times.ravel().tolist(), [*signals, *scalars, "t"])
     return {name: np.array(column, dtype=float).reshape(times.shape) for name, column in found.items()}
 
 
 def played(picture: Picture, t: ArrayLike) -> dict[str, Floats]:
-    """All signals and scalars of a picture."""
+    """Return all signals and scalars of a picture."""
     return values_of(picture.signals, picture.scalars, t)
 
 
 def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
-    """A message as the browser has it, its columns as arrays; packed with the `preset_dictionary` of its sheet."""
+    """Return a message as the browser has it, with columns as arrays, unpacked with the `preset_dictionary` of its
+    sheet.
+    """
     read = call("static/net/columns.unpacked", list(packet["data"]), preset_dictionary.decode())
     told = json.loads(text_of(packet, preset_dictionary))
     for name in ("view", "held"):
@@ -75,7 +77,7 @@ def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
 
 
 def text_of(packet: Packet, preset_dictionary: bytes = b"") -> bytes:
-    """The line of JSON in a message packed with the preset dictionary of its sheet."""
+    """Return the line of JSON in a message packed with the preset dictionary of its sheet."""
     text, _, _ = (
         zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else []))
         .decompress(packet["data"])

@@ -1,4 +1,4 @@
-"""Covered parts are not sent: not the curves, nor the motions behind them, nor anything made of them."""
+"""Hidden parts are not sent: neither the curves nor their motions nor anything derived from them."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_a_covered_plot_takes_the_numbers_of_its_heading_along() -> None:
     assert {"C", "phi"} <= page.shown.values.keys()
     view = covering(page, PLOT + "x")["view"]
     assert {"C", "phi"} <= set(view["left_out"]) and not {"C", "phi"} & view["values"].keys()
-    assert "omega_d" in view["values"]  # which the equation has too
+    assert "omega_d" in view["values"]  # which the equation shows too
 
 
 @scenes
@@ -66,7 +66,7 @@ def test_every_plot_and_number_can_be_covered(slug: str) -> None:
         told = covering(page, cover)
         assert (told["errors"], told["state"]["covered"]) == ({}, [cover])
         spoken = json.dumps([signal for signal in told["view"]["signals"].values() if signal["kind"] == "derived"])
-        lost = set(told["view"]["left_out"]) - told["view"]["signals"].keys()  # a text may be, not the motion it tells
+        lost = set(told["view"]["left_out"]) - told["view"]["signals"].keys()  # a text may be sent, but not its motion
         assert not any(f'"{name}"' in spoken for name in lost)
 
 

@@ -1,4 +1,4 @@
-"""Descriptions of curves for screen readers, against points that lie close together on the same lines."""
+"""Descriptions of curves for screen readers, compared with densely sampled points of the same lines."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def heights(rising: st.SearchStrategy[float]) -> st.SearchStrategy[list[float]]:
 
 @st.composite
 def curves(draw: Any) -> list[Points]:
-    """Pieces one after the other, each with heights in and out of the frame, or one height."""
+    """Consecutive pieces, each with heights inside and outside the frame, or one height."""
     pieces: list[Points] = []
     start = draw(st.floats(-3.0, 3.0))
     for _ in range(draw(st.integers(1, 4))):
@@ -44,7 +44,7 @@ def curves(draw: Any) -> list[Points]:
 
 
 def dense(points: Points) -> tuple[np.ndarray, np.ndarray]:
-    """Points of a line, 400 for each of its segments."""
+    """Points of a line, 400 for each segment."""
     if len(points) == 1:
         ((x, y),) = points
         return np.array([x]), np.array([y])
@@ -101,7 +101,7 @@ def test_a_curve_with_a_pole_goes_out_of_the_frame_on_both_sides(pole: float, si
 
 
 def test_a_line_that_only_passes_through_the_frame_is_described() -> None:
-    """Both of its ends are outside, as those of the directions of the modes."""
+    """Both of its ends are outside, as for the directions of the modes."""
     assert course([[(4.0, -50.0), (4.0, 50.0)]]) == ("x: upright at 4 s, from outside the frame to outside the frame.")
     assert course([[(-90.0, -20.0), (110.0, 20.0)]]) == "x: rises from −2 m to 0 m."
     assert "lines: lowest" in course([[(0.0, 1.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 0.5)]], lines=2)

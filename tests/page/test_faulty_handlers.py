@@ -1,4 +1,4 @@
-"""Every message of the browser while its handler fails: the visitor is told so, and the page stays and goes on."""
+"""Every message of the browser while its handler fails: the visitor gets an error, and the page is unchanged."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ HANDLERS: dict[str, tuple[dict[str, Any], str]] = {
     "about": ({}, "components.session.worker.about_page"),
     "rows": ({"piece": 0, "of": 1, "t": TIMES, "columns": [TIMES]}, "components.session.worker.fitted"),
 }
-"""What each kind of message says, and the function that fails when it comes."""
+"""For each kind of message: an example, and the function that fails when it arrives."""
 NOTHING_FAILS = {"cancel_fit"}
 """Its handler calls no function of another module."""
 
 
 class Working:
-    """Background work and a class that can be led, in the place of those of the session."""
+    """Background work and a class that can be led, in place of those of the session."""
 
     def obey(self, order: str, scene: object) -> None:
-        """It does not fail unless it is made to."""
+        """Fail only if a test says so."""
 
     def lead(self, code: str, key: str) -> None:
-        """It does not fail unless it is made to."""
+        """Fail only if a test says so."""
 
     def close(self) -> None:
         """There is nothing to close."""

@@ -1,4 +1,4 @@
-"""Hold: another picture beside the one that stands, in its frame, with the ledger of what became of each number."""
+"""Hold: a second picture in the frame of the current one, with a table that compares their numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Measured rows: pieces in order, the fit that answers the last one, and what is refused."""
+"""Measured rows: pieces in order, the fit after the last one, and refusals."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def test_pieces_with_other_columns_than_the_first_are_refused(page: Page) -> Non
 
 
 def two_masses(seed: int, noise: float = 1e-4) -> Any:
-    """Both displacements of two carts: k1/m1 20, k2/m1 10, m2/m1 0.5."""
+    """Both displacements of two carts: k1/m1 = 20, k2/m1 = 10, m2/m1 = 0.5."""
     path = FOLDER / "simulated-two-carts.csv"
     t, *columns = np.loadtxt(path.read_text(encoding="utf-8").splitlines()[1:], delimiter=",", unpack=True)
     return t, *(1e-3 * column + np.random.default_rng(seed).normal(0, noise, t.size) for column in columns)

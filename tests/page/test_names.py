@@ -1,4 +1,4 @@
-"""A sheet says what is there, in every scene, preset and view: shapes are drawn, forms have words, names are given."""
+"""Names in the sheet exist in every scene, preset and view: shapes are drawn, forms have texts, names are unique."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from tests.scenes.checks import choices
 scenes = pytest.mark.parametrize("slug", SCENES)
 
 MEASURED = {slug: (SYSTEMS[slug], 1.0, recorded(slug).runs.every, "done") for slug in ("near", "dashpot")}
-"""An easy motion, and the one on which the implicit solvers are quick."""
-# What else brings something to the picture: fast motions are drawn as bands, some marks need their case.
+"""A smooth motion, and the one on which the implicit solvers are fast."""
+# Values that add items to a picture: fast motions are drawn as bands, and some marks need their case.
 MORE: dict[str, list[dict[str, Any]]] = {
     "oscillator": [{"window": 1e4}],
     "energy": [
@@ -68,7 +68,7 @@ MORE: dict[str, list[dict[str, Any]]] = {
 
 
 def cases(scene: type[Scene]) -> Iterator[Scene]:
-    """The scene as it opens, each preset, each option of each choice, and what MORE names."""
+    """Yield the scene as it opens, with each preset, each option of each choice, and the values of MORE."""
     yield from (scene.at(values) for values in ({}, *scene.presets.values()))
     yield from (scene.at(values) for values in (*choices(scene), *MORE.get(scene.slug, [])))
 
@@ -79,8 +79,10 @@ def every(slug: str) -> list[Scene]:
 
 
 def _declared(scene: type[Scene]) -> Iterator[str]:
-    """The names that a scene itself declares, but for axes, some of which numbers are only counted on; those of kits
-    are for several scenes."""
+    """Return the names that a scene itself declares, without axes, some of which only count numbers.
+
+    Names of kits are excluded, because several scenes share them.
+    """
     for module in [one for name, one in sys.modules.items() if name.startswith(scene.__module__)]:
         for kind in vars(module).values():
             if isinstance(kind, type) and issubclass(kind, Declared) and kind.__module__ == module.__name__:
@@ -95,7 +97,7 @@ def _declared(scene: type[Scene]) -> Iterator[str]:
 
 @scenes
 def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
-    """A number stands in a text, is read aloud or is compared with that of another picture."""
+    """A number appears in a text, is read aloud, or is compared with that of another picture."""
     kind, declared = SCENES[slug], set(_declared(SCENES[slug]))
     given, numbers = set[str](), set[str]()
     told = live_names(kind).union(*(_spoken(text) for text in scene_sheet(kind).spoken.values()))
@@ -111,13 +113,13 @@ def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
 
 
 def _spoken(text: str) -> set[str]:
-    """The numbers in what is read aloud."""
+    """Return the numbers in the texts that are read aloud."""
     return set(re.findall(r"\{(\w+)\}", text))
 
 
 @scenes
 def test_every_curve_has_its_numbers_and_every_block_stands(slug: str) -> None:
-    """In some picture: what has the name of another source or of no form never does. Bands are of fast motions."""
+    """Each is drawn in some picture; a wrong source or form name never is. Bands appear for fast motions."""
     numbers = {
         (source, name)
         for scene in every(slug)
@@ -136,7 +138,7 @@ def test_every_curve_has_its_numbers_and_every_block_stands(slug: str) -> None:
 
 @scenes
 def test_every_shape_is_drawn(slug: str) -> None:
-    """The page's own scripts draw them: a number that the picture lacks is a fault."""
+    """The page's own scripts draw them; a number missing from the picture is an error."""
     for scene in every(slug):
         sheet, shown = scene_sheet(type(scene)), scene.shown
         shapes = [shape for block in in_force(sheet.paper, shown.forms) for shape in getattr(block, "shapes", ())]
@@ -146,7 +148,7 @@ def test_every_shape_is_drawn(slug: str) -> None:
 
 
 def _wordings(block: Block) -> Iterator[Forms | Term]:
-    """The texts of a block that come in forms."""
+    """Return the texts of a block that have variants."""
     if isinstance(block, WordsBlock):
         yield from block.items
     elif isinstance(block, TableBlock):
@@ -156,7 +158,7 @@ def _wordings(block: Block) -> Iterator[Forms | Term]:
 
 
 def _chosen(one: Forms | Term, forms: dict[str, str]) -> str:
-    """The variant that stands; where the picture lacks the form none does, of a term its first."""
+    """Return the visible variant. Without the form in the picture there is none; a term then uses its first."""
     if isinstance(one, Forms):
         return forms.get(one.name, "") if one.name else ""
     return forms.get(one.form, next(iter(one.variants)))
@@ -185,7 +187,7 @@ def test_what_a_sheet_sets_is_a_parameter(slug: str) -> None:
 
 @scenes
 def test_a_term_has_the_name_of_a_curve(slug: str) -> None:
-    """Another one's switch would do nothing."""
+    """The switch of another group would have no effect."""
     for plot in plots(SCENES[slug]):
         assert {term.curve for term in plot.heading} <= {"", *(one.group for one in (*plot.curves, *plot.regions))}
 

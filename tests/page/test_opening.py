@@ -1,4 +1,4 @@
-"""A page that no link says anything of opens as its scene declares, and with that in its address."""
+"""A page opened without parameters shows the scene's defaults and names the scene in its address."""
 
 from __future__ import annotations
 

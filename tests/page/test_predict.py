@@ -1,4 +1,4 @@
-"""Predict: what is chosen, or all that the next change changes, is not sent until it is revealed."""
+"""Predict: chosen parts, or everything that the next change affects, are sent only when they are revealed."""
 
 from __future__ import annotations
 
@@ -65,14 +65,14 @@ def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> No
 
 
 def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
-    """The ratio of the value that is set to its default, as the ledger writes it."""
+    """Return the ratio of the set value to its default, as the comparison writes it."""
     ((name, value),) = values.items()
     default = scene.param[name].default
     return three(value / default) if default else ""
 
 
 def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
-    """Every quantity that the panel shows, alone at another value."""
+    """Yield every quantity of the panel, each alone at another value."""
     first = scene()
     for group in first.groups:
         for name in group.names:
@@ -83,14 +83,14 @@ def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
 
 
 def round_numbers(page: Page) -> list[Any]:
-    """The numbers that each axis has in its frame whatever is drawn: they take the place of those of a total."""
+    """Return the numbers of each axis that do not depend on curves; they replace those of the total."""
     axes = (replace(axis, ticks=round_ticks(axis), labels=()) for axis in page.shown.axes.values())
     return [json.loads(as_json(axis.ruler)) for axis in axes]
 
 
 @pytest.mark.parametrize("x_0", [0.05, 0.002])
 def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> None:
-    """The axis of the energies ends at their total: covered, it has round numbers of the frame, which stays."""
+    """The axis of the energies ends at their total. When hidden, it has round numbers of the frame, which stays."""
     page = Page(SCENES["damped"](view="energy"))
     change(page, covered=["next"])
     told = put(page, x_0=x_0)
@@ -102,7 +102,7 @@ def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> Non
 
 
 def set_by_hand(told: dict[str, Any]) -> list[Any]:
-    """The values of the controls, as they are told, and in three digits as the ledger has them."""
+    """Return the values of the controls as they are sent, and rounded to three digits as in the comparison."""
     ones = [one for one in told["settings"].values() if isinstance(one["value"], float)]
     return [(one["value"], one["text"], three(one["value"] / one["size"])) for one in ones]
 
@@ -112,7 +112,7 @@ def csv_of(page: Page) -> list[list[Any]]:
 
 
 def told_of_scene(page: Page) -> list[Any]:
-    """The picture that stands, whole: as it would be told."""
+    """Return the complete current picture as it would be sent."""
     picture = page.shown
     columns = {name: column.tolist() for given in picture.sources.values() for name, column in given.items()}
     axes = {name: axis.ruler for name, axis in picture.axes.items()}
@@ -121,8 +121,7 @@ def told_of_scene(page: Page) -> list[Any]:
 
 
 def numbers(told: Any) -> set[float | str]:
-    """All numbers in what is told, as they are, and those in texts by their digits; without those of one digit, which
-    round axes have."""
+    """Return all sent numbers, and those in texts by their digits; without one-digit numbers, which round axes have."""
     if isinstance(told, dict):
         return numbers(list(told.values()))
     if isinstance(told, np.ndarray):

@@ -1,4 +1,4 @@
-"""docs/protocol.md and the browser's types say what the types of components/language say."""
+"""docs/protocol.md and the browser's types agree with the types of components/language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The results of the scripts against Python's: signals, texts of numbers, places of names."""
+"""The results of the scripts compared with Python: signals, texts of numbers, places of names."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tests.page.scripts import call, each
 from tests.serving.server import ROOT
 
 NEAR = 1e-12
-"""Of the size that a signal has reached by then: angles to 1000 rad, a few roundings each."""
+"""Relative to the largest size so far: angles to 1000 rad, a few roundings each."""
 INSTANTS = [0, 1e-6, 1e-3, 0.02, 0.5, 1.3, 7.0, 40.0, 300.0]
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
 
@@ -32,13 +32,13 @@ TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_tex
 def evaluated(
     signals: dict[str, AnySignal], times: list[float], scalars: dict[str, float] | None = None
 ) -> dict[str, list[float]]:
-    """The signals in JavaScript, by name."""
+    """Return the signals evaluated in JavaScript, by name."""
     values = each("static/core/signals.evaluate", ([signals, scalars or {}, t] for t in times))
     return {name: [value[name] for value in values] for name in signals}
 
 
 def assert_near(found: list[float], exact: Callable[[mpf], mpf], times: list[float], least: float = 0.0) -> None:
-    """Every value is within NEAR of the size that has been reached."""
+    """Check that every value is within NEAR, relative to the largest size so far."""
     with mp.workdps(80):
         truth = [exact(mpf(t)) for t in times]
         reached = mpf(least)
@@ -83,7 +83,7 @@ SECONDS = Axis(0.0, 1.0, "s")
 @pytest.mark.parametrize("zeta", ZETAS)
 @pytest.mark.parametrize("start", [(1.0, 0.0), (0.7, -3.0), (0.0, 1.0), (0.0, 0.0)])
 def test_a_damped_mass(zeta: float, start: tuple[float, float]) -> None:
-    """x and v, against the physics: at critical damping and next to it, at rest, without a dashpot and overdamped."""
+    """Compare x and v with the physics: near critical damping, at rest, without a dashpot, and overdamped."""
     one, times = DampedOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
     signals = dict(zip("xva", (damped(ONE, SECONDS, row) for row in one.fading(*start)), strict=True))
     found, true = evaluated(dict(signals), INSTANTS), one.motion(*start, times)
@@ -97,7 +97,7 @@ def test_a_damped_mass(zeta: float, start: tuple[float, float]) -> None:
 @pytest.mark.parametrize("omega", [0.0, 0.3, 0.8, 1.0, 1 + 1e-12, 1 - 1e-6, 2.5])
 @pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
 def test_a_driven_mass(zeta: float, omega: float, kind: Drive) -> None:
-    """x, against the physics: at resonance with and without a dashpot, at critical damping, at first and at last."""
+    """Compare x with the physics: at resonance with and without a dashpot, at critical damping, early and late."""
     one, times = DrivenOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
     found = evaluated({"x": driven(ONE, SECONDS, one.push(omega, 1.0, kind))}, INSTANTS)["x"]
     true = one.motion(omega, 1.0, t=times, kind=kind).x

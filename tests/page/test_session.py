@@ -1,4 +1,4 @@
-"""One message, Open(state), puts a session into anything: presets, links, other scenes; whole or not at all."""
+"""The message Open(state) puts a session into any state (presets, links, other scenes), completely or not at all."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def opening(state: State | dict[str, Any], number: int = 1) -> dict[str, Any]:
 
 
 def changed(scene: type[Scene]) -> Scene:
-    """The scene with something of every kind changed: a quantity, a choice, a window, a hidden curve."""
+    """The scene with one change of each kind: a quantity, a choice, a window, a hidden curve."""
     values: dict[str, Any] = {name: q.softbounds[1] for name, q in list(quantities(scene).items())[:2]}
     chosen = [*choices(scene)]
     values |= [one for one in chosen if one.keys() == chosen[0].keys()][-1] if chosen else {}
@@ -88,7 +88,7 @@ def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> 
 
 
 def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
-    """The number is in a view that the state is not in, as a new session finds it when a page comes back."""
+    """The number belongs to another view than that of the state, as in a new session after a reconnection."""
     page = Page(SCENES["modes"]())
     page.say(opening({"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]}))
     told = page.say({"type": "choose", "name": "view", "value": "hunt", "number": 2})

@@ -1,4 +1,4 @@
-"""The shared system goes along from scene to scene, whole; a link says what it says."""
+"""The shared system is kept when the scene changes; a link sets its own values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}
 
 
 def go(page: Page, scene: str, **state: Any) -> dict[str, Any]:
-    """A click on a link of the navigation."""
+    """Click a link of the navigation."""
     wanted = {"scene": scene, **state}
     told = page.say({"type": "open", "state": wanted, "carried": True, "number": len(page.packets) + 1})
     assert told["errors"] == {} and told["scene"] == scene

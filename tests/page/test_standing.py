@@ -1,4 +1,4 @@
-"""A standing: a value, which no message touches that is refused or goes wrong."""
+"""The page state is a value: refused or failing messages do not change it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The states that property tests draw: pages open in them, and their addresses lead back."""
+"""The states of property tests: pages open in them, and their links restore them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
 
 @pytest.mark.parametrize("slug", ["damped", "driven", "modes", "coupled", "forced", "absorber"])
 def test_resonance_critical_damping_and_equality_are_drawn(slug: str) -> None:
-    """Each relation of a scene, set by the link and not by a default, is among the examples."""
+    """The examples include each relation of a scene, set by the link and not by a default."""
     kind, drawn = SCENES[slug], set[int]()
 
     @settings(max_examples=400, phases=[Phase.generate])

@@ -1,4 +1,4 @@
-"""A worker process that comes to no end with some of its jobs."""
+"""A worker process in which some jobs never end."""
 
 from __future__ import annotations
 

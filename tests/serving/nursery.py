@@ -1,4 +1,4 @@
-"""Servers that begin at once: each is forked from a process that has read the project before."""
+"""Servers that start at once: each is forked from a process that has already imported the project."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from typing import Any
 
 START = "components.serving.__main__"
 WANTED = sys.platform == "linux" and "PYTEST_VERSION" in os.environ and "COVERAGE_PROCESS_CONFIG" not in os.environ
-"""Only in tests, and not where lines are counted; what is measured starts by its command."""
+"""Only in tests without line coverage; measurements start the server by its command."""
 
 
 class Forked:
-    """A forked process, to be asked as subprocess.Popen is."""
+    """A forked process with the interface of subprocess.Popen."""
 
     def __init__(self, arguments: list[str], environment: dict[str, str], log: Path) -> None:
         forks: Any = get_context("forkserver")

@@ -1,5 +1,4 @@
-"""The app served by a process of its own on a free loopback port: by the command that README names, in tests by what
-that command runs."""
+"""The app in a separate process on a free loopback port, started by README's command or, in tests, its function."""
 
 from __future__ import annotations
 
@@ -31,10 +30,10 @@ class Server:
         return f"http://127.0.0.1:{self.port}/"
 
     def complaints(self) -> list[str]:
-        """The lines of the log that speak of something gone wrong."""
+        """The lines of the log that report a problem."""
         signs = ("Traceback", "ERROR", "CRITICAL")
         lines = self.log.read_text().splitlines()
-        # Bokeh only warns of a callback that fails at a session's end.
+        # Bokeh only warns about a failing callback at the end of a session.
         return [line for line in lines if line.startswith(signs) or "failed with following error" in line]
 
 
@@ -56,7 +55,7 @@ def serving(
     environment: Mapping[str, str] | None = None,
     user: int | None = None,
 ) -> Iterator[Server]:
-    """A server that listens; ended on leaving. `command` in place of the usual one must listen on `port`."""
+    """Yield a server that listens, and end it. `command` replaces the default one and must listen on `port`."""
     port = port or free_port()
     arguments = ("--address", "127.0.0.1", "--port", str(port), *options)
     variables = {**os.environ, **(environment or {})}

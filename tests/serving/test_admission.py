@@ -1,4 +1,4 @@
-"""Who comes in when all places are taken."""
+"""Admission of visitors when all places are taken."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.serving.server import Server, serving
 
 
 class House:
-    """A line, the places it leads to and a clock that is set by hand."""
+    """A queue, its places, and a clock set by the test."""
 
     def __init__(self, places: int) -> None:
         self.taken, self.now = 0, 0.0
@@ -77,7 +77,7 @@ def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
     assert len(house.queue) == OF_A_NETWORK
     assert house.queue.knock("", "b")[0] == 2
     assert sum(house.queue.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
-    house.queue.places = 31  # places are free: who comes from elsewhere is in
+    house.queue.places = 31  # places are free: a visitor from another network is admitted
     assert house.queue.knock("", "c") == (0, "")
 
 
@@ -88,7 +88,7 @@ def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_netwo
     assert visitor_to_drop(guests, 10, "a", now) is None
     assert (
         visitor_to_drop({n: guest for n, guest in guests.items() if n}, 10, "c", now) is None
-    )  # of ten places it has seven
+    )  # it has seven of ten places
     assert visitor_to_drop({**guests, 10: Guest("b", now - IDLE)}, 11, "a", now) == 10
     assert visitor_to_drop({}, 10, "a", now) is None
 
@@ -109,14 +109,14 @@ async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None
     back = await connect(url, gone.token)
     while await back.read_message() is not None:
         pass
-    assert back.close_code == 1013  # the place is another's by now
+    assert back.close_code == 1013  # the place belongs to another visitor now
     back.close()
     admission = server.context.admission
     for session, guest in list(admission.guests.items()):
         admission.guests[session] = guest._replace(last_active=guest.last_active - IDLE)
     admission.note_activity(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
     tickets = [await page(f"203.0.{n}.1") for n in range(5)]
-    assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
+    assert sum(reply.status == 200 for reply in tickets) == 3  # the active visitor stays
     assert socket.close_code is None
     await Caller(socket).depart()
     await server.end()
@@ -131,7 +131,7 @@ def test_places_are_counted_in_words(number: int, word: str) -> None:
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server with one place, which is free again soon after its visitor has left."""
+    """A server with one place, which is free soon after its visitor has left."""
     options = ("--sessions", "1", "--unused-seconds", "0.5")
     with serving(tmp_path_factory.mktemp("server") / "log", options=options) as running:
         yield running

@@ -53,7 +53,7 @@ def test_what_a_link_says_is_no_script_of_the_page(server: Server) -> None:
 def test_a_scene_needs_nothing_that_its_page_does_not_allow(
     server: Server, new_page: Callable[..., Page], slug: str
 ) -> None:
-    """A browser that refuses something says so on the console."""
+    """A browser reports refused content on its console."""
     page = new_page(bypass_csp=False)
     page.goto(f"{server.url}?scene={slug}")
     expect(page.locator("html[data-ready=true]")).to_be_attached(timeout=30_000)

@@ -1,4 +1,4 @@
-"""Health and metrics for proxies and people who run the server, and the end of a server."""
+"""Health and metrics for proxies and operators, and the end of a server."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ def test_figures_count_what_happens(tmp_path: Path) -> None:
         ask(server.url, "/nowhere")
         now = figures(server)
         assert now["oscillations_arrivals_total"] - before["oscillations_arrivals_total"] == 2
-        assert now["oscillations_change_seconds_count"] == 2  # that the page is ready is the other
+        assert now["oscillations_change_seconds_count"] == 2  # the other says that the page is ready
         assert (now["oscillations_sessions"], now["oscillations_sockets"]) == (2, 1)
         assert now["oscillations_measurements"] == 0
         assert (now["oscillations_line"], now["oscillations_errors_total"], now["oscillations_answers"]) == (0, 0, 0)
         assert now["oscillations_build_info"] == 1
         assert now["process_resident_memory_bytes"] > 1e7
-        async with asyncio.timeout(30):  # it is looked at now and then
+        async with asyncio.timeout(30):  # it is measured periodically
             while (
                 figures(server)["oscillations_loop_lag_seconds_count"] <= before["oscillations_loop_lag_seconds_count"]
             ):

@@ -1,4 +1,4 @@
-"""The scripts that every page needs are sent as one file, as they were written but for what binds them."""
+"""The scripts that every page needs are sent as one file, unchanged except for imports and exports."""
 
 from __future__ import annotations
 

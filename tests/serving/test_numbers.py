@@ -1,4 +1,4 @@
-"""Numbers by address: what a page takes away, for pandas and for curl, and for nobody more than is good."""
+"""Files of numbers by address: equal to those of a page, readable by pandas and curl, and limited in rate."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def link_table(query: str) -> bytes:
 
 
 def files_of(query: str, page: str) -> dict[str, bytes]:
-    """The files that a page takes away, by the names of their tables."""
+    """Return the files that a page saves, by the names of their tables."""
     now = visited(as_arguments(query), NO_WALKS).now
     file = as_file(now.asked, now.to_send[0], page)
     if file.kind == "text/csv":
@@ -101,14 +101,14 @@ def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sen
 
 
 def test_a_window_too_short_for_its_points_is_no_fault(server: Server) -> None:
-    """The power of `driven` once divided by the time between two points, which is 0 here, and the server said 500."""
+    """The power of `driven` once divided by the time between two points, which is 0 here; the server answered 500."""
     query = "kind=unbalance&F_0=1e100&omega=11.729809191764284&k=1e-300&c=33.108882784528554&keep=zeta&x_0=-1e-100"
     reply = ask(server.url, f"/data.csv?scene=driven&window=5e-324&{query}")
     assert reply.status == 400 and "range of doubles" in reply.text
 
 
 class Worker:
-    """Keeps jobs, and their replies back."""
+    """A worker that holds jobs and their replies."""
 
     def __init__(self) -> None:
         self.jobs: list[tuple[WorkerJob, str, Future[Replied]]] = []
@@ -119,7 +119,7 @@ class Worker:
 
 
 async def test_the_worker_makes_the_file_for_the_network_that_asks() -> None:
-    """The event loop goes on meanwhile; the job of a client who leaves is taken back."""
+    """The event loop continues meanwhile; the job of a client who leaves is cancelled."""
     worker = Worker()
     running = Serving(
         lambda document: None, Settings(address="127.0.0.1", port=0), extensions=[NumbersRoute(worker, 9)]
@@ -161,7 +161,7 @@ def test_a_network_asks_for_as_many_tables_as_it_opens_pages(tmp_path: Path) -> 
 
 @pytest.mark.parametrize("message", [{"type": "csv", "page": "http://here/"}, {"type": "about"}], ids=["csv", "about"])
 async def test_a_page_gives_long_jobs_to_a_worker_that_is_idle(message: dict[str, Any]) -> None:
-    """The worker once counted as no worker at all while it had no jobs."""
+    """A worker without jobs was once treated as missing."""
     worker = ReadingProcess("tests.serving.hanging")
     running = Serving(partial(walked([]).open_page, apart=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS)
     visitor = await Visitor.arrive(f"http://127.0.0.1:{running.port}/", "scene=coupled")

@@ -1,4 +1,4 @@
-"""`panel serve app.py`: the scenes as Panel users expect them, and a sentence that says how the lecture is started."""
+"""`panel serve app.py`: the scenes as Panel applications, and a sentence on how to start the lecture."""
 
 from __future__ import annotations
 

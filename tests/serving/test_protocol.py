@@ -1,4 +1,4 @@
-"""The server against those who do not use our page."""
+"""The server and clients other than our page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sessions: who opens one, who does not, and that none is left behind. In one process, on a port of this machine."""
+"""Sessions: who opens one and who does not; none is left open. In one process, on a port of this machine."""
 
 from __future__ import annotations
 
@@ -210,7 +210,7 @@ async def test_a_page_has_one_socket() -> None:
         first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
         assert await first.closed() == (1008, "This page has a newer connection.")
         await until(lambda: len(server.context.admission.sockets) == 1)
-        for _ in range(3):  # the welcome
+        for _ in range(3):  # the greeting
             await second.receive()
         await second.say(header("PULL-DOC-REQ"), "{}", "{}")
         assert await second.receive()

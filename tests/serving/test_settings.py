@@ -1,4 +1,4 @@
-"""The settings: from options and the environment, each value checked before anything starts."""
+"""The settings: from options and environment variables, each checked before the server starts."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ WRONG = [
     ("WALKS", "/nowhere/walks"),
 ]
 OTHERWISE = set(SECRETS)
-"""A secret is not repeated."""
+"""A secret does not appear in the refusal."""
 
 
 def test_each_setting_is_tried_with_a_wrong_value() -> None:
@@ -142,7 +142,7 @@ MALFORMED = [
 
 
 def usable(settings: Settings) -> bool:
-    """Whether a server can work with settings: what it does with each of them while it runs raises nothing."""
+    """Return True if a server can use the settings: none of its later uses of them raises."""
     settings.hosts(settings.port)
     networks((*settings.trusted_proxies, *settings.metrics_for))
     policy(settings.frame_ancestors).encode("ascii")  # a header
@@ -211,7 +211,7 @@ def test_each_name_is_known_and_its_double_letter_or_missing_letter_is_named(nam
 SERVICES = ["LECTURE", "STORE", "REDIS", "VALKEY", "SESSION", "PUBLIC", "CLASS", "PORT", "WALKS", "SHOW", "ADDRESS"]
 PORTS = ["PORT", *(f"PORT_5006_TCP{part}" for part in ("", "_ADDR", "_PORT", "_PROTO"))]
 INJECTED = [*PORTS, "SERVICE_HOST", "SERVICE_PORT", "SERVICE_PORT_HTTP"]
-"""Names that Kubernetes makes for each service."""
+"""Names that Kubernetes creates for each service."""
 OTHERS = {
     *(setting.env_var for name, setting in vars(type(bokeh_settings)).items() if hasattr(setting, "env_var")),
     *(f"{service}_{more}" for service in SERVICES for more in INJECTED),

@@ -1,4 +1,4 @@
-"""The page around a scene: what a browser asks for, and that a new version is not mixed with what it has kept."""
+"""The page around a scene: the requests of a browser, and versions that are not mixed with cached files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from components.serving.shell import library, version
 from tests.serving.server import ROOT
 
 MOST = 20
-"""Requests until a scene is drawn, spoken of and ready to be printed."""
+"""Requests until a scene is drawn, described and ready for printing."""
 
 
 def test_every_address_of_the_page_is_served() -> None:
@@ -49,5 +49,5 @@ def test_scripts_and_styles_are_asked_for_once_and_by_names_that_change_with_the
     assert len(scripts) == len(set(scripts)) > 2
     assert [url for url in scripts if not re.search(r"/assets/[0-9a-f]{12}/", url)] == []
     assert len(asked) < MOST
-    # What is there for those who hear or print the page comes when all is drawn; the rest when it is asked for.
+    # Scripts for screen readers and printing come after everything is drawn, others on demand.
     assert not any(f"/{name}.js" in url for name in ("about", "picker", "run_bar", "take") for url in scripts)

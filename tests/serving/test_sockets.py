@@ -1,4 +1,4 @@
-"""A socket's queue: what becomes of it when its visitor leaves."""
+"""A socket's queue after its visitor has left."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from components.serving.sockets import CHEAP, Socket, metered
 
 
 def test_who_leaves_while_a_change_is_answered_is_no_visitor_any_more() -> None:
-    """The connection has no session then: nothing is counted, and nothing goes wrong."""
+    """The connection has no session then: nothing is counted, and no error occurs."""
 
     async def leave(_: Any) -> None:
         socket.gone.set()
@@ -27,7 +27,7 @@ def test_who_leaves_while_a_change_is_answered_is_no_visitor_any_more() -> None:
 
 
 def test_who_asks_for_much_waits_for_longer_than_it_took() -> None:
-    """An answer that is cheap is waited for as long again, and a dear one many times as long."""
+    """A cheap answer is awaited for as long again, an expensive one many times as long."""
 
     def rest_after(seconds: float) -> float:
         async def work(_: Any) -> None:

@@ -1,4 +1,4 @@
-"""The start page: it stands where a link opens no scene, and costs no session."""
+"""The start page: it is shown if a link opens no scene, and needs no session."""
 
 from __future__ import annotations
 

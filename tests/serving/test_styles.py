@@ -1,4 +1,4 @@
-"""The style sheet: one on the wire, of several files by concern and those of single scenes."""
+"""The style sheet: one file for the browser, from several files by concern and those of single scenes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONGEST_FILE, LONGEST_LINE = 300, 120
 
 
 def rules(nodes: list[Node], where: str = "") -> Iterator[tuple[str, list[str]]]:
-    """The declarations of each rule, under the layer, the conditions and the rules that it stands in."""
+    """Yield the declarations of each rule, with its layer, conditions and outer rules."""
     for node in nodes:
         if isinstance(node, AtRule | QualifiedRule) and node.content is not None:
             inside = f"{where} {getattr(node, 'at_keyword', '')} {tinycss2.serialize(node.prelude).strip()}"
@@ -41,13 +41,13 @@ EM = re.compile(r"([\d.]+)em\b")
 
 
 def modes() -> set[tuple[str, str]]:
-    """The container and the condition of each layout mode that the style sheet's head lists."""
+    """Return the container and condition of each layout mode that the head of the style sheet lists."""
     found = MODE.findall((STYLES / "style.css").read_text("utf-8"))
     return {(one or other, condition or alone) for one, condition, other, alone in found}
 
 
 def sizes_asked() -> set[tuple[str, str]]:
-    """Each container or window and each condition on its size in a part of the style sheet, in px."""
+    """Yield each container or window and each condition on its size in a part of the style sheet, in px."""
     asked = [query for path in PARTS for query in QUERY.findall(path.read_text("utf-8"))]
     plain = {
         (name or "window", EM.sub(lambda found: f"{16 * float(found[1]):g}px", text).strip()) for name, text in asked
@@ -61,7 +61,7 @@ def test_each_layout_mode_is_named_once_and_no_query_asks_for_another() -> None:
 
 
 def test_scripts_ask_for_no_size_of_the_screen() -> None:
-    """They read what the style sheet makes of it."""
+    """Scripts read the computed style."""
     scripts = [path.read_text("utf-8") for path in STYLES.parent.glob("**/*.js")]
     asked = [query for text in scripts for query in re.findall(r"matchMedia\(([^)]*\)?)", text)]
     assert asked
@@ -128,7 +128,7 @@ def test_the_rules_of_a_scene_lie_with_that_scene() -> None:
 
 
 def test_what_is_not_selected_opens_no_menu_in_safari_either() -> None:
-    """There `user-select` has another name, and a long press opens a menu: no browser of the tests knows that rule."""
+    """Safari needs the prefixed name, and a long press opens a menu there; no browser of the tests uses that rule."""
     found = [{*names} for _, names in all_rules() if "user-select" in names]
     assert found
     assert all({"-webkit-user-select", "-webkit-touch-callout"} <= names for names in found)

@@ -1,4 +1,4 @@
-"""Whom the server believes to be asking, and how many pages one network may open."""
+"""The client address that the server trusts, and the number of pages that one network may open."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ async def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_com
 
 
 async def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
-    """By the token that it has had, expired or not, and no more often than a page does: its successors are still it."""
+    """A page is recognised by its earlier token, expired or not, with a rate limit that its successors share."""
 
     server = Server(open_page, Settings(address="127.0.0.1", port=0, arrivals=2), sheets=SHEETS)
     admission = server.context.admission

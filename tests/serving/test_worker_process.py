@@ -1,4 +1,4 @@
-"""The worker process: one job at a time, a second of a processor each, networks in turn, whatever a job does to it."""
+"""The worker process: one job at a time, one second of CPU each, networks in turn, and failing jobs."""
 
 from __future__ import annotations
 

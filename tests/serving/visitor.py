@@ -1,6 +1,6 @@
 """A visitor without a browser: opens a session, over HTTP and a raw WebSocket, and moves sliders.
 
-It speaks the protocol of Bokeh 3: a message is a JSON header, metadata and content, then two frames a buffer.
+It uses the protocol of Bokeh 3: a message is a JSON header, metadata and content, then two frames per buffer.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from components.session.panel_bridge import FROM_SERVER
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
 
-# What a browser tells of itself as soon as the page is there.
+# Sent by a browser as soon as the page is loaded.
 ABOUT = {
     "dark_mode": False,
     "device_pixel_ratio": 1,
@@ -34,7 +34,7 @@ ABOUT = {
 
 
 USUAL: dict[str, bytes] = {}
-"""The preset dictionary of each sheet, which visitors of one process fetch once."""
+"""The preset dictionary of each sheet, which the visitors of a process fetch once."""
 
 
 @dataclass
@@ -65,7 +65,7 @@ class Visitor:
 
     @classmethod
     async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Visitor:
-        """A page that has its token; ConnectionError where nobody takes it."""
+        """Connect a page that has its token. Raises ConnectionError if no server accepts it."""
         request = HTTPRequest(f"{url.replace('http', 'ws', 1)}ws", headers=headers or {}, connect_timeout=PATIENCE)
         try:
             socket = await websocket_connect(request, subprotocols=["bokeh", token])
@@ -82,11 +82,11 @@ class Visitor:
         return visitor
 
     async def move(self, parameter: str, value: float) -> None:
-        """Move one slider, and wait for the page's new picture."""
+        """Move one slider and wait for the new picture."""
         await self.say({"type": "set", "values": {parameter: value}})
 
     async def say(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send one of the page's messages, and wait for its answer: what it tells, but for its columns."""
+        """Send a message of the page, and return its answer without the columns."""
         self._number += 1
         answered = self._expect(f"answer {self._number}")
         data = _encoded({**message, "number": self._number})
@@ -95,7 +95,7 @@ class Visitor:
         return told
 
     async def depart(self) -> None:
-        """Leave, and wait until the connection has come to its end: a socket left to itself outlives the event loop."""
+        """Leave and wait until the connection has ended, because an open socket can outlive the event loop."""
         self._socket.close()
         if self._reader:
             await asyncio.wait_for(self._reader, PATIENCE)
@@ -116,7 +116,7 @@ class Visitor:
         await self._send("PATCH-DOC", {"events": [event]})
 
     async def _pull(self) -> Any:
-        """The document, once it has come."""
+        """Return the document after it has arrived."""
         pulled = self._expect(f"visitor-{self._number + 1}")
         await self._send("PULL-DOC-REQ")
         return (await asyncio.wait_for(pulled, PATIENCE))["doc"]
@@ -151,7 +151,7 @@ class Visitor:
             for waiting in self._arrived.values():
                 if not waiting.done():
                     waiting.set_exception(closed)
-                    waiting.exception()  # nobody may be left who waits for it
+                    waiting.exception()  # no task may be left waiting for it
 
     def _take(self, name: str, content: Any) -> None:
         waiting = self._arrived.pop(name, None)
@@ -159,7 +159,7 @@ class Visitor:
             waiting.set_result(content)
 
     async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
-        """The messages in a patch, without their columns."""
+        """Return the messages in a patch, without their columns."""
         told = []
         for event in content.get("events", []):
             if event.get("msg_type") == FROM_SERVER:
@@ -170,7 +170,7 @@ class Visitor:
         return told
 
     async def dictionary(self, sheet: str) -> bytes:
-        """The preset dictionary of a scene."""
+        """Return the preset dictionary of a scene."""
         if sheet and sheet not in USUAL:
             text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["preset_dictionary"]
             USUAL[sheet] = text.encode()
@@ -185,7 +185,7 @@ class Visitor:
 
 
 def token_in(page: str) -> str:
-    """The token that opens the page's session."""
+    """Return the token that opens the page's session."""
     token = re.search(r'"token":"([^"]+)"', page)
     if token is None:
         raise ConnectionError("this is not a page with a session")
@@ -214,7 +214,7 @@ def _encoded(value: Any) -> Any:
 
 
 def _models(tree: Any) -> Iterator[dict[str, Any]]:
-    """Every model defined in a serialised document."""
+    """Yield every model of a serialised document."""
     if isinstance(tree, dict):
         if tree.get("type") == "object" and "id" in tree:
             yield tree
