@@ -1,4 +1,4 @@
-"""A server that has lost a class has it again from the instructor's page, and from nobody else."""
+"""A server that has lost a class gets it back from the instructor's page, and from nobody else."""
 
 from __future__ import annotations
 
@@ -48,13 +48,13 @@ async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again(
                 lesson.opened["address"].rpartition("/")[2]
             )
             assert (await lesson.order("put", **CHOICE, vote=2)).status == 204
-            assert (await lesson.order("put", **CHOICE, vote=1)).status == 204  # it goes on, never back
+            assert (await lesson.order("put", **CHOICE, vote=1)).status == 204  # numbers continue and never go back
             assert (await lesson.tally())["vote"] == 2
             await lesson.order("put", **SKETCH)
             await lesson.order("put", **CHOICE)
             assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
             assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
-            assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as it is asked for
+            assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as requested
             assert (await lesson.order("restore", answers=kept)).status == 204
             now = (await lesson.tally())["now"]
             assert now["options"] == [0, 2, 1] and before["now"]["options"] == [1, 2, 0]
@@ -105,7 +105,7 @@ async def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: py
 
 @pytest.mark.parametrize("secret", ["", SECRET])
 async def test_a_server_that_is_started_again_finds_the_code_of_a_key(secret: str) -> None:
-    """Also one whose secret is made at the start: such a one is not in the code."""
+    """A secret made at start-up is safe too, because the code does not contain it."""
     settings = {"bokeh_secret_key": secret} if secret else {}
     async with teaching(**settings) as (_, url):
         lesson = await Class.open(url)
@@ -149,7 +149,7 @@ async def test_what_is_no_answer_is_not_given_back() -> None:
         unfit = {f"{i:011x}abcdefgh": {**good, "option": i} for i in range(9)}
         assert (await lesson.order("restore", answers=unfit)).status == 204
         await lesson.order("put", **CHOICE)
-        assert (await lesson.tally())["now"]["options"] == [1, 1, 1]  # what fits no question counts nowhere
+        assert (await lesson.tally())["now"]["options"] == [1, 1, 1]  # answers that fit no question do not count
         refused = await called(
             url, f"/class/{lesson.code}/lead", "POST", {"type": "restore", "answers": {name: good}}, token
         )
@@ -167,7 +167,7 @@ async def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: s
         voter = room.voter(token)
         await first.vote(room, voter, Given(**CHOICE, option=2))
         kept = await first.copied(room, VOTE)
-        await store.end(code)  # as a store that is started anew
+        await store.end(code)  # like a store that was restarted empty
         again, at_once = await asyncio.gather(second.reopen(code, key, "a" * 64), third.reopen(code, key, "a" * 64))
         assert again.parts["key"] == at_once.parts["key"] == room.parts["key"]
         await second.obey(again, RestoreAnswers(answers=kept))
@@ -180,8 +180,9 @@ async def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: s
 
 
 async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A server with a secret knows the names that it gave, also after a start; of others it takes what phones that are
-    here could have sent."""
+    """A server with a secret knows its names even after a restart; otherwise it accepts what connected phones could
+    send.
+    """
     monkeypatch.setattr(registry, "SPARE", 2)
     async with teaching(bokeh_secret_key=SECRET) as (_, url):
         lesson = await Class.open(url)

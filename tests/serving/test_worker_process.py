@@ -40,7 +40,7 @@ GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
 def hanging() -> closing[ReadingProcess]:
-    """A worker process that comes to no end with some of its jobs, and is ended with the test."""
+    """A worker process in which some jobs never end. It ends with the test."""
     return closing(ReadingProcess("tests.serving.hanging"))
 
 
@@ -62,13 +62,13 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProc
 
 
 def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
+    monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
     with hanging() as beside:
         endless = LinkExport({"scene": [b"endless"]}, "")
         asked = [beside.ask(job) for job in (READ, Reading("endless", MINE), READ, endless, READ)]
         assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
         monkeypatch.setattr(worker_process, "PATIENCE", 0.2)
-        assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
+        assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no CPU time
 
 
 def test_a_fit_that_takes_too_long_ends_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -154,7 +154,7 @@ def test_a_job_that_nobody_waits_for_is_left_out() -> None:
 
 
 class Slow:
-    """Replies when it is told to."""
+    """A worker that replies when the test says so."""
 
     def __init__(self) -> None:
         self.asked: list[tuple[WorkerJob, Future[Replied]]] = []
@@ -170,7 +170,7 @@ class Slow:
 def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
     session, process, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
     session.send, session.worker, session.network = packets.append, process, "192.0.2.0/24"
-    for number in (1, 1, 2):  # the second is the first, said again by a page that has waited long
+    for number in (1, 1, 2):  # the second is a repetition of the first by a page that has waited long
         session.handle({"type": "walk", "name": "mine", "text": MINE, "number": number})
     session.handle({"type": "set", "values": {"k2": 3.0}, "number": 3})
     refused, moved = map(unpacked, packets)
