@@ -408,7 +408,7 @@ class _Whole(NamedTuple):
         return cls(m1, m2, k1, k2, damping, first, float(F_0).as_integer_ratio(), scale)
 
     def at(self, omega: float) -> _Parts:
-        """N, kappa and D for omega = p/q; where k2 = 0, what N and kappa share is left out."""
+        """Return N, kappa and D for omega = p/q; without the common factor of N and kappa where k2 = 0."""
         p, q = float(omega).as_integer_ratio()
         machine, braked = self.k1 * q**2 - self.m1 * p**2, self.c1 * p * q
         inertia = self.m2 * p**2

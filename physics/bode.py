@@ -101,7 +101,7 @@ class ChainResonances(NamedTuple):
 
 @lru_cache(64)  # cached, because a scene needs it again for each change of its drive
 def chain_resonances(chain: DampedChain) -> ChainResonances:
-    """Peaks and dips of the chain under a force on mass 1.
+    """Return the peaks and dips of the chain under a force on mass 1.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def chain_resonances(chain: DampedChain) -> ChainResonances:
 
 
 def driven_resonances(oscillator: DrivenOscillator, kind: Drive = "force") -> Resonances:
-    """Peaks of |X| over F_0, over Y or over mu e.
+    """Return the peaks of |X| over F_0, over Y or over mu e.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ def quarter_lags(chain: DampedChain) -> tuple[float, ...]:
 
 
 def resonances(above: Polynomial, below: Polynomial) -> Resonances:
-    """Peaks, dips and poles of sqrt(above/below) over w > 0, polynomials in w; `below` is nowhere negative.
+    """Return peaks, dips and poles of sqrt(above/below) over w > 0, polynomials in w; `below` is nowhere negative.
 
     Parameters
     ----------

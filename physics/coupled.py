@@ -66,7 +66,7 @@ class Mode(NamedTuple):
         return *self.shape, self.stretch
 
     def sinusoid(self, q: Decimal, v: Decimal) -> ExactSinusoid:
-        """x1, x2, e2, v1, v2 of the motion in which the coordinate starts from q with the velocity v."""
+        """Return x1, x2, e2, v1, v2 of the motion whose coordinate starts from q in m with the velocity v in m/s."""
         with precise():
             rate = -(self.omega**2) * q
             cosine = [*(part * q for part in self.rows), *(part * v for part in self.shape)]
@@ -128,7 +128,7 @@ class TwoMassChain:
         check_not_negative("a stiffness in N/m", k1=self.k1, k2=self.k2)
 
     def modes(self) -> Modes:
-        """Both modes, rounded once from 80 digits.
+        """Return both modes, rounded once from 80 digits.
 
         Returns
         -------
@@ -388,7 +388,7 @@ def free_modes(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike) -> FreeModes
 
 
 def each_mass(name: str, values: ArrayLike) -> Vector:
-    """Two finite numbers, digit for digit.
+    """Return two finite numbers, digit for digit.
 
     Parameters
     ----------

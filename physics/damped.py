@@ -219,7 +219,7 @@ class DampedOscillator:
         return OscillatorMotion(t=t, x=x, v=v, a=acceleration)
 
     def pushed(self, push: PeriodicPush) -> PushedMass:
-        """Its motions under a push.
+        """Return the oscillator under a push.
 
         Parameters
         ----------
@@ -256,7 +256,7 @@ class DampedOscillator:
         return self.pushed(push).steady(t)
 
     def decays(self, x_0: float, v_0: float) -> tuple[Decay, ...]:
-        """x as a sum for a signal, in doubles: one damped swing, or two exponentials.
+        """Return x as a sum for a signal, in doubles: one damped swing, or two exponentials.
 
         If the exponents differ by less than 1e-6, relatively, one exponential with a slope.
 
@@ -289,7 +289,7 @@ class DampedOscillator:
             return (_decay(x, w, sigma),)
 
     def fading(self, x_0: float, v_0: float) -> tuple[Fading, Fading, Fading]:
-        """x, v and a for signals: regular at critical damping.
+        """Return x, v and a for signals: regular at critical damping.
 
         Parameters
         ----------

@@ -5,8 +5,8 @@
     X2/X1 = (k2 + c2 s)/(m2 s^2 + c2 s + k2) = (m1 s^2 + (c1 + c2) s + k1 + k2)/(k2 + c2 s)
 
 The damping is proportional if c1 k2 = c2 k1 (T. K. Caughey and M. E. J. O'Kelly, J. Appl. Mech. 32 (1965) 583). Each
-mode then keeps its undamped shape, and both of its roots. If damping is not proportional, two
-different roots have two different shapes, so two real roots never form a mode.
+mode then keeps its undamped shape, and both of its roots. Otherwise two different roots have two different shapes, so
+two real roots never form a mode.
 
 Roots and shapes are computed with 120 digits or more and rounded once. Equalities between parameters are tested
 without error on the numbers as they are written in decimals: 0.3 is 3/10.

@@ -114,7 +114,7 @@ class DrivenOscillator:
         return DampedOscillator(m=self.m, c=self.c, k=self.k)
 
     def at_resonance(self, omega: float) -> bool:
-        """True if no steady part exists: no damping, and the drive at omega_n to the nearest double.
+        """Return True if no steady part exists: no damping, and the drive at omega_n to the nearest double.
 
         Parameters
         ----------
@@ -230,7 +230,7 @@ class DrivenOscillator:
         return DrivenMotion(t, x, v)
 
     def push(self, omega: float, size: float = 1.0, kind: Drive = "force") -> Push:
-        """The motion from rest as numbers for a signal.
+        """Return the motion from rest as numbers for a signal.
 
         Parameters
         ----------

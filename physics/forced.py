@@ -166,7 +166,7 @@ class DrivenModes:
         return FreeModes(self.chain, self.free.coordinate, coordinates(self.chain, (v1_0, v2_0)))
 
     def complementary(self, t: ArrayLike) -> Array:
-        """x_c (2, n); ValueError at resonance.
+        """Return x_c (2, n); ValueError at resonance.
 
         Parameters
         ----------
@@ -186,7 +186,7 @@ class DrivenModes:
         return self.complementary_modes.motion(t).x
 
     def particular_motion(self, t: ArrayLike) -> Array:
-        """x_p (2, n) = Xp sin(omega t); ValueError at resonance.
+        """Return x_p (2, n) = Xp sin(omega t); ValueError at resonance.
 
         Parameters
         ----------

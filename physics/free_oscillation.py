@@ -42,7 +42,7 @@ class FreeOscillation:
         return self.oscillator.constants(self.x_0, self.v_0)
 
     def amplitude(self, derivative: int) -> float:
-        """C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0.
+        """Return C, omega C or omega^2 C, of x, v or a; of a free mass |x_0|, its constant speed, or 0.
 
         Parameters
         ----------

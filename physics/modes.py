@@ -8,16 +8,15 @@ At any omega each row alone fixes a shape:
 
     row 1:  X2/X1 = (k1 + k2 - m1 omega^2)/k2        row 2:  X2/X1 = k2/(k2 - m2 omega^2)
 
-Both hold for a motion that is not rest only where they are the same equation, which is where
+A motion needs both. They agree only where
 
     D = det A = k2 (k2 - m2 omega^2) (row 1 - row 2) = m1 m2 omega^4 - b omega^2 + k1 k2
 
-vanishes. The same said with forces: to move with X sin(omega t) mass j needs -m_j omega^2 X_j, the springs give
--k1 X1 + k2 (X2 - X1) and -k2 (X2 - X1); a hand would have to add the difference.
+vanishes. In terms of forces: to move with X sin(omega t), mass j needs -m_j omega^2 X_j. The springs give
+-k1 X1 + k2 (X2 - X1) and -k2 (X2 - X1), and a hand would have to add the difference.
 
-What depends on one trial omega is worked out from sums and products without error and rounded once to 80 digits, so
-that it is zero only at a mode, not at the next double, for every positive double; it does not overflow. Curves are in
-float64.
+Values at one trial omega are computed without error and rounded once to 80 digits, so they are zero only at a mode,
+not at the next double, and nothing overflows. Curves are in float64.
 """
 
 from __future__ import annotations
@@ -234,7 +233,7 @@ def quadratic(chain: TwoMassChain) -> Quadratic:
 
 
 def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int]:
-    """D at the frequencies omega (n,) in units of 10**exponent, and that exponent: 0 unless D leaves [1e-150, 1e150].
+    """Return D at the frequencies omega (n,) in units of 10**exponent, and the exponent, 0 for 1e-150 <= |D| <= 1e150.
 
     Computed from its factors, so that it is within 32 u also near a root (u = 2^-53). For omega up to some
     1e3 omega_+.

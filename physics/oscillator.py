@@ -180,7 +180,7 @@ class Oscillator:
 
 
 def phase_of(A: Decimal, B: Decimal) -> float:
-    """atan2(A, B) in (-pi, pi], where A and B may be out of the range of doubles; 0 at rest."""
+    """Return atan2(A, B) in (-pi, pi], where A and B may be out of the range of doubles; 0 at rest."""
     size = max(abs(A), abs(B))
     if not size:
         return 0.0

@@ -6,14 +6,15 @@
         |  \\                    released at rest from theta_0: k = sin(theta_0/2), k' = cos(theta_0/2),
       theta (m)                 T/T_0 = 1/agm(1, k'),   tan(theta/2) = (k/k') cn(omega_0 t; k)
 
-Source: the agm is Gauss's; the Jacobi functions come from descending Landen transformations (R. Bulirsch,
-Numer. Math. 7 (1965) 78). Their chain starts from the phase psi = Omega t, Omega = 2 pi/T the pendulum's true
-frequency: omega_0 and the agm are 80-digit decimals, psi is compensated, and every term of the chain is
-positive. In the second half of a quarter period the chain starts from pi/2 - psi, so that near theta_0 = pi,
-where the bob spends most of its time next to the top, nothing cancels either.
+The Jacobi functions come from descending Landen transformations of the phase psi = Omega t, Omega = 2 pi/T. omega_0
+and the agm (Gauss) are 80-digit decimals, psi is compensated, and every term is positive. In the second half of a
+quarter period the transformations start from pi/2 - psi, so nothing cancels near theta_0 = pi either, where the bob
+spends most of its time next to the top.
 
-Reached: period and excess rounded once for |theta_0| <= math.pi; theta and theta' within 4 u of their
-amplitudes (6 u for theta''), u = 2^-53.
+Period and excess are rounded once for |theta_0| <= math.pi; theta and theta' are within 4 u of their amplitudes
+(6 u for theta''), u = 2^-53.
+
+Source: R. Bulirsch, Numer. Math. 7 (1965) 78.
 """
 
 from dataclasses import dataclass

@@ -122,7 +122,7 @@ class PeriodicPush:
         return self.size * self.omega / (2 * math.pi) if self.kind == "impulses" else 0.0
 
     def has_line(self, n: int) -> bool:
-        """True if the line n > 0 is part of the push.
+        """Return True if the line n > 0 is part of the push.
 
         Parameters
         ----------
@@ -139,7 +139,7 @@ class PeriodicPush:
         return self.kind == "impulses" or n % 2 == 1
 
     def line(self, n: int) -> complex:
-        """f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u; of one that does not repeat there is none.
+        """Return f_n in N of F(t) = sum of Re(f_n exp(i n omega t)), within 4 u.
 
         Parameters
         ----------
@@ -175,7 +175,7 @@ class PeriodicPush:
         return complex(self.size * self.omega / math.pi)
 
     def sizes(self, n: Array) -> Array:
-        """|f_n| (n,) in N for n above 0, in doubles: a missing line may be a rounding error.
+        """Return |f_n| (n,) in N for n above 0, in doubles: a missing line may be a rounding error.
 
         Parameters
         ----------

@@ -288,7 +288,7 @@ class PushHarmonics:
         return self.lines(range(1, _DRAWN + 1))
 
     def has_line(self, n: int) -> bool:
-        """True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth.
+        """Return True if the push has the line n, but for rounding errors: a width of 0.2 is a fifth.
 
         Parameters
         ----------

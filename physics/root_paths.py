@@ -7,7 +7,7 @@ the real axis at simple roots of its discriminant; at double ones both pairs mee
 
 As one dashpot grows two roots end in the roots of dP/dc, one in 0 and one in -infinity:
 
-    c1:  s (m2 s^2 + c2 s + k2)     mass 2 on a standing mass 1
+    c1:  s (m2 s^2 + c2 s + k2)     mass 2 on mass 1 at rest
     c2:  s ((m1 + m2) s^2 + c1 s + k1)     one block on spring 1
 
 If both grow in proportion, two roots creep to -k1/c1 and -k2/c2.

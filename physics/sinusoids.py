@@ -9,8 +9,8 @@ result: errors are 0.5 ulp of the result and less than 0.01 u of the coefficient
 
 Where omega t is below 1/16 throughout, sin(omega t)/omega is written as t (1 + small), which is regular at omega = 0.
 
-Many quantities that are the same few sinusoids times numbers of their own, as the masses of a long chain, need no
-coefficient each: combined() evaluates each sinusoid once and splits its values in the same way.
+If many quantities are the same few sinusoids times different numbers, as the masses of a long chain are, combined()
+evaluates each sinusoid once and splits its values in the same way.
 
 Sources: S. Gal, B. Bachelis, ACM Trans. Math. Softw. 17 (1991) 26 (tables); T. Ogita, S. M. Rump, S. Oishi, SIAM J.
 Sci. Comput. 26 (2005) 1955, and S. M. Rump, T. Ogita, S. Oishi, SIAM J. Sci. Comput. 31 (2008) 189 (sums without

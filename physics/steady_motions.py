@@ -161,7 +161,7 @@ class SteadyMotion:
         return self._in_pieces(np.mod(t, self.period), self.starts)
 
     def force_at(self, t: Array) -> Array:
-        """F (n,) in N at the times t (n,) in s; impulses left out.
+        """Return F (n,) in N at the times t (n,) in s, without impulses.
 
         Parameters
         ----------
@@ -180,7 +180,7 @@ class SteadyMotion:
         return F
 
     def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s, in rising order, at a resonance too.
+        """Return x and v (n,) from x(0) = x_0 and v(0) = v_0 at rising times t (n,) in s, at a resonance too.
 
         Parameters
         ----------
@@ -198,7 +198,7 @@ class SteadyMotion:
         return self.after(x_0, v_0, counts, np.maximum(t - counts * self.period, 0.0))
 
     def after(self, x_0: float, v_0: float, periods: Array, rest: Array) -> tuple[Array, Array]:
-        """x and v (n,) from such a start, at times `rest` (n,) in s after so many periods (n,), in rising order.
+        """Return x and v (n,) from such a start, at times `rest` (n,) in s after so many periods (n,), in rising order.
 
         Parameters
         ----------
@@ -348,7 +348,7 @@ class RestAfterPush:
         return constant(0.0 if self.push.impulsive else self.push.size)
 
     def at(self, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) of the rest.
+        """Return x and v (n,) of the rest.
 
         Parameters
         ----------
@@ -363,7 +363,7 @@ class RestAfterPush:
         return np.full_like(t, self.place), np.zeros_like(t)
 
     def from_start(self, x_0: float, v_0: float, t: Array) -> tuple[Array, Array]:
-        """x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s.
+        """Return x and v (n,) from x(0) = x_0 and v(0) = v_0 at the times t (n,) in s.
 
         Parameters
         ----------

@@ -11,7 +11,7 @@ the exponents of the complex modes, and the motion is a sum over these,
 
     x_i = Im(X_i exp(i omega t)) + Re(sum_s A_is exp(s t)),
 
-each A_is a residue of the Laplace transform of x_i. What dies out is the sum; without damping it never does. Where
+each A_is a residue of the Laplace transform of x_i. The sum is the transient; without damping it does not decay. Where
 exponents nearly coincide, with each other or with i omega, and at first, where x_2 starts like t^4, terms are far
 larger than their sum. So the sum is formed in pairs of doubles and, where it cancels beyond these, in as many digits
 as it takes (A. Ziv, ACM Trans. Math. Softw. 17 (1991) 410).
@@ -106,7 +106,7 @@ class Decaying(NamedTuple):
         return Decaying(self.exponent, self.exponent * self.amplitudes + np.vstack([slopes, 0 * self.amplitudes[:1]]))
 
     def at(self, t: Array) -> Array:
-        """x1, x2 and x2 - x1 (3, n).
+        """Return x1, x2 and x2 - x1 (3, n).
 
         Parameters
         ----------
@@ -250,7 +250,7 @@ class DampedModes:
         return np.asarray((self.particular[:, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
 
     def drawn(self, t: ArrayLike) -> tuple[Array, Array]:
-        """x1, x2, x2 - x1 and their rates of change (3, n), from the terms in doubles.
+        """Return x1, x2, x2 - x1 and their rates of change (3, n), from the terms in doubles.
 
         Parameters
         ----------
@@ -334,7 +334,7 @@ class _Summand(NamedTuple):
 
 
 def in_pairs(modes: Expansion, t: Array, effort: Effort) -> tuple[Array, NDArray[np.bool_]]:
-    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says.
+    """Return x1, x2, x2 - x1, v1, v2 as (5, n), and where they are as exact as `effort` says.
 
     Parameters
     ----------

@@ -2,6 +2,7 @@
 
 python -m tools.docstrings
 
+- The docstring of a function begins with a verb or a noun phrase, not with a symbol or with True.
 - A function has sections for its parameters and its result. With at most two parameters, prose that names them is
   enough: "Return a + b to about 104 bits." A property needs one line with its unit.
 - One of several functions with the same signature may refer to the description of the others, with the words
@@ -32,6 +33,8 @@ NONE = "a docstring"
 DATA = ("dataclass", "NamedTuple")
 SHORT = 2
 """The most parameters that a docstring may explain in prose."""
+FIRST = re.compile(r"(?!True\b)(An?|[A-Z][a-z]+)\b")
+"""The first word of a function's docstring: a verb, or the beginning of a noun phrase; no symbol."""
 AS_IN = re.compile(r"Parameters and result as in `\w+`")
 
 
@@ -80,6 +83,8 @@ def _lacking(node: ast.FunctionDef | ast.ClassDef) -> Iterator[str]:
         return
     names = _named(node)
     if isinstance(node, ast.FunctionDef):
+        if not _is_property(node) and not FIRST.match(text):
+            yield "a first word"
         yield from (error for error in sorted(_raised(node)) if error not in text)
         if AS_IN.search(text):
             return

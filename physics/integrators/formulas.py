@@ -105,7 +105,7 @@ def _eigenmodes(problem: Problem) -> tuple[Array, Array, Array]:
 
 
 def matrix_exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """exp(A dt) from one output time to the next, with the drive as an additional oscillator.
+    """Multiply by exp(A dt) from one output time to the next, with the drive as an additional oscillator.
 
     Parameters and result as in `Runner`.
     """

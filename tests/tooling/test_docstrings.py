@@ -9,6 +9,10 @@ from tools.docstrings import gaps_of
 PARAMETER, RETURNS = "    Parameters\n    ---\n    a : int\n", "    Returns\n    ---\n    int\n"
 RAISES = "    Raises\n    ---\n    ValueError\n        Always.\n"
 RULES = [
+    ('def f():\n    """x and v."""', ("a first word",)),
+    ('def f():\n    """True if it swings."""', ("a first word",)),
+    ('def f():\n    """A curve."""', ()),
+    ('class A:\n    """A."""\n    @property\n    def x(self) -> bool:\n        """True if it swings."""', ()),
     ("def f(a):\n    pass", ("a docstring",)),
     ('def f(a, b):\n    """Return the sum."""', ("a", "b")),
     ('def f(a, b):\n    """Return a + b."""', ()),
