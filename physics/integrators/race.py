@@ -277,7 +277,10 @@ class Ladder:
         return self.runs[-1]
 
     def foreseen(self, setting: float) -> Run | None:
-        """The row of a run that would be far out of time, by the time of the run before it: it is not tried."""
+        """Return the row of a run at `setting` that would be far out of time, by the time of the run before it.
+
+        None if the run is to be tried.
+        """
         before, limit = self.runs[-1] if self.runs else None, self.bench.limits.seconds
         if before is None or before.time is None or self.method.family != "fixed":
             return None
@@ -302,6 +305,7 @@ class Ladder:
         return self.runs[rung]
 
     def ending(self) -> str:
+        """Return why the method is refined no further, as `Run.end`; "" if it is."""
         if self.runs[-1].end:
             return self.runs[-1].end
         if len(self.runs) == len(self._settings):
