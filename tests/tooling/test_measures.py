@@ -93,7 +93,7 @@ def test_files_named_in_code_and_documents_exist() -> None:
     ]
     texts += [ROOT / name for name, source in CODE.items() if source.is_product]
     named = re.compile(
-        r"\b(?:components|docs|physics|static|tests|tools|types)/[\w/-]+\.(?:css|d\.ts|html|js|md|py|toml)\b"
+        r"(?<![\w/])(?:components|docs|physics|static|tests|tools|types)/[\w/-]+\.(?:css|d\.ts|html|js|md|py|toml)\b"
     )
     found = [(path.name, one) for path in texts for one in named.findall(path.read_text(encoding="utf-8"))]
     assert len(found) > 100
