@@ -92,12 +92,12 @@ def forces(
     )
 
 
-def arrows(foot: Number) -> list[Shape]:
-    """The arrows of F_1 and F_2, from the upper part of each mass."""
+def arrows(foot: Number, above: Number = 20) -> list[Shape]:
+    """The arrows of F_1 and F_2, from the upper part of each mass. Their names are so many pixels above them."""
     shapes = []
     for i in BOTH:
         x, y = place(i), foot - 0.78 * side(i)
         tip = x + var(Arrows.newton) * W * var(S.F[i])
         shapes.append(arrow(x, y, tip, y, style="thick", head=18, show=Arrows.forces))
-        shapes.append(text(tip, y - 20, f"*F*_{i}", style="t3 b halo", show=Arrows.forces))
+        shapes.append(text(tip, y - above, f"*F*_{i}", style="t3 b halo", show=Arrows.forces))
     return shapes

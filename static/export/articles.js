@@ -88,8 +88,8 @@ function question({step, card, lecture: {page}}, n) {
  */
 function pictures(page, step) {
   const {stages, plots} = things(page)
-  const isApart = (/** @type {import("../scene/plots.js").Plot} */ {host}) =>
-    host.closest(".column") !== stages[0]?.host.parentElement
+  const isApart = (/** @type {import("../scene/plots.js").Plot} */ plot) =>
+    !stages.length || !page.sheet.isBeside(plot, stages[0])
   const asked = page.plots.filter(({block}) => block.name === step.plot)
   const others = asked.length ? asked : plots.filter(isApart).slice(0, 1)
   const [stage] = stages.slice(0, 1).map(one => stagePicture(one, page, false))

@@ -207,7 +207,9 @@ export function stagePicture(stage, page, captioned = true) {
 
 /** The plots in the picture of a stage. @param {Stage} stage @param {PartHost} page */
 export const plotsUnder = (stage, page) =>
-  page.plots.filter(plot => plot.box && isSeen(plot.host) && (beside(plot, stage) || writesInto(stage, plot)))
+  page.plots.filter(
+    plot => plot.box && isSeen(plot.host) && (page.sheet.isBeside(plot, stage) || writesInto(stage, plot)),
+  )
 
 /** A copy of a drawing without hidden parts. @param {SVGElement} drawn */
 function seenOf(drawn) {
@@ -230,14 +232,13 @@ function plotAt(plot, easel, named) {
   return drawing.over
 }
 
-/** @param {Plot} plot @param {Stage} stage */
-const beside = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement
-
 /** True if a stage draws into the frame of a plot. @param {Stage} stage @param {Plot} plot */
 const writesInto = (stage, {block}) =>
   stage.shapes.some(({spec, group, needs}) => {
     const isShown = spec.kind === "text" && group.style.display === ""
-    return isShown && needs.has(`${block.name}.y1`) && [...needs].some(name => name.endsWith(".x1"))
+    const isAt = (/** @type {string[]} */ ...ends) => ends.some(end => needs.has(`${block.name}.${end}`))
+    const isAcross = isAt("left", "right") || [...needs].some(name => name.endsWith(".x1"))
+    return isShown && isAcross && isAt("y1", "top", "bottom")
   })
 
 /** The rectangle that holds all of these. @param {Element[]} hosts */

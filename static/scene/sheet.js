@@ -32,6 +32,9 @@ export class Sheet {
   /** @type {Map<page.Block, HTMLElement>} */
   hosts = new Map()
 
+  /** @type {Map<Element, HTMLElement>} the row or column of each block, also where a stacked page moves the block */
+  holders = new Map()
+
   /** @type {{host: HTMLElement, height: number | null}[]} stages that stay visible on a phone while it scrolls */
   sticky = []
 
@@ -59,7 +62,9 @@ export class Sheet {
       case "row":
       case "column":
         if (block.gap) host.style.gap = long(block.gap)
-        return host.append(...block.blocks.map(child => this.#block(child)))
+        host.append(...block.blocks.map(child => this.#block(child)))
+        for (const child of host.children) this.holders.set(child, host)
+        return
       case "stage":
         return this.#stage(host, block)
       case "plot":
@@ -77,6 +82,13 @@ export class Sheet {
       case "choice":
         this.choices.push(buildChoice(host, block, message => this.page.send(message)))
     }
+  }
+
+  /** True if the column of a plot is the one in which a stage is. @param {Plot} plot @param {Stage} stage */
+  isBeside(plot, stage) {
+    let holder = this.holders.get(/** @type {Element} */ (plot.host.parentElement))
+    while (holder?.matches(".row")) holder = this.holders.get(holder)
+    return holder !== undefined && holder === this.holders.get(stage.host)
   }
 
   /** @param {HTMLElement} host @param {page.StageBlock} block */

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.boxes import BROKEN
-from tests.browser.waiting import redrawn, seek
+from tests.browser.waiting import passed, redrawn, seek
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -68,3 +68,15 @@ def test_a_flag_of_the_period_plot_is_the_button_of_its_aircraft(page: Page, ope
     page.get_by_role("button", name="Speed of: Glider").click()
     expect(page.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
     assert page.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)
+
+
+def test_with_large_letters_the_name_of_the_dashed_path_is_not_behind_the_mass(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844), scene="phugoid", view="height")
+    page.evaluate("document.documentElement.style.fontSize = '200%'")
+    passed(page)
+    name = page.locator("svg text").filter(has_text="dashed: small swings")
+    expect(name).to_be_visible()
+    assert name.evaluate("""name => [...name.closest("svg").querySelectorAll(".mass, .spring")]
+      .every(part => part.compareDocumentPosition(name) & Node.DOCUMENT_POSITION_FOLLOWING)""")

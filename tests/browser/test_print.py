@@ -33,6 +33,31 @@ def test_a_scene_is_one_sheet_in_ink(new_page: Callable[..., Page], open_scene: 
     expect(sheet).to_have_count(0)
 
 
+def test_a_phone_prints_the_pictures_of_a_desk(new_page: Callable[..., Page], open_scene: Callable[..., Page]) -> None:
+    """The path of an aircraft is printed with it, once. An upright sheet has one column for a few pictures."""
+    for width, height in ((390, 844), (1280, 720)):
+        page = open_scene(new_page(width, height), scene="phugoid", view="height")
+        page.wait_for_function("oscillations.page.print && oscillations.plots.filter(({box}) => box).length === 3")
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        page.emulate_media(media="print")
+        pictures = page.locator(".printed-pictures > div")
+        assert pictures.count() == 3, width
+        share = pictures.last.evaluate("one => one.clientWidth / one.closest('.printed').clientWidth")
+        assert share == pytest.approx(1 if height > width else 0.5, abs=0.01)
+        page.evaluate("dispatchEvent(new Event('afterprint'))")
+
+
+def test_points_over_a_plot_are_printed_with_it(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="phugoid", view="period")
+    page.wait_for_function("oscillations.page.print && oscillations.plots.filter(({box}) => box).length === 2")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    pictures = page.locator(".printed-pictures > div")
+    assert pictures.filter(has_text="period τ").count() == pictures.filter(has_text="Airliner").count() == 1
+    assert pictures.count() == 1
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+
+
 def test_the_absorber_s_sheet_says_its_machine_and_has_each_plot_once_and_wide(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:

@@ -60,6 +60,15 @@ def test_all_of_a_question_is_on_the_first_screen(tour: Page, size: tuple[int, i
         tour.get_by_role("button", name="Skip").click()
 
 
+def test_a_handle_names_the_quantity_that_a_question_is_about(tour: Page) -> None:
+    """Before the answer the axis has no other name."""
+    tour.wait_for_function(AT, arg=STEPS[0].id)
+    for step in STEPS[1:3]:
+        tour.get_by_role("button", name="Skip").click()
+        tour.wait_for_function(AT, arg=step.id)
+    expect(tour.locator(".plot-area .pill:visible")).to_contain_text("frequency ratio")
+
+
 def judged(end: Locator, how: str) -> None:
     """The last page counts the answers and names each step with its result."""
     counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}

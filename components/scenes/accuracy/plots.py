@@ -177,6 +177,7 @@ def growth_plot(of: DrawnAxis, title: str, *, phone: int) -> Block:
         x_column=Axes.period,
         heading=(phrase("", "none", "ink", formula=f"**{title}**{', steps' if keys else ''}"), *keys),
         room=Room(54, 140),
+        style="many",
         phone=phone,
         height=300,
     )
@@ -195,6 +196,7 @@ def picked_plot() -> Block:
         ),
         x_column=Kept.period,
         room=Room(44, 60),
+        style="few",
         phone=17,
         height=150,
         form=Forms.kept,

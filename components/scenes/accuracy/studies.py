@@ -100,6 +100,7 @@ def _length_plot(of: DrawnAxis, title: str) -> Block:
         x_column=Axes.span,
         heading=(phrase("", "none", "ink", formula=f"**{title}**, against the length of the run"),),
         room=Room(60, 140),
+        style="many",
         phone=10,
         height=300,
     )

@@ -27,5 +27,5 @@ HARMONICS, PUSHED = Plot("harmonics", R, RESPONSE.up), Plot("pushed", TIME, X.up
 SUM = Plot("sum", TIME, axis("m", lambda c: (-c.sum_reach, c.sum_reach), room=ROOM, count=2, like=X.up))
 FORCE = Plot("force", TIME, axis("N", lambda c: c.slice_axis))
 REPEATS = form_of(c.repeats)
-OMEGA = handle(c.r, parameter="omega", symbol="ratio r", label="Drive frequency", tint="F", form=REPEATS.name)
+OMEGA = handle(c.r, parameter="omega", symbol="frequency ratio r", label="Drive frequency", tint="F", form=REPEATS.name)
 """The handle of the drive frequency on the axis of r."""

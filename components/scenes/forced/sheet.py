@@ -81,7 +81,7 @@ def _shapes() -> list[Shape]:
         arrow(push, middle, tip, middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
         text(tip, foot - chain.side(1) - 8, "*F*", tint="F", style="t3 b halo"),
-        *arrows(foot),
+        *arrows(foot, above=20 + 14 * NARROW),  # over the name of F
     ]
 
 

@@ -80,6 +80,9 @@ class Places(Declared[Swing]):
     )
 
 
+QUIET: Looks = {"tint": "mute", "style": "t0 halo given names-dashed"}
+
+
 def flight_shapes() -> list[Shape]:
     """Spring, level line, both aircraft and the arrows of h' and v over the plot of the path."""
     level, left = PATH.y(0), PATH.left
@@ -100,6 +103,8 @@ def flight_shapes() -> list[Shape]:
             for part, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
         ),
         circle(X, Y, 0, grab=HELD, **FLOWN),
+        # Large letters reach over the mass.
+        text(PATH.right - 4, PATH.bottom - 6, "dashed: small swings", "end", show=ON_NARROW, **QUIET),
     ]
 
 
@@ -140,13 +145,11 @@ def _labels(left: Number, level: Number) -> list[Shape]:
         for x, y in ((Places.top_x, Places.top_y), (Places.top_lin_x, Places.top_lin_y))
     )
     named: Looks = {"tint": "m1", "style": "halo which", "show": Places.named}
-    quiet: Looks = {"tint": "mute", "style": "t0 halo given names-dashed"}
     return [
         text(0, 17, f"height *h*′ = {S.h} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
         text(BESIDE, 17, f"extra speed *v*′ = {S.v} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, f"{N.verdict}", anchor="end", tint="ink", show=ON_WIDE),
         text(left - 8, level + 5, "level *h*_0", anchor="end", style="t2 b halo"),
-        text(PATH.right - 4, PATH.bottom - 6, "dashed: small swings", "end", show=ON_NARROW, **quiet),
         text(top[0] - 4, top[1], "exact", anchor="end", **named),
         text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", **named),
     ]
