@@ -128,7 +128,7 @@ TILTED = """pairs => {
 }"""
 STACKED = "getComputedStyle(document.querySelector('.paper > .block')).display === 'contents'"
 LINKED = (("v", "plane"), ("a", "law"), ("well", "energy"))
-"""Plots whose lines connect them, next to each other if there is room."""
+"""Pairs of plots connected by lines, next to each other if there is room."""
 
 
 def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:

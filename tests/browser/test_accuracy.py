@@ -25,7 +25,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 UNDER_WAY = re.compile("It begins|is running")
 STEPPING = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")
-"""A method with steps is running. Methods without steps come first and have been measured."""
+"""A method with steps is running. Methods without steps come first and are measured already."""
 
 
 def test_who_leaves_makes_room_for_the_next(new_page: Callable[..., Page], open_scene: Open) -> None:

@@ -1,4 +1,4 @@
-"""Quantities, the description of the controls, and what their messages do to a scene, without a browser."""
+"""Quantities, the description of the controls, and the effect of their messages on a scene, without a browser."""
 
 import math
 from typing import Any, ClassVar
@@ -30,7 +30,7 @@ from tests.scenes.checks import solves
 
 
 class Example(Scene):
-    """A scene with one rule of its own: k2/m1 is at most 1e6."""
+    """A scene with one extra rule: k2/m1 is at most 1e6."""
 
     slug = "example"
     title = headline = "Example"

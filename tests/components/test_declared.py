@@ -1,4 +1,4 @@
-"""Declarations of what a picture has: values follow from them, and mypy, which reads this file, finds a wrong name."""
+"""Declarations of the numbers of a picture: they give its values, and mypy, run on this file, finds wrong names."""
 
 from __future__ import annotations
 

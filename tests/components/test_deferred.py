@@ -1,4 +1,4 @@
-"""Deferred expressions: what a paper says of a case before there is one, and what it must not say."""
+"""Deferred expressions: allowed and forbidden uses of a case in a paper before a case exists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers on the wire: what is put in steps and second differences comes back in the page's own scripts."""
+"""Encoded numbers: steps and second differences are decoded exactly by the page's own scripts."""
 
 from __future__ import annotations
 

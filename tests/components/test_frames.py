@@ -1,4 +1,4 @@
-"""The frame is a value beside the parameters: fit, grow and picture are pure; a session keeps the one it was given."""
+"""The frame is an immutable value: fit, grow and picture are pure functions, and a session keeps a given frame."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tests.page.scripts import played
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 SINES = ("oscillator", "energy", "coupled")
-"""The scenes whose curves over time are what the clock plays, to the last digits."""
+"""Scenes whose curves over time are exactly the motion that the clock plays."""
 spans = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
 
 
@@ -60,7 +60,7 @@ def wider(frame: Frame) -> Frame:
 
 @scenes
 def test_a_picture_keeps_to_its_frame(slug: str) -> None:
-    """The axes have the ranges asked for, and what the clock plays stays on the curves."""
+    """The axes have the requested ranges, and the played motion stays on the curves."""
     for scene in each(slug):
         frame = wider(draw(scene.value).frame)
         picture = scene.picture(frame)

@@ -83,7 +83,7 @@ def test_walks_of_values_never_shrink_a_frame_nor_leave_it(slug: str, steps: lis
         assert (after.window, after.speed) == (before.window, before.speed)
         assert (after.scale or 0) <= (before.scale or 0)
         check_nothing_outside(slug, page.shown)
-        # The same again moves nothing: there is no flipping.
+        # The same change again has no effect, so the frame does not flip back and forth.
         set_value(page, {name: msgspec.to_builtins(getattr(page.scene, name))})
         assert page.now.drawn.frame == after
     check_picture(page.now)

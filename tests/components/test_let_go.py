@@ -1,4 +1,4 @@
-"""When a hand lets go: what is hardly used of a frame is fitted anew, once, and nothing else is."""
+"""The end of a drag: axes that are hardly used are fitted once; others stay."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def let_go(page: Page) -> State:
 
 
 def essence(told: dict[str, Any]) -> str:
-    """A message but for its number, to compare."""
+    """A message without its number, for comparison."""
     return json.dumps({**told, "answer": None}, default=lambda column: column.tolist())
 
 
@@ -79,7 +79,7 @@ def test_after_a_sweep_of_any_slider_nothing_is_lost_in_its_axes(slug: str) -> N
 
 @pytest.mark.parametrize("slug", MOVING)
 def test_letting_go_sends_a_picture_only_where_it_is_another(slug: str) -> None:
-    """After any change, of a hand that holds on too: the answer is short where the last one would come again."""
+    """After any change, also during a drag, an answer that would repeat the last one is short."""
     for name, quantity in quantities(SCENES[slug]).items():
         page = Page(SCENES[slug]())
         low, high = page.shown.spans.get(name, quantity.softbounds)
@@ -106,7 +106,7 @@ GRABS = [(slug, grab) for slug in MOVING for _, grab in grabs(SCENES[slug]) if g
 
 @pytest.mark.parametrize(("slug", "grab"), GRABS, ids=lambda one: one if isinstance(one, str) else one.label)
 def test_the_axes_that_a_hand_moves_along_stay_and_the_others_grow(slug: str, grab: Grab) -> None:
-    """While it holds on, by far and by little; when it lets go, by little."""
+    """During a drag, by much and by little; at its end, by little."""
     page = Page(SCENES[slug]())
     along = sorted({way.axis for way in grab.ways if way.axis in page.shown.axes})
     name = grab.ways[0].parameter

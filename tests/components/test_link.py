@@ -1,4 +1,4 @@
-"""Links: what differs from the default comes back; what is bad is named and the rest kept."""
+"""Links restore all non-default values; bad parts are named and the rest is kept."""
 
 import sys
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal

@@ -1,4 +1,4 @@
-"""The server's side of a page: it answers every message, whatever a browser sends, and forgets who has left."""
+"""The server's side of a page: it answers every message of a browser and forgets visitors who have left."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whatever goes wrong, the visitor is told in words, everything is as it was, and the log hears of it once."""
+"""After any error the visitor gets a sentence, nothing has changed, and the log has the error once."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ REFUSED, UNEXPECTED = (1.0, 2.0, 3.0, 4.0), (5.0, 6.0)
 
 
 class Faulty(Scene):
-    """A scene that goes wrong where k is one of FAULTS, and that shows what cannot be sent where k is 7 or 8."""
+    """A scene that fails if k is one of FAULTS, and whose picture cannot be sent if k is 7 or 8."""
 
     slug = title = headline = "faulty"
     lecture = "none"

@@ -1,4 +1,4 @@
-"""A sheet tells its author of a block that nobody would see."""
+"""A sheet rejects a block that would never be visible."""
 
 from __future__ import annotations
 

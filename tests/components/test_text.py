@@ -1,4 +1,4 @@
-"""Formulas: what the converter is corrected in, and that the font has every sign of them."""
+"""Formulas: corrections of the converter's output; the font has every character."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text typed into a field: numbers, expressions and units, in the field's own unit or refused in words."""
+"""Text typed into a field: numbers, expressions and units are converted to the field's unit or refused."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ EXTREME_LINKS = (
     "scene=absorber&omega=5e-324&window=1e-80",
     "scene=modes&view=hunt&window=5e-324&m2=2.035838133457214e-146&x2_0=-1.7976931348623157e308",
 )
-"""Their pictures need more than a double holds."""
+"""Their pictures need numbers beyond the range of doubles."""
 
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:
@@ -105,7 +105,7 @@ def solves(scene: Scene) -> list[Any]:
 
 
 def moved(scene: type[Scene]) -> dict[str, float]:
-    """One quantity of the first group that stands at another value."""
+    """Another value for one quantity of the first visible group."""
     forms = scene().shown.forms
     shown = [name for group in scene.groups if group.is_shown(forms) for name in group.names]
     name = next(name for name in shown if name in quantities(scene))

@@ -70,7 +70,7 @@ def damped(scene: Any) -> Truth:
 
 
 def _home(m: Any, c: Any, k: Any, x: Any, v: Any) -> Any:
-    """The time at which a mass that creeps back is within 1 % of its start, by bisection."""
+    """The time after which an overdamped mass is within 1 % of its initial displacement, by bisection."""
     low, high = mp.mpf(0), 100 * c / k + 100 * m / c
     for _ in range(100):
         middle = (low + high) / 2
@@ -123,7 +123,7 @@ def coupled(scene: Any) -> Truth:
         M = m1 + m2 * ratio**2
         q, rate = (m1 * x1 + m2 * ratio * x2) / M, (m1 * v1 + m2 * ratio * v2) / M
         X = mp.hypot(q, rate / w)
-        # A start that is given by its modes is rounded, so a small mode has the errors of the whole start.
+        # Initial conditions given by modes are rounded, so a small mode has the errors of the sum.
         whole = mp.hypot(m1 * x1, m1 * v1 / w) / M + abs(ratio) * mp.hypot(m2 * x2, m2 * v2 / w) / M
         size = X + ROUNDED * whole
         found |= {f"M_{sign}": M, f"E_{sign}": (M * (rate**2 + w**2 * q**2) / 2, M * w**2 * size**2)}

@@ -150,7 +150,7 @@ def test_only_the_scene_that_measures_errors_has_nothing_to_say() -> None:
 
 @each_scene
 def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
-    """A few ulp of its largest value are added to every column: each row that shows one is then beyond its bound."""
+    """Add a few ulp of its largest value to every column: each row that depends on it then exceeds its bound."""
     scene = SCENES[slug]()
     if slug == "modes":
         scene.set({"view": "sweep"})

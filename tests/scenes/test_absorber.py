@@ -94,7 +94,7 @@ def test_what_is_drawn_and_played_obeys_newtons_laws(values: dict[str, Any]) -> 
 
 
 def test_from_rest_the_tuned_machine_swings_all_the_same() -> None:
-    """x_p stands still; from rest, undamped, the machine reaches 5.18 mm (the goal is 1 mm), alone 50 mm, not 25.5."""
+    """x_p is zero; from rest and undamped, the machine reaches 5.18 mm (the goal is 1 mm), alone 50 mm, not 25.5."""
     scene = Absorber(view="rest", window=30.0)
     shown = scene.shown
     assert [shown.values[name] for name in ("rest1", "rest_alone", "judged", "judged_alone")] == [
@@ -109,7 +109,7 @@ def test_from_rest_the_tuned_machine_swings_all_the_same() -> None:
 
 @pytest.mark.parametrize("F_0", [1.0, 1.6, 2.5, 500.0, 15e3, 2e4, 1e9, 1.4e-6])
 def test_swing_and_stroke_are_counted_in_one_unit(F_0: float) -> None:
-    """Their numbers stand beside both plots and in sentences: where one axis ends at 0.9 m, the other ends at 1.2 m."""
+    """Their numbers are next to both plots and in sentences: if one axis ends at 0.9 m, the other ends at 1.2 m."""
     shown = Absorber(F_0=F_0, omega=50.0, tuning="free").shown
     swing, stroke = shown.axes["X1"], shown.axes["X2"]
     assert swing.full_unit == stroke.full_unit == shown.values["x_unit"] and len(stroke.ticks) >= 2
@@ -177,7 +177,7 @@ def test_next_to_a_resonance_it_beats_and_does_not_grow_without_limit(view: str)
 
 
 def drawn_to(told: dict[str, Any]) -> float:
-    """The width of a metre on the stage, of which the picture counts in the unit of its axis."""
+    """The width of one metre on the stage, although the picture uses the unit of its axis."""
     axis = told["view"]["axes"]["X1"]
     return float(told["view"]["scalars"]["metre"] / axis["factor"] / 10.0 ** axis["exponent"])
 

@@ -1,4 +1,4 @@
-"""Scene accuracy: what it shows of measured runs, without measuring."""
+"""Scene accuracy: its picture of recorded runs, without measuring."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class HalfDone:
         return replace(self.job, state="done") if self.done and system == self.job.system else None
 
     def leave(self, *_: object) -> None:
-        """Nobody is kept here."""
+        """No visitor is kept here."""
 
 
 def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monkeypatch: pytest.MonkeyPatch) -> None:

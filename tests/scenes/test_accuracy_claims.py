@@ -27,7 +27,7 @@ def quoted(slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
 
 
 def stepping(slug: str, wanted: float, compiled: bool) -> dict[str, float]:
-    """Evaluations of the methods with steps of their own, but for one that 1,000 restarts make better than asked."""
+    """Evaluations of the adaptive methods, without one that 1,000 restarts make more accurate than asked."""
     found = {name: price for name, price in quoted(slug, wanted, compiled).items() if name != "fortran"}
     return {name: p.evaluations or 0.0 for name, p in found.items() if METHODS[name].family in ("fixed", "adaptive")}
 

@@ -19,7 +19,7 @@ from tests.scenes.checks import quantities
 systems = pytest.mark.parametrize("slug", ANALOGUES)
 G = 9.81
 
-# What omega_n is, once more, from the table of the lecture.
+# omega_n again, from the table of the lecture.
 OMEGA = {
     "spring": lambda s: math.sqrt(s.spring_k / s.spring_m),
     "shaft": lambda s: math.sqrt(s.shaft_k_t / s.shaft_J),

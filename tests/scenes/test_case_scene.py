@@ -1,4 +1,4 @@
-"""A scene made of a case and its paper, with a small scene of its own: mass, spring and dashpot, drawn in two plots."""
+"""A scene made of a case and its paper, tested with a small scene: mass, spring and dashpot, drawn in two plots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The chain: what it starts, keeps and refuses, the browser's motion of it, and the claims of its examples."""
+"""The chain: initial conditions, kept values, refusals, the browser's motion, and the claims of its examples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each sentence of the scenes of D31 holds wherever it stands: over random parameters, by another computation."""
+"""Each sentence of the scenes of D31 is true for random parameters, by an independent computation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each sentence of the scenes of D34 holds wherever it stands: over random parameters, by another computation."""
+"""Each sentence of the scenes of D34 is true for random parameters, by an independent computation."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def amplitudes(scene: Any) -> np.ndarray:
 
 
 def test_a_line_is_found_where_the_path_is_one_and_one_mode_alone_swings() -> None:
-    """The path fills the parallelogram of both modes; its width is measured on it, whatever the time drawn."""
+    """The path fills the parallelogram of both modes; the drawn time does not affect its measured width."""
     draw, seen = Draw("hunt"), set()
     for i in range(2 * DRAWS):
         values = chain(draw, 0.05)
@@ -114,7 +114,7 @@ def mode_ratios(values: dict[str, float]) -> list[float]:
 
 
 def guesses(draw: Draw) -> ModesScene:
-    """A chain, at or near a mode or anywhere, with a shape that may be that of a mode."""
+    """A chain at, near or far from a mode, with an arbitrary shape or that of a mode."""
     values = chain(draw, 0.2)
     scene = ModesScene(view="guess", **values)
     kind = draw.pick.choice(("at", "near", "far"))

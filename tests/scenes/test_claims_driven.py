@@ -1,4 +1,4 @@
-"""Each sentence on driven masses and on the absorber holds wherever it stands: over random parameters."""
+"""Each sentence on driven masses and on the absorber is true for random parameters."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DRAWS = 200 if WHOLE else 80
 
 
 def amplitudes(scene: Any) -> list[Any] | None:
-    """Xp1, Xp2 by elimination in 40 digits; None where there are none."""
+    """Xp1, Xp2 by elimination in 40 digits, or None if they do not exist."""
     A = matrix(scene, mp.mpf(scene.omega) ** 2)
     D = mp.det(A)
     return [-scene.F_0 * A[1, 1] / D, scene.F_0 * A[0, 1] / D] if D else None
@@ -172,7 +172,7 @@ def test_a_tuned_absorber_however_light_grows_as_is_said(omega: float, m2: float
 
 
 def test_within_an_ulp_of_a_resonance_that_hardly_moves_the_machine_it_is_not_said_to_grow() -> None:
-    """For as long as a double tells phases it stays within what is said, and mass 2 goes much farther."""
+    """As long as doubles resolve the phase, the motion stays within the stated bound; mass 2 goes much farther."""
     ulps = 0
     for omega in (1e-6, *np.geomspace(1e-9, 1e-4, 60).tolist()):
         scene = Absorber(omega=omega)

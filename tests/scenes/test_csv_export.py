@@ -1,4 +1,4 @@
-"""The CSV export can be read by a spreadsheet and by pandas, to the last digit, and says what it is of."""
+"""Spreadsheets and pandas read the CSV export to the last digit; it names its scene and parameters."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_units_are_si_whatever_the_axes_count_in() -> None:
     assert list(pd.read_csv(io.BytesIO(pendulum), comment="#"))[2] == "q [rad]"
     rows = taken(SCENES["modes"](view="guess"))["modes-det.csv"]
     assert list(pd.read_csv(io.BytesIO(rows), comment="#")) == ["w [rad/s]", "D [N^2/m^2]"]
-    for values in ({}, {"k": 1.0}):  # drawn over omega/omega_n, whatever that is
+    for values in ({}, {"k": 1.0}):  # drawn over omega/omega_n
         response = taken(SCENES["driven"](**values))["driven-below.csv"]
         assert list(pd.read_csv(io.BytesIO(response), comment="#"))[:3] == ["omega [rad/s]", "M [1]", "lag [rad]"]
     late = taken(SCENES["analogues"]())["analogues-excess.csv"]
@@ -171,7 +171,7 @@ def test_a_frame_has_the_columns_of_a_source_under_the_names_of_the_export(slug:
     scene = SCENES[slug]()
     for table in tables(SCENES[slug], scene.shown):
         if "curve" in table.head:
-            continue  # pieces of one table are sources of their own
+            continue  # pieces of one table are separate sources
         found = pd.DataFrame(scene.frame(table.name))
         assert set(table.head) <= set(found.columns)
         assert np.array_equal(found[list(table.head)].to_numpy(), np.array(table.rows), equal_nan=True)

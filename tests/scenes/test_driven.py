@@ -133,7 +133,7 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
-    """Nothing of it, its circle neither, lies on the formulas below; above its highest arrow is room for a name."""
+    """No part of it, including its circle, overlaps the formulas below; a label fits above its highest arrow."""
     height, names = 260.0, {"wide": 0, "narrow": 1, "W": 358, "H": 260, "response.y0": 0, "response.y1": 0}
     for r, zeta in itertools.product((0.05, 0.5, 0.9, 1.0, 1.4, 2.4), (0.01, 0.2, 1.0, 1.5)):
         scene = DRIVEN(kind=kind, zeta=zeta, omega=r * math.sqrt(39.48))
@@ -215,7 +215,7 @@ def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
     kind: str, power: float, damping: float, window: float, x_0: float
 ) -> None:
-    """Of a motion that a line shows, or a band, or at first a band and then a line; but for half a pixel."""
+    """For a motion drawn as a line, a band, or first a band and then a line; to half a pixel."""
     scene = DRIVEN(kind=kind, omega=2 * math.pi * 10**power, zeta=10**damping, window=window, x_0=x_0)
     t, low, high = shown_x(scene)
     pixel = 0.005 * scene.shown.axes["x"].end

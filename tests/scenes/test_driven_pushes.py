@@ -1,4 +1,4 @@
-"""The driven mass under a square, a triangle and pulses: its motion, its harmonics, and what is said of them."""
+"""The driven mass under a square, a triangle and pulses: its motion, its harmonics, and their texts."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def size_of(scene: Any) -> float:
 
 
 def pushed(scene: Any) -> tuple[DampedOscillator, PushedMass]:
-    """The mass of a scene by itself, and under its push."""
+    """The mass of a scene without its push, and with it."""
     one = DampedOscillator(m=scene.m, c=scene.c, k=scene.k)
     return one, one.pushed(PeriodicPush(kind=scene.push, size=size_of(scene), omega=scene.omega, width=scene.width))
 

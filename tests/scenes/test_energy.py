@@ -1,4 +1,4 @@
-"""Scene energy through its callbacks: the hanging mass, its well, the datum of V, and what gravity does not do."""
+"""Scene energy: the hanging mass, its potential well, the zero of V, and quantities that gravity does not change."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ datums = pytest.mark.parametrize("datum", ["equilibrium", "separate", "slide"])
 
 @datums
 def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
-    """The energies are those of the length from the natural one, with spring and weight as they are."""
+    """The energies follow from the displacement from the natural length, with the actual spring and weight."""
     scene = Energy(**CASE, datum=datum)
     m, k, g = CASE["m"], CASE["k"], CASE["g"]
     data, sag = columns(scene), m * g / k

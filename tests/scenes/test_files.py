@@ -1,4 +1,4 @@
-"""Every file has every motion of its scene, in any state: resolved, finite or refused, and as the physics has it."""
+"""Every file has every motion of its scene in any state: resolved and finite or refused, and equal to the physics."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def shown_motions(now: PageState) -> set[str]:
 
 
 def check_motion(scene: Any, now: PageState, files: Tables) -> None:
-    """It is resolved over ten periods of its fastest part, and at some rows it is the motion of the physics."""
+    """It is resolved over ten periods of its fastest part, and sampled rows agree with the physics."""
     if scene.slug not in TRUE:
         return
     table = next((one for name, one in files.items() if name in ("", "time", "rest") and "t" in one), None)
@@ -195,7 +195,7 @@ TRUE: dict[str, Callable[[Any, np.ndarray], dict[str, np.ndarray]]] = {
 
 @scenes
 def test_a_band_holds_the_motion_and_is_hardly_wider(slug: str) -> None:
-    """In a window so long that no motion is drawn as a line; its first periods have rows of their own."""
+    """In a window so long that no motion is drawn as a line; its first periods have separate rows."""
     kind, held = SCENES[slug], 0
     for label in kind.presets:
         scene = kind.at(kind.preset_all(label))

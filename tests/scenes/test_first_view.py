@@ -1,4 +1,4 @@
-"""The first view of each scene: a name stands beside each symbol that it shows."""
+"""The first view of each scene: each symbol has a name next to it."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def shown(slug: str) -> tuple[View, list[str]]:
 
 @pytest.mark.parametrize("slug", SCENES)
 def test_each_symbol_of_a_first_view_has_a_name_beside_it(slug: str) -> None:
-    """A sentence with a word before its first symbol names what follows; the word “mass 1” names its letter."""
+    """A sentence names a symbol by the word before it; the word “mass 1” names its letter."""
     view, found = shown(slug)
     controls = [f"{key.label} *{symbol[0]}*" for key in view.keys if (symbol := getattr(key, "symbol", ""))]
     sentences = [marked(rich(view.task)), *controls, *found]

@@ -69,7 +69,7 @@ def test_growth_at_resonance_is_said_and_drawn() -> None:
     limit, data = scene.sources["limit"].data, scene.sources["time"].data
     np.testing.assert_allclose(limit["x1_beat"], limit["t"] / 12, rtol=1e-14)
     np.testing.assert_array_equal(limit["x1_fall"], -limit["x1_beat"])
-    # What is left beside the envelope is the fast mode's share, which stays bounded.
+    # The difference from the envelope is the share of the fast mode, which stays bounded.
     assert np.all(np.abs(data["x1"]) < np.interp(data["t"], limit["t"], limit["x1_beat"]) + 0.2)
 
 
@@ -127,7 +127,7 @@ def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None
         (error,) = apply_message(scene, {"type": "act", "name": "steady"}).values()
         assert "is at a natural frequency, where no particular solution exists: another" in error
         assert scene.shown is before
-    # The frequency lies between two doubles: these and no others are at most an ulp away.
+    # The frequency is between two doubles; only these two are at most an ulp away.
     assert seen[0] == "resonance" and seen.count("resonance") == 2
 
 

@@ -1,4 +1,4 @@
-"""Scene forced with dashpots: finite at resonance, and what remains is the particular solution."""
+"""Scene forced with dashpots: the motion is finite at resonance and decays to the particular solution."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def modes_of(scene: Forced) -> DampedModes:
 @pytest.mark.parametrize("chain", CHAINS)
 @pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
 def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: float) -> None:
-    """The browser's signals against the physics' own numbers, to what a drawing shows: places, and Newton's law."""
+    """The browser's signals compared with the physics to the accuracy of a drawing: positions and Newton's law."""
     scene = Forced(**chain, c1=c1, c2=c2, view="forces")
     shown, modes = scene.shown, modes_of(scene)
     axes, t = shown.axes, np.linspace(0.05, 0.97, 4) * shown.axes["t"].end
@@ -87,7 +87,7 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
 
 
 def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
-    """The zero of mass 1 at sqrt(k2/m2) is marked where it is one."""
+    """The zero of mass 1 at sqrt(k2/m2) is marked if it exists."""
     assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
     assert Forced(c1=0.2, k1=0.0).shown.scalars["mark_minus"] == Forced(k1=0.0).shown.scalars["mark_minus"] == 0.0
     assert Forced(c1=0.2, omega=1.0).numbers["Xp1"].value == 0.0 < Forced(c2=0.2, omega=1.0).numbers["Xp1"].value

@@ -1,4 +1,4 @@
-"""Grabs of every scene: their names are those of the scene, and a hand that holds on keeps the frame."""
+"""Draggable shapes of every scene: they use names of the scene, and the frame stays fixed during a drag."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tests.scenes.checks import choices
 AT = 0.37
 """The instant at which a hand takes hold, in the unit of the time axis."""
 NEAR = 0.6
-"""Pixels: a hand rounds what it sets to a half of one, or little more."""
+"""Pixels: a drag rounds the set value to about half a pixel."""
 ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "modes": (
         {"view": "guess"},
@@ -61,7 +61,7 @@ def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
 
 
 def dragged(hand: Hand, grab: Grab) -> bool:
-    """Takes a grip in hand, drags it, and says whether it is drawn at all."""
+    """Take a grip and drag it; return whether it is drawn."""
     before, grip = hand.scene.values, hand.at()
     free = {way.across for way in grab.ways if isinstance(way, Along) and not way.parameter}
     if not grip:
@@ -90,7 +90,7 @@ def dragged(hand: Hand, grab: Grab) -> bool:
 
 @pytest.mark.parametrize(("stiff", "exponent"), [(2.0, 0), (2e10, -6), (2e-12, 6)])
 def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff: float, exponent: int) -> None:
-    """By the slope of its part of the motion, where times are in s, in µs and in 10⁶ s."""
+    """By the slope of its part of the motion, for times in s, in µs and in 10⁶ s."""
     now = fitted(SCENES["coupled"](k1=stiff, k2=stiff, v1_0=0.1 * stiff**0.5).value)
     time, place = now.shown.axes["t"].ruler, now.shown.axes["x"].ruler
     assert (time.exponent, place.exponent) == (exponent, 0)

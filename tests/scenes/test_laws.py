@@ -137,11 +137,11 @@ def test_a_text_of_a_number_is_that_number(slug: str) -> None:
 
 
 AS_SHOWN = ("", "rad/s", "1/s", "rad")
-"""Units in which texts give a number as it is; others follow an axis."""
+"""Units in which texts show a number unscaled; other units follow an axis."""
 
 
 def check_text(text: str, exact: float) -> None:
-    """A plain number is the exact one to half of its third digit, or of its last place."""
+    """A shown number differs from the exact one by at most half of its third digit or of its last place."""
     plain = text.replace("\N{MINUS SIGN}", "-").replace(" ", "")
     if re.fullmatch(r"[-+]?\d+(\.\d+)?", plain):
         places = [-len(plain.partition(".")[2]), *([math.floor(math.log10(abs(exact))) - 2] if exact else [])]

@@ -42,7 +42,7 @@ def visitors(count: int) -> list[Callable[[], None]]:
 
 @pytest.fixture
 def two(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two methods are measured, not eight: they come to their end on a busy machine too."""
+    """Two methods are measured, not eight, so that the run also ends on a busy machine."""
     monkeypatch.setattr("components.scenes.accuracy.measuring.LIVE", TWO)
 
 
@@ -132,7 +132,7 @@ def test_a_network_has_one_measurement_waiting(full: Full) -> None:
     assert queue.ask(systems[0], 30.0, other, "192.0.2.0/24") is job  # the same one is shared
     theirs = queue.ask(systems[1], 30.0, again, "198.51.100.0/24")
     queue.leave(job, other)
-    changed = queue.ask(systems[2], 30.0, ours, "192.0.2.0/24")  # in place of one's own
+    changed = queue.ask(systems[2], 30.0, ours, "192.0.2.0/24")  # in place of the visitor's own
     for each, one in ((changed, ours), (theirs, again)):
         queue.leave(each, one)
 

@@ -123,7 +123,7 @@ def test_a_hand_on_a_root_sets_the_dashpot_of_the_nearest_one(grows: Varied, nam
         value = path.dragged(s + complex((x - 25.0 - one[0]) / x1, (y + 6.0 - one[1]) / y1))
         wanted = [a + value * d for a, d in zip(path.base, path.direction, strict=True)]
         assert value > 0
-        if grows == "both":  # there may be two such values: the hand takes the one next to that of the dashpots
+        if grows == "both":  # there may be two such values: the drag takes the one closer to that of the dashpots
             assert values["c1"] / values["c2"] == pytest.approx(0.8 / 0.5, rel=0.05)
             continue
         assert values == pytest.approx({name: wanted[int(name[1]) - 1] for name in names}, rel=0.05)

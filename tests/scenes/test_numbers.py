@@ -17,7 +17,7 @@ from tests.states import values
 scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
 TOLERANCE = 1e-9
 NO_SHRINK = (Phase.explicit, Phase.generate)
-"""A failing state is reported as it is: shrinking it would take minutes."""
+"""A failing state is reported unshrunk, because shrinking would take minutes."""
 OTHERWISE = {
     "driven": {  # test_driven_pushes
         "P_in",

@@ -77,7 +77,7 @@ def taken_from(slug: str, label: str, before: dict[str, float]) -> Any:
         try:
             scene.set({name: value})
         except ValueError:
-            continue  # refused: the state stays as it was
+            continue  # refused: the state does not change
     scene.set(SCENES[slug].preset_all(label))
     return scene
 

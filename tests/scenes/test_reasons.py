@@ -26,7 +26,7 @@ CODE = re.compile(
 NOT_MET = {
     ("valid", "finite_array"): "the times and frequencies of a picture are made by its scene, in one dimension",
 }
-"""Reasons that no visitor can be told, and why."""
+"""Reasons that no visitor can cause, and why."""
 
 
 def raised() -> Iterator[tuple[str, str, str]]:

@@ -1,4 +1,4 @@
-"""Traces: the browser draws of signals the motion of the physics, as densely as it moves."""
+"""Traces: from signals the browser draws the motion of the physics, with enough points for its fastest part."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from tests.page.headless_page import picture_wire
 NEAR = {"absorber": 1e-7}
 """Of the frame."""
 CORNERS = {"x_sliced": 5e-3}
-"""A sum of slices has a corner of its velocity at each slice, which samples cut."""
+"""The velocity of a sum of slices has a corner at each slice, which sampling cuts off."""
 TOLD, CLOSED = 1e-6, 1e-9
-"""A motion that is told as a table of one period is the first much off, one by a formula the second."""
+"""Error of a motion sent as a table of one period, and of one sent as a formula."""
 
 
 def views(slug: str) -> Iterator[dict[str, Any]]:
@@ -44,7 +44,7 @@ def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
 
 
 def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axis:
-    """The axis that a curve is drawn on; that of the masses of a chain, which are drawn by colour, is of its signal."""
+    """Return the axis of a curve. For a chain's masses, which are drawn by colour, it is the axis of the signal."""
     return picture.axes[column_axes(scene)[source][name] if source in column_axes(scene) else "y"]
 
 
@@ -77,7 +77,7 @@ def test_a_line_stands_for_what_its_samples_resolve(end: float, cycles: float) -
 
 @pytest.mark.parametrize("slug", SCENES)
 def test_no_curve_is_too_sparse_for_its_motion(slug: str) -> None:
-    """At eight times as many instants it reaches as far, but for the least that twelve points a cycle leave out."""
+    """With eight times as many instants it reaches as far, apart from what twelve points per cycle miss."""
     for values in views(slug):
         shown = SCENES[slug].at(values).shown
         for source, one in shown.traces.items():

@@ -1,4 +1,4 @@
-"""Views: what a scene shows, sends and links to in each."""
+"""Views of the scenes: what each shows, sends and links to."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ OLD = [
     ("scene=accuracy&system=wide", "time"),
     *((f"scene=accuracy&view={view}", view) for view in ("time", "growth", "length", "digits", "stability")),
 ]
-"""Links from before there were views, and the view that each opens: also those that name none."""
+"""Links older than views, and the view that each opens; some name none."""
 
 
 @pytest.mark.parametrize(("query", "view"), OLD)
@@ -92,7 +92,7 @@ def test_every_view_has_something_of_its_own(slug: str, view: str) -> None:
 
 
 OTHER_MOTIONS = {"modes"}
-"""Scenes whose views show other motions, each with a file of its own."""
+"""Scenes whose views show different motions, each with a separate file."""
 
 
 @views

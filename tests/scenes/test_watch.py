@@ -1,4 +1,4 @@
-"""The sentence said of each preset when it is taken: there is one, and its claim holds in that preset."""
+"""Each preset has a sentence that is shown when it is chosen, and its claim is true in that preset."""
 
 from __future__ import annotations
 

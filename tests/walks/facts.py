@@ -78,7 +78,7 @@ def longer(one: DampedOscillator) -> float:
 
 
 def home(zeta: float) -> float:
-    """The time until the mass of 1 kg, let go, stays within 1 % of its start."""
+    """The time after which the displacement of the released mass of 1 kg stays within 1 % of its initial value."""
     one = DampedOscillator(m=1, c=2 * zeta * math.sqrt(39.48), k=39.48)
     return FreeDecay(oscillator=one, x_0=0.1, v_0=0.0).settled(0.01) or 0.0
 
@@ -87,7 +87,7 @@ def shaken(zeta: float) -> float:
     return float(abs(magnification(1.6, zeta, "base")[0]))
 
 
-# The answer of each number and point, and what each of its misses is.
+# The answer of each number and point, and the value of each typical wrong answer.
 ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "d31-02": ([heavy.period], [4 * spring.period, spring.period, spring.period / 2]),
     "d31-08": ([2 * hanging.delta_st], [hanging.delta_st]),
@@ -103,7 +103,7 @@ ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "waves-04": ([eight.omega[7]], [eight.string_omega[7], 4.0, 2.0]),
 }
 
-# The periods of sketched curves; of a beat, or of a swing that grows, that of what swings.
+# The periods of sketched curves; for a beat or a growing oscillation, the period of the oscillation.
 slow, fast = free_modes(beats, (0.2, 0.0), (0.0, 0.0)).omega.tolist()
 PERIODS: dict[str, float] = {
     "d31-04": spring.period,

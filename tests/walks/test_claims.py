@@ -48,7 +48,7 @@ def test_there_are_two_frequencies_whatever_the_chain() -> None:
 
 
 def test_one_phase_is_enough_from_rest_and_through_equilibrium() -> None:
-    """d34-09: the start of the answer alone needs two; the others have the one that their reply names."""
+    """d34-09: only the answer excites two modes; the other initial conditions excite the mode named in their reply."""
     starts = (((1, 0), (0, 1)), ((1, 0.5), (0, 0)), ((0, 0), (1, 1.5)), ((1, 0), (0, 0)))
     slow, fast = np.transpose([free_modes(plain, *start).phase for start in starts])
     assert abs(math.sin(slow[0] - fast[0])) > 0.1
@@ -172,7 +172,7 @@ def test_a_damper_brings_odd_powers() -> None:
 
 
 def test_friction_passes_energy_from_the_fast_mode_to_the_slow_one() -> None:
-    """d34-11: it starts in the fast mode alone, and most of what is left is in the slow one."""
+    """d34-11: it starts in the fast mode, and most of the remaining energy is in the slow mode."""
     scene = such("d34-11", 2)
     chain = TwoMassChain(**{name: scene.values[name] for name in ("m1", "m2", "k1", "k2")})
     motion = scene._case().modes.motion(scene.shown.sources["time"]["t"])

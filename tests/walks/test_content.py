@@ -130,7 +130,7 @@ def known_numbers(step: Step) -> tuple[set[float], set[str]]:
 
 
 def numbers_of(step: Step) -> Iterator[str]:
-    """The numbers in the sentences of a step: not those that name a slide or a mass, nor a formula's coefficients."""
+    """The numbers in the sentences of a step, without slide numbers, mass numbers and coefficients of formulas."""
     for _, sentence in step.sentences():
         text = INDEX.sub("", FORMULA.sub("", sentence))
         for match in NUMBER.finditer(text):
@@ -170,7 +170,7 @@ def half_of_its_last_digit(stated: float) -> float:
 
 @every_sketch
 def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
-    """To the last digit that is written, or where an expression tells it as well as a drawn curve says."""
+    """To the last written digit; for an expression, to the accuracy of a drawn curve."""
     subject = Subject("", step, SCENES)
     curves = subject.true(step.plot, step.curves)
     for written, feature in zip(step.must, step.told(step.must, subject), strict=True):
@@ -187,7 +187,7 @@ def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
 
 
 def judged(step: SketchStep, draw: Callable[[Any], Any]) -> tuple[bool | None, str]:
-    """Whether a sketch is right, and what is said of it."""
+    """Return whether a sketch is right, and the reply to it."""
     subject = Subject("", step, SCENES)
     axes = subject.axes(step.plot)
     x = np.linspace(*axes.frame.x, 201)

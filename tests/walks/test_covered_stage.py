@@ -1,4 +1,4 @@
-"""While the stage is covered its bodies stand where their motion begins, and no motion that would answer is sent."""
+"""While the stage is hidden, its bodies stay at their initial positions and no revealing motion is sent."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ RESTING = {"d31-04": "x v", "d31-06": "v", "d34-10": "x2", "tour-04": "x2"}
 
 
 def begun(scene: PageState) -> Iterator[tuple[str, float]]:
-    """The bodies of the stage, and where the values of the parameters have them at first, in the unit of their axis."""
+    """The bodies of the stage and their initial positions from the parameters, in the unit of their axis."""
     for block in blocks(scene.kind.sheet()):
         for shape in block.shapes if isinstance(block, StageBlock) else ():
             for begin in shape.grab.start if shape.grab else ():
@@ -51,7 +51,7 @@ def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
 
 
 def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
-    """Its motion begins at its amplitude, from which the shape could be read."""
+    """Its motion begins at its amplitude, which would reveal the shape."""
     step = next(step for step in STEPS if step.id == "d34-07")
     scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)

@@ -1,4 +1,4 @@
-"""The scale of question and answer: it is the same, so that what the answer makes larger is drawn larger."""
+"""Question and answer have the same scale, so that the larger curve of the answer is drawn larger."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A kind of question is known to one class on each side, and to the list of kinds that stands there."""
+"""Each kind of question is one class in Python and one in JavaScript, listed in one place each."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_nothing_asks_which_kind_a_question_is() -> None:
 def test_an_answer_of_a_page_and_a_store_from_before_is_one(
     walk: str, step: str, answer: dict[str, object], judged: dict[str, object]
 ) -> None:
-    """Phones send all fields, also those that do not belong to the question; stores have kept them."""
+    """Phones send all fields, even those that do not belong to the question, and stores have kept them."""
     whole = {"walk": walk, "step": step, "vote": 2, "option": None, "text": "", "value": None, "curves": {}, **answer}
     bank = QuestionBank(load_walks(()), SCENES)
     found = bank.judge(msgspec.json.decode(msgspec.json.encode(whole), type=Given))

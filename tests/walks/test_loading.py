@@ -1,4 +1,4 @@
-"""A walk's file: what is right is read, what is wrong is named with its file, step and field."""
+"""The file of a walk: valid files are read; errors name the file, step and field."""
 
 from __future__ import annotations
 
@@ -325,7 +325,7 @@ def test_what_is_asked_is_told_from_what_is_given() -> None:
 
 
 def test_the_walks_in_the_docs_are_right() -> None:
-    """The examples of docs/writing-a-walk.md, as they stand there: the first is a walk of three steps."""
+    """The examples of docs/writing-a-walk.md, unchanged: the first is a walk of three steps."""
     docs = (Path(__file__).parents[2] / "docs" / "writing-a-walk.md").read_text(encoding="utf-8")
     examples = [one for one in docs.split("```toml\n")[1:] if one.startswith("title")]
     walks = [read_walk(one.split("```")[0], "docs") for one in examples]

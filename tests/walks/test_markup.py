@@ -1,4 +1,4 @@
-"""The page made of a walk's file: words and MathML, whatever stands in it."""
+"""The page of a walk's file has only words and MathML, whatever the file contains."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ texts = st.lists(st.sampled_from(PIECES), min_size=1, max_size=9).map("".join)
 
 
 class Found(HTMLParser):
-    """A parser, other than the one that checks, that finds what a browser would make of a text."""
+    """A second parser, independent of the checking one, that reads a text as a browser does."""
 
     def __init__(self, html: str) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""Polls in the file of a walk: without cover, explanation or right answer, on what the step before has shown."""
+"""Polls in the file of a walk: they have no cover, explanation or right answer, and keep the previous picture."""
 
 from __future__ import annotations
 

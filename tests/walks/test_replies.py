@@ -19,7 +19,7 @@ STEPS = steps_of(load_walks(()).values())
 
 
 def reply_with(step: str, words: str) -> str:
-    """The reply of a step that says so; the step has it once."""
+    """Return the one reply of a step that contains a text."""
     found = STEPS[step]
     assert isinstance(found, ChoiceStep)
     (reply,) = (one.reply for one in found.options if words in one.reply)

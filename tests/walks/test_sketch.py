@@ -1,4 +1,4 @@
-"""Drawn curves, right, nearly right, wrong and absurd, and what they are found to have."""
+"""Features found in drawn curves: right, nearly right, wrong and absurd ones."""
 
 from __future__ import annotations
 
@@ -137,7 +137,7 @@ AXES = PlotAxes(Axis(0.0, 2.0, unit="ms", factor=1e-3), Axis(-0.2, 0.2, unit="cm
 
 
 def test_a_feature_is_told_by_expressions_of_the_scenes_numbers() -> None:
-    """In SI, whatever unit stands at an axis; what is right for one chain is not for another."""
+    """In SI units, whatever the unit of the axis. A sketch that is right for one chain is wrong for another."""
     numbers = {"tau": 1.0, "X": 0.16}
     told = feature(f="trough", at="tau / 4", tol="0.06 * tau", **{"is": "-X"}, tol_y=3.0).worked_out(numbers, AXES)
     assert (told.at, told.tol, told.value, told.tol_y) == pytest.approx((250.0, 60.0, -16.0, 3.0))

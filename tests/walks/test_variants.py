@@ -1,4 +1,4 @@
-"""Numbers of one's own: a step with `vary` has as many variants as there are seeds, each with its right answer."""
+"""Different numbers for each student: a step with `vary` has one variant per seed, each with its right answer."""
 
 from __future__ import annotations
 

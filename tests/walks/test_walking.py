@@ -1,4 +1,4 @@
-"""A session in a walk: what it opens, what it keeps to itself, and what it says of answers."""
+"""A session in a walk: the states it opens, the data it hides, and its replies to answers."""
 
 from __future__ import annotations
 
