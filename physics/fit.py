@@ -179,7 +179,10 @@ def _careful(data: RowsToFit, modes: int) -> DampedFit:
 def _without_clipped(
     data: RowsToFit, found: LeastSquares, limits: list[tuple[float, float]]
 ) -> tuple[RowsToFit, LeastSquares]:
-    """The rows whose fit stays within the limits, and their fit: the fit decides, as the noise decides of rows."""
+    """The rows at which the fitted motion is within the sensor's limits, and the fit of these rows.
+
+    The fitted values decide, because noise takes some measured values across a limit.
+    """
     before, rows = data, data.rows
     for _ in range(_ROUNDS):
         kept = _below_limits(before, found, limits)

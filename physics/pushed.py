@@ -100,7 +100,7 @@ class PushedMass:
 
     @property
     def steady_exists(self) -> bool:
-        """True if a steady motion exists, decided without error."""
+        """True if a steady motion exists, decided with exact fractions."""
         if not self.push.size:
             return True
         if (self.push.kind == "step" or self.push.mean) and not self.k:

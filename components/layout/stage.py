@@ -172,7 +172,10 @@ def wave(x: Number, y: Number, length: Number, size: Number, turns: Number, phas
 def layers(
     x: Number, y: Number, length: Number, height: Number, count: int, size: Number, turns: Number, **more: Any
 ) -> Shape:
-    """Return `count` slices of a medium to the right of (x, y); edges move along it by size sin(2 pi turns s)."""
+    """Return `count` slices of a medium that begins at (x, y) and extends to the right.
+
+    The edge at the fraction s of the length is displaced to the right by `size` sin(2 pi `turns` s).
+    """
     return Layers(x=x, y=y, length=length, height=height, count=count, size=size, turns=turns, **_common(more))
 
 

@@ -86,8 +86,8 @@ class CasePaper:
 
     @cached_property
     def layers(self) -> dict[str, tuple[str, str]]:
-        """The names of the lower and the upper edge of each layer. The lowest layer is left out, because it is its own
-        upper edge."""
+        """The names of the lower and the upper edge of each layer. The lowest layer is left out: it begins at 0, so
+        its values are its upper edge."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedLayer)]
         return {one.recorded.name: (one.below, one.edge.name) for one in items if one.top is not None}
 

@@ -73,7 +73,7 @@ class Publish(Protocol):
 
 
 class Session:
-    """One visitor's session. Messages only change `now`, an immutable value.
+    """One visitor's session. A message changes only the attribute `now`: a new immutable state replaces the old one.
 
     `send` gets the packed messages for the browser; `scenes` are the available scenes; `later` runs a function under
     the page's lock, for calls from another thread.

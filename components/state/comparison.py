@@ -32,7 +32,7 @@ COVERED = "?"
 
 
 def compared_message(now: PageState, shown: Picture) -> tuple[Held | None, list[Steps]]:
-    """Return the part of the message about the compared picture, without hidden items, and its packed numbers.
+    """Return the message's part about the compared picture, without hidden items, and that picture's packed numbers.
 
     `shown` is the current picture as it is sent.
     """

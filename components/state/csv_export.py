@@ -139,7 +139,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
 
 
 def readouts(told: PageState, picture: Picture) -> list[CsvTable]:
-    """Return the readouts of a picture as a table, if no plot is visible and no readout is covered."""
+    """Return the readouts of a picture as a table, for a scene without plots; nothing if a readout is covered."""
     covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
     found = told.scene.readouts()
     if not found or any(one.is_in(covered) for one in found):

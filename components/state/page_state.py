@@ -138,9 +138,9 @@ def with_values(
 ) -> PageState:
     """Return the page state with other values, in its frame, which grows if necessary.
 
-    During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. A
-    change of display refits the axes that it affects. Raises ValueError, with a reason, for values that the scene
-    cannot have.
+    During a drag (`holding`), the axes `along` it do not grow. A new time window replaces the one of the frame. After
+    a change of the display alone, the axes that it affects are fitted again. Raises ValueError, with a reason,
+    for values that the scene cannot have.
     """
     scene = now.scene.changed(values, in_hand=now.in_hand or holding)
     if scene is now.scene and not released:

@@ -101,8 +101,8 @@ export class Compare {
   }
 
   /**
-   * Tells the server that the change by a slider or key has ended. The server may then fit the frame again; undo takes
-   * back both.
+   * Tells the server that the change by a slider or key has ended. The server may then fit the frame again; one undo
+   * takes back the change and the fit.
    */
   #letGo() {
     const {undoGroup} = this

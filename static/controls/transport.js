@@ -24,7 +24,7 @@ function key(name, drawing, act, style = "icon") {
   return made
 }
 
-/** A factor as text: 1, 1/4 or 1/16 as a fraction, other numbers with two digits. @param {number} factor */
+/** A factor as text: powers of two from 1/16 to 16 as 4× or 1/4×, others with two digits. @param {number} factor */
 function factorText(factor) {
   for (const power of [1, 2, 4, 8, 16]) {
     if (factor === power) return `${power}×`

@@ -9,7 +9,7 @@ import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
 import {Refusal, fetchJson, insist, isMissing} from "./requests.js"
 
-const DOUBTS = 30 // requests until a class that is not found counts as over, because its server may be restarting
+const DOUBTS = 30 // number of requests for a missing class before it counts as over; its server may be restarting
 const ASKING = 1000 // ms between requests
 const BUZZ = 200 // ms of vibration when everyone has answered
 const DEEDS = /** @type {[string, page.Deed][]} */ ([

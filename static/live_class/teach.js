@@ -301,7 +301,7 @@ export class Teach {
     return nameOf(walk) === `${question?.walk}/${question?.step}`
   }
 
-  /** Sends a walk from a file to the room before its first question. @param {Walk} walk */
+  /** If the walk was opened from a file, sends it to the room before its first question is asked. @param {Walk} walk */
   async #askClass({sheet: {name}, step, walks: {own, texts}}) {
     const {askedStep} = this
     if (own.has(name)) {

@@ -162,7 +162,7 @@ export class MeasuredView {
 
   /**
    * Sends a piece of the rows and then what the server needs next, until it has fitted a motion. If the session is new
-   * or the server is busy, it starts again with the first piece.
+   * or the server is busy, all pieces are sent again.
    * @param {Opened} file @param {page.SendRows[]} pieces @param {number} [piece] @param {number} [tries]
    * @returns {Promise<void>}
    */

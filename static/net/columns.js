@@ -53,7 +53,7 @@ function fillPart(part, axes, numbers) {
     for (const [name, [axis, count]] of Object.entries(source)) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
-      const height = high - low // integers count steps over three heights of the frame
+      const height = high - low // each integer is a step of a range that is three frames high
       source[name] = numbers.take(count, low - height, high + height, COLUMN_STEPS)
     }
   }

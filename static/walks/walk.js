@@ -189,8 +189,8 @@ export class Walk {
   }
 
   /**
-   * The next action of the filled button or Page Down: in a class it shows the votes, the answer, the explanation, then
-   * the next step. Outside a class there are no votes.
+   * The next action of the filled button or of Page Down. In a class, one press after the other shows the votes, the
+   * answer, the explanation and the next step. Outside a class there are no votes.
    * @returns {Press}
    */
   get press() {

@@ -148,7 +148,7 @@ def _meanings() -> Iterable[AnyShape]:
 
 
 def _ring() -> Iterable[AnyShape]:
-    """The ring about the picked run, with its method where that has no name yet."""
+    """A ring around the selected run, with the name of its method if the plot does not show that name already."""
     x, y = WORK.x(var(Places.picked_at)), WORK.y(var(Places.picked_error))
     yield circle(x, y, 9, tint="ink", style="pick", show=Places.picked)
     yield text(x, y - 14, f"{N.picked_method}", style="halo", show=Places.picked_named)

@@ -118,7 +118,7 @@ class DampedForcedCase(ForcedCase):
         return self._curves(t, self.motion(t).x), {}
 
     def exact(self, t: Floats) -> Columns:
-        """The curves to the last digit. Raise ValueError if that takes more work than a file may."""
+        """Return the curves, exact to the last digit. Raise ValueError if that takes more work than a file may."""
         return self._curves(t, self.modes.motion(t, FILE).x)
 
     def _curves(self, t: Floats, x: Floats) -> Columns:

@@ -109,7 +109,7 @@ class Undamped(ForcedCase):
         return (self._in_doubles(t), {}) if drawable(self.fastest, t) else self._traced(t)
 
     def exact(self, t: Floats) -> Columns:
-        """The curves to the last digit."""
+        """Return the curves, exact to the last digit."""
         return of_both(*self._parts(t))
 
     def _in_doubles(self, t: Floats) -> Columns:

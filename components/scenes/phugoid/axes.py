@@ -62,7 +62,7 @@ def _ground(swing: Swing, unit: str, factor: float) -> tuple[Axis, Axis]:
 
 
 def _along(low: float, high: float, unit: str, factor: float) -> Axis:
-    """The horizontal axis. Distances of five digits have no power of ten."""
+    """The horizontal axis. Distances below 100,000 are written in full, without a power of ten."""
     axis = nice_axis(low, high, unit, 3, exact=True, factor=factor)
     if not 1e4 <= high / factor < 1e5:
         return axis

@@ -145,7 +145,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
 
 
 class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
-    """The question for a number to type."""
+    """A question whose answer is a number that the student types."""
 
     takes = "text"
     usual_minutes = 3.0
