@@ -160,6 +160,7 @@ def scene_page(query: Query) -> pn.template.FastListTemplate:
         theme_toggle=False,
         main_layout=None,
         sidebar_width=300,
+        meta_viewport="width=device-width, initial-scale=1",
         collapsed_sidebar="Mobi" in pn.state.headers.get("User-Agent", ""),
     )
 

@@ -13,7 +13,7 @@ from bokeh.models import Plot as BokehPlot
 from components.language.shapes import AnyShape, Grab
 from components.panel_face.colours import colours
 from components.panel_face.label_collisions import TextBox, without_collisions
-from components.panel_face.shapes import GlyphRow, evaluated, marks, words
+from components.panel_face.shapes import GlyphRow, evaluated, marks, text_row, words
 from components.panel_face.ways import dragged
 from components.quantities.axes import Axis
 
@@ -36,6 +36,8 @@ GLYPHS: dict[str, tuple[Any, dict[str, str], str]] = {
     "texts": (Text, TEXTS, "x"),
 }
 """The glyph of each kind of mark, its properties that are columns, and the name of its first coordinate."""
+BLANK = text_row(0, 0, "", "ink", "t1", "start").row
+"""Fills the rows of texts that are gone, because BokehJS reports a fault when a source of texts becomes shorter."""
 GRIP = 26  # pixels
 
 
@@ -131,6 +133,7 @@ class ShapeGlyphs:
                 continue
         written = [row | {"text": words(row["text"], texts)} for row in found["texts"]]
         found["texts"] = list(without_collisions([*written, *(row for _, row in flags)], plane.room))
+        found["texts"] += [BLANK] * (len(self.sources["texts"].data["x"]) - len(found["texts"]))
         for of, rows in found.items():
             update(self.sources[of], _columns(of, map(self._placed, rows)))
         self._at = {"x": [float(plane.x(x)) for x, _ in places], "y": [float(plane.y(y)) for _, y in places]}

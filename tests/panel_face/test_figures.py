@@ -14,8 +14,8 @@ from components.panel_face.face import PanelFace
 from components.panel_face.label_collisions import TextBox, box_of, text_width, without_collisions
 from components.panel_face.live_figure import SMALL, WORDS, LiveFigure, LiveStage
 from components.panel_face.shapes import text_row
-from components.scene.face import face_of
 from components.scenes import SCENES
+from tests.panel_face.faces import first_face
 
 STAGE, FRAME = 366, 290
 """Widths in pixels of a stage and of a plot's frame in a page 390 pixels wide."""
@@ -24,7 +24,7 @@ WIDE = 700
 
 def fitted(slug: str, stage: int, frame: int) -> PanelFace:
     """Return a face whose figures have the widths that a browser would report."""
-    face = PanelFace(face_of(SCENES[slug])())
+    face = first_face(slug)
     figures: list[LiveStage | LiveFigure] = [*face.stages.values(), *face.figures.values()]
     for one in figures:
         one.model.set_from_json("inner_width", stage if isinstance(one, LiveStage) else frame)
@@ -38,6 +38,7 @@ def rows(drawing: ShapeGlyphs, one: LiveStage | LiveFigure) -> list[dict[str, ob
     top = one.height if isinstance(one, LiveFigure) else y.start
     high = top / (y.end - y.start) if isinstance(one, LiveFigure) else -1.0
     found = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    found = [row for row in found if row["text"]]
     for row in found:
         row["x"] = (row["x"] - x.start) * one.width / (x.end - x.start)
         row["y"] = (y.end - row["y"]) * high if isinstance(one, LiveFigure) else row["y"]

@@ -27,6 +27,7 @@ from components.scene.picture import draw
 from components.scenes import SCENES
 from components.state.scene_sheet import scene_sheet
 from tests.page.scripts import NODE
+from tests.panel_face.faces import first_face
 from tests.serving.server import ROOT
 
 scenes = pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
@@ -58,8 +59,8 @@ def check_figures(face: PanelFace) -> None:
 
 @scenes
 def test_every_slider_moves_the_scene(kind: type[Scene]) -> None:
-    scene = kind()
-    face = scene.panel()
+    face = first_face(kind.slug)
+    scene = face.scene
     first = numbers(scene)
     assert first
     for name, slider in face.sliders.items():
@@ -76,8 +77,8 @@ def test_every_slider_moves_the_scene(kind: type[Scene]) -> None:
 
 @scenes
 def test_a_field_accepts_typed_text(kind: type[Scene]) -> None:
-    scene = kind()
-    face = scene.panel()
+    face = first_face(kind.slug)
+    scene = face.scene
     for name in face.sliders:
         unit = scene.units().get(name)
         low, high = kind.param[name].softbounds
@@ -90,8 +91,8 @@ def test_a_field_accepts_typed_text(kind: type[Scene]) -> None:
 
 @scenes
 def test_a_refused_value_stays_in_its_field_with_the_reason(kind: type[Scene]) -> None:
-    scene = kind()
-    face = scene.panel()
+    face = first_face(kind.slug)
+    scene = face.scene
     before, shown = numbers(scene), scene.shown
     for one in face.controls:
         if one.row.name in face.sliders:
@@ -107,8 +108,8 @@ def test_a_refused_value_stays_in_its_field_with_the_reason(kind: type[Scene]) -
 
 
 def test_values_refused_by_the_physics_change_nothing() -> None:
-    scene = SCENES["coupled"]()
-    face = scene.panel()
+    face = first_face("coupled")
+    scene = face.scene
     face.widgets["m1"].value = "1e300"
     shown = scene.shown
     face.widgets["k1"].value = "1e-300"
@@ -119,8 +120,8 @@ def test_values_refused_by_the_physics_change_nothing() -> None:
 
 
 def test_an_unexpected_error_is_reported_and_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = SCENES["coupled"]()
-    face, shown = scene.panel(), scene.shown
+    face = first_face("coupled")
+    scene, shown = face.scene, face.scene.shown
     monkeypatch.setattr(scene.scene_kind, "picture", lambda *_: [][1])
     face.widgets["k2"].value = "17"
     assert "Something went wrong" in face.refused.object
@@ -129,8 +130,8 @@ def test_an_unexpected_error_is_reported_and_changes_nothing(monkeypatch: pytest
 
 @scenes
 def test_presets_and_actions_are_buttons(kind: type[Scene]) -> None:
-    scene = kind()
-    face = scene.panel()
+    face = first_face(kind.slug)
+    scene = face.scene
     assert list(face.presets) == list(kind.presets)
     for label, button in face.presets.items():
         button.clicks += 1
@@ -147,7 +148,7 @@ def test_presets_and_actions_are_buttons(kind: type[Scene]) -> None:
 
 @scenes
 def test_the_groups_are_those_of_the_scene(kind: type[Scene]) -> None:
-    face = kind().panel()
+    face = first_face(kind.slug)
     rows = [row for group in scene_sheet(kind).panel.groups for row in group.rows]
     assert [control.row for control in face.controls][: len(rows)] == rows
     assert {row.name for row in rows if isinstance(row, SliderRow)} == face.sliders.keys()
@@ -157,14 +158,15 @@ def test_the_groups_are_those_of_the_scene(kind: type[Scene]) -> None:
 
 
 def test_a_choice_shows_another_curve_or_plot() -> None:
-    scene = SCENES["forced"]()
-    face = scene.panel()
+    face = first_face("forced")
+    scene = face.scene
     response = face.figures["response"]
     before = list(response.model.yaxis[0].major_label_overrides.values())
     face.widgets["curve"].value = "log"
     assert scene.curve == "log"
     assert list(response.model.yaxis[0].major_label_overrides.values()) != before
-    face = SCENES["coupled"](view="energy").panel()
+    face = first_face("coupled")
+    face.scene.view = "energy"
     modes = face.figures["mode_energy"]
     assert modes not in face.seen
     face.widgets["energy"].value = "modes"
@@ -172,8 +174,7 @@ def test_a_choice_shows_another_curve_or_plot() -> None:
 
 
 def test_visible_groups_follow_the_picture() -> None:
-    scene = SCENES["coupled"]()
-    face = scene.panel()
+    face = first_face("coupled")
     column = {part for part, form, _ in face.parts if form == "start_modes"}
     assert not any(view.visible for view in column)
     face.widgets["given_by"].value = "modes"
@@ -214,8 +215,8 @@ def test_every_kind_of_shape_has_its_glyph() -> None:
 
 @scenes
 def test_every_view_draws_its_stage_and_its_plots(kind: type[Scene]) -> None:
-    scene = kind()
-    face = scene.panel()
+    face = first_face(kind.slug)
+    scene = face.scene
     assert face.__panel__().get_root().references()
     for view in kind.views:
         scene.view = view.slug
@@ -227,8 +228,8 @@ def test_every_view_draws_its_stage_and_its_plots(kind: type[Scene]) -> None:
 
 
 def test_the_player_moves_the_stage_the_cursor_and_the_numbers() -> None:
-    scene = SCENES["coupled"]()
-    face = scene.panel()
+    face = first_face("coupled")
+    scene = face.scene
     stage, plot, masses = face.stages["stage"], face.figures["x1"], []
     for share in (0, 1, 2):
         face.player.value = share * face.player.end // 4
@@ -259,8 +260,9 @@ def test_the_player_moves_the_stage_the_cursor_and_the_numbers() -> None:
 def test_a_dot_can_be_dragged(slug: str, view: str, part: str, name: str) -> None:
     """Each dot of a figure moves by a fifth of the figure; one of them sets the parameter."""
     for sign in (1, -1):
-        scene = SCENES[slug](view=view, **NEEDED.get((slug, name), {}))
-        face = scene.panel()
+        face = first_face(slug)
+        scene = face.scene
+        scene.set({"view": view, **NEEDED.get((slug, name), {})})
         figure = (face.figures | face.stages)[part]
         before, grips = scene.values[name], figure.drawing.grips
         wide = 0.05 * (figure.model.x_range.end - figure.model.x_range.start)
@@ -281,8 +283,9 @@ def test_a_dot_can_be_dragged(slug: str, view: str, part: str, name: str) -> Non
     ("accuracy", "time", "work", "wanted"), ("forced", "bode", "response", "omega"),
 ])  # fmt: skip
 def test_the_line_of_a_value_can_be_dragged(slug: str, view: str, plot: str, name: str) -> None:
-    scene = SCENES[slug](view=view)
-    face = scene.panel()
+    face = first_face(slug)
+    scene = face.scene
+    scene.view = view
     (line,) = (line for one, line in face.figures[plot].lines.items() if getattr(one, "parameter", "") == name)
     before = scene.values[name]
     assert line.editable and line.visible
@@ -291,8 +294,8 @@ def test_the_line_of_a_value_can_be_dragged(slug: str, view: str, plot: str, nam
 
 
 def test_the_formulas_are_mathml_with_the_numbers_of_the_picture() -> None:
-    scene = SCENES["coupled"]()
-    face = scene.panel()
+    face = first_face("coupled")
+    scene = face.scene
     texts = [str(pane.object) for pane in face.__panel__().select(pn.pane.HTML)]
     assert any("<math" in text and scene.shown.values["omega_minus"] in text for text in texts)
     face.widgets["k2"].value = "5"
