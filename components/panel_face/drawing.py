@@ -36,8 +36,9 @@ GLYPHS: dict[str, tuple[Any, dict[str, str], str]] = {
     "texts": (Text, TEXTS, "x"),
 }
 """The glyph of each kind of mark, its properties that are columns, and the name of its first coordinate."""
-BLANK = text_row(0, 0, "", "ink", "t1", "start").row
-"""Fills the rows of texts that are gone, because BokehJS reports a fault when a source of texts becomes shorter."""
+BLANK = text_row(-1e4, -1e4, "", "ink", "t1", "start").row
+"""Fills the rows of texts that are gone, because BokehJS reports a fault when a source of texts becomes shorter. It is
+outside the figure, because BokehJS draws dots even for an empty text."""
 GRIP = 26  # pixels
 
 

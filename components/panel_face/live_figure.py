@@ -60,6 +60,8 @@ SAMPLE = 44.0
 """Pixels of the sample of a line in a legend, with the room around it and its name."""
 LAYOUT = {"wide": 0.0, "narrow": 1.0, "stacked": 1.0, "hall": 0.0, "desk": 1.0, "low": 0.0}
 """The layout that shapes see: a stage above its plots, as on a phone."""
+INDEX = re.compile(r"<sub>(.*?)</sub>|(?<=<msub>)(<m\w[^>]*>[^<]*</m\w>)(.*?)(?=</msub>)")
+"""An index in HTML, or a symbol with its index in MathML."""
 ROWS = 240
 """Number of instants in the picture of a chain."""
 SetByHand = Callable[[dict[str, float], bool], None]
@@ -121,8 +123,9 @@ class LiveFigure:
         """Give the figure the width of the page, and room for numbers at both axes."""
         self.model.update(min_border_left=62, min_border_right=16, min_border_bottom=46, min_border_top=8)
         self.model.axis.visible = True
+        # "13px" is Bokeh's default, which would count as not set: templates of Panel have a larger default.
         for axis in self.model.axis:
-            axis.update(axis_label_text_font_size=f"{WORDS}px", axis_label_text_font_style="normal")
+            axis.update(axis_label_text_font_size=f"{WORDS}.0px", axis_label_text_font_style="normal")
         for grid in self.model.grid:
             grid.ticker = None  # then the grid has the ticks of its axis
         self.model.update(frame_height=int(self.height), sizing_mode="stretch_width")
@@ -139,7 +142,7 @@ class LiveFigure:
 
     def _legend(self) -> None:
         """The names of the curves, the uppermost first; a click on one hides it."""
-        self.items: list[LegendItem] = []
+        self.items: dict[LegendItem, list[Any]] = {}
         self.legend = Legend(
             border_line_color=None, orientation="horizontal", click_policy="hide", label_text_font_size=f"{SMALL}px",
             padding=2, margin=0,
@@ -149,8 +152,8 @@ class LiveFigure:
             if part.read:
                 named.setdefault(renderer.name, []).append(renderer)
         if len(named) > 1:
-            self.items = [LegendItem(label=name, renderers=one) for name, one in reversed(named.items())]
-            self.legend.items = self.items
+            self.items = {LegendItem(label=name): renderers for name, renderers in reversed(named.items())}
+            self.legend.items = list(self.items)
             self.model.add_layout(self.legend, "above")
 
     def _line(self, one: Mark | Handle, moved: SetByHand) -> Span:
@@ -206,9 +209,7 @@ class LiveFigure:
             return
         x, y = picture.axes[self.block.x], picture.axes[self.block.y]
         self._axes, self._ends = {"x": x, "y": y}, self._ranges(x, y)
-        says, _, against = re.split("[,:]", self.block.title)[0].partition(" against ")
-        if self.block.y == TIME_AXIS:
-            says, against = against, ""
+        against, says = axis_words(self.block)
         for span, scale, axis, ends, text, length in (
             (self.model.x_range, self.model.xaxis, x, self._ends[0], against, self.width),
             (self.model.y_range, self.model.yaxis, y, self._ends[1], says, self.height),
@@ -284,9 +285,11 @@ class LiveFigure:
                 if renderer.data_source is source:
                     needed = {part.x, part.y} if isinstance(part, Curve) else {part.x, part.low, part.high}
                     renderer.visible = needed <= data.keys() and part.group not in hidden
-        for item in self.items:
-            item.visible = any(renderer.visible for renderer in item.renderers)
+        for item, renderers in self.items.items():  # an item is grey if one of its renderers is invisible
+            drawn = [renderer for renderer in renderers if renderer.visible]
+            item.update(renderers=drawn, visible=bool(drawn))
         widths = [SAMPLE + text_width(item.label.value, SMALL) for item in self.items if item.visible]
+        self.legend.visible = len(widths) > 1
         fits = (n for n in range(len(widths), 1, -1) if sum(max(widths[i::n]) for i in range(n)) <= self.width)
         self.legend.ncols = next(fits, 1)
 
@@ -323,9 +326,20 @@ def _label(scale: Any, axis: Axis, says: str, length: float) -> None:
     scale.axis_label = (label if text_width(label, WORDS) <= length else unit) or None
 
 
+def axis_words(block: PlotBlock) -> tuple[str, str]:
+    """Return the words for the x and the y axis of a plot, from its title; "" where it has none."""
+    found = re.search(r"(?:^|: )([^:,]*)(?:,[^:]*)? against (?:the )?(.*?)(?:,|:| is |$)", block.title)
+    is_timed = block.x == TIME_AXIS
+    says, against = found.groups() if found else (re.split("[,:]", block.title)[0] * is_timed, "time" * is_timed)
+    if against.startswith("that of "):
+        against = says.partition(" of ")[0] + against.removeprefix("that")
+    return ("", "time") if block.y == TIME_AXIS else (against, says)
+
+
 def plain_html(html: str, picture: Picture) -> str:
     """Return the words of a text in HTML, with its live numbers."""
     filled = re.sub(r'data-value="(\w+)"></\w+>', lambda found: ">" + picture.values.get(found[1], ""), html)
+    filled = INDEX.sub(lambda of: (of[2] or "") + subscript(unescape(re.sub("<.*?>", "", of[1] or of[3]))), filled)
     joined = re.sub(r"</?m(?!ath)\w+[^>]*>", "", filled)  # the parts of a formula
     return unescape(" ".join(re.sub("<[^>]*>", " ", joined).split()))
 
