@@ -12,6 +12,7 @@ from physics.coupled import TwoMassChain
 from physics.fit import fit_damped
 from physics.transient import DampedModes
 
+pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
 SEEDS = 200
 CHAIN = TwoMassChain(m1=2.0, m2=1.0, k1=16.0, k2=9.0)
 T = np.arange(160) * 0.08

@@ -20,6 +20,7 @@ from physics.transient import DampedModes
 from tests.grids import tries
 
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["fit"]
+pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
 SEEDS = 200
 SEEDED = range(1000, 1000 + SEEDS)
 Rows = tuple[np.ndarray, np.ndarray]

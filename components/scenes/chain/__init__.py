@@ -44,7 +44,7 @@ class Chain(CaseScene):
     slug = "chain"
     title = "Chain"
     lecture = "Many"
-    points = "slide 7, waves; beyond the slides"
+    points = "D31 slide 7, waves; beyond the slides"
     headline = "Every mass adds a mode; many modes make a wave"
     spoken = {"slowest mode": "{slowest} rad/s", "fastest mode": "{fastest} rad/s"}
     equations = (
