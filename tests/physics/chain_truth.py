@@ -73,7 +73,7 @@ class Truth:
             return tuple(X / D if D else mp.inf for X in ((self.k2 - self.m2 * square) * F, self.k2 * F))
 
     def coordinates(self, x_0, v_0):
-        """Of each mode, (displacement, velocity) at t = 0."""
+        """(displacement, velocity) of each mode at t = 0."""
         with mp.workprec(SETUP_BITS):
             return [
                 tuple((self.m1 * a * mp.mpf(p[0]) + self.m2 * b * mp.mpf(p[1])) / M for p in (x_0, v_0))

@@ -10,7 +10,7 @@ from physics.pushed import PushedMass
 
 
 def divided(f: Any, nodes: list[Any], hair: Any) -> Any:
-    """The divided difference of f over nodes, equal ones a hair apart."""
+    """Return the divided difference of f over nodes; equal nodes are separated slightly."""
     apart: list[Any] = []
     for z in nodes:
         while any(abs(z - other) < hair / 2 for other in apart):

@@ -98,7 +98,7 @@ def test_den_hartogs_fixed_points_are_nearly_the_peaks(mu, percent):
 
 
 def test_peaks_of_other_dampings():
-    """Nothing damps: no limit. A rigid link, nearly: the peak is that of one heavier mass, as high as c allows."""
+    """Without damping there is no limit. With a nearly rigid link, the peak is that of one heavier mass."""
     assert highest_peak(0.16, 1.0, 0.0) == math.inf
     assert highest_peak(0.16, 1.0, 1e4) > 1e3
     for tuning, damping in ((0.8, 0.05), (1.1, 0.3), (0.86, 0.168)):

@@ -1,4 +1,4 @@
-"""The chain with dashpots beside both springs, against an integrator, 60 digits, and what is known of it."""
+"""The chain with dashpots parallel to both springs, compared with an integrator, 60 digits and known results."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_the_motion_is_that_of_an_integrator(chain: TwoMassChain, c1: float, c2:
 
 @pytest.mark.parametrize("size", [1e-30, 1e-110, 1e-130, 1e-250])
 def test_the_hardly_damped_die_as_slowly_as_the_shapes_say(size: float) -> None:
-    """To first order a mode dies at the power of its own shape in the dashpots over twice its energy."""
+    """To first order a mode decays at the power of its shape in the dashpots divided by twice its energy."""
     found = DampedChain.of(PLAIN, 3 * size, size).free_motions.modes
     rates = [(3 * 1 + 1) / (2 * 6), (3 * 1 + 4) / (2 * 3)]  # shapes (1, 2) and (1, -1)
     assert [one.exponents[0].real for one in found] == pytest.approx([-size * rate for rate in rates], rel=1e-14)

@@ -20,7 +20,7 @@ T = np.arange(160) * 0.08
 
 @cache
 def motion(c: float) -> np.ndarray:
-    """x1 and x2 at the times T, with a dashpot c beside the second spring."""
+    """x1 and x2 at the times T, with a dashpot c parallel to the second spring."""
     return np.asarray(DampedModes(chain=CHAIN, c=c, F_0=0.0, omega=0.0, x_0=(1.0, 0.2)).motion(T).x)
 
 

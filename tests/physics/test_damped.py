@@ -33,7 +33,7 @@ def truth(oscillator, x_0, v_0, t):
 
 
 def part(start, rate, p, q, t):
-    """Where the exponents have not parted by the time t, start and slope are the sizes."""
+    """While both exponentials are still equal, sizes are measured in the initial displacement and velocity."""
     if p == q:
         return mp.exp(p * t) * (start + (rate - p * start) * t), mp.exp(p * t) * (
             abs(start) + abs(rate - p * start) * t
@@ -97,7 +97,7 @@ def test_stiff(c):
     ],
 )
 def test_at_the_ends_of_the_doubles(m, c, k):
-    """Where a velocity or an acceleration has no double the motion is refused; so x alone is started small."""
+    """A motion whose velocity or acceleration exceeds doubles is refused, so x alone starts small."""
     oscillator = DampedOscillator(m=m, c=c, k=k)
     slowest = max(oscillator.omega_n, 1e-290)
     with mp.workprec(12000):

@@ -28,7 +28,7 @@ def within_range(chain):
 
 
 def long_times(chain, quickest, early, late, n=300):
-    """From a fraction of a radian to a million slow periods, as far as phases are certain."""
+    """From a fraction of a radian to a million slow periods, while phases are accurate."""
     slow = chain.modes().omega[0] or quickest
     end = min(1e6 * 2 * math.pi / slow, 1e15 / quickest) * late
     return np.concatenate([[0.0], np.geomspace(early / quickest, max(end, 1.0 / quickest), n)])
@@ -93,7 +93,7 @@ def test_no_drive_does_no_work():
 
 
 def test_elongations_keep_the_energy_of_a_stiff_spring():
-    """From x2 - x1 of rounded displacements it is lost: the reason why a motion carries elongations."""
+    """The difference x2 - x1 of rounded displacements loses it; therefore a motion has elongations."""
     start, t = (1.0, 1.000001), np.linspace(0.0, 50.0, 400)
     motion, modes = free_motion(STIFF, start, (0.0, 0.0), t), free_modes(STIFF, start, (0.0, 0.0))
     energy, true = chain_energy(STIFF, motion), math.fsum(modes.energy)

@@ -158,7 +158,7 @@ def test_total_is_complementary_plus_particular(omega):
 @pytest.mark.parametrize("omega", [0.0, 0.3, 1.1, 7.0])
 @pytest.mark.parametrize("end", [0.01, 1.0, 40.0])
 def test_motion_and_parts_are_the_same_when_formed_together(omega, end):
-    """From the onset on, with a beat that has not begun, and without a force at all."""
+    """From the onset on, with a beat that has not begun, and without a force."""
     t = np.linspace(0.0, end, 200)
     modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
     motion, x_p, x_c = modes.apart(t)
@@ -180,6 +180,6 @@ def test_the_steady_start_leaves_x_p_alone():
 
 @pytest.mark.parametrize(("m1", "omega"), [(1.0, 1e300), (1e-150, 1.0)])
 def test_at_rest_before_anything_can_move(m1, omega):
-    """No phase but 0 lies in the onset: its series has no unit of time to count in."""
+    """Only phase 0 occurs at the onset: its series has no unit of time."""
     motion = forced_motion(TwoMassChain(m1=m1, m2=1.0, k1=1.0, k2=1.0), 1.0, omega, [0.0, 0.0, 10.0])
     assert not np.any(np.array(rows(motion))[:, :2])

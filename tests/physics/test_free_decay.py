@@ -25,7 +25,7 @@ def decay(case):
 
 
 def near(value, text, most):
-    """A number is within so many u of the one of the case; None stands for none."""
+    """Return True if a value is within `most` ulps of the case's number, or both are missing."""
     if text is None:
         return value is None or not math.isfinite(value)
     return ulps(value, mp.mpf(text)) <= most

@@ -37,7 +37,7 @@ def mean(motion: ExactMotion, t: Array) -> Array:
 
 
 def test_elongations_have_their_own_digits() -> None:
-    """From x2 - x1 of rounded displacements a stiff spring would have no digit left."""
+    """The difference x2 - x1 of rounded displacements would have no digit for a stiff spring."""
     fast = FreeMotions(free_modes(STIFF, (1.0, 1.000001), (0.0, 0.0))).slow.e2
     assert isinstance(fast, Elementary) and isinstance(fast.played, Harmonic)
     (wave,) = fast.played.sinusoids
@@ -46,7 +46,7 @@ def test_elongations_have_their_own_digits() -> None:
 
 @pytest.mark.parametrize("start", [(1.0, 1.0), (1.0, 1.000001)])
 def test_mean_energies_of_a_spring_too_stiff_to_draw(start: tuple[float, float]) -> None:
-    """Over a coarse grid the fast mode counts by its mean, the slow one as it is; their sum is the whole energy."""
+    """On a coarse grid the fast mode counts by its mean, the slow one by its values; their sum is the whole energy."""
     t, free = np.linspace(0.0, 30.0, 300), free_modes(STIFF, start, (0.0, 0.0))
     of = energies(free)
     assert sum(mean(one, t) for one in of.values()) == pytest.approx(math.fsum(free.energy), rel=1e-6)

@@ -123,7 +123,7 @@ def test_gautschi_fails_in_resonance_and_a_mollified_impulse_does_not():
 
 @pytest.mark.parametrize("method", [method for method in RUBBED if STEPPING[method].solved])
 def test_a_fast_part_rings_to_the_end_unless_it_is_damped(method):
-    """One step is 1e4 relaxation times of the fast part; without it v is -x. What is left after 60 steps."""
+    """One step is 1e4 relaxation times of the fast part, without which v is -x. Return the rest after 60 steps."""
     stiff = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e6), c=1e6 + 1.0, F_0=0.0, t=0.01 * np.arange(61.0))
     result = run_fixed(method, stiff, 1, Watch())
     left = abs(result.v[0, -1] + result.x[0, -1])

@@ -161,7 +161,7 @@ def vars_of(chain: TwoMassChain) -> dict[str, float]:
 @thorough
 @given(usual_chains, st.sampled_from(PARAMETERS))
 def test_modes_keep_outside_of_what_is_held(chain: TwoMassChain, name: str) -> None:
-    """Held masses lie between the modes, so the modes never meet: the avoided crossing."""
+    """The frequencies with one mass held are between the modes, so the modes never meet: an avoided crossing."""
     run = sweep(chain, name, np.geomspace(1e-3, 1e3, 41))
     assert np.all(run.omega[0] <= run.held.min(axis=0) * (1 + 1e-15))
     assert np.all(run.omega[1] >= run.held.max(axis=0) * (1 - 1e-15))

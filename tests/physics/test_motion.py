@@ -76,7 +76,7 @@ def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
 
 
 def test_the_slow_part_of_a_band_is_a_line(t: Array) -> None:
-    """Where x is slow enough for a line and its square is not, the band of their sum follows x."""
+    """If x is slow enough for a line and its square is not, the band of their sum follows x."""
     free = decay(v_0=-2.0)
     low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
     assert np.array_equal(low.at(t), free.x.at(t))

@@ -131,7 +131,7 @@ def test_steady_motions_over_many_decades_are_within_4_u_of_closed_forms(
     with mp.workdps(250):
         true = closed_form(mass, mp.mpf(t) * mp.mpf(omega) / (2 * mp.pi))
         drawn = SteadyMotion(oscillator=DampedOscillator(m=m, c=c, k=k), push=mass.push).at(np.array([t]))
-        swings = math.sqrt(k / m) * period  # whose phase has a rounding error of its own
+        swings = math.sqrt(k / m) * period  # whose phase has an additional rounding error
         for i, wanted in enumerate(true):
             largest = max(np.max(np.abs(whole[1 + i])), abs(float(wanted)))
             assert abs(motion[1 + i][0] - wanted) <= 4 * U * largest

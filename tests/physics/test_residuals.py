@@ -22,7 +22,7 @@ def dashpot() -> np.ndarray:
 
 
 def with_force(force: Callable[[float, float], float]) -> np.ndarray:
-    """The displacement with a force over the mass in addition to that of the spring."""
+    """The displacement under a force per mass in addition to the spring's."""
     found = solve_ivp(
         lambda _, s: [s[1], -(OMEGA**2) * s[0] + force(*s)], (0.0, 12.0), [START, 0.0], t_eval=T, rtol=1e-8, atol=1e-11
     )  # fmt: skip

@@ -58,7 +58,7 @@ def test_phases_up_to_1e60(omega, t):
 
 @pytest.mark.parametrize("phase", [SLOW * (1 - 1e-9), SLOW * (1 + 1e-9), 1e-3, 1e-200])
 def test_slow_and_quick_meet(phase):
-    """A sinusoid that hardly turns keeps the digits of its sine."""
+    """A very slow sinusoid keeps the digits of its sine."""
     sinusoid, function = swing(phase, 0.0, 1.0)
     found = added([sinusoid], np.array([1.0]), QUANTITIES)
     assert found[:, 0] == pytest.approx([float(value) for value in function(mp.mpf(1))], rel=2e-15)

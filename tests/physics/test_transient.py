@@ -37,7 +37,7 @@ def strict():
 
 
 def truth(modes, t, bits=1500):
-    """x1, x2, x2 - x1, v1, v2 from exp(A t), the drive carried along as an oscillator of its own."""
+    """x1, x2, x2 - x1, v1, v2 from exp(A t), with the drive as an additional oscillator."""
     chain = modes.chain
     with mp.workprec(bits):
         m1, m2, k1, k2, c, F, omega = map(
@@ -106,7 +106,7 @@ def test_where_exponents_are_nearly_equal(chain, c, apart):
 
 @pytest.mark.parametrize("ratio", [1e-3, 1.0, 1e3, 1e6, 1e9])
 def test_stiff(ratio):
-    """Overdamped: rates ratio^2 apart."""
+    """Overdamped: the rates differ by a factor ratio^2."""
     check(modes_of(LECTURE, 3.0 * ratio, x_0=(1.0, 0.0)), [1e-9, 1e-3, 1.0, 40.0, 1e4])
 
 

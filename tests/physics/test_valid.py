@@ -70,7 +70,7 @@ SYSTEMS: list[tuple[type[Any], dict[str, float], set[str]]] = [
     (HangingMass, {"m": 1.0, "k": 1.0, "g": 9.81}, {"g"}),
     (Pendulum, {"l": 1.0, "g": 9.81}, set()),
 ]
-"""Systems with their numbers, none of which may be negative, and those of them that may be 0."""
+"""Systems with their numbers: none may be negative, and some may be 0."""
 ONE, MACHINE = DampedOscillator(m=1.0, c=1.0, k=1.0), TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
 MODES = {"chain": CHAIN, "c": 1.0, "F_0": 1.0, "omega": 1.0}
 CALLS: list[tuple[str, Callable[[], object]]] = [

@@ -1,4 +1,4 @@
-"""Worst errors of the physics of the chain and of one mass, family by family, beside the same in plain float64.
+"""Worst errors of the physics of the chain and of one mass, family by family, compared with plain float64.
 
     python -m tools.bench.accuracy_table [--samples 100] [--seed 1] [--out build/accuracy]
 

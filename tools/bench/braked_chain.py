@@ -1,4 +1,4 @@
-"""Worst errors of the physics of the chain with dashpots, family by family, beside plain float64.
+"""Worst errors of the physics of the chain with dashpots, family by family, compared with plain float64.
 
 `python -m tools.bench.accuracy_table` prints it last: |Xp1| in ulp, the driven motion from any start in u = 2^-53 of
 what its parts together could be, X of a Bode plot in u of its size, lags in u of a radian, roots in u of their modulus;

@@ -21,7 +21,7 @@ BESIDE = {
     ("closed", False), ("eigh", False), ("rk4", False), ("gauss4", False), ("lsoda", False),
     ("eigh", True), ("rk4", True), ("gauss4", True),
 }  # fmt: skip
-"""Methods, in Python or compiled, that are measured again beside others: times are in units of theirs."""
+"""Methods, in Python or compiled, that are measured again together with others, to scale their times."""
 TIMES = ("time", "time_low", "time_high")
 MethodKind = tuple[str, bool]
 """A method, in Python or compiled."""
@@ -55,7 +55,7 @@ def once_only(report: Report) -> set[MethodKind]:
 
 
 def with_added(report: Report, first: RunsBySystem, second: RunsBySystem) -> Report:
-    """The report with the runs of what it has not, on each system, and their second times."""
+    """Return the report with the runs of missing methods on each system, and their second times."""
     known = {(run.system, *kind(run)) for many in report.runs.values() for run in many}
     runs, new = dict(report.runs), list[Run]()
     for slug, many in report.runs.items():
@@ -88,9 +88,9 @@ def with_second(report: Report, second: RunsBySystem, asked: set[MethodKind]) ->
 
 
 def with_long(report: Report, found: RunsBySystem, limit: float) -> Report:
-    """The report with these runs of solvers in place of those that were stopped before.
+    """Return the report with long runs of solvers in place of those that were stopped before.
 
-    Where a run was there already, its time becomes the second one.
+    If a run existed already, its time becomes the second one.
     """
     runs, new = dict(report.runs), list[Run]()
     for slug, many in found.items():
@@ -116,7 +116,7 @@ def recounted(report: Report) -> Report:
 
 
 def factor(known: Iterable[Run], measured: Iterable[Run], name: str = "time") -> float:
-    """The median ratio of recorded times to those that were measured now, over the runs that have both."""
+    """Return the median ratio of recorded times to current ones, over the runs that have both."""
     times = {key(run): getattr(run, name) for run in known}
     pairs = [(times.get(key(run)), run.time) for run in measured]
     return median([old / new for old, new in pairs if old and new] or [1.0])

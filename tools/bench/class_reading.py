@@ -21,7 +21,7 @@ AT_ONCE = 4
 
 
 class BlockedTime:
-    """The longest turn of the event loop, in processor seconds of its own thread."""
+    """The longest turn of the event loop, in CPU seconds of its thread."""
 
     def __init__(self) -> None:
         self.longest = 0.0

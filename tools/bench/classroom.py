@@ -43,7 +43,7 @@ PATIENCE = 10.0
 
 @dataclass
 class ClassFigures:
-    """The costs of a class of one size; times in s, with those that Chromium saw by themselves."""
+    """The costs of a class of one size. Times are in s, including those measured by Chromium."""
 
     followers: int
     waits: list[float] = field(default_factory=list)
@@ -176,7 +176,7 @@ def drawing() -> dict[str, Any]:
 
 
 def table(sizes: Sequence[ClassFigures], more: Sequence[tuple[str, str, str]]) -> str:
-    """Rows in Markdown; what was not measured for each size stands in the first column."""
+    """Return rows in Markdown; figures measured for one size only are in the first column."""
     heads = [one.head for one in sizes]
     lines = [("a live class", *heads, "aim"), ("---",) * (len(heads) + 2)]
     for (what, aim), *cells in zip(ROWS, *(one.cells() for one in sizes), strict=True):

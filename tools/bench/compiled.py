@@ -1,4 +1,4 @@
-"""Methods compiled by numba, for like with like.
+"""Methods compiled by numba, for a fair comparison.
 
 - fixed steps: the stepping functions of physics.integrators.fixed_steps. A run is one loop over the outputs, compiled
   too; between blocks of it the clock is looked at;

@@ -36,7 +36,7 @@ def counted(report: Report) -> Report:
 
 @cache
 def asked(system: str) -> Problem:
-    """The problem as it is measured: tolerances are in units of its largest displacement."""
+    """Return the problem as measured: tolerances are relative to its largest displacement."""
     problem = SYSTEMS[system].problem()
     return replace(problem, size=reference(problem).size)
 

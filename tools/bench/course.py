@@ -1,6 +1,6 @@
-"""The cost of a course: every scene beside an empty page of Panel's, a class that arrives, and those in it who drag.
+"""The cost of a course: every scene compared with an empty page of Panel, an arriving class, and its members who drag.
 
-`make load` runs it after what one visitor costs; it prints a table and keeps it as build/load/course.md.
+`make load` runs it after measuring one visitor. It prints a table and saves it as build/load/course.md.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Many visitors at once: how fast they come in, how long those who drag wait, and whether anything stays behind."""
+"""Many visitors at once: the time until all are in, the waits of those who drag, and what remains afterwards."""
 
 from __future__ import annotations
 

@@ -123,7 +123,7 @@ def _systems(options: argparse.Namespace, default: Collection[str] = tuple(SYSTE
 
 
 def whole(options: argparse.Namespace) -> Report:
-    """A report of the race, with the studies of what it does not show; the record with some systems made again."""
+    """Return a report of the race and its studies, or the record with some systems measured again."""
     slugs, limits = _systems(options, QUICK if options.quick else tuple(SYSTEMS)), _limits(options)
     methods = [METHODS[slug] for slug in LIVE] if options.quick else list(METHODS.values())
     runs = measured(slugs, [*methods, *_compiled(slugs, {method.slug for method in methods})], limits)
@@ -149,7 +149,7 @@ def added(options: argparse.Namespace) -> Report:
 
 
 def again(options: argparse.Namespace) -> Report:
-    """The record with second times of what was timed once."""
+    """Return the record with second times of runs that were timed once."""
     report, slugs = recalled(options.recorded), _systems(options)
     asked = changes.once_only(report)
     methods = [method for method in _every(slugs) if not asked or (method.slug, method.compiled) in asked]
@@ -184,7 +184,7 @@ CHANGES = {
     ),
     "rewrite": (lambda options: recalled(options.recorded), "write docs/bench again from the record"),
 }
-"""Options that change the record, each with the function that makes the report, and what it does."""
+"""Options that change the record, each with the function that makes the report, and a description."""
 
 
 def _every(slugs: Sequence[str]) -> list[Method]:
@@ -193,7 +193,7 @@ def _every(slugs: Sequence[str]) -> list[Method]:
 
 
 def _beside(methods: Sequence[Method], slugs: Sequence[str]) -> list[Method]:
-    """The methods that are measured again beside others."""
+    """Return the methods that are measured again together with others."""
     new: set[MethodKind] = {(method.slug, method.compiled) for method in methods}
     return [each for each in _every(slugs) if (each.slug, each.compiled) in BESIDE - new]
 
@@ -216,7 +216,7 @@ def measured(slugs: Sequence[str], methods: Sequence[Method], limits: Limits) ->
 
 
 def machine(limits: Limits) -> dict[str, str]:
-    """Where and when this was measured."""
+    """Return where and when this was measured."""
     packages = ("numpy", "scipy", "mpmath", "numba")
     return {
         "date": now(),

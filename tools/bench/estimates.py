@@ -43,7 +43,7 @@ class Estimate:
 
 
 def estimate(runs: RunsBySystem, system: str, method: str, wanted: float) -> Estimate | None:
-    """The evaluations that an error needs; None if the record does not tell."""
+    """Return the evaluations needed for an error, or None if the record does not determine them."""
     own = [run for run in runs[system] if run.method == method]
     if found := _continued(own, wanted) or from_benign(runs, system, method, wanted):
         return Estimate(found)
@@ -52,7 +52,7 @@ def estimate(runs: RunsBySystem, system: str, method: str, wanted: float) -> Est
 
 
 def from_benign(runs: RunsBySystem, system: str, method: str, wanted: float) -> float | None:
-    """The evaluations on a highly oscillatory motion if each oscillation costs what it costs on Benign."""
+    """Return the evaluations on a highly oscillatory motion, with the cost per oscillation of Benign."""
     measure = stiffness(SYSTEMS[system], runs[system])
     if not measure or measure.kind != "highly oscillatory" or method in EXPONENTIAL:
         return None
@@ -63,7 +63,7 @@ def from_benign(runs: RunsBySystem, system: str, method: str, wanted: float) -> 
 
 
 def checked(runs: RunsBySystem, wanted: Iterable[float]) -> list[float]:
-    """Ratios of the estimates from Benign to what was measured, where both are known."""
+    """Return ratios of the estimates from Benign to measured values, where both are known."""
     ratios = []
     for (system, many), error in product(runs.items(), wanted):
         for method in grouped(many):

@@ -34,13 +34,13 @@ def findings(runs: RunsBySystem) -> list[str]:
 
 
 def quoted(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
-    """The prices of a system by method, without those that were not reached."""
+    """Return the costs of a system by method, without those that were not reached."""
     many = grouped(run for run in runs[slug] if run.compiled == compiled).values()
     return {price.method: price for price in prices(many, wanted) if price.time is not None}
 
 
 def _stepping(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
-    """Prices of the methods with steps of their own."""
+    """Return the costs of the stepping methods."""
     priced = quoted(runs, slug, wanted, compiled)
     return {name: price for name, price in priced.items() if METHODS[name].family in ("fixed", "adaptive")}
 
@@ -72,7 +72,7 @@ def _units(runs: RunsBySystem, slug: str, wanted: float, compiled: bool) -> dict
 
 
 def _closed(runs: RunsBySystem) -> str:
-    """Where steps are cheaper than the closed form, in the same language."""
+    """Return where stepping is cheaper than the closed form in the same language."""
     kinds = ((False, "as the app runs it"), (False, "in doubles"), (True, "in doubles, compiled"))
     cheaper: dict[str, dict[str, list[str]]] = {how: {} for _, how in kinds}
     for slug in runs:
@@ -159,7 +159,7 @@ def _oscillatory(runs: RunsBySystem) -> Iterator[str]:
 
 
 def _least_evaluations(runs: RunsBySystem, slug: str, wanted: float) -> dict[str, float]:
-    """The evaluations that an error takes with each method, the fewer of those in Python and compiled."""
+    """Return the evaluations that each method needs for an error: the smaller number of Python and compiled."""
     found: dict[str, float] = {}
     for compiled in (False, True):
         for name, price in quoted(runs, slug, wanted, compiled).items():
@@ -182,7 +182,7 @@ def _ringing(runs: RunsBySystem) -> Iterator[str]:
 
 
 def _switching(runs: RunsBySystem) -> Iterator[str]:
-    """Where LSODA goes over to the formulas for stiff equations although nothing decays."""
+    """Return where LSODA switches to the formulas for stiff equations although nothing decays."""
     for slug, many in runs.items():
         stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5 and not run.compiled]
         if stiff and not SYSTEMS[slug].c:

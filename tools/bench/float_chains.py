@@ -1,4 +1,4 @@
-"""The two-mass chain as one writes it first: in plain float64. What the accuracy table compares with.
+"""The two-mass chain in plain float64, with which the accuracy table compares.
 
 Every class answers the same questions: modes() -> (omega, ratio, beat), particular(F_0, omega) -> (Xp1, Xp2),
 free(x_0, v_0, t) and driven(F_0, omega, t) -> x1, x2, e2, v1, v2.
@@ -70,7 +70,7 @@ class FloatModes:
 
 
 class Slides(FloatModes):
-    """The formulas as they stand on the slides."""
+    """The formulas as written on the slides."""
 
     name = "slides in float64"
 

@@ -17,7 +17,7 @@ from tests.live_class.caller import Class
 from tests.serving.visitor import USUAL, Visitor
 
 END = b"\n\n\r\n"
-"""Of an event that is a chunk of its own; a proxy may join two."""
+"""An event that is a separate chunk; a proxy may join two."""
 RATE = 20.0
 """Changes a second of the instructor's hand."""
 

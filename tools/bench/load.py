@@ -140,7 +140,7 @@ def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Loa
 
 
 def measure_repaint(page: Page, repeats: int) -> list[LoadRow]:
-    """From the input event of a slider to the repaint of what depends on it."""
+    """Measure the time from the input event of a slider to the repaint of its picture."""
     selector = f'input[type=range][name="{PARAMETER}-slider"]'
     times = []
     for step in range(repeats + 3):
@@ -187,7 +187,7 @@ def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[L
 
 
 def measure_turns(page: Page, repeats: int) -> list[LoadRow]:
-    """From scene to scene within a session, whose sheets have been fetched before."""
+    """Measure changes of scene within a session whose sheets have been fetched before."""
     turned(page, OTHERS)
     turns = [turn for _ in range(repeats) for turn in turned(page, OTHERS)]
     return [

@@ -9,7 +9,7 @@ from physics.integrators.solvers import METHODS
 from physics.integrators.stability import amplification, decay_factor, form_change, stability_limit
 
 AT, FAR = 0.5, 1e12
-"""|λ| h at which damping and symplecticity are told, and that at which L-stability is."""
+"""|λ| h at which damping and symplecticity are computed, and that for L-stability."""
 SAME, NOTHING = 1e-12, 1e-11
 HLW = "Hairer, Lubich, Wanner, Geometric Numerical Integration"
 HNW = "Hairer, Nørsett, Wanner, Solving ODEs I"

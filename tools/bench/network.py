@@ -54,7 +54,7 @@ def start_slowly(browser: Browser, address: str) -> tuple[float, float]:
 
 
 def opened_slowly(browser: Browser, address: str, other: str) -> dict[str, float]:
-    """Milliseconds until a page with an empty cache paints, moves and is whole, then until another scene stands."""
+    """Return ms until a page with an empty cache paints, moves and is complete, then until another scene is drawn."""
     page = slow_page(browser)
     page.add_init_script(WATCH)
     page.goto(address, wait_until="commit")
@@ -66,6 +66,6 @@ def opened_slowly(browser: Browser, address: str, other: str) -> dict[str, float
 
 
 def turned(page: Page, slugs: list[str]) -> list[dict[str, float]]:
-    """Milliseconds from a click in the navigation until stage, controls and numbers stand, and until all does."""
+    """Return ms from a click in the navigation until stage, controls and numbers are drawn, and until everything is."""
     page.evaluate(TURN, slugs[-1])
     return [page.evaluate(TURN, slug) for slug in slugs]

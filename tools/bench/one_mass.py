@@ -1,4 +1,4 @@
-"""Worst errors of the physics of one damped mass, family by family, beside the textbook's formulas in plain float64.
+"""Worst errors of the physics of one damped mass, family by family, compared with a textbook's formulas in float64.
 
 `python -m tools.bench.accuracy_table` prints it after the chain's: the slower root and |X| in ulp, motions
 free and driven in u = 2^-53 of what both parts together could be.
@@ -34,7 +34,7 @@ FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {
 }
 QUANTITIES = ("slower root, ulp", "size of the swing, ulp", "free motion, u", "driven motion, u")
 DIED_OUT = 1e-250
-"""Of the start: a motion that has died to less counts as nothing."""
+"""Relative to the initial amplitude: a motion below this counts as zero."""
 METHODS = ("this project", "textbook, float64")
 
 
@@ -58,7 +58,7 @@ def table(samples: int, seed: int) -> str:
 
 
 def push_table(samples: int, seed: int) -> str:
-    """The worst errors of x under a push, in u of the largest x: steady in a file and as it is drawn, and from rest."""
+    """Return a table of the worst errors of x under a push, in u of the largest x: steady and from rest."""
     lines = [
         "",
         f"# Accuracy under a push\n\n{samples} of each kind, seed {seed}, u of the largest x.",
@@ -125,7 +125,7 @@ def measured(zeta: float, r: float, random: Random) -> Iterator[tuple[str, str, 
 
 
 def textbook(c: float, r: float, x_0: float, v_0: float, t: float) -> tuple[float, float, float, float]:
-    """Slower root, |X|, free and driven motion by the formulas of a textbook as they stand."""
+    """Return the slower root, |X|, free and driven motion by the formulas of a textbook, unchanged."""
     try:
         with np.errstate(all="ignore"):
             root = cmath.sqrt(c * c - 4)

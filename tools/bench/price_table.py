@@ -66,7 +66,7 @@ def _reason(own: Sequence[Run], price: Price | None) -> str:
 
 
 def _guessed(guess: Estimate | None, system: str, one: float | None, method: str) -> str:
-    """An estimate of the time by that of `one` evaluation (s)."""
+    """Return an estimate of the time from that of one evaluation in s."""
     if one is None:
         return ""
     if guess is None:
@@ -95,7 +95,7 @@ def _quotes(runs: list[Run], wanted: float) -> Quotes:
 
 
 def _once_more(runs: list[Run]) -> list[Run]:
-    """The runs with their second times, and without those that have none."""
+    """Return the runs with their second times, without those that have none."""
     return [replace(run, time=run.again) for run in runs if run.again or run.failure]
 
 
@@ -107,7 +107,7 @@ def _units(quotes: Quotes, compiled: bool) -> list[float | None]:
 
 
 def _ratio(price: Price, second: Price | None, unit: float | None, other: float | None) -> str:
-    """The ratio, and that of the second recording in brackets."""
+    """Return the ratio, with that of the second recording in brackets."""
     if not unit or price.time is None:
         return ""
     ratio = price.time / unit

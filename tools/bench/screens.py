@@ -1,4 +1,4 @@
-"""A class in Chromium, beside its raw clients: two phones that write down what they see when, and an instructor."""
+"""A class in Chromium next to its raw clients: two phones that record what they show and when, and an instructor."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ SKETCHED = """count => new Promise(seen => {
 
 @asynccontextmanager
 async def chromium() -> AsyncIterator[Browser | None]:
-    """None where there is none."""
+    """Yield Chromium, or None if it is not installed."""
     path = find()
     if path is None:
         print("No Chromium: what is seen on screens is left out.")
@@ -84,7 +84,7 @@ class Phones:
         return cls(pages)
 
     async def waits(self, sent: Mapping[float, float], kind: str) -> list[float]:
-        """Seconds from each thing sent, by what it was and when, until it was seen."""
+        """Return the seconds from each sent item, by kind and time, until it was visible."""
         seen: list[list[float]] = [one for page in self._pages for one in await page.evaluate(f"seen.{kind}")]
         return [at / 1000 - sent[value] for at, value in seen if value in sent]
 
@@ -94,7 +94,7 @@ class Phones:
 
 
 async def woken(browser: Browser, room: Class, port: int, times: int) -> list[float]:
-    """Seconds until a phone whose connections died while it slept has what was said meanwhile."""
+    """Return the seconds until a phone that slept, and lost its connections, shows the current state."""
     waits = []
     with between(port) as proxy:
         visitor = Class(proxy.url, room.opened)

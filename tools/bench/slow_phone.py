@@ -1,7 +1,7 @@
 """The frame rate of each scene on a slow phone: the first view at 390 x 844, with the processor slowed six times.
 
 `make load` runs it; it prints a table and keeps it as build/load/slow_phone.md. Work is CPU time of the page's
-main thread without slowing, so it hardly depends on the load of the machine.
+main thread without slowing, so the load of the machine has little effect on it.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""`make soak`: rounds of visitors who come, change something and go; a server that keeps nothing ends as it was.
+"""`make soak`: rounds of visitors who come, change something and go. The server's memory must not grow.
 
-After five rounds of 1,000 sessions the memory should be within 10 % of what it was after the first.
+After five rounds of 1,000 sessions the memory should be within 10 % of its value after the first.
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ def _worst(places: Array, problem: Callable[[float], Problem]) -> StudyCurves:
 
 
 def _error(slug: str, asked: Problem, truth: Reference) -> float | None:
-    """The largest error of the motion; None where the method has no answer."""
+    """Return the largest error of the motion, or None if the method has no answer."""
     try:
         with np.errstate(all="raise", under="ignore"):
             return float(np.max(truth.errors(METHODS[slug].run(asked, 0, Watch()).x)))

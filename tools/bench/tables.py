@@ -147,7 +147,7 @@ def _rules(report: Report) -> str:
 
 
 def _unmeasured(report: Report) -> str:
-    """A sentence on empty cells: what was compiled for some systems only."""
+    """Return a sentence on empty cells, which belong to methods that were compiled for some systems only."""
     compiled = {run.method for many in report.runs.values() for run in many if run.compiled}
     missing: dict[tuple[str, ...], list[str]] = {}
     for slug, many in report.runs.items():
