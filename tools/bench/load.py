@@ -179,7 +179,7 @@ def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[L
     """A page with an empty cache at 1.6 Mbit/s and 150 ms, and then another scene."""
     seen = [opened_slowly(browser, address, OTHERS[0]) for _ in range(repeats)]
     aims = {"paint": ("first paint", 1.5), "moving": ("the stage moves", 2.5), "whole": ("all is drawn", 6.0)}
-    aims["next"] = ("the next scene stands", 1.0)
+    aims["next"] = ("the next scene is drawn", 1.0)
     return [
         LoadRow(f"1.6 Mbit/s, 150 ms: {what}", [one[name] / 1000 for one in seen], "{:.1f} s", f"{aim:.1f} s")
         for name, (what, aim) in aims.items()
@@ -191,7 +191,7 @@ def measure_turns(page: Page, repeats: int) -> list[LoadRow]:
     turned(page, OTHERS)
     turns = [turn for _ in range(repeats) for turn in turned(page, OTHERS)]
     return [
-        LoadRow("change of scene: stage and controls stand", [one["stands"] for one in turns], "{:.0f} ms", "150 ms"),
+        LoadRow("new scene: stage and controls are drawn", [one["stands"] for one in turns], "{:.0f} ms", "150 ms"),
         LoadRow("change of scene: plots as well", [one["whole"] for one in turns], "{:.0f} ms"),
     ]
 
