@@ -237,6 +237,16 @@ def test_the_fewest_steps_that_are_stable():
     assert (stable_count("gauss4", wide), stable_count("euler", wide)) == (1, 1)
 
 
+def test_tableaux_are_those_of_the_books():
+    """Sums of rows and weights as the order asks: what x'' = 1 and x'' = t come to."""
+    for tableau in TABLEAUX.values():
+        if not any(tableau.V[:-1]) and tableau.order > 1:
+            assert [sum(row) for row in tableau.X[:-1]] == [c * c / 2 for c in tableau.nodes]
+        assert sum(tableau.V[-1]) == 1
+        if tableau.order > 1:
+            assert sum(tableau.X[-1]) == sum(b * c for b, c in zip(tableau.V[-1], tableau.nodes, strict=True)) == 1 / 2
+
+
 @pytest.mark.parametrize("method", ["fortran", "adams", "lsoda", "dop853"])
 def test_evaluations_are_those_that_were_made(method):
     made = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -20,78 +19,9 @@ from components.scene.about import NO_BAND, About, CheckedPoint, Table, about_nu
 from components.scenes import SCENES
 from physics.reference.driven_chain import Point
 from tests.page.headless_page import Page
+from tests.scenes.hard import HARD, STIFF
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
-GOLDEN = (math.sqrt(5.0) - 1) / 2
-ON_SLOW = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}
-STIFF = [{"k2": 10.0**power} for power in (8, 10, 12)]
-TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
-VIEWS = ("guess", "solve", "roots", "sweep", "hunt")
-DASHPOTS = [
-    {"c1": c1, "c2": c2}
-    for c1, c2 in ((0.4, 0.2), (0.2, 0.0), (0.0, 3.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3))
-]
-CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
-ENDS, STARTS = ("fixed-fixed", "fixed-free", "free-free"), ("pulse", "pluck", "mass", "mode")
-SHAPES = ("square", "triangle", "pulses", "impulses", "step", "impulse")
-HARD: dict[str, list[dict[str, Any]]] = {
-    "oscillator": [{"k": 1e12}, {"m": 1e150, "k": 1e-150}, {"m": 1e-150, "k": 1e150}, {"x_0": 1e300}, {"k": 0.0}],
-    "energy": [{"k": 1e12}, {"x_0": 1e-150}, {"m": 1e150}, {"datum": "separate", "x_0": -0.2}, {"g": 0.0}],
-    "analogues": [
-        *({"system": system} for system in ("shaft", "rocking", "floating", "circuit", "string", "wave", "pipe")),
-        *({"theta_0": angle} for angle in (1e-150, 1e-30, -60.0, 179.9999)),
-        {"pendulum_l": 1e150},
-        {"pendulum_l": 1e-150},
-    ],
-    "phugoid": [
-        *({"excess": excess} for excess in (1e-150, 1e-9, -0.5, -0.999, 0.7320508, 2.0, 3.0)),
-        *({"v_0": 1e-100}, {"v_0": 1e140}, {"g": 1e-150}, {"excess": 0.1, "window": 1000.0}),
-    ],
-    "damped": [
-        *({"m": 1.0, "k": 1.0, "c": 2 * zeta} for zeta in (1e-12, 1 - 1e-12, 1.0, 1 + 1e-15, 1 + 1e-6, 1e6, 1e12)),
-        *({"c": 0.0}, {"k": 0.0}, {"k": 0.0, "c": 0.0, "v_0": 1.0}, {"c": 18.85, "v_0": -3.0}, {"x_0": 0.0}),
-        *({name: 10.0**power} for name in ("m", "k", "x_0") for power in (-100, 100)),
-    ],
-    "chain": [
-        *({"N": 8.0, "ends": ends, "starts": starts, "p": 1.0, "v_0": 0.7} for ends in ENDS for starts in STARTS),
-        *({"N": 1.0, "ends": ends, "starts": "mass", "p": 1.0, "v_0": 0.7} for ends in ENDS),
-        *({name: 10.0**power} for name in ("m", "k", "h") for power in (-100, 100)),
-        {"N": 120.0},
-        *({"N": 500.0, "ends": ends} for ends in ENDS),
-    ],
-    "coupled": [
-        *STIFF,
-        *({**stiff, **TOGETHER} for stiff in STIFF),
-        *({name: 10.0**power} for name in ("m1", "m2", "k1", "k2", "x1_0") for power in (-150, 150)),
-        *({"k1": 0.0, "k2": 0.0}, {"k2": 1e-12}, {"x1_0": 0.0, "x2_0": 0.0}),
-        *({**stiff, "given_by": "modes", "X_fast": 0.3, "phi_slow": 99.7} for stiff in ({}, *STIFF)),
-    ],
-    "modes": [
-        *({"view": view, **chain} for view in VIEWS for chain in CHAINS),
-        *({"view": "sweep", "swept": name, "k2": 1e12} for name in ("m1", "m2", "k1", "k2")),
-        {"view": "hunt", "answer": "shown"},
-        *({"view": "roots", **chain, **dashpots} for dashpots in DASHPOTS for chain in ({}, {"k1": 0.0}, {"k2": 0.0})),
-    ],
-    "forced": [
-        *STIFF,
-        *({"omega": GOLDEN * (1 + detuning)} for detuning in (1e-15, 1e-12, -1e-12, 1e-9, 1e-6)),
-        *({**ON_SLOW, "omega": w} for w in (1.0, 2.0, 1.0 + 1e-12, 2.0 - 1e-12, math.sqrt(2.0))),
-        *({name: 10.0**power} for name in ("m1", "m2", "k1", "F_0", "x1_0") for power in (-150, 150)),
-        *({"omega": 1e-150}, {"k1": 0.0}, {"k2": 0.0}, {"F_0": 0.0}, {"omega": 0.0}),
-        *({**dashpots, "x1_0": 0.5} for dashpots in DASHPOTS),
-    ],
-    "driven": [
-        *(
-            {"push": push, "x_0": 0.02, **values}
-            for push in SHAPES
-            for values in ({}, {"k": 36.0, "omega": 2.0, "c": 0.0})
-        ),
-        *({"push": "square", **values} for values in ({"omega": 0.01}, {"omega": 60.0}, {"window": 1e3}, {"k": 1e-6})),
-        {"push": "pulses", "width": 1e-9, "k": 36.0, "omega": 2.0, "c": 1e-9},
-        {"push": "triangle", "c": 12.0, "k": 36.0},
-    ],
-    "absorber": [{"damping": "added"}, {"own": True, "m1": 1e150}, {"k2": 1e12}, {"k2": 0.0}, {"m2": 1e-12}],
-}
 FAST: dict[str, dict[str, Any]] = {
     **{slug: {"window": 1e5} for slug in ("oscillator", "energy", "analogues", "phugoid", "coupled")},
     "damped": {"c": 1e-5, "window": 1e4},

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import math
 from typing import Any
 
 import numpy as np
@@ -15,12 +14,9 @@ from components.scenes import SCENES
 from components.scenes.chain import Chain
 from components.session.exports import link_file
 from components.state.covers import without
-from physics.oscillator import Oscillator
 from tests.page.scripts import call
 from tests.scenes.presets import taken
 
-U = 2.0**-53
-ENDS = ("fixed-fixed", "fixed-free", "free-free")
 STARTS = ("pulse", "pluck", "mass", "mode")
 
 
@@ -32,24 +28,6 @@ def displacements(scene: Chain) -> np.ndarray:
     """The displacements of all masses at the times of a file (n, N)."""
     columns = scene.shown.sources["time"]
     return np.array([columns[f"x{p}"] for p in range(1, int(scene.N) + 1)]).T
-
-
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("starts", STARTS)
-@pytest.mark.parametrize("N", [1, 2, 3, 60])
-def test_the_browser_moves_all_masses_as_the_physics_does(ends: str, starts: str, N: int) -> None:
-    scene = Chain(N=N, ends=ends, starts=starts, p=1.0, j=1.0, v_0=0.3)
-    shown = scene.shown
-    signal, axis, time = shown.signals["x"], shown.axes["y"], shown.axes["t"]
-    assert isinstance(signal, Modal)
-    t = np.linspace(0.0, time.end, 7)
-    exact = np.array([axis.places(one) for one in shown.traces["time"].exact(t).values()])
-    reach = np.abs(np.array(signal.sizes)).sum() + np.abs(exact).max()
-    for i, at in enumerate(t):
-        moved = call("static/core/modal.displaced", signal, time.place(float(at)))
-        found = [moved[str(p)] for p in range(N)] if isinstance(moved, dict) else moved
-        off = np.abs(np.array(found) - exact[:, i]).max()
-        assert off <= 50 * U * reach
 
 
 def test_another_number_of_masses_keeps_the_string_or_the_masses() -> None:
@@ -74,15 +52,6 @@ def test_a_mode_or_a_mass_that_there_is_not() -> None:
         scene.N = 501.0
 
 
-def test_one_mass_and_two_are_the_scenes_that_are_known() -> None:
-    one = Chain(N=1, m=2.0, k=3.0)
-    assert value(one, "slowest") == Oscillator(m=2.0, k=6.0).omega_n
-    two = Chain(N=2, m=2.0, k=3.0, ends="fixed-free", keep="masses")
-    pair = SCENES["coupled"](m1=2.0, m2=2.0, k1=3.0, k2=3.0)
-    assert value(two, "slowest") == pytest.approx(value(pair, "omega_minus"), rel=2 * U)
-    assert value(two, "fastest") == pytest.approx(value(pair, "omega_plus"), rel=2 * U)
-
-
 def test_a_wall_turns_a_pulse_over_and_a_free_end_does_not() -> None:
     for label, sign in (("Pulse", -1), ("Free end", 1)):
         scene = taken("chain", label)
@@ -104,15 +73,6 @@ def test_where_a_string_is_plucked_there_are_modes_that_stay_silent() -> None:
     assert value(scene, "E") == pytest.approx(0.08, rel=1e-4)
     fast = taken("chain", "One mass").of().drawn.energy
     assert fast[25:].sum() > 0.5 * fast.sum()
-
-
-def test_the_modes_of_three_and_of_two_masses() -> None:
-    three = displacements(taken("chain", "Mode 2 of 3"))
-    assert np.abs(three[:, 1]).max() < 1e-15
-    np.testing.assert_allclose(three[:, 0], -three[:, 2], atol=1e-14)
-    golden = (math.sqrt(5) - 1) / 2
-    assert value(taken("chain", "Two"), "slowest") == pytest.approx(golden, rel=1e-15)
-    assert value(taken("chain", "Two"), "fastest") == pytest.approx(1 + golden, rel=1e-15)
 
 
 def test_a_free_chain_drifts_and_says_so() -> None:

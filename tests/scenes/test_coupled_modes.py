@@ -9,17 +9,13 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from components.chain import of_scene as chain_of
 from components.scenes import SCENES
-from components.scenes.coupled import Coupled
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from tests.page.hand import Hand, grabs, sets
 from tests.page.headless_page import Page, put
-from tests.physics.braked_cases import sizes
 
 U = 2.0**-53
 RANDOM = random.Random(16)
@@ -137,17 +133,3 @@ def test_a_drift_is_not_given_by_a_phase() -> None:
     assert "given_by" not in told["state"]["parameters"]
     page = Page(SCENES["coupled"](k1=0.0))
     assert choose(page, "modes")["errors"] == {}
-
-
-@given(st.tuples(sizes(), sizes(), sizes(), sizes() | st.just(0.0)), sizes(-2, 2), st.sampled_from(("slow", "fast")))
-def test_the_amplitude_of_a_mode_is_that_of_mass_1_or_of_the_mass_that_moves(
-    parameters: tuple[float, float, float, float], size: float, mode: str
-) -> None:
-    chain = TwoMassChain(**dict(zip(("m1", "m2", "k1", "k2"), parameters, strict=True)))
-    slow = mode == "slow"
-    x_0, _ = start_given(modes_given(chain, (size * slow, size * (not slow)), (math.pi / 2, math.pi / 2)))
-    moves = 0 if chain.k2 or not slow else 1
-    assert x_0[moves] == pytest.approx(size)
-    assert chain.k2 or not x_0[1 - moves]
-    hint = Coupled.param["X_slow"].doc
-    assert "amplitude of mass 1" in hint and "without spring 2, of the mass that moves" in hint

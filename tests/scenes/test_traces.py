@@ -16,6 +16,7 @@ from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from physics.sampling import drawable
 from tests.page.headless_page import picture_wire
+from tests.scenes.hard import HARD
 
 NEAR = {"absorber": 1e-7}
 """Of the frame."""
@@ -26,7 +27,7 @@ TOLD, CLOSED = 1e-6, 1e-9
 
 
 def views(slug: str) -> Iterator[dict[str, Any]]:
-    """The presets of a scene, each shown in all ways, and some that its presets leave out."""
+    """The presets of a scene, each shown in all ways, and its hard states where these are not drawn from tables."""
     scene = SCENES[slug]
     choices = [
         {name: value}
@@ -37,6 +38,7 @@ def views(slug: str) -> Iterator[dict[str, Any]]:
     for preset in ({}, *scene.presets.values()):
         for choice in ({}, *choices):
             yield {**preset, **choice}
+    yield from () if slug in ("driven", "absorber") else HARD.get(slug, [])
 
 
 def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
@@ -80,6 +82,8 @@ def test_no_curve_is_too_sparse_for_its_motion(slug: str) -> None:
     """With eight times as many instants it reaches as far, apart from what twelve points per cycle miss."""
     for values in views(slug):
         shown = SCENES[slug].at(values).shown
+        if values.get("N") == 500:
+            continue  # so many masses are drawn by colour, with fewer instants
         for source, one in shown.traces.items():
             dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
             for name in one.names:

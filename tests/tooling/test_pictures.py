@@ -53,16 +53,6 @@ def test_visible_differences_are_listed(tmp_path: Path, pixels: int, level: int,
     assert list(differing(tmp_path / "before", tmp_path / "after")) == listed
 
 
-def test_missing_pictures_and_other_sizes_are_listed(tmp_path: Path) -> None:
-    before, after = tmp_path / "before", tmp_path / "after"
-    assert list(differing(before, after)) == ["There are no pictures."]
-    picture(before)
-    picture(after, size=(HIGH, WIDE + 1))
-    assert list(differing(before, after)) == ["one.png: 200 x 100 before, 201 x 100 after"]
-    (after / "one.png").rename(after / "two.png")
-    assert list(differing(before, after)) == ["one.png: only before", "two.png: only after"]
-
-
 def run(*arguments: str, tool: str = "tools.pictures") -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", tool, *arguments]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
