@@ -53,9 +53,11 @@ class Plane(NamedTuple):
     down: float = 1.0
 
     def x(self, pixels: Any) -> Any:
+        """Return the x coordinates of pixels from the left edge."""
         return self.left + self.right * np.asarray(pixels)
 
     def y(self, pixels: Any) -> Any:
+        """Return the y coordinates of pixels below the upper edge."""
         return self.top + self.down * np.asarray(pixels)
 
     def drawn(self, x: Any, y: Any) -> tuple[Any, Any]:
@@ -64,6 +66,7 @@ class Plane(NamedTuple):
         return tuple(np.round(one, n).tolist() for one, n in zip((self.x(x), self.y(y)), digits, strict=True))
 
     def pixels(self, x: float, y: float) -> tuple[float, float]:
+        """Return the pixels of a point of the figure."""
         return (x - self.left) / self.right, (y - self.top) / self.down
 
 
@@ -85,8 +88,10 @@ def draggable(grab: Grab | None) -> bool:
 
 
 class ShapeGlyphs:
-    """The shapes of a stage or of a plot, drawn in a figure. `moved` gets the values that a drag sets; the paper
-    under texts covers what is below them by the share `paper`."""
+    """The shapes of a stage or of a plot, drawn in a figure.
+
+    `moved` receives the values that a drag sets. `paper` is the opacity of the white background of texts.
+    """
 
     def __init__(
         self, figure: BokehPlot, shapes: tuple[AnyShape, ...], moved: Callable[[Grab, dict[str, float]], None],
@@ -116,7 +121,7 @@ class ShapeGlyphs:
         self, named: Mapping[str, float], texts: Mapping[str, str], axes: Mapping[str, Axis], plane: Plane,
         flags: Iterable[GlyphRow] = (),
     ) -> None:  # fmt: skip
-        """Draw flags, and all shapes at an instant except shapes that need a missing quantity."""
+        """Draw the shapes at an instant, except those that need a missing quantity, and the names of marks, `flags`."""
         self._named, self._axes, self._plane = named, axes, plane
         found: dict[str, list[dict[str, Any]]] = {of: [] for of in GLYPHS}
         self._held, places = [], []

@@ -34,9 +34,11 @@ class TextBox(NamedTuple):
     bottom: float
 
     def moved(self, across: float, down: float) -> TextBox:
+        """Return the box, moved to the right and down."""
         return TextBox(self.left + across, self.right + across, self.top + down, self.bottom + down)
 
     def meets(self, other: TextBox) -> bool:
+        """Return whether two boxes overlap; boxes that only touch do not."""
         wide = self.left < other.right - TOUCH and other.left < self.right - TOUCH
         return wide and self.top < other.bottom - TOUCH and other.top < self.bottom - TOUCH
 

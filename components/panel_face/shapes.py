@@ -85,18 +85,22 @@ class Pen:
 
     @property
     def colour(self) -> str:
+        """The colour of lines and texts."""
         return colours()[self.tint]
 
     def line(self, xs: Any, ys: Any, width: float | None = None) -> GlyphRow:
+        """Return a line through points, with another width if one is given."""
         look = {"width": self.width if width is None else width, "dash": list(self.dash), "alpha": self.alpha}
         return GlyphRow("lines", {"x": list(xs), "y": list(ys), "colour": self.colour, **look})
 
     def area(self, xs: Any, ys: Any) -> GlyphRow:
+        """Return a filled polygon with its outline."""
         fill = colours()[self.fill or self.tint] if self.fill is not None else None
         look = {"fill": fill, "opacity": self.opacity if fill else 0.0, "width": self.width, "dash": list(self.dash)}
         return GlyphRow("areas", {"x": list(xs), "y": list(ys), "colour": self.colour, **look})
 
     def point(self, x: float, y: float, size: float, marker: str = "circle", angle: float = 0.0) -> GlyphRow:
+        """Return a marker of Bokeh, `size` pixels wide and turned by `angle` in radians."""
         fill = colours()[self.fill or self.tint] if self.fill is not None else None
         look = {"fill": fill, "opacity": self.opacity if fill else 0.0, "width": self.width, "angle": angle}
         return GlyphRow("points", {"x": x, "y": y, "size": size, "marker": marker, "colour": self.colour, **look})
@@ -214,7 +218,10 @@ def _label(s: Any, look: Pen, _: NamedNumbers) -> Iterator[GlyphRow]:
 def text_row(
     x: float, y: float, text: Runs | str, tint: str, size: str, anchor: str, bold: bool = False, align: str = ""
 ) -> GlyphRow:
-    """A text on its base line; live numbers in its runs are still to be filled in. Its anchor says how it may move."""
+    """Return a text on its base line, whose live numbers are filled in later.
+
+    `anchor` says how it may move: "inside" a box it stays, "beside" a point it is right or left of it.
+    """
     align = align or {"middle": "center", "end": "right"}.get(anchor, "left")
     look = {"font": f"{SIZES[size]}px", "bold": "bold" if bold else "normal", "colour": colours()[tint]}
     return GlyphRow("texts", {"x": x, "y": y, "text": text, "anchor": anchor, "align": align, **look})

@@ -22,8 +22,10 @@ MOST_BESIDE = 4  # options; more are a list
 
 
 class QuantityControl:
-    """A field for one quantity and a slider: text typed may be 1/3 or 36 km/h. A refused text stays in the field, with
-    its sentence below."""
+    """A field for one quantity and a slider.
+
+    You can type 1/3 or 36 km/h. A refused text stays in the field, with the reason below.
+    """
 
     def __init__(self, row: SliderRow, ask: Ask) -> None:
         self.row, self._ask, self.place, self.label = row, ask, 0.0, row.label
@@ -77,6 +79,7 @@ class ChoiceControl:
         self.field.param.watch(self._chosen, "value")
 
     def tell(self, setting: Setting) -> None:
+        """Show a setting."""
         self.word = setting.value
         self.field.value = self.word
 
@@ -94,6 +97,7 @@ class ModeControl:
         self.field.param.watch(self._chosen, "value")
 
     def show(self, picture: Picture) -> None:
+        """List the modes of the chain in a picture, and choose the one that is started alone."""
         signal, alone = picture.signals.get(self.block.of), picture.values.get(self.block.chosen, "")
         count = len(signal.omega) if isinstance(signal, Modal) else 0
         self.mode = int(alone) if alone.isdigit() else 0

@@ -19,6 +19,7 @@ from components.language.shapes import AnyShape
 from components.panel_face.face import PanelFace
 from components.panel_face.live_figure import LiveFigure, LiveStage
 from components.panel_face.shapes import KINDS
+from components.panel_face.widgets import ChoiceControl
 from components.quantities.instant import instant
 from components.quantities.scales import slider_place, slider_value
 from components.scene import Scene
@@ -73,6 +74,21 @@ def test_every_slider_moves_the_scene(kind: type[Scene]) -> None:
             assert numbers(scene) == drawn, name
             check_figures(face)
     assert numbers(scene) != first
+
+
+@scenes
+def test_every_choice_changes_the_scene(kind: type[Scene]) -> None:
+    face = first_face(kind.slug)
+    scene = face.scene
+    for control in face.controls:
+        if isinstance(control, ChoiceControl):
+            for option in control.row.options:
+                control.field.value = option.value
+                assert face.problems or str(scene.values[control.row.name]) == option.value, control.row.label
+                shown = draw(scene.value).picture.sources
+                drawn = {of: {name: list(one) for name, one in columns.items()} for of, columns in shown.items()}
+                assert numbers(scene) == {of: columns for of, columns in drawn.items() if columns}
+                check_figures(face)
 
 
 @scenes

@@ -34,34 +34,42 @@ COUNT = """() => {
 
 
 def line(browser: Browser, server: Server, slug: str) -> str:
-    """A row of the table: frames a second, the server's CPU for one of them, and the bytes that it sends for one."""
-    process = psutil.Process(server.process.pid)
+    """A row of the table: frames a second, and for one frame the CPU of server and browser and the bytes received."""
+    process, here = psutil.Process(server.process.pid), psutil.Process()  # the browser is a child of this process
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     received = [0]
     page.on("websocket", lambda wire: wire.on("framereceived", lambda data: received.append(len(data))))
-    page.goto(f"http://localhost:{server.port}/app?scene={slug}")
+    page.goto(f"http://localhost:{server.port}/app?scene={slug}", timeout=PATIENCE)
     page.locator("button.play").click(timeout=PATIENCE)
     page.evaluate(COUNT)
     page.wait_for_timeout(1000 * WARM)
 
-    def state() -> tuple[int, float, float, int]:
-        cpu = process.cpu_times()
+    def state() -> tuple[int, float, float, float, int]:
+        cpu, of_all = used(process), sum(map(used, here.children(recursive=True)))
         drawn, now = page.evaluate("[drawn, performance.now()]")
-        return drawn, now / 1000, cpu.user + cpu.system, sum(received)
+        return drawn, now / 1000, cpu, of_all - cpu, sum(received)
 
     first = state()
     page.wait_for_timeout(1000 * SECONDS)
-    frames, seconds, cpu, sent = (late - early for early, late in zip(first, state(), strict=True))
+    frames, seconds, cpu, drawing, sent = (late - early for early, late in zip(first, state(), strict=True))
     page.close()
     each = max(frames, 1)
-    return f"| {slug} | {frames / seconds:.1f} | {1000 * cpu / each:.0f} ms | {sent / each / 1000:.1f} kB |"
+    costs = f"{1000 * cpu / each:.0f} ms | {1000 * drawing / each:.0f} ms | {sent / each / 1000:.1f} kB"
+    return f"| {slug} | {frames / seconds:.1f} | {costs} |"
+
+
+def used(process: psutil.Process) -> float:
+    """CPU time that a process has used, in seconds."""
+    times = process.cpu_times()
+    return float(times.user + times.system)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--scene", choices=SCENES, help="only this scene")
     slugs = [only] if (only := parser.parse_args().scene) else list(SCENES)
-    head = ["| scene | frames a second | CPU of the server per frame | bytes per frame |", "|---|---|---|---|"]
+    names = "| scene | frames a second | CPU of the server per frame | of the browser | bytes per frame |"
+    head = [names, "|---|---|---|---|---|"]
     report = REPORT.with_name("player.md")
     report.parent.mkdir(parents=True, exist_ok=True)
     with serving_panel(report.with_suffix(".log")) as server, sync_playwright() as playwright:
