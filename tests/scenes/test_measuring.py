@@ -21,10 +21,11 @@ from tests.serving.server import ROOT, Server, serving
 from tests.serving.visitor import Visitor
 
 BENIGN = SYSTEMS["benign"]
+pytestmark = pytest.mark.timeout(600)
 TWO = ("closed", "verlet")
 
 
-def wait(until: Callable[[], object], seconds: float = 100.0) -> None:
+def wait(until: Callable[[], object], seconds: float = 400.0) -> None:
     end = time.monotonic() + seconds
     while not until():
         assert time.monotonic() < end, "waited in vain"

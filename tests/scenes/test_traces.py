@@ -18,6 +18,7 @@ from physics.sampling import drawable
 from tests.page.headless_page import picture_wire
 from tests.scenes.hard import HARD
 
+pytestmark = pytest.mark.timeout(600)
 NEAR = {"absorber": 1e-7}
 """Of the frame."""
 CORNERS = {"x_sliced": 5e-3}

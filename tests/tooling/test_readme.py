@@ -32,7 +32,7 @@ TRIED = {
     "pip install .": "tests/tooling/test_packaging.py::test_an_installed_lecture_serves_its_first_page",
 }
 """Each command of README and the test that runs it. Steps of the image run without a container engine."""
-PATIENCE = 60.0
+PATIENCE = 110.0
 
 
 def commands(text: str) -> set[str]:
