@@ -6,8 +6,9 @@ With d(r) = omega^2 - r^2, which next to r is worked out from the digits of r be
 
     E = |d(omega_-) d(omega_+) - i omega c (m1 + m2)/(m1 m2) d(omega_12)|,
 
-omega_-, omega_+ the natural frequencies without damping, omega_2 = sqrt(k2/m2), and omega_12 = sqrt(k1/(m1 + m2)) that
-of both masses as one. The machine alone, omega_1 = sqrt(k1/m1), swings |X1| = F_0/m1/|d(omega_1)|.
+Here omega_- and omega_+ are the natural frequencies without damping, omega_2 = sqrt(k2/m2), and
+omega_12 = sqrt(k1/(m1 + m2)) is the natural frequency of both masses as one body.
+The machine alone, omega_1 = sqrt(k1/m1), swings |X1| = F_0/m1/|d(omega_1)|.
 """
 
 from decimal import Decimal

@@ -73,7 +73,7 @@ def views() -> Iterator[Sight]:
 
 
 def shoot(folder: Path, only: str) -> int:
-    """Save all pictures in a folder, and return their number."""
+    """Save a picture of each view whose name matches `only` in each screen size, and return their number."""
     folder.mkdir(parents=True, exist_ok=True)
     wanted = [view for view in views() if re.search(only, view.name)]
     with tempfile.TemporaryDirectory() as name, sync_playwright() as playwright:

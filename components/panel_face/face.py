@@ -172,7 +172,7 @@ class PanelFace(Viewer):
         self.refused.param.update(object=" ".join(rest.values()), visible=bool(rest))
 
     def _take(self, values: Values, plays: bool = False) -> None:
-        """Set values from a drag; a motion that begins with it starts at t = 0."""
+        """Set the values that a drag gives. If the drag starts a motion (`plays`), the time returns to 0."""
         command = Act(name="")
         self._ask(command, values)
         if plays:

@@ -12,7 +12,7 @@ from components.walks.walk import Step
 
 
 def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
-    """The lesson of a step, and the sentence on its answer. The answer is not stored here."""
+    """Return the lesson of a step with the comment on the visitor's answer, which is not stored here."""
     steps = walks[given.walk].steps if given.walk in walks else ()
     step = next((step for step in steps if step.id == given.step), None)
     if step is None:

@@ -217,7 +217,10 @@ export class Compare {
 /** @param {page.BrowserMessage | undefined} message */
 const hasLetGo = message => message?.type === "set" && message.holding === false
 
-/** True if an axis shows a smaller range, because it was fitted again. @param {Drawn} shown @param {Drawn} before */
+/**
+ * True if an axis shows a smaller range than before: then it was fitted again.
+ * @param {Drawn} shown @param {Drawn} before
+ */
 function isCloser({view: {axes}}, {view: {axes: old}}) {
   return Object.keys(axes).some(name => name in old && size(axes[name]) < 0.999 * size(old[name]))
 }

@@ -26,7 +26,7 @@ export function problemElement(id) {
   return element("p", {class: "problem", role: "alert", id})
 }
 
-// One slider with its typed field.
+// A slider, with the field in which its value can be typed.
 export class Slider {
   /** @type {page.Setting} the last setting from the server */
   state

@@ -153,7 +153,7 @@ export class Drawing {
     this.inside.append(svg("g", {class: tint}, ...(width === "none" ? [] : [line]), ...dots))
   }
 
-  /** Fixed points and lines that a stage draws over this plot only. */
+  /** Dots and lines that do not move and that a stage draws over this plot alone. */
   #ofStages() {
     const own = `${this.block.name}.`
     const isOwn = (/** @type {Set<string>} */ needs) =>

@@ -178,7 +178,7 @@ export class Copies {
 }
 
 /**
- * Makes this computer lead a class. `word` is a secret that the computer shows that led it before.
+ * Makes this computer lead a class. `word` is a secret: the computer that led the class before shows it.
  * @param {string} code @param {string} word
  */
 export async function takeOver(code, word) {

@@ -8,7 +8,7 @@ const REFUSED =
   "This browser gives the page no accelerations. Allow motion sensors for it in the browser's settings, or record " +
   "with an app and open its file."
 
-/** True on a phone or tablet whose browser may have an accelerometer for the page. */
+/** True on a phone or tablet whose browser can probably give the page accelerations. */
 export const canRecord = () =>
   isSecureContext && typeof DeviceMotionEvent !== "undefined" && matchMedia("(pointer: coarse)").matches
 

@@ -76,7 +76,7 @@ function traced([end, count, names, called], {signals, scalars}) {
   return {t, ...Object.fromEntries(names.map(name => [name, drawn[called[name] ?? name]]))}
 }
 
-/** Runs are sent as fourth differences: first all low bytes, then all high bytes. */
+/** Reads runs of numbers, sent as 16-bit differences of the fourth order: first all low bytes, then all high bytes. */
 class Numbers {
   at = 0
 

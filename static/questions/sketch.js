@@ -23,8 +23,8 @@ export class Sketch extends Question {
   }
 
   /**
-   * The plot of the sketch is covered, because its curve could be traced. @param {HTMLFormElement} form @param {Plot[]}
-   * plots
+   * The question from the form. The plot to sketch in is covered, otherwise its curve could be copied.
+   * @param {HTMLFormElement} form @param {Plot[]} plots
    */
   static read(form, plots) {
     const [name, y] = text(form, "curve").split(".")

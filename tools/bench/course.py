@@ -38,7 +38,7 @@ async def opening(server: Server, query: str, sessions: int) -> tuple[float, flo
 
 
 async def changing(server: Server, slug: str, changes: int) -> tuple[float, float]:
-    """CPU in ms and kB of each change: the median of some rounds, after one that warms up."""
+    """Return CPU time in ms and bytes in kB of a change: medians of ROUNDS rounds, after one that warms up."""
     process = psutil.Process(server.process.pid)
     _, (visitor,) = await arrive([server], f"scene={slug}", 1)
     name, low, high = dragged(SCENES[slug])

@@ -32,7 +32,7 @@ ASKED = (1e-3, 1e-6, 1e-9)
 
 
 def _look(slug: str) -> dict[str, object]:
-    """Colour and marker: the family's colours, one marker a method in it."""
+    """Return the colour and the marker of a method: a shade of its family, and its own marker in this family."""
     family = [other for other in METHODS if SHADES[FAMILIES[other]] == SHADES[FAMILIES[slug]]]
     place = family.index(slug)
     low, high = (0.45, 1.0) if FAMILIES[slug] in ("closed", "exact") else (0.0, 0.85)

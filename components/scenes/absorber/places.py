@@ -70,7 +70,7 @@ class Places(Declared[AbsorberCase]):
     hook = scalar(lambda d, a: min(HOOK, min(_sides(d)) / 2))
     wire1 = scalar(lambda d, a: wire(d.k1 / 1e4))
     wire2 = scalar(lambda d, a: wire(d.k2 / 1e4))
-    # The view in which the masses can be dragged.
+    # True in the view "From rest"; only there can the masses be dragged.
     from_rest = scalar(lambda d, a: d.from_rest)
     # The motion without the absorber, the verdict with it, and the goals that are met.
     differ = scalar(lambda d, a: d.plays != d.plays_alone)

@@ -127,7 +127,7 @@ class DampedForcedCase(ForcedCase):
         return of_both((S.x, x), (S.x_p, self.modes.particular_motion(t)), (S.x_c, self.modes.complementary(t)))
 
     def _bands(self, t: Floats) -> Columns:
-        """A bound of the displacements: the sum of all parts."""
+        """An upper bound of the displacements: the sum of the magnitudes of all parts."""
         found: Columns = {}
         for i, X in zip(BOTH, self.X, strict=True):
             size = np.full_like(t, abs(X))

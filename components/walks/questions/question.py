@@ -142,7 +142,7 @@ def astray(field: str, replies: Sequence[Reply], subject: Subject) -> Iterator[s
 
 
 def refused(field: str, act: Callable[[], object]) -> Iterator[str]:
-    """Prefix the message of a ValueError with the field of the walk's file."""
+    """Call `act`; yield the message of a ValueError, after the name of the field in the walk's file."""
     try:
         act()
     except ValueError as reason:
