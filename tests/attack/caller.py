@@ -7,24 +7,19 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Mapping
-from http.client import HTTPConnection
-from typing import Any, NamedTuple
-from urllib.parse import urlsplit
+from typing import Any
 
 from tornado.httpclient import HTTPClientError
 from tornado.websocket import WebSocketClientConnection, websocket_connect
+
+from tests.live_class.caller import Answered, call
 
 PATIENCE = 60.0
 """Seconds to wait for an answer of the server."""
 TRACES = ("Traceback", 'File "', "site-packages", "Error:")
 
 
-class Reply(NamedTuple):
-    status: int
-    text: str
-    headers: Mapping[str, str]
-
+class Reply(Answered):
     @property
     def refused(self) -> bool:
         """True for a client error (4xx) whose text shows nothing of the program."""
@@ -36,15 +31,8 @@ class Reply(NamedTuple):
 
 
 def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Reply:
-    """Send one request. Underscores in header names become hyphens."""
-    connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
-    try:
-        named = {name.replace("_", "-"): value for name, value in headers.items()}
-        connection.request(method, path, headers=named)
-        answer = connection.getresponse()
-        return Reply(answer.status, answer.read().decode("utf-8", "replace"), dict(answer.headers))
-    finally:
-        connection.close()
+    """One request; the names of headers are written with underscores."""
+    return Reply(*call(url, path, method, **headers))
 
 
 def token_of(page: str) -> str:

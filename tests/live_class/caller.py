@@ -11,7 +11,7 @@ from http.client import HTTPConnection
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
-PATIENCE = 30.0
+PATIENCE = 60.0
 
 
 class Answered(NamedTuple):
@@ -33,7 +33,7 @@ def call(url: str, path: str, method: str = "GET", body: object = None, word: st
     try:
         connection.request(method, path, None if body is None else json.dumps(body), named)
         answer = connection.getresponse()
-        return Answered(answer.status, answer.read().decode(), dict(answer.headers))
+        return Answered(answer.status, answer.read().decode("utf-8", "replace"), dict(answer.headers))
     finally:
         connection.close()
 

@@ -76,56 +76,41 @@ def test_frames_are_named_as_in_the_header(text: str) -> None:
     assert read_settings([], {"FRAME_ANCESTORS": text}).frame_ancestors == text
 
 
-WRONG = [
-    ("PORT", "70000"),
-    ("PORT", "http"),
-    ("UNUSED_SECONDS", "0"),
-    ("UNUSED_SECONDS", "nan"),
-    ("NOTICE_SECONDS", "9"),
-    ("SESSIONS", "many"),
-    ("ARRIVALS", "0"),
-    ("SHOW", "perhaps"),
-    ("LOG_FORMAT", "xml"),
-    ("LOG_VISITORS", "some"),
-    ("FRAME_ANCESTORS", "*; script-src *"),
-    ("FRAME_ANCESTORS", "course.example"),
-    ("ALLOWED_ORIGIN", "a:b:c"),
-    ("ALLOWED_ORIGIN", "lecture.example,"),
-    ("ALLOWED_ORIGIN", "https://lecture.example"),
-    ("ALLOWED_ORIGIN", "lecture.example/oscillations"),
-    ("ALLOWED_ORIGIN", "lecture.example second.example"),
-    ("ALLOWED_ORIGIN", "lecture.example:99999"),
-    ("ALLOWED_ORIGIN", "lecture.example:0"),
-    ("ALLOWED_ORIGIN", "schön.example"),
-    ("FRAME_ANCESTORS", "https://course.example:99999"),
-    ("FRAME_ANCESTORS", "https://пример.example"),
-    ("TRUSTED_PROXIES", "proxy.example"),
-    ("TRUSTED_PROXIES", "10.0.0.1/24"),
-    ("METRICS_FOR", "prometheus"),
-    ("PUBLIC_URL", "lecture.example"),
-    ("PUBLIC_URL", "https://lecture.example:99999/"),
-    ("PUBLIC_URL", "https://[::1"),
-    ("REDIS_URL", "http://store"),
-    ("REDIS_URL", "redis://store:99999/0"),
-    ("REDIS_URL", "redis://store:port/0"),
-    ("REDIS_URL", "redis://store/lecture"),
-    ("REDIS_URL", "redis://store/0?colour=red"),
-    ("REDIS_URL", "redis://[store/0"),
-    ("REDIS_URL", "redis://store:0/0"),
-    ("REDIS_URL", "redis://store/999999"),
-    ("ADDRESS", "local host"),
-    ("ADDRESS", "lecture..example"),
-    ("WALKS", "/nowhere/walks"),
-]
+WRONG = {
+    "PORT": ("70000", "http"),
+    "UNUSED_SECONDS": ("0", "nan"),
+    "NOTICE_SECONDS": ("9",),
+    "SESSIONS": ("many",),
+    "ARRIVALS": ("0",),
+    "SHOW": ("perhaps",),
+    "LOG_FORMAT": ("xml",),
+    "LOG_VISITORS": ("some",),
+    "FRAME_ANCESTORS": (
+        *("*; script-src *", "course.example", "https://course.example:99999", "https://пример.example"),
+    ),
+    "ALLOWED_ORIGIN": (
+        *("a:b:c", "lecture.example,", "https://lecture.example", "lecture.example/oscillations"),
+        *("lecture.example second.example", "lecture.example:99999", "lecture.example:0", "schön.example"),
+    ),
+    "TRUSTED_PROXIES": ("proxy.example", "10.0.0.1/24"),
+    "METRICS_FOR": ("prometheus",),
+    "PUBLIC_URL": ("lecture.example", "https://lecture.example:99999/", "https://[::1"),
+    "REDIS_URL": (
+        *("http://store", "redis://store:99999/0", "redis://store:port/0", "redis://store/lecture"),
+        *("redis://store/0?colour=red", "redis://[store/0", "redis://store:0/0", "redis://store/999999"),
+    ),
+    "ADDRESS": ("local host", "lecture..example"),
+    "WALKS": ("/nowhere/walks",),
+}
 OTHERWISE = set(SECRETS)
 """A secret does not appear in the refusal."""
 
 
 def test_each_setting_is_tried_with_a_wrong_value() -> None:
-    assert {name.lower() for name, _ in WRONG} | OTHERWISE == set(HINTS)
+    assert {name.lower() for name in WRONG} | OTHERWISE == set(HINTS)
 
 
-@pytest.mark.parametrize(("name", "text"), WRONG)
+@pytest.mark.parametrize(("name", "text"), [(name, text) for name, texts in WRONG.items() for text in texts])
 def test_a_value_that_is_not_allowed_is_refused_with_what_is(name: str, text: str) -> None:
     with pytest.raises(ValueError) as refusal:
         read_settings([], {name: text})
