@@ -1,4 +1,4 @@
-"""The page in Chromium: draws, plays without the server, answers a slider, restores a link, rejects values in words."""
+"""The page in Chromium: draws, plays without the server, restores a link, tells the numbers at the pointer."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Page, WebSocket, expect
 
+from components.quantities.formatting import short
 from components.scenes import SCENES
 from tests.browser.waiting import QUIET, passed, played, turned
 from tests.grids import spread
+from tests.page import scripts
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -227,3 +229,20 @@ def test_small_pictures_that_scroll_out_of_sight_rest(turning: Page) -> None:
     assert before
     turning.evaluate("oscillations.clock.seek(0.37 * oscillations.clock.end)")
     turning.wait_for_function("resting.svg.innerHTML !== rested")
+
+
+POINT = """([name, share]) => {
+  const plot = oscillations.plots.find(({block}) => block.name === name), {frame} = plot
+  const box = plot.host.getBoundingClientRect(), x = Math.round(box.x + frame.left + share * frame.width)
+  return {x, y: box.y + frame.top + frame.height / 2, place: plot.valueAt({clientX: x, clientY: 0})}
+}"""
+
+
+@pytest.mark.parametrize("share", [0.2, 0.55, 0.93])
+def test_a_motion_is_read_as_it_is(page: Page, open_scene: Open, share: float) -> None:
+    open_scene(page, scene="coupled")
+    point = page.evaluate(POINT, ["x1", share])
+    page.mouse.move(point["x"], point["y"])
+    picture = SCENES["coupled"]().shown
+    x1 = float(scripts.played(picture, point["place"])["x1"])
+    expect(page.locator(".reading:visible span").last).to_have_text(f"x1 {short(x1)} {picture.axes['x'].full_unit}")

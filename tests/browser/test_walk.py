@@ -439,3 +439,41 @@ def test_a_link_to_a_step_never_shows_the_scene_alone(new_page: Callable[..., Pa
     assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
     headlines = {scene.headline for scene in SCENES.values()}
     assert not [one for one in seen if one["headline"] in headlines]
+
+
+@pytest.mark.parametrize("step", ["d34-19", "d34-20", "d34-21"])
+def test_on_a_phone_an_answer_without_a_stage_on_top_begins_with_its_picture(
+    step: str, walk: Callable[..., Page]
+) -> None:
+    page = walk(step, width=390, height=844)
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function(TAUGHT)
+    page.wait_for_function(
+        """() => [".block.plot", ".block.stage", ".transport", ".card"]
+          .map(kind => [...document.querySelectorAll(kind)].find(one => one.checkVisibility()))
+          .map(one => one.getBoundingClientRect().top)
+          .every((top, i, all) => !i || top > all[i - 1])"""
+    )
+
+
+def test_names_over_a_plot_are_above_the_own_curve(walk: Callable[..., Page]) -> None:
+    page = walk("d34-14", width=390, height=844)
+    pad = page.locator(".drawing")
+    pad.scroll_into_view_if_needed()
+    box = pad.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 15, box["y"] + 20)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] - 15, box["y"] + 20, steps=20)
+    page.mouse.up()
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function(TAUGHT)
+    page.add_style_tag(content="* { pointer-events: auto !important }")
+    uppermost = """() => {
+      const flag = [...document.querySelectorAll(".plot-area .flag")].find(flag => flag.checkVisibility())
+      flag.scrollIntoView({block: "center"})
+      const {left, top, width, height} = flag.getBoundingClientRect()
+      const found = document.elementsFromPoint(left + width / 2, top + height - 3)
+      return found.findIndex(one => flag.contains(one)) < found.findIndex(one => one.closest(".drawing"))
+    }"""
+    assert page.evaluate(uppermost)
