@@ -80,6 +80,12 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
     return page
 
 
+def put(lecture: Page, phone: Page, step: str) -> None:
+    """Wait until hall and phone ask a step."""
+    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
+    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
+
+
 def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) -> Page:
     """A phone that is accepted as the remote control."""
     lecture.keyboard.press("j")

@@ -84,19 +84,6 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open) -> None:
     by_another_window(lecture)
 
 
-def test_of_how_many_is_told_anew_when_somebody_comes_or_goes(window: Open) -> None:
-    lecture, code = taught(window, "walk=d34&step=d34-12")
-    votes = lecture.locator(".votes")
-    phone = joined(window, code)
-    expect(votes).to_contain_text("0 of 1 have answered")
-    phone.locator(".answers button").first.click()
-    expect(votes).to_contain_text("1 of 1 have answered")
-    late = joined(window, code)
-    expect(votes).to_contain_text("1 of 2 have answered")
-    late.close()
-    expect(votes).to_contain_text("1 of 1 have answered")
-
-
 def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-12")
     own = joined(window, code)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import LED, Open, counted, draw, joined, taught
+from tests.browser.classroom import LED, Open, counted, draw, joined, put, taught
 from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
@@ -15,11 +15,6 @@ WALK = {"d31-03": "choice", "d31-02": "number", "d34-08": "point", "d34-14": "sk
 SENT = "You can change it"
 QUESTION = "(({walk, step, vote, closed, answered, lesson}) => [walk, step, vote, closed, answered, Boolean(lesson)])"
 FILLED = ".card .foot .filled"
-
-
-def put(lecture: Page, phone: Page, step: str) -> None:
-    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
-    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
 
 
 def answered(phone: Page, kind: str) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import LED, counted, draw, joined, remote_of, taught
+from tests.browser.classroom import LED, counted, draw, joined, put, remote_of, taught
 from tests.browser.dropping import drop
 from tests.browser.halls import seen
 from tests.browser.waiting import clicked
@@ -20,11 +20,6 @@ pytestmark = pytest.mark.browser
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14", "rest": "d34-12"}
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
 SENT = "You can change it until the answer is shown."
-
-
-def put(lecture: Page, phone: Page, step: str) -> None:
-    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
-    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
 
 
 def look(lecture: Page, name: str) -> None:

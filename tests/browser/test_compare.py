@@ -8,18 +8,13 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.waiting import type_in
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 DRAWN = """name => [...oscillations.plots.find(plot => plot.block.name === name).host
   .querySelectorAll('.ghosts path')].map(path => path.getAttribute('d').split('L').length)"""
 OUTLINES = "document.querySelectorAll('.held-shape:not([style*=none])').length"
-
-
-def type_in(page: Page, name: str, text: str) -> None:
-    field = page.locator(f"input[name={name}]").last
-    field.fill(text)
-    field.press("Enter")
-    field.blur()
 
 
 def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -> None:

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from components.scenes import SCENES
 from tests.browser.fixtures import READY
-from tests.browser.waiting import QUIET, played, unfold
+from tests.browser.waiting import QUIET, played, type_in, unfold
 from tests.grids import spread
 from tests.scenes.checks import EXTREME_LINKS
 from tests.serving.server import Server
@@ -153,9 +153,3 @@ def test_a_fault_of_what_a_button_does_is_told(browser: Browser, server: Server)
     page.get_by_role("button", name="Hold").click()
     expect(page.locator(".remark")).to_contain_text("Hold is broken")
     page.close()
-
-
-def type_in(page: Page, name: str, text: str) -> None:
-    box = page.locator(f"input[name={name}]")
-    box.fill(text)
-    box.press("Enter")

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Request, Route, expect
 
 from components.scenes import SCENES
+from tests.browser.waiting import type_in
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -17,13 +18,6 @@ Open = Callable[..., Page]
 def is_shown(page: Page, **values: float) -> None:
     for name, value in values.items():
         page.wait_for_function(f"oscillations.shown.settings.{name}.value === {value}")
-
-
-def type_in(page: Page, name: str, text: str) -> None:
-    box = page.locator(f"input[name={name}]")
-    box.fill(text)
-    box.press("Enter")
-    box.blur()
 
 
 def test_typed_values_and_presets_are_undone_one_by_one_and_done_again(page: Page, open_scene: Open) -> None:

@@ -1,4 +1,4 @@
-"""Waits of the browser tests: for conditions, never for a number of seconds."""
+"""Waits of the browser tests, for conditions and never for a number of seconds; a press of a clicker, a typed value."""
 
 from __future__ import annotations
 
@@ -66,3 +66,11 @@ def clicked(page: Page, key: str = "PageDown") -> None:
     page.wait_for_function("performance.now() > (globalThis.pressed ?? -1e9) + 420")
     page.keyboard.press(key)
     page.evaluate("() => { globalThis.pressed = performance.now() }")
+
+
+def type_in(page: Page, name: str, text: str) -> None:
+    """Type a value into the field of a parameter, and leave it."""
+    field = page.locator(f"input[name={name}]").last
+    field.fill(text)
+    field.press("Enter")
+    field.blur()
