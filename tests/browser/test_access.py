@@ -32,7 +32,7 @@ SHOWN = "one => (s => [s.backgroundColor, s.borderBottomColor, s.outlineStyle])(
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_forced_colours_tell_apart_what_is_pressed_and_where_one_is(
+def test_forced_colours_distinguish_pressed_buttons_and_the_current_page(
     scheme: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = open_scene(new_page(forced_colors="active", color_scheme=scheme), scene="coupled")
@@ -68,7 +68,7 @@ PARTS = """() => [".view-task", ".block.stage", ".transport", ".tabs", ".block.p
 
 
 @pytest.mark.parametrize("slug", ["forced", "coupled"])
-def test_on_a_phone_the_key_control_stands_between_plots_and_presets(
+def test_on_a_phone_the_key_control_is_between_plots_and_presets(
     slug: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), scene=slug)

@@ -44,7 +44,7 @@ def picture(page: Page) -> tuple[Any, Any]:
 
 @pytest.mark.parametrize("is_taught", [False, True], ids=["asked", "taught"])
 @pytest.mark.parametrize("mode", ["&projector", ""], ids=["hall", "desk"])
-def test_another_computer_takes_the_lead_as_it_stands(
+def test_another_computer_takes_the_lead_in_the_current_state(
     server: Server, browser: Browser, window: Open, mode: str, is_taught: bool
 ) -> None:
     lecture, code = taught(window, f"walk=d31&step={STEP}{mode}")

@@ -22,7 +22,7 @@ VERSION = "document.documentElement.dataset.version[0]"
 HEARD = "globalThis.oscillations?.news?.number"
 
 
-def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(server: Server, failing: Open) -> None:
+def test_a_phone_of_another_version_reloads_the_page_but_not_twice_at_once(server: Server, failing: Open) -> None:
     page = failing(f"class={call(server.url, '/class', 'POST').json['code']}", 390, 844)
     page.wait_for_function(HEARD)
     page.add_init_script(COUNT)
@@ -46,7 +46,7 @@ RESENT = "oscillations.asked.given && oscillations.asked.delivery.isTaken(oscill
 """True if the server has the answer that the phone kept and sends again after a while."""
 
 
-def test_a_phone_that_is_loaded_anew_has_its_answers(window: Open) -> None:
+def test_a_reloaded_phone_has_its_answers(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-14")
     page = joined(window, code)
     draw(page, lambda x: 0.2 + 0.6 * x)

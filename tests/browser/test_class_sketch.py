@@ -68,7 +68,7 @@ def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
     lecture.wait_for_function(INKED, arg=[point for points in curves.values() for point in points])
 
 
-def test_the_pad_lies_above_the_bar_of_the_class(window: Open) -> None:
+def test_the_pad_is_above_the_bar_of_the_class(window: Open) -> None:
     """A drawing does not cover the bar. A plot that the step lists has the numbers of the time."""
     lecture, code = taught(window, "walk=d34&step=d34-10&projector")
     phone = joined(window, code, 844, 390)

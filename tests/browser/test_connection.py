@@ -54,7 +54,7 @@ def lost(page: Page) -> None:
 
 
 @pytest.mark.parametrize("name", spread([*LOSSES]))
-def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
+def test_every_last_value_is_kept_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 
 

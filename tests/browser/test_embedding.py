@@ -45,7 +45,7 @@ def opened(browser: Browser) -> Iterator[Callable[[str], Page]]:
     context.close()
 
 
-def test_a_frame_has_the_height_that_its_page_tells(framed: Server, opened: Callable[[str], Page]) -> None:
+def test_a_frame_has_the_height_that_its_page_reports(framed: Server, opened: Callable[[str], Page]) -> None:
     low = FRAME.replace('height="760"', 'height="500"')
     html = f"<!DOCTYPE html><title>A course</title>{low}{LISTENER}".replace("https://lecture.example/", framed.url)
     with elsewhere(html) as address:

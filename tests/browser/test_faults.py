@@ -69,7 +69,7 @@ def test_a_link_beyond_doubles_opens_a_page_that_works(page: Page, open_scene: O
 
 
 @pytest.mark.parametrize("lose", [LOSE_A_MESSAGE, LOSE_AN_ANSWER], ids=["message", "answer"])
-def test_what_is_lost_on_the_way_is_said_anew(page: Page, open_scene: Open, lose: str) -> None:
+def test_lost_messages_are_sent_again(page: Page, open_scene: Open, lose: str) -> None:
     open_scene(page, scene="coupled")
     page.evaluate(f"() => {{ {PATIENCE}; {lose} }}")
     type_in(page, "k2", "7")
@@ -78,7 +78,7 @@ def test_what_is_lost_on_the_way_is_said_anew(page: Page, open_scene: Open, lose
     assert again == lost, "the server applies a number once"
 
 
-def test_an_answer_that_comes_late_is_not_heard(page: Page, open_scene: Open) -> None:
+def test_a_late_answer_is_ignored(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     page.evaluate(f"() => {{ {HEAR_TWICE} }}")
     for value in (7, 8):
@@ -117,7 +117,9 @@ def test_a_picture_that_fails_does_not_keep_the_next_from_being_shown(browser: B
 
 
 @pytest.mark.parametrize("slug", ["coupled", "accuracy"])
-def test_an_exception_in_one_part_stops_no_other_and_is_told_once(slug: str, browser: Browser, server: Server) -> None:
+def test_an_exception_in_one_part_stops_no_other_and_is_reported_once(
+    slug: str, browser: Browser, server: Server
+) -> None:
     """Without the fixture of pages, which would fail on a logged error."""
     page = browser.new_page(bypass_csp=True)
     logged: list[str] = []
@@ -145,7 +147,7 @@ def test_an_exception_in_one_part_stops_no_other_and_is_told_once(slug: str, bro
     page.close()
 
 
-def test_a_fault_of_what_a_button_does_is_told(browser: Browser, server: Server) -> None:
+def test_an_exception_of_a_button_is_reported(browser: Browser, server: Server) -> None:
     page = browser.new_page(bypass_csp=True)
     page.goto(f"{server.url}?scene=coupled")
     page.wait_for_function(READY)

@@ -285,7 +285,7 @@ HELD = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.comp
         (".pill[data-grab=omega]", "omega"),
     ],
 )
-def test_what_a_finger_has_set_stands_when_the_browser_takes_it_away(
+def test_a_value_set_by_a_finger_is_kept_when_the_browser_cancels_the_touch(
     where: str, parameter: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = open_scene(new_page(390, 844, fresh=True, has_touch=True, is_mobile=True), scene="forced")

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
 
-def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
+def test_a_change_is_announced_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     described(page, "x1")
     heard = page.locator(".page > [role=status]")
@@ -36,7 +36,7 @@ def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_
     expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
 
 
-def test_the_lags_are_told_with_their_plots_and_after_a_change(page: Page, open_scene: Open) -> None:
+def test_the_lags_are_described_with_their_plots_and_announced_after_a_change(page: Page, open_scene: Open) -> None:
     forced: dict[str, float] = {"c1": 0.1, "c2": 0.1}
     texts = [SCENES["forced"](**forced, omega=omega, view="nyquist").shown.values for omega in (0.8, 0.7)]
     lags = [f"ass 1 {one['phase1']}; mass 2 {one['phase2']}" for one in texts]
@@ -50,7 +50,7 @@ def test_the_lags_are_told_with_their_plots_and_after_a_change(page: Page, open_
     assert f"M{lags[1]}; work of a cycle {texts[1]['work']} J. Horizontal" in described(page, "nyquist")
 
 
-def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
+def test_a_hidden_number_is_not_announced(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     described(page, "x1")
     state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
@@ -63,7 +63,7 @@ def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
     assert described(page, "x").endswith("Covered until you press Show the answer.")
 
 
-def test_a_turning_point_is_told_where_the_motion_turns(page: Page, open_scene: Open) -> None:
+def test_a_turning_point_is_described_where_the_motion_turns(page: Page, open_scene: Open) -> None:
     """Not at the nearest drawn point."""
     open_scene(page, scene="oscillator")
     scene = SCENES["oscillator"]()

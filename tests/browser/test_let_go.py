@@ -182,7 +182,7 @@ def test_a_grip_lets_go(page: Page, open_scene: Open) -> None:
     page.wait_for_function(f"{END} < 2")
 
 
-def test_a_frame_of_a_link_stands(page: Page, open_scene: Open) -> None:
+def test_a_frame_of_a_link_is_kept(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="oscillator", **{"frame.x": "-9,9"})
     page.locator("input[name=m-slider]").focus()
     page.keyboard.press("ArrowRight")

@@ -30,7 +30,7 @@ def test_the_last_row_can_read_every_step(name: str, server: Server, browser: Br
     assert not found, "\n".join(found)
 
 
-def test_pictures_of_each_step_stand_beside_its_problems(tmp_path: Path) -> None:
+def test_pictures_of_each_step_are_next_to_its_problems(tmp_path: Path) -> None:
     """In its own process, because this one already has a Playwright."""
     (tmp_path / "flat.toml").write_text(FLAT.replace("[[step]]", "[[step]]\ncover = []", 1), encoding="utf-8")
     command = [sys.executable, "-m", "tools.walk", "flat.toml", "--pictures"]

@@ -96,7 +96,7 @@ def test_a_remote_control_needs_no_storage(quiet: Quiet, server: Server) -> None
     expect(page.locator("h1")).to_contain_text("This code has been used")
 
 
-def test_without_bokeh_all_but_the_curves_goes_on(quiet: Quiet, server: Server) -> None:
+def test_without_bokeh_everything_but_the_curves_works(quiet: Quiet, server: Server) -> None:
     page = quiet()
     page.route("**/bokeh.min.js", lambda route: route.abort())
     page.goto(f"{server.url}?scene=coupled")

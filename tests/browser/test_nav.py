@@ -89,7 +89,7 @@ def test_a_folded_lecture_opens_by_mouse_and_keys(page: Page, open_scene: Open) 
     expect(page.locator(".nav .scenes a:visible")).to_have_text(titles("D31"))
 
 
-def test_on_a_narrow_screen_all_stand_in_one_list(page: Page, open_scene: Open) -> None:
+def test_on_a_narrow_screen_all_scenes_are_in_one_list(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     for width, height, to in ((820, 900, "energy"), (390, 844, "phugoid"), (320, 640, "energy")):
         page.set_viewport_size({"width": width, "height": height})

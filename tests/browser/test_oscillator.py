@@ -28,7 +28,7 @@ def dot(page: Page, plot: str, tint: str) -> float:
     return float(page.evaluate(f"(b => b.top + b.height / 2)({find}.getBoundingClientRect())"))
 
 
-def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open) -> None:
+def test_mass_and_curve_are_on_one_level(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="oscillator", view="formulas")
     expect(page.locator("h1")).to_have_text("A swing is a turning arrow, seen from the side")
     for t in (0.2, 0.685, 1.4):

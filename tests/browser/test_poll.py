@@ -46,7 +46,7 @@ def class_of(window: Open) -> tuple[Page, Page, Page]:
     return lecture, phone, remote
 
 
-def test_a_poll_stands_between_two_steps(class_of: tuple[Page, Page, Page]) -> None:
+def test_a_poll_is_between_two_steps(class_of: tuple[Page, Page, Page]) -> None:
     lecture, phone, _ = class_of
     for _ in range(5):  # votes, answer, explanation, formulas, the poll
         clicked(lecture)

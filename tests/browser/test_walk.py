@@ -354,9 +354,7 @@ def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
         assert [*looked_at(page)] == [], i
 
 
-def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
-    page: Page, open_scene: Callable[..., Page]
-) -> None:
+def test_the_first_visit_offers_the_tour_and_names_the_lectures(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="coupled")
     offer = page.locator("a.new-here")
     expect(offer).to_be_visible()

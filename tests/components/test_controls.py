@@ -125,7 +125,7 @@ def test_state_holds_values_and_the_texts_of_the_fields() -> None:
     assert "name" not in state
 
 
-def test_state_tells_of_a_slider_whose_range_has_moved() -> None:
+def test_the_state_has_sliders_with_moved_ranges() -> None:
     state = shown(Example(m1=8.0))
     assert state["omega"].soft == (0.0, 8.0)
     assert state["k2"].soft is None

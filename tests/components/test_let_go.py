@@ -160,7 +160,7 @@ def test_a_step_of_a_walk_and_what_waits_to_be_predicted_keep_their_frame(kept: 
     assert frame_of(page.shown) == wide
 
 
-def test_a_frame_of_a_link_stands_and_undo_brings_one_back() -> None:
+def test_a_frame_of_a_link_is_kept_and_undo_restores_one() -> None:
     page = Page(SCENES["oscillator"]())
     link = read_query(as_arguments("scene=oscillator&frame.x=-9,9"), SCENES)
     state = {"scene": "oscillator", "frame": msgspec.to_builtins(link.frame)}
@@ -183,7 +183,7 @@ def test_a_frame_of_a_link_stands_and_undo_brings_one_back() -> None:
     assert frame_of(page.shown).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
 
 
-def test_a_picture_to_compare_keeps_the_frame_that_stands() -> None:
+def test_a_compared_picture_keeps_the_current_frame() -> None:
     """Twice as far is seen to be twice as far, and so is half; another way of showing is fitted."""
     page = Page(SCENES["oscillator"]())
     start = {"scene": "oscillator", "parameters": {"x_0": 0.1, "v_0": 0.0}, "step": "d31/d31-03"}

@@ -111,7 +111,7 @@ def test_a_message_that_comes_again_is_answered_and_not_applied_again() -> None:
     assert page.scene.values["k"] == 9.0
 
 
-def test_a_refusal_whose_answer_was_lost_is_told_again() -> None:
+def test_a_refusal_whose_answer_was_lost_is_sent_again() -> None:
     page = Page(Faulty())
     first, again = (page.say({"type": "typed", "name": "k", "text": "hum", "number": 5}) for _ in range(2))
     assert first == again
@@ -132,7 +132,7 @@ def test_a_link_that_is_refused_says_why(value: float) -> None:
     assert facts["problems"] == [f"{BEYOND} The link's parameters were not used."]
 
 
-def test_the_log_is_told_of_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
     log = logging.getLogger("components.quantities.refusals")
     monkeypatch.setattr(log, "filters", [Once()])
     page = Page(Faulty())

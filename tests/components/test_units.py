@@ -54,7 +54,7 @@ def test_typed_numbers_are_in_the_unit_shown() -> None:
     assert scene.v_0 == pytest.approx(100 * 1852 / 3600, rel=1e-15)
 
 
-def test_refusals_speak_in_the_unit_shown() -> None:
+def test_refusals_use_the_shown_unit() -> None:
     scene = Phugoid()
     errors = apply_message(scene, {"type": "typed", "name": "excess", "text": "-200"})
     assert errors["excess"].startswith("−200 ft/s is not possible: an excess of speed is from −v₀")

@@ -17,7 +17,7 @@ from tests.live_class.served import CHOICE, teaching
 SKETCH = {"walk": "d34", "step": "d34-14"}
 
 
-async def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
+async def test_no_response_reveals_if_a_code_belongs_to_a_class() -> None:
     asked = [
         ("GET", "lead", None), ("POST", "lead", {"type": "end"}), ("GET", "tally", None), ("GET", "answers.csv", None),
         ("PUT", "lead", {}), ("GET", "answers?question=d31/d31-03/1", None),

@@ -62,7 +62,7 @@ async def rooms() -> AsyncIterator[tuple[Wayward, Registry, Upkeep, str, str]]:
     listening.cancel()
 
 
-async def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
+async def test_news_during_the_look_up_of_a_class_is_received() -> None:
     async with rooms() as (store, registry, _, code, key):
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
         room = await registry.room(code)

@@ -75,7 +75,7 @@ def test_who_does_not_know_the_passphrase_makes_no_key() -> None:
         assert not Keys("swinging springs").is_own(key)
 
 
-async def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Opened) -> None:
+async def test_followers_get_news_and_late_ones_everything(in_class: Opened) -> None:
     async with in_class() as (registry, room):
         follower = Listener()
         room.listeners.add(follower)
@@ -95,7 +95,7 @@ async def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Open
             await registry.obey(room, Withdraw())
 
 
-async def test_the_instructor_alone_hears_of_answers(in_class: Opened) -> None:
+async def test_only_the_instructor_gets_answers(in_class: Opened) -> None:
     async with in_class() as (registry, room):
         follower, leader = Listener(), Listener(leads=True)
         room.listeners |= {follower, leader}
@@ -217,7 +217,7 @@ async def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
         assert len(await votes_csv(registry, room)) == 21 and len(judged) == 20
 
 
-async def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
+async def test_all_sketches_of_a_large_class_are_counted_and_some_are_sent(
     in_class: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sketch, "MOST_SKETCHES", 3)
@@ -329,7 +329,7 @@ async def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Opened) -> Non
             await registry.obey(room, HandWalk(name="too-many", text=text))
 
 
-async def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
+async def test_a_class_continues_without_the_store_and_is_written_back() -> None:
     with valkey_running() as valkey:
         one, other = made("valkey", valkey.url), made("valkey", valkey.url)
         async with one as store, other as another, replicas(store, another) as (registry, second):

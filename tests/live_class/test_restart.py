@@ -62,7 +62,7 @@ async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again(
             await followed.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
 
 
-async def test_a_room_is_opened_anew_with_its_own_key_alone() -> None:
+async def test_a_class_is_reopened_only_with_its_key() -> None:
     async with teaching() as (server, url):
         lesson, other = await Class.open(url), await Class.open(url)
         forged = Keys().new()
@@ -91,7 +91,7 @@ async def test_a_code_that_is_another_class_s_by_now_stays_that_one_s(monkeypatc
         assert (await lesson.order("withdraw")).status == 204
 
 
-async def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_reopened_classes_count_like_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
 
     async with teaching() as (server, url):

@@ -102,7 +102,7 @@ async def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_
         }  # fmt: skip
 
 
-async def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
+async def test_a_follower_without_a_stream_polls_and_gets_all_news() -> None:
     async with teaching() as (server, url):
         lesson = await Class.open(url)
         token = await lesson.token()
@@ -116,7 +116,7 @@ async def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
         assert server.classes.registry.followers == 1
 
 
-async def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one() -> None:
+async def test_an_instructor_without_a_stream_gets_private_news_one_by_one() -> None:
     async with teaching() as (server, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)

@@ -183,7 +183,7 @@ async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(v
         assert store.ALL_BYTES // 3 < taken < store.ALL_BYTES
 
 
-async def test_an_answer_that_is_there_stands_where_it_is_not_to_be_replaced(on: Kept) -> None:
+async def test_an_existing_answer_is_kept_unless_it_may_be_replaced(on: Kept) -> None:
     async with on() as kept:
         await kept.open("AAAA", {"key": b"1"})
         assert await kept.vote("AAAA", "a", "one", b"new", replace=False)
@@ -238,7 +238,7 @@ async def test_rooms_are_bounded(on: Kept) -> None:
         assert await kept.open("BBBB", {"key": b"1"})
 
 
-async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
+async def test_listeners_get_what_is_stored_published_and_ended(on: Kept) -> None:
     async with on() as kept:
         heard: list[tuple[str, Parts]] = []
         ready = asyncio.Event()
@@ -260,7 +260,7 @@ async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
         await asyncio.gather(task, return_exceptions=True)
 
 
-async def test_who_no_longer_listens_hears_nothing(on: Kept) -> None:
+async def test_former_listeners_get_nothing(on: Kept) -> None:
     async with on() as kept:
         heard: dict[str, list[Parts]] = {"left": [], "stays": []}
         tasks = {}

@@ -19,7 +19,7 @@ from tests.live_class.served import LECTURE, served, teaching
 from tests.live_class.stores import Valkey, made
 
 
-async def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_news_during_the_start_of_a_stream_is_received(monkeypatch: pytest.MonkeyPatch) -> None:
     usual, begun, free = Events.flush, asyncio.Event(), asyncio.Event()
 
     def slow(handler: Events, *given: Any) -> asyncio.Future[None]:

@@ -81,7 +81,7 @@ async def test_any_text_is_kept_as_text_or_refused_in_a_sentence(text: str, stat
             assert answer.json["sentence"].endswith(".") and await words(lesson) == []
 
 
-async def test_phones_hear_nothing_of_what_others_wrote() -> None:
+async def test_phones_do_not_get_the_words_of_others() -> None:
     async with teaching() as (_, url):
         lesson = await asked(url)
         phone = await lesson.follow()

@@ -55,7 +55,7 @@ def test_every_message_has_a_handler_that_can_fail() -> None:
 
 
 @pytest.mark.parametrize("kind", HANDLERS)
-def test_a_handler_that_fails_is_told_and_the_page_goes_on(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failing_handler_is_reported_and_the_page_continues(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     page = Page(SCENES["damped"]())
     if kind == "run":
         monkeypatch.setattr(page.session, "running", Working())

@@ -30,7 +30,7 @@ def ledger(told: dict[str, Any]) -> dict[str, tuple[str, str, str]]:
 
 
 @scenes
-def test_what_is_held_is_the_picture_from_before_in_the_frame_that_stands(slug: str) -> None:
+def test_the_compared_picture_is_the_earlier_one_in_the_current_frame(slug: str) -> None:
     page = Page(SCENES[slug]())
     told = hold(page)
     assert told["errors"] == {} and told["state"]["held"] == {}
@@ -88,7 +88,7 @@ def test_the_frame_has_room_for_both_and_fits_both() -> None:
     assert page.shown.axes["x"].end < 0.1 * high
 
 
-def test_what_is_covered_is_not_told_of_what_is_held() -> None:
+def test_hidden_parts_of_the_compared_picture_are_not_sent() -> None:
     page = Page(SCENES["coupled"]())
     hold(page)
     put(page, k2=3.0)
@@ -98,7 +98,7 @@ def test_what_is_covered_is_not_told_of_what_is_held() -> None:
     assert ledger(told)['<span class="v">ω</span><sub>−</sub>'] == ("1.00", "?", "?")
 
 
-def test_a_number_that_a_page_tells_by_several_names_is_covered_by_each() -> None:
+def test_a_number_shown_under_several_names_is_hidden_by_each() -> None:
     page = Page(SCENES["modes"]())
     hold(page)
     covers = ["value:fast_omega", "value:now_ratio_slow"]

@@ -178,7 +178,7 @@ def test_noise_is_fitted_with_a_warning(page: Page) -> None:
         ("simulated-air-drag.csv", "The residuals of the fit are not random: large swings lose more than their share"),
     ],
 )
-def test_examples_tell_two_frictions_apart(page: Page, name: str, sentence: str) -> None:
+def test_the_examples_distinguish_two_frictions(page: Page, name: str, sentence: str) -> None:
     t, x = np.loadtxt((FOLDER / name).read_text(encoding="utf-8").splitlines()[1:], delimiter=",", unpack=True)
     assert page.say(piece(0, 1, t, 1e-3 * x))["sentences"][0].startswith(sentence)
 

@@ -96,7 +96,7 @@ def _declared(scene: type[Scene]) -> Iterator[str]:
 
 
 @scenes
-def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
+def test_declared_names_exist_and_numbers_are_shown(slug: str) -> None:
     """A number appears in a text, is read aloud, or is compared with that of another picture."""
     kind, declared = SCENES[slug], set(_declared(SCENES[slug]))
     given, numbers = set[str](), set[str]()
@@ -118,7 +118,7 @@ def _spoken(text: str) -> set[str]:
 
 
 @scenes
-def test_every_curve_has_its_numbers_and_every_block_stands(slug: str) -> None:
+def test_every_curve_has_its_numbers_and_every_block_is_visible(slug: str) -> None:
     """Each is drawn in some picture; a wrong source or form name never is. Bands appear for fast motions."""
     numbers = {
         (source, name)

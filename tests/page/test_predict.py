@@ -164,7 +164,7 @@ def test_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
 
 
 @scenes
-def test_a_new_session_tells_the_same_and_a_reveal_shows_it_where_it_stood(slug: str) -> None:
+def test_a_new_session_sends_the_same_and_a_reveal_keeps_the_positions(slug: str) -> None:
     page, other = Page(SCENES[slug]()), Page(SCENES[slug]())
     axes = change(page, covered=["next"])["view"]["axes"]
     told = put(page, **moved(SCENES[slug]))

@@ -32,7 +32,7 @@ REFUSED: dict[str, tuple[str, dict[str, Any]]] = {
 
 
 @pytest.mark.parametrize("said", REFUSED)
-def test_after_a_refusal_the_page_stands_for_the_same_object(said: str) -> None:
+def test_after_a_refusal_the_page_state_is_the_same_object(said: str) -> None:
     slug, message = REFUSED[said]
     page = Page(SCENES[slug]())
     before = page.now

@@ -92,7 +92,7 @@ def test_the_closed_form_reaches_the_last_digit_everywhere(system):
     assert run.energy_error <= 8 * U
 
 
-def test_a_run_tells_how_its_error_grew():
+def test_a_run_records_the_growth_of_its_error():
     run = visited(SYSTEMS["benign"], "verlet", 4)
     assert len(run.error_growth) == len(run.energy_growth) == len(MARKS)
     assert run.error_growth[0] < 1e-90

@@ -140,7 +140,7 @@ def test_between_extremes_the_amplitude_only_rises_or_only_falls(case: Case, i: 
                 assert abs([*X, X[1] - X[0]][i]) == pytest.approx(one.height / math.sqrt(2), rel=room)
 
 
-def test_lag_1_falls_back_where_mass_1_stands_still_and_lag_2_does_not() -> None:
+def test_lag_1_falls_where_mass_1_is_at_rest_and_lag_2_does_not() -> None:
     chain = DampedChain(m1=2, m2=1, k1=4, k2=2.25, c1=0.1)
     below, at, above = chain.lags([1.5 - 1e-9, 1.5, 1.5 + 1e-9]).T
     assert at == pytest.approx(below, abs=1e-6) and below[0] > 3 and above[0] < 0.1

@@ -72,7 +72,7 @@ def test_a_multiple_root_keeps_its_share_of_the_digits(multiplicity):
 
 
 @pytest.mark.parametrize("ratio", [1.1, 1.01, 1e3, 1e12])
-def test_roots_far_apart_and_near_each_other(ratio):
+def test_distant_and_close_roots(ratio):
     """Two real ones and a pair; the nearer ones are sought all at once."""
     one, other = DIGITS.mpf(-1), DIGITS.mpf(-ratio)
     pair = DIGITS.mpc(-0.5, 2 * ratio)

@@ -259,7 +259,7 @@ def test_evaluations_are_those_that_were_made(method):
     assert watch.evaluations == len(made)
 
 
-def test_lsoda_tells_its_steps_for_stiff_equations():
+def test_lsoda_reports_its_steps_for_stiff_equations():
     METHODS["lsoda"].run(DAMPED, 1e-6, easy := Watch())
     stiff = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e6), c=1e6 + 1.0, t=np.arange(11.0))
     METHODS["lsoda"].run(stiff, 1e-6, hard := Watch())
@@ -275,7 +275,7 @@ def test_a_compiled_solver_that_is_out_of_time_stops():
             METHODS[method].run(FREE, 1e-6, Watch(check=late))
 
 
-def test_a_step_that_doubles_cannot_tell_apart_is_refused():
+def test_a_step_below_the_resolution_of_doubles_is_refused():
     stiff = replace(FREE, chain=TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1e40))
     with pytest.raises(StoppedError, match="step below spacing"):
         METHODS["verlet"].run(stiff, 2.0**56, Watch())

@@ -71,7 +71,7 @@ def motion(name: str) -> np.ndarray:
         ("slower mode", Cause.OTHER),
     ],
 )
-def test_each_cause_is_told_from_the_others(name: str, cause: Cause) -> None:
+def test_each_cause_is_distinguished_from_the_others(name: str, cause: Cause) -> None:
     for seed in SEEDS:
         fit = fit_damped(T, motion(name) + np.random.default_rng(seed).normal(0, NOISE, T.size))
         assert Caution.CORRELATED in fit.cautions

@@ -131,7 +131,7 @@ def test_a_method_without_a_result_is_named_with_its_reason() -> None:
     assert unreached(Known(Series(failed), Series()), ("rk4", "bdf"), 1e-3) == "Not reached: RK4 (unstable step)."
 
 
-def test_rows_from_records_are_told_apart() -> None:
+def test_rows_from_records_are_distinguished() -> None:
     scene = measured(wanted=1e-3)
     forms = {
         scene.shown.values[f"price{i}_name"]: scene.shown.forms[f"price{i}"]
@@ -255,7 +255,7 @@ def test_own_system_from_a_link() -> None:
 
 
 @pytest.mark.parametrize("slug", SYSTEMS)
-def test_recorded_runs_stand_before_anything_is_measured(slug: str) -> None:
+def test_recorded_runs_are_shown_before_anything_is_measured(slug: str) -> None:
     known = recorded(slug)
     assert set(known.runs.by_method) == set(entered(SYSTEMS[slug]))
     assert {run.system for run in known.runs.every} == {slug}

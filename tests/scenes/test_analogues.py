@@ -76,7 +76,7 @@ def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, perio
 
 
 @systems
-def test_only_the_chosen_systems_controls_stand(slug: str) -> None:
+def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
     scene = Analogues(system=slug)
     shown = [group.names for group in scene.groups if group.is_shown(scene.shown.forms)]
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])

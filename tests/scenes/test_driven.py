@@ -166,7 +166,7 @@ def test_the_presets_are_as_they_say() -> None:
     assert highest(0.2, "unbalance") == pytest.approx((1.04, 2.55), abs=5e-3)
 
 
-def test_without_a_dashpot_it_grows_at_resonance_and_is_told_as_such() -> None:
+def test_without_a_dashpot_it_grows_at_resonance_and_the_text_says_so() -> None:
     scene = taken("driven", "No dashpot")
     assert sentence(scene) == "Nothing balances the push: each swing grows by the same 0.159 m."
     assert "M_at" not in scene.shown.scalars and corners(scene)["growing"]

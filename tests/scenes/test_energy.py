@@ -50,7 +50,7 @@ def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
         assert -scene.shown.scalars["natural"] == pytest.approx(delta)
 
 
-def test_other_planets_stand_where_the_mass_would_hang() -> None:
+def test_other_planets_are_marked_where_the_mass_would_hang() -> None:
     scalars = Energy().shown.scalars
     assert scalars["planet1"] - scalars["natural"] == pytest.approx(3.71 / 39.4)
     assert scalars["planet0"] - scalars["natural"] == pytest.approx(1.62 / 39.4)

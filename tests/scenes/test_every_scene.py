@@ -59,7 +59,9 @@ def test_a_refused_batch_changes_nothing(scene_class: type[Scene]) -> None:
 
 
 @scenes
-def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_result_is_described_only_for_a_single_change(
+    scene_class: type[Scene], monkeypatch: pytest.MonkeyPatch
+) -> None:
     scene = scene_class()
     first, *_, last = quantities(scene_class)
     low = quantities(scene_class)[first].softbounds[0]
@@ -89,7 +91,7 @@ def test_sources_hold_what_another_view_draws_and_nothing_of_the_one_before() ->
 
 
 @scenes
-def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
+def test_a_refused_value_is_reported_at_its_control(scene_class: type[Scene]) -> None:
     scene = scene_class()
     before, values = scene.shown, dict(scene.param.values())
     for name, quantity in quantities(scene_class).items():

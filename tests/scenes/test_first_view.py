@@ -67,7 +67,7 @@ def shown(slug: str) -> tuple[View, list[str]]:
 
 
 @pytest.mark.parametrize("slug", SCENES)
-def test_each_symbol_of_a_first_view_has_a_name_beside_it(slug: str) -> None:
+def test_each_symbol_of_a_first_view_has_a_name_next_to_it(slug: str) -> None:
     """A sentence names a symbol by the word before it; the word “mass 1” names its letter."""
     view, found = shown(slug)
     controls = [f"{key.label} *{symbol[0]}*" for key in view.keys if (symbol := getattr(key, "symbol", ""))]

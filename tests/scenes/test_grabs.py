@@ -121,7 +121,7 @@ def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() 
         assert page.shown.scalars[seen], "in the frame that has grown"
 
 
-def test_a_frame_stands_while_a_hand_holds_on_and_grows_when_it_lets_go() -> None:
+def test_a_frame_is_fixed_during_a_drag_and_grows_after_it() -> None:
     page = Page(SCENES["oscillator"]())
     before = frame_of(page.shown)
     page.say({"type": "set", "values": {"x_0": 0.5}, "holding": True, "number": 1})

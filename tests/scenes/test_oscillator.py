@@ -24,7 +24,7 @@ def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
 
 
 @starts
-def test_the_tip_of_the_arrow_stands_on_the_level_of_x(x_0: float, v_0: float) -> None:
+def test_the_tip_of_the_arrow_is_on_the_level_of_x(x_0: float, v_0: float) -> None:
     scene = OscillatorScene(x_0=x_0, v_0=v_0)
     t = columns(scene)["t"]
     C = math.hypot(x_0, v_0 / math.sqrt(scene.k / scene.m))

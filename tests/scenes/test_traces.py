@@ -73,7 +73,7 @@ def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
 
 @pytest.mark.parametrize("cycles", [0.0, 1e-300, 3.0, 56.6, 56.7, 1e4, 1e300])
 @pytest.mark.parametrize("end", [1e-150, 1.0, 3e7])
-def test_a_line_stands_for_what_its_samples_resolve(end: float, cycles: float) -> None:
+def test_a_line_is_drawn_for_what_its_samples_resolve(end: float, cycles: float) -> None:
     fastest = 2 * np.pi * cycles / end
     assert resolved(end, fastest) == drawable(fastest, np.linspace(0.0, end, samples(end, fastest)))
 

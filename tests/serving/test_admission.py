@@ -138,7 +138,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         assert not running.complaints(), running.log.read_text()
 
 
-def test_who_waits_is_told_so_without_a_session_and_keeps_the_link(server: Server) -> None:
+def test_waiting_visitors_get_a_page_without_a_session_and_keep_the_link(server: Server) -> None:
     assert ask(server.url, "/?scene=oscillator").status == 200
     reply = ask(server.url, "/?scene=coupled&k2=3&ticket=none")
     assert (reply.status, reply.headers["Retry-After"]) == (503, "20")

@@ -41,7 +41,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_the_start_tells_phones_their_address_and_a_terminal_its_qr_code(
+def test_the_start_prints_the_address_for_phones_and_a_qr_code(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     caplog.set_level("INFO")
@@ -257,7 +257,7 @@ def test_a_wrong_value_stops_the_start_with_a_sentence() -> None:
     assert "Traceback" not in ended.stderr
 
 
-def test_the_secret_may_stand_in_a_file(tmp_path: Path) -> None:
+def test_the_secret_may_be_in_a_file(tmp_path: Path) -> None:
     path = tmp_path / "secret"
     path.write_text("a secret of sixteen letters\n")
     assert read_settings([], {"BOKEH_SECRET_KEY_FILE": str(path)}).bokeh_secret_key == "a secret of sixteen letters"
@@ -274,7 +274,7 @@ def test_the_secret_may_stand_in_a_file(tmp_path: Path) -> None:
         ("", ""),
     ],
 )
-def test_the_stores_password_stands_in_a_file_and_its_addresss_own_wins(tmp_path: Path, url: str, asked: str) -> None:
+def test_the_stores_password_may_be_in_a_file_but_the_address_wins(tmp_path: Path, url: str, asked: str) -> None:
     (tmp_path / "password").write_text("a/b+=\n")
     assert read_settings([], {"REDIS_URL": url, "REDIS_PASSWORD_FILE": str(tmp_path / "password")}).store == asked
 

@@ -25,7 +25,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 @pytest.mark.parametrize("query", ["", "?theme=dark", "?projector", "?scene=pendulum", "?scene=coupled&scene=forced"])
-def test_it_stands_where_a_link_opens_no_scene(query: str, server: Server) -> None:
+def test_it_is_shown_if_a_link_opens_no_scene(query: str, server: Server) -> None:
     page = ask(server.url, f"/{query}")
     assert page.status == 200
     assert "Pull a mass and see how it oscillates" in page.text
@@ -40,7 +40,7 @@ def test_any_other_link_goes_where_it_went(query: str, server: Server) -> None:
     assert 'id="opening"' in ask(server.url, f"/{query}").text
 
 
-def test_in_a_frame_stands_a_scene(server: Server) -> None:
+def test_a_frame_shows_a_scene(server: Server) -> None:
     assert 'id="opening"' in ask(server.url, Sec_Fetch_Dest="iframe").text
 
 

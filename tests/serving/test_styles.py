@@ -75,7 +75,7 @@ def test_every_part_is_on_the_wire_once_and_alone() -> None:
     assert [name for name in static_files() if name.endswith(".css")] == ["style.css"]
 
 
-def test_all_that_is_ours_stands_in_a_layer_that_the_order_names() -> None:
+def test_all_our_rules_are_in_a_named_layer() -> None:
     """A rule outside all layers would win against every rule inside one."""
     named, *parts = ORDER
     layers = [token.value for token in named.prelude if token.type == "ident"]
@@ -85,7 +85,7 @@ def test_all_that_is_ours_stands_in_a_layer_that_the_order_names() -> None:
     assert {tinycss2.serialize(node.prelude).strip() for node in sheet[1:]} == set(layers)
 
 
-def test_the_hall_is_told_in_properties_and_one_container() -> None:
+def test_the_hall_is_styled_by_properties_and_one_container() -> None:
     """Its selectors are those that set them."""
     told = [where for where, _ in all_rules() if "data-mode" in where]
     assert len(told) <= 4
@@ -106,7 +106,7 @@ def test_no_rule_is_defined_twice() -> None:
     assert [rule for rule, count in found.items() if count > 1] == []
 
 
-def test_no_declaration_stands_twice_in_a_rule() -> None:
+def test_no_declaration_occurs_twice_in_a_rule() -> None:
     assert [where for where, names in all_rules() if len(names) != len(set(names))] == []
 
 

@@ -167,7 +167,7 @@ class Slow:
         return future
 
 
-def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
+def test_a_session_has_one_job_at_a_time_and_continues_meanwhile() -> None:
     session, process, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
     session.send, session.worker, session.network = packets.append, process, "192.0.2.0/24"
     for number in (1, 1, 2):  # the second is a repetition of the first by a page that has waited long

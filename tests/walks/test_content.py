@@ -206,7 +206,7 @@ def level(step: SketchStep, height: float) -> Callable[[Any], Any]:
 
 
 @every_sketch
-def test_a_wrong_sketch_is_told_what_it_is_and_nothing_else_is(step: SketchStep) -> None:
+def test_a_wrong_sketch_gets_its_reply_and_no_other(step: SketchStep) -> None:
     assert all(wrong.has for wrong in step.wrong)
     for described, draw in zip(step.wrong, WRONG[step.id], strict=True):
         assert judged(step, draw) == (False, rich(described.reply)), described.draws

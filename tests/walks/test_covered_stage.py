@@ -40,7 +40,7 @@ def begun(scene: PageState) -> Iterator[tuple[str, float]]:
 
 
 @every_step
-def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
+def test_bodies_are_at_their_initial_positions(step: Step) -> None:
     scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)
     resting = {name: place for name, place in begun(scene) if left.signals[name] != scene.shown.signals[name]}

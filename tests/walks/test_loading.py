@@ -127,7 +127,7 @@ def test_a_step_holds_all_that_its_link_says() -> None:
     assert page.drawn.beside and page.scene.hidden == ["x1_slow"]
 
 
-def test_a_step_may_stand_on_one_that_is_known() -> None:
+def test_a_step_may_be_based_on_a_known_one() -> None:
     (step,) = read_walk(
         'title = "t"\n[[step]]\nid = "again"\nfrom = "d31-03"\nquestion = "How long?"', "mine", steps_of(OWN.values())
     ).steps
@@ -261,7 +261,7 @@ def test_what_a_wrong_sketch_has_is_of_a_curve_that_is_drawn(has: str, says: lis
         ('{ f = "value", on = "V", at = 0.0, is = "E_totl", tol = 0.1 }', "does not have, E_totl; it has"),
     ],
 )
-def test_a_feature_told_by_the_scenes_numbers_is_checked(feature: str, says: str) -> None:
+def test_a_feature_given_by_the_scenes_numbers_is_checked(feature: str, says: str) -> None:
     text = f'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-09"\nmust = [{feature}]\nwrong = []'
     found = list(problems(read_walk(text, "mine", steps_of(OWN.values())), SCENES))
     assert len(found) == bool(says) and all("must[0]" in one and says in one for one in found), found

@@ -23,7 +23,7 @@ def read(text: str) -> Walk:
     return read_walk(text, "mine", steps_of(load_walks(()).values()))
 
 
-def test_it_stands_between_two_steps_of_one_scene() -> None:
+def test_it_is_between_two_steps_of_one_scene() -> None:
     walk = read(TITLE + FIRST + POLL + SECOND)
     assert list(problems(walk, SCENES)) == list(shortcomings(walk, SCENES)) == []
     before, poll, _ = walk.steps

@@ -136,7 +136,7 @@ def test_reach_least_and_sum() -> None:
 AXES = PlotAxes(Axis(0.0, 2.0, unit="ms", factor=1e-3), Axis(-0.2, 0.2, unit="cm", factor=0.01))
 
 
-def test_a_feature_is_told_by_expressions_of_the_scenes_numbers() -> None:
+def test_a_feature_is_given_by_expressions_of_the_scenes_numbers() -> None:
     """In SI units, whatever the unit of the axis. A sketch that is right for one chain is wrong for another."""
     numbers = {"tau": 1.0, "X": 0.16}
     told = feature(f="trough", at="tau / 4", tol="0.06 * tau", **{"is": "-X"}, tol_y=3.0).worked_out(numbers, AXES)

@@ -73,7 +73,7 @@ def test_every_step_opens_covered_and_opens_up(page: Page, name: str, place: int
     assert len(lesson["follows"]) == len(step.equations)
 
 
-def test_the_browser_is_not_told_answers_before(page: Page) -> None:
+def test_answers_are_not_sent_before(page: Page) -> None:
     for sheet in SHEETS.values():
         for card in sheet.steps:
             assert not {"title", "explain", "right", "answer", "must"} & set(card.__struct_fields__)
@@ -148,7 +148,7 @@ def test_what_was_marked_is_what_is_played(page: Page, place: float) -> None:
 @pytest.mark.parametrize(
     "step", [s for w in WALKS.values() for s in w.steps if isinstance(s, SketchStep)], ids=lambda s: s.id
 )
-def test_a_sketch_is_told_which_features_it_has(page: Page, step: SketchStep) -> None:
+def test_a_sketch_gets_a_reply_on_its_features(page: Page, step: SketchStep) -> None:
     lesson = given(page, step.id, curves=heights(step))["lesson"]
     assert lesson["right"] is True and all(found["has"] for found in lesson["findings"]), lesson["findings"]
     nothing = given(page, step.id, curves={step.curve: [1100, 1100, *[None] * 99]})["lesson"]
@@ -167,7 +167,7 @@ def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     assert shown["settings"]["omega"]["value"] == 0.77 and shown["errors"] == {}
 
 
-def test_a_reply_to_a_sketch_or_a_number_leads_to_a_case_of_which_it_speaks(page: Page) -> None:
+def test_a_reply_to_a_sketch_or_a_number_leads_to_its_case(page: Page) -> None:
     (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
     assert isinstance(step, SketchStep)
     even = [(float(t), -2.0 * math.cos(t)) for t in np.linspace(0, 25, 201)]
