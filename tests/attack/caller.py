@@ -85,7 +85,7 @@ class Caller:
         """Return the next frame, or None if the server has closed."""
         return await asyncio.wait_for(self.socket.read_message(), PATIENCE)
 
-    async def say(self, *frames: str | bytes) -> None:
+    async def send(self, *frames: str | bytes) -> None:
         for frame in frames:
             await self.socket.write_message(frame, binary=isinstance(frame, bytes))
 

@@ -62,7 +62,7 @@ class Panel:
     """The controls of one scene on their own page; `messages` are those that the page has sent."""
 
     def __init__(self, page: Page) -> None:
-        self.page, self.told = page, SessionPage(Chain())
+        self.page, self.session_page = page, SessionPage(Chain())
         self.messages: list[dict[str, Any]] = []
         page.expose_function(
             "describe",
@@ -81,7 +81,7 @@ class Panel:
 
     @property
     def scene(self) -> Chain:
-        scene = self.told.scene
+        scene = self.session_page.scene
         assert isinstance(scene, Chain)
         return scene
 
@@ -95,7 +95,7 @@ class Panel:
 
     def tell(self, message: dict[str, Any]) -> dict[str, Any]:
         self.messages.append(message)
-        return self.told.say(message)
+        return self.session_page.send(message)
 
     def field(self, name: str) -> Any:
         return self.page.locator(f'input[name="{name}"]')

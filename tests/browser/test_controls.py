@@ -159,7 +159,7 @@ def test_refused_text_stays_with_its_reason_until_it_is_corrected(panel: Panel) 
 
 
 def test_refused_slider_goes_back_to_the_last_good_value(panel: Panel) -> None:
-    panel.told.session.now = with_values(panel.told.now, {"m1": 1e-5})
+    panel.session_page.session.now = with_values(panel.session_page.now, {"m1": 1e-5})
     panel.slider("k2").fill("0.9")
     expect(panel.problem("k2")).to_contain_text("The motion is too fast for a double.")
     expect(panel.field("k2")).to_have_value("72.9")

@@ -115,12 +115,12 @@ def test_what_fits_its_frame_is_drawn_once_though_its_own_window_is_longer() -> 
 def test_an_axis_in_a_unit_of_1e_306_may_have_the_range_of_a_page() -> None:
     page = Page(SCENES["phugoid"]())
     before = page.now.drawn.frame
-    told = page.say({"type": "set", "values": {"excess": 5e-324}, "number": 1})
+    told = page.send({"type": "set", "values": {"excess": 5e-324}, "number": 1})
     assert told["errors"] == {} and page.now.drawn.frame.ranges["h"] == before.ranges["h"]
 
 
 def opened(page: Page, **state: Any) -> dict[str, Any]:
-    return page.say({"type": "open", "state": {"scene": "coupled", **state}, "number": len(page.packets) + 1})
+    return page.send({"type": "open", "state": {"scene": "coupled", **state}, "number": len(page.packets) + 1})
 
 
 @pytest.mark.parametrize(

@@ -31,12 +31,12 @@ def page_of(slug: str) -> Page:
 
 
 def set_value(page: Page, values: dict[str, Any]) -> dict[str, Any]:
-    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})
+    return page.send({"type": "set", "values": values, "number": len(page.packets) + 1})
 
 
 def fit(page: Page) -> dict[str, Any]:
     state = {**msgspec.to_builtins(page.now.state), "frame": None}
-    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+    return page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
 
 
 def holds(wide: Frame, narrow: Frame) -> bool:
@@ -99,7 +99,7 @@ def test_a_preset_fits(slug: str) -> None:
     for label, values in SCENES[slug].presets.items():
         set_value(page, {"window": 3.0})
         state = {"scene": slug, "parameters": {name: stated(value) for name, value in values.items()}}
-        told = page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+        told = page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
         assert told["errors"] == {}
         fresh = Page(SCENES[slug](**values)).opening()
         assert told["state"]["frame"] is None
@@ -121,12 +121,12 @@ def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
     page = page_of("energy")
     set_value(page, {"x_0": 0.05})
     small = page.now.drawn.frame
-    page.say({"type": "choose", "name": "datum", "value": "separate", "number": 50})
+    page.send({"type": "choose", "name": "datum", "value": "separate", "number": 50})
     after = page.now.drawn.frame
     assert after.ranges["x"] == small.ranges["x"]
     assert after.ranges["E"] == draw(page.scene).frame.ranges["E"]
     page = page_of("analogues")
-    page.say({"type": "choose", "name": "system", "value": "spring", "number": 50})
+    page.send({"type": "choose", "name": "system", "value": "spring", "number": 50})
     assert page.now.state.frame is None, "another system is another scene"
 
 

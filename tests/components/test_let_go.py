@@ -28,7 +28,7 @@ MOVING = [slug for slug in SCENES if slug != "accuracy"]
 
 
 def say(page: Page, **message: Any) -> dict[str, Any]:
-    return page.say({**message, "number": len(page.packets) + 1})
+    return page.send({**message, "number": len(page.packets) + 1})
 
 
 def sweep(page: Page, name: str, *values: float) -> None:
@@ -87,7 +87,7 @@ def test_letting_go_sends_a_picture_only_where_it_is_another(slug: str) -> None:
             for value in (low + 0.4 * (high - low), low + 0.6 * (high - low), low + 0.6001 * (high - low)):
                 last = say(page, type="set", values={name: value}, holding=holding)
                 told = say(page, type="set", values={}, holding=False)
-                again = page.say({"type": "set", "values": {}, "holding": False, "number": told["answer"]})
+                again = page.send({"type": "set", "values": {}, "holding": False, "number": told["answer"]})
                 assert again["type"] == "shown", "a repeated message is answered in full: its answer may be lost"
                 same = essence(again) == essence(last)
                 assert told["type"] == ("kept" if same else "shown"), (name, value, holding)
@@ -98,7 +98,7 @@ def test_letting_go_after_a_refusal_takes_the_refusal_back() -> None:
     page = Page(SCENES["coupled"]())
     assert say(page, type="set", values={"m1": 0.0})["errors"]
     assert let_go(page) == page.now.state
-    assert page.told["type"] == "shown" and page.told["errors"] == {}
+    assert page.last_message["type"] == "shown" and page.last_message["errors"] == {}
 
 
 GRABS = [(slug, grab) for slug in MOVING for _, grab in grabs(SCENES[slug]) if grab.ways[0].parameter]

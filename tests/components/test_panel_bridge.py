@@ -59,7 +59,7 @@ for _ in range(200):
 def test_what_the_page_would_not_send_is_refused_in_a_short_answer(message: object) -> None:
     page = Page(Coupled())
     before = page.shown
-    answer = page.say(message)
+    answer = page.send(message)
     assert page.shown is before
     (error,) = answer["errors"].items()
     assert 0 < len("".join(error).encode()) < 400
@@ -68,8 +68,8 @@ def test_what_the_page_would_not_send_is_refused_in_a_short_answer(message: obje
 @pytest.mark.parametrize("number", [None, math.nan, LONG, NESTED, np.arange(3), {"a": 1}, -1, 10**4000])
 def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -> None:
     page = Page(Coupled())
-    assert page.say({"type": "set", "values": {"k2": -0.0}, "number": number})["answer"] is None
-    assert page.say({"type": "set", "values": {"k2": 3.0}, "number": 7})["answer"] == 7
+    assert page.send({"type": "set", "values": {"k2": -0.0}, "number": number})["answer"] is None
+    assert page.send({"type": "set", "values": {"k2": 3.0}, "number": 7})["answer"] == 7
 
 
 def test_bokeh_adds_little_to_a_message() -> None:

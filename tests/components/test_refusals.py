@@ -72,7 +72,7 @@ def test_arithmetic_beyond_doubles_is_refused_in_words(value: float) -> None:
             change()
         assert scene.shown is before
         assert scene.param.values() == state
-    assert Page(scene).say(set_k(value))["errors"]["k"] == f"{BEYOND} Still drawn with 0.500."
+    assert Page(scene).send(set_k(value))["errors"]["k"] == f"{BEYOND} Still drawn with 0.500."
 
 
 @pytest.mark.parametrize("value", [*UNEXPECTED, 8.0])
@@ -87,33 +87,33 @@ def test_an_unexpected_error_is_answered_and_changes_nothing(value: float) -> No
         {"type": "open", "state": state},
         {"type": "open", "state": state, "carried": True},
     ):
-        answer = page.say({**said, "number": 4})
+        answer = page.send({**said, "number": 4})
         assert answer == {**before, "problems": [SORRY], "answer": 4}
         assert page.now is stood, said
     assert answer["state"]["parameters"] == {"k2": 2.0}
-    assert page.say(set_k(9.0, 5))["settings"]["k"]["value"] == 9.0
+    assert page.send(set_k(9.0, 5))["settings"]["k"]["value"] == 9.0
 
 
 def test_a_message_that_sets_nothing_is_answered_too() -> None:
-    answer = Page(Faulty()).say({"type": "about", "number": 2})
+    answer = Page(Faulty()).send({"type": "about", "number": 2})
     assert (answer["answer"], answer["notes"]) == (2, [SORRY])
 
 
 def test_a_message_that_comes_again_is_answered_and_not_applied_again() -> None:
     page = Page(Faulty())
     message = {"type": "set", "values": {"k": 9.0}, "number": 3}
-    first = page.say(message)
+    first = page.send(message)
     page.session.now = with_values(page.now, {"k": 10.0})
-    again = page.say(message)
+    again = page.send(message)
     assert (first["answer"], again["answer"]) == (3, 3)
     assert (first["settings"]["k"]["value"], again["settings"]["k"]["value"]) == (9.0, 10.0)
-    page.say(message | {"number": 4})
+    page.send(message | {"number": 4})
     assert page.scene.values["k"] == 9.0
 
 
 def test_a_refusal_whose_answer_was_lost_is_sent_again() -> None:
     page = Page(Faulty())
-    first, again = (page.say({"type": "typed", "name": "k", "text": "hum", "number": 5}) for _ in range(2))
+    first, again = (page.send({"type": "typed", "name": "k", "text": "hum", "number": 5}) for _ in range(2))
     assert first == again
     assert "k" in again["errors"]
 
@@ -137,7 +137,7 @@ def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypat
     monkeypatch.setattr(log, "filters", [Once()])
     page = Page(Faulty())
     for number in range(6):
-        page.say(set_k((1.0, 5.0)[number % 2], number))
+        page.send(set_k((1.0, 5.0)[number % 2], number))
     assert [record.levelname for record in caplog.records] == ["WARNING", "ERROR"]
     refused, unexpected = caplog.records
     assert refused.exc_info is None
@@ -161,7 +161,7 @@ def test_a_link_to_numbers_beyond_doubles_opens_a_page_that_works(query: str) ->
         assert "not used" in facts["problems"][0]
     else:
         assert {name: getattr(session.now.scene, name) for name in link.values} == link.values
-    assert Page(session.now.scene).say({"type": "set", "values": {"m1": 3.0}, "number": 1})["errors"] == {}
+    assert Page(session.now.scene).send({"type": "set", "values": {"m1": 3.0}, "number": 1})["errors"] == {}
 
 
 @pytest.mark.parametrize(

@@ -28,9 +28,9 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
         assert "text/event-stream" in stream.headers and "X-Accel-Buffering: no" in stream.headers
         assert "no-store" in stream.headers
         visitor = await Visitor.arrive(url, "scene=coupled")
-        await visitor.say({"type": "lead", "code": lesson.code, "key": lesson.key})
+        await visitor.send({"type": "lead", "code": lesson.code, "key": lesson.key})
         first = await stream.until(lambda event: event.get("picture"))
-        await visitor.say({"type": "set", "values": {"k2": 3.5}})
+        await visitor.send({"type": "set", "values": {"k2": 3.5}})
         told = await stream.until(lambda event: event.get("picture") and event != first)
         assert len(told["picture"]["data"]) < 5000
         text = text_of(
@@ -38,7 +38,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
             await visitor.dictionary(told["picture"]["sheet"]),
         )
         assert b'"k2":3.5' in text and b'"answer":null' in text
-        await visitor.say({"type": "set", "values": {"k2": -1.0}})  # refusals are not sent to the class
+        await visitor.send({"type": "set", "values": {"k2": -1.0}})  # refusals are not sent to the class
         late = await lesson.follow()
         whole = await late.until(lambda event: event.get("picture"))
         assert whole["picture"] == told["picture"]
@@ -54,8 +54,8 @@ async def test_a_session_that_lacks_the_key_shows_nothing() -> None:
         lesson = await Class.open(url)
         stream = await lesson.follow()
         visitor = await Visitor.arrive(url, "scene=coupled")
-        await visitor.say({"type": "lead", "code": lesson.code, "key": "x" * 32})
-        await visitor.say({"type": "set", "values": {"k2": 3.5}})
+        await visitor.send({"type": "lead", "code": lesson.code, "key": "x" * 32})
+        await visitor.send({"type": "set", "values": {"k2": 3.5}})
         assert (await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)).status == 204
         await stream.until(lambda event: event.get("clock"))
         assert not any("picture" in event for _, event in stream.heard)

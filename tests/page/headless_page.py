@@ -49,7 +49,7 @@ def take_preset(scene: SceneFace, label: str) -> Errors:
     (sets,) = (button.sets for button in buttons if button.label == label)
     state = page.now.state
     wanted = msgspec.structs.replace(state, parameters={**state.parameters, **sets}, frame=None)
-    errors = Errors(page.say({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
+    errors = Errors(page.send({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
     if not errors and page.scene.key != scene.value.key:
         scene.show(page.scene)
     return errors
@@ -84,15 +84,15 @@ class Page:
     def shown(self) -> Picture:
         return self.now.shown
 
-    def say(self, data: object) -> dict[str, Any]:
+    def send(self, data: object) -> dict[str, Any]:
         """Send a message and return the answer."""
         before = len(self.packets)
         self.session.handle(data)
         assert len(self.packets) == before + 1, "every message has one answer"
-        return self.told
+        return self.last_message
 
     @property
-    def told(self) -> dict[str, Any]:
+    def last_message(self) -> dict[str, Any]:
         """The last message of the session."""
         return unpacked(self.packets[-1])
 
@@ -117,8 +117,8 @@ def _preset_dictionary(sheet: str) -> bytes:
 def change(page: Page, **to: Any) -> dict[str, Any]:
     """Open another state of the current scene, and return the answer."""
     state = msgspec.to_builtins(page.now.state) | to
-    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+    return page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
 
 
-def put(page: Page, **values: float) -> dict[str, Any]:
-    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})
+def set_values(page: Page, **values: float) -> dict[str, Any]:
+    return page.send({"type": "set", "values": values, "number": len(page.packets) + 1})

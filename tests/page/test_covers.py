@@ -17,7 +17,7 @@ scenes = pytest.mark.parametrize("slug", SCENES)
 
 def covering(page: Page, *covered: str) -> dict[str, Any]:
     state = {"scene": page.scene.slug, "covered": list(covered)}
-    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+    return page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
 
 
 def test_a_covered_plot_takes_its_motion_along() -> None:
@@ -35,9 +35,9 @@ def test_a_covered_plot_takes_its_motion_along() -> None:
     assert "x2" not in view["live"]
     assert "x2_slow" in before["view"]["columns"]["time"] and "x2_slow" not in view["columns"]["time"]
     assert view["columns"]["time"].keys() >= {"t", "x1", "x1_slow"}
-    told = page.say({"type": "set", "values": {"k2": 3.0}, "number": 70})
+    told = page.send({"type": "set", "values": {"k2": 3.0}, "number": 70})
     assert told["state"]["covered"] == ["plot:x2"] and "x2" in told["view"]["left_out"]
-    assert "hidden parts" in page.say({"type": "about", "number": 72})["notes"][0]
+    assert "hidden parts" in page.send({"type": "about", "number": 72})["notes"][0]
     told = covering(page)
     assert told["view"]["signals"].keys() == before["view"]["signals"].keys() and told["view"]["left_out"] == []
 

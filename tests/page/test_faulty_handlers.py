@@ -64,9 +64,9 @@ def test_a_failing_handler_is_reported_and_the_page_continues(kind: str, monkeyp
     stood, (said, broken) = page.now, HANDLERS[kind]
     with monkeypatch.context() as patch:
         patch.setattr(broken, fail)
-        answer = page.say({"type": kind, **said, "number": 4})
+        answer = page.send({"type": kind, **said, "number": 4})
     assert (answer["answer"], SORRY in str(answer)) == (4, True), answer
     assert page.now == stood
     monkeypatch.setattr(page.session, "running", None)
-    told = page.say({"type": "set", "values": {"k": 77.0}, "number": 5})
+    told = page.send({"type": "set", "values": {"k": 77.0}, "number": 5})
     assert (told["answer"], told["settings"]["k"]["value"]) == (5, 77.0)

@@ -15,7 +15,7 @@ from components.session.opening import opened
 from components.state.encoding import COARSE, span
 from components.state.link import read_query
 from components.state.scene_sheet import column_axes
-from tests.page.headless_page import Page, change, put, unpacked
+from tests.page.headless_page import Page, change, set_values, unpacked
 from tests.scenes.checks import as_arguments, moved
 
 scenes = pytest.mark.parametrize("slug", SCENES)
@@ -36,7 +36,7 @@ def test_the_compared_picture_is_the_earlier_one_in_the_current_frame(slug: str)
     assert told["errors"] == {} and told["state"]["held"] == {}
     assert (told["held"]["columns"], told["held"]["values"]) == ({}, {}), "nothing has changed yet"
     value = moved(SCENES[slug])
-    told = put(page, **value)
+    told = set_values(page, **value)
     assert told["errors"] == {} and set(told["held"]["values"]) >= set(value)
     assert page.now.drawn.beside
     wanted = SCENES[slug]().picture(frame_of(page.now.drawn.beside))
@@ -52,7 +52,7 @@ def test_the_compared_picture_is_the_earlier_one_in_the_current_frame(slug: str)
 def test_the_ledger_says_what_became_of_each_number_and_what_is_the_same() -> None:
     page = Page(SCENES["oscillator"]())
     hold(page)
-    told = put(page, m=4.0)
+    told = set_values(page, m=4.0)
     rows = [(row["held"], row["now"], row["unit"], row["ratio"]) for row in told["held"]["ledger"]]
     assert rows[:3] == [
         ("1.00", "4.00", "kg", "× 4"),
@@ -66,9 +66,9 @@ def test_the_ledger_says_what_became_of_each_number_and_what_is_the_same() -> No
 def test_what_is_held_outlasts_every_view_preset_and_undo() -> None:
     page = Page(SCENES["coupled"]())
     hold(page)
-    put(page, k2=3.0)
+    set_values(page, k2=3.0)
     for name, word in (("energy", "modes"), ("view", "forces"), ("view", "formulas"), ("energy", "parts")):
-        told = page.say({"type": "choose", "name": name, "value": word, "number": len(page.packets) + 1})
+        told = page.send({"type": "choose", "name": name, "value": word, "number": len(page.packets) + 1})
         assert told["errors"] == {} and told["state"]["held"] == {} and told["held"]["columns"]
     told = change(page, frame=None, parameters={"m1": 1.0})
     assert told["state"]["held"] == {} and told["preset"] is None
@@ -82,7 +82,7 @@ def test_the_frame_has_room_for_both_and_fits_both() -> None:
     high = page.shown.axes["x"].end
     assert np.abs(told["held"]["columns"]["time"]["x"]).max() < high
     assert told["state"]["frame"] is None, "nothing more would fit"
-    put(page, x_0=0.02)
+    set_values(page, x_0=0.02)
     assert page.shown.axes["x"].end == high
     change(page, held=None, frame=None)
     assert page.shown.axes["x"].end < 0.1 * high
@@ -91,7 +91,7 @@ def test_the_frame_has_room_for_both_and_fits_both() -> None:
 def test_hidden_parts_of_the_compared_picture_are_not_sent() -> None:
     page = Page(SCENES["coupled"]())
     hold(page)
-    put(page, k2=3.0)
+    set_values(page, k2=3.0)
     told = change(page, covered=["plot:x2", "value:omega_minus"])
     assert "x1" in told["held"]["columns"]["time"] and "x2_slow" not in told["held"]["columns"]["time"]
     assert told["held"]["signals"]["x2"]["value"] == {"terms": [[0.0, []]]}, "it rests where it starts"

@@ -41,9 +41,9 @@ def within(number: dict[str, str], value: float, errors: float = 4) -> bool:
 
 def test_pieces_in_order_are_fitted(page: Page) -> None:
     x = motion(1)
-    first = page.say(piece(0, 2, T[:200], x[:200]))
+    first = page.send(piece(0, 2, T[:200], x[:200]))
     assert (first["type"], first["piece"], first["motion"]) == ("fitted", 1, None)
-    told = page.say(piece(1, 2, T[200:], x[200:]))
+    told = page.send(piece(1, 2, T[200:], x[200:]))
     assert told["answer"] == 2 and told["refused"] == ""
     numbers = {number["name"]: number for number in told["numbers"]}
     natural = math.hypot(OMEGA, DECAY)
@@ -60,7 +60,7 @@ def test_means_of_rows_give_the_amplitude_of_the_rows(page: Page) -> None:
     t = np.arange(3000) * 0.04
     x = C * np.exp(-0.02 * t) * np.cos(OMEGA * t)
     means = (column.reshape(-1, 10).mean(axis=1) for column in (t, x))
-    told = page.say(piece(0, 1, *means, size=10))
+    told = page.send(piece(0, 1, *means, size=10))
     (column,) = told["motion"]["columns"]
     assert math.hypot(*column["C"], *column["S"]) == pytest.approx(C * math.exp(-0.02 * 0.18), rel=1e-6)
 
@@ -69,7 +69,7 @@ def test_means_of_rows_give_the_amplitude_of_the_rows(page: Page) -> None:
 def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: str) -> None:
     exponent = complex(-DECAY, OMEGA)
     rows = np.real(C * exponent**derivative * np.exp(exponent * T)) + 9.81
-    told = page.say(piece(0, 1, T, rows + np.random.default_rng(5).normal(0, 1e-3, T.size), derivative=derivative))
+    told = page.send(piece(0, 1, T, rows + np.random.default_rng(5).normal(0, 1e-3, T.size), derivative=derivative))
     numbers = {number["name"]: number for number in told["numbers"]}
     assert within(numbers["amplitude at the start"], C) and numbers["amplitude at the start"]["unit"] == "m"
     assert within(numbers["offset"], 9.81) and numbers["offset"]["unit"] == unit
@@ -79,11 +79,11 @@ def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: 
 
 def test_a_piece_out_of_order_is_left_out_and_the_needed_one_named(page: Page) -> None:
     x = motion(2)
-    assert page.say(piece(1, 2, T[200:], x[200:]))["piece"] == 0
-    assert page.say(piece(0, 2, T[:200], x[:200]))["piece"] == 1
-    assert page.say(piece(0, 2, T[:200], x[:200]))["piece"] == 1, "a repeated piece begins again"
-    assert page.say(piece(3, 4, T[200:], x[200:]))["piece"] == 1
-    assert page.say(piece(1, 2, T[200:], x[200:]))["motion"]
+    assert page.send(piece(1, 2, T[200:], x[200:]))["piece"] == 0
+    assert page.send(piece(0, 2, T[:200], x[:200]))["piece"] == 1
+    assert page.send(piece(0, 2, T[:200], x[:200]))["piece"] == 1, "a repeated piece begins again"
+    assert page.send(piece(3, 4, T[200:], x[200:]))["piece"] == 1
+    assert page.send(piece(1, 2, T[200:], x[200:]))["motion"]
 
 
 @pytest.mark.parametrize(
@@ -99,7 +99,7 @@ def test_a_piece_out_of_order_is_left_out_and_the_needed_one_named(page: Page) -
     ],
 )
 def test_rows_without_a_motion_are_refused_in_words(page: Page, rows: dict[str, Any], reason: str) -> None:
-    told = page.say(rows)
+    told = page.send(rows)
     assert told["motion"] is None and reason in told["refused"]
 
 
@@ -120,14 +120,14 @@ def test_rows_without_a_motion_are_refused_in_words(page: Page, rows: dict[str, 
     ],
 )
 def test_rows_that_no_page_sends_are_refused(page: Page, rows: dict[str, Any]) -> None:
-    told = page.say(rows)
+    told = page.send(rows)
     assert told["type"] == "shown" and "not a message that this page sends" in told["errors"]["message"]
 
 
 def test_pieces_with_other_columns_than_the_first_are_refused(page: Page) -> None:
     x = motion(6)
-    page.say(piece(0, 2, T[:200], x[:200]))
-    assert "in the same columns" in page.say(piece(1, 2, T[200:], x[200:], x[200:]))["refused"]
+    page.send(piece(0, 2, T[:200], x[:200]))
+    assert "in the same columns" in page.send(piece(1, 2, T[200:], x[200:], x[200:]))["refused"]
 
 
 def two_masses(seed: int, noise: float = 1e-4) -> Any:
@@ -138,7 +138,7 @@ def two_masses(seed: int, noise: float = 1e-4) -> Any:
 
 
 def test_two_columns_give_two_frequencies_and_the_ratios_of_a_chain(page: Page) -> None:
-    told = page.say(piece(0, 1, *two_masses(1)))
+    told = page.send(piece(0, 1, *two_masses(1)))
     numbers = {number["name"]: number for number in told["numbers"]}
     assert within(numbers["k1/m1"], 20) and within(numbers["k2/m1"], 10) and within(numbers["m2/m1"], 0.5)
     assert within(numbers["natural frequency, slow mode"], math.sqrt(10))
@@ -155,19 +155,19 @@ def test_two_columns_give_two_frequencies_and_the_ratios_of_a_chain(page: Page) 
 
 def test_columns_in_the_wrong_order_are_named_and_set_nothing(page: Page) -> None:
     t, left, right = two_masses(2)
-    told = page.say(piece(0, 1, t, right, left))
+    told = page.send(piece(0, 1, t, right, left))
     assert told["motion"] and told["parameters"] is None
     assert "check the order of the columns" in told["sentences"][-1]
 
 
 def test_rows_are_in_no_picture_and_no_link(page: Page) -> None:
     before = page.session.opening()
-    assert page.say(piece(0, 1, T, motion(3)))["motion"]
+    assert page.send(piece(0, 1, T, motion(3)))["motion"]
     assert page.session.opening() == before
 
 
 def test_noise_is_fitted_with_a_warning(page: Page) -> None:
-    told = page.say(piece(0, 1, T, np.random.default_rng(1).normal(0, 1, T.size)))
+    told = page.send(piece(0, 1, T, np.random.default_rng(1).normal(0, 1, T.size)))
     assert "the frequency may be wrong" in " ".join(told["sentences"])
 
 
@@ -180,11 +180,11 @@ def test_noise_is_fitted_with_a_warning(page: Page) -> None:
 )
 def test_the_examples_distinguish_two_frictions(page: Page, name: str, sentence: str) -> None:
     t, x = np.loadtxt((FOLDER / name).read_text(encoding="utf-8").splitlines()[1:], delimiter=",", unpack=True)
-    assert page.say(piece(0, 1, t, 1e-3 * x))["sentences"][0].startswith(sentence)
+    assert page.send(piece(0, 1, t, 1e-3 * x))["sentences"][0].startswith(sentence)
 
 
 def test_another_motion_is_named_with_its_frequency(page: Page) -> None:
-    told = page.say(piece(0, 1, T, motion(7) + 0.004 * np.cos(11.7 * T)))
+    told = page.send(piece(0, 1, T, motion(7) + 0.004 * np.cos(11.7 * T)))
     assert "something else moves too, most at 11.7 rad/s." in told["sentences"][0]
 
 

@@ -40,18 +40,18 @@ def test_the_first_page_of_all_is_the_pulled_oscillator() -> None:
 @pytest.mark.parametrize("slug", SCENES)
 def test_a_click_in_the_navigation_opens_the_same(slug: str) -> None:
     page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
-    told = page.say({"type": "open", "state": {"scene": slug}, "carried": True, "number": 1})
+    told = page.send({"type": "open", "state": {"scene": slug}, "carried": True, "number": 1})
     assert told["state"]["parameters"].items() >= SCENES[slug].opens.items()
     assert page.scene.values == visited({"scene": [slug.encode()]}, {}).now.scene.values
     assert told["state"]["hidden"] is None
-    assert page.say({"type": "open", "state": {"scene": slug}, "number": 2})["state"]["parameters"] == {}, "undo"
+    assert page.send({"type": "open", "state": {"scene": slug}, "number": 2})["state"]["parameters"] == {}, "undo"
 
 
 @pytest.mark.parametrize("switched", [[], ["convergence"]])
 def test_other_curves_than_the_usual_ones_are_kept_and_undone(switched: list[str]) -> None:
     page = Page(SCENES["accuracy"]())
     usual = page.scene.hidden
-    told = page.say({"type": "choose", "name": "hidden", "value": switched, "number": 1})
+    told = page.send({"type": "choose", "name": "hidden", "value": switched, "number": 1})
     assert told["state"]["hidden"] == switched
-    back = page.say({"type": "open", "state": told["state"] | {"hidden": None}, "number": 2})
+    back = page.send({"type": "open", "state": told["state"] | {"hidden": None}, "number": 2})
     assert (back["state"]["hidden"], page.scene.hidden) == (None, usual)

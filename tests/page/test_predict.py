@@ -20,7 +20,7 @@ from components.session.opening import opened
 from components.state.csv_export import tables
 from components.state.link import read_query
 from components.state.wire import as_json
-from tests.page.headless_page import Page, change, put
+from tests.page.headless_page import Page, change, set_values
 from tests.scenes.checks import as_arguments, moved, quantities
 
 NUMBER = re.compile(r"[0-9][0-9.]*")
@@ -37,7 +37,7 @@ def test_nothing_that_follows_from_the_next_change_is_sent(slug: str) -> None:
     page = Page(SCENES[slug]())
     before = change(page, covered=["next"])
     assert before["errors"] == {} and before["view"]["left_out"] == [], "until something changes"
-    told = put(page, **moved(SCENES[slug]))
+    told = set_values(page, **moved(SCENES[slug]))
     covered = told["state"]["covered"]
     assert told["errors"] == {} and covered[0] == "next" and len(covered) > 1
     view, old = told["view"], before["view"]
@@ -56,7 +56,7 @@ def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> No
     for values in changes(SCENES[slug]):
         page = Page(SCENES[slug]())
         seen = numbers([change(page, covered=["next"], held={}), csv_of(page), round_numbers(page)])
-        told = put(page, **values)
+        told = set_values(page, **values)
         assert told["errors"] == {} and told["state"]["before"] == {}, values
         given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], _ratio(SCENES[slug], values)])
         outcome = numbers(told_of_scene(page)) - seen - given
@@ -93,10 +93,10 @@ def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> Non
     """The axis of the energies ends at their total. When hidden, it has round numbers of the frame, which stays."""
     page = Page(SCENES["damped"](view="energy"))
     change(page, covered=["next"])
-    told = put(page, x_0=x_0)
+    told = set_values(page, x_0=x_0)
     first = Page(SCENES["damped"](view="energy"))
     change(first, covered=["next"])
-    other = put(first, x_0=0.07)
+    other = set_values(first, x_0=0.07)
     assert "numbers:E" in told["state"]["covered"] and page.shown.axes["E"].seen != first.shown.axes["E"].seen
     assert told["view"]["axes"]["E"] == other["view"]["axes"]["E"]
 
@@ -136,27 +136,27 @@ def numbers(told: Any) -> set[float | str]:
 def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
     page = Page(SCENES["coupled"]())
     change(page, covered=["next"])
-    told = page.say({"type": "choose", "name": "view", "value": "formulas", "number": 60})
+    told = page.send({"type": "choose", "name": "view", "value": "formulas", "number": 60})
     assert told["state"]["covered"] == ["next"]
-    told = put(page, k2=5.0)
+    told = set_values(page, k2=5.0)
     assert {"plot:x1", "plot:x2", "value:omega_minus", "stage"} <= set(told["state"]["covered"])
     left = [name for name in told["state"]["covered"] if name not in ("next", "plot:x1")]
     assert change(page, covered=left)["state"]["covered"] == left
-    assert put(page, k2=6.0)["state"]["covered"] == left
+    assert set_values(page, k2=6.0)["state"]["covered"] == left
 
 
 def test_a_preset_is_a_change_too() -> None:
     page = Page(SCENES["oscillator"]())
     change(page, covered=["next"])
     state = msgspec.to_builtins(page.now.state)
-    told = page.say({"type": "open", "state": {**state, "parameters": {"m": 4.0}, "frame": None}, "number": 61})
+    told = page.send({"type": "open", "state": {**state, "parameters": {"m": 4.0}, "frame": None}, "number": 61})
     assert "plot:x" in told["state"]["covered"] and "value:tau" in told["state"]["covered"]
 
 
 def test_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
     page = Page(SCENES["oscillator"]())
     before = change(page, covered=["next"])["view"]["axes"]["x"]
-    told = put(page, v_0=-0.7)
+    told = set_values(page, v_0=-0.7)
     axis = told["view"]["axes"]["x"]
     assert "numbers:x" in told["state"]["covered"]
     assert (axis["start"], axis["end"]) == (before["start"], before["end"])
@@ -167,7 +167,7 @@ def test_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
 def test_a_new_session_sends_the_same_and_a_reveal_keeps_the_positions(slug: str) -> None:
     page, other = Page(SCENES[slug]()), Page(SCENES[slug]())
     axes = change(page, covered=["next"])["view"]["axes"]
-    told = put(page, **moved(SCENES[slug]))
+    told = set_values(page, **moved(SCENES[slug]))
     again = change(other, **msgspec.to_builtins(page.now.state))
     assert (again["errors"], again["state"], again["view"]["left_out"]) == ({}, told["state"], told["view"]["left_out"])
     assert (again["view"]["scalars"], again["view"]["values"]) == (told["view"]["scalars"], told["view"]["values"])
@@ -182,7 +182,7 @@ def test_a_new_session_sends_the_same_and_a_reveal_keeps_the_positions(slug: str
 def test_another_view_of_what_is_covered_is_that_from_before() -> None:
     page = Page(SCENES["coupled"]())
     change(page, covered=["next"])
-    put(page, k2=5.0)
-    told = page.say({"type": "choose", "name": "view", "value": "formulas", "number": 60})
+    set_values(page, k2=5.0)
+    told = page.send({"type": "choose", "name": "view", "value": "formulas", "number": 60})
     assert told["state"]["parameters"]["view"] == "formulas" and told["state"]["before"] == {}
     assert told["view"]["scalars"] == Page(SCENES["coupled"](view="formulas")).opening()["view"]["scalars"]

@@ -38,7 +38,7 @@ def test_a_state_brings_a_scene_back_from_anywhere(slug: str) -> None:
     wanted = changed(SCENES[slug])
     for start in ("coupled", slug):
         page = Page(SCENES[start]())
-        told = page.say(opening(fitted(wanted).state, number=5))
+        told = page.send(opening(fitted(wanted).state, number=5))
         assert (told["answer"], told["errors"], told["scene"]) == (5, {}, slug)
         assert msgspec.convert(told["state"], State) == fitted(wanted).state
         assert page.now.state == fitted(wanted).state
@@ -48,7 +48,7 @@ def test_a_state_brings_a_scene_back_from_anywhere(slug: str) -> None:
 @scenes
 def test_what_a_state_does_not_name_is_at_its_default(slug: str) -> None:
     page = Page(changed(SCENES[slug]))
-    page.say(opening(State(scene=slug)))
+    page.send(opening(State(scene=slug)))
     assert page.now.state == State(scene=slug)
     assert page.scene.values == SCENES[slug].at().values
 
@@ -69,7 +69,7 @@ def test_what_a_state_does_not_name_is_at_its_default(slug: str) -> None:
 def test_a_state_that_is_refused_changes_nothing(state: dict[str, Any], reason: str) -> None:
     page = Page(SCENES["coupled"](k2=3.0))
     before, scene = page.opening(), page.scene
-    told = page.say(opening(state))
+    told = page.send(opening(state))
     assert reason in told["errors"]["state"]
     assert told["errors"]["state"].endswith("Still drawn as before.")
     assert page.scene is scene
@@ -90,16 +90,16 @@ def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> 
 def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
     """The number belongs to another view than that of the state, as in a new session after a reconnection."""
     page = Page(SCENES["modes"]())
-    page.say(opening({"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]}))
-    told = page.say({"type": "choose", "name": "view", "value": "hunt", "number": 2})
-    again = Page(SCENES["modes"]()).say(opening(told["state"]))
+    page.send(opening({"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]}))
+    told = page.send({"type": "choose", "name": "view", "value": "hunt", "number": 2})
+    again = Page(SCENES["modes"]()).send(opening(told["state"]))
     assert (again["errors"], again["state"]) == ({}, told["state"])
 
 
 @pytest.mark.parametrize("state", [None, 3, {}, {"scene": 3}, {"scene": "coupled", "parameters": {"k2": {"a": 1}}}])
 def test_what_is_no_state_is_no_message(state: Any) -> None:
     page = Page(SCENES["coupled"]())
-    assert list(page.say(opening(state))["errors"]) == ["message"]
+    assert list(page.send(opening(state))["errors"]) == ["message"]
 
 
 def test_a_scene_that_was_left_is_closed_and_silent() -> None:
@@ -108,7 +108,7 @@ def test_a_scene_that_was_left_is_closed_and_silent() -> None:
     assert left
     ended: list[bool] = []
     left.close = lambda: ended.append(True)  # type: ignore[method-assign]
-    page.say(opening(State(scene="forced")))
+    page.send(opening(State(scene="forced")))
     told = len(page.packets)
     left.notify()
     assert (ended, len(page.packets)) == ([True], told)

@@ -7,7 +7,7 @@ from typing import Any
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.state.link import read_query
-from tests.page.headless_page import Page, change, put
+from tests.page.headless_page import Page, change, set_values
 from tests.scenes.checks import as_arguments
 
 CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}
@@ -16,7 +16,7 @@ CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}
 def go(page: Page, scene: str, **state: Any) -> dict[str, Any]:
     """Click a link of the navigation."""
     wanted = {"scene": scene, **state}
-    told = page.say({"type": "open", "state": wanted, "carried": True, "number": len(page.packets) + 1})
+    told = page.send({"type": "open", "state": wanted, "carried": True, "number": len(page.packets) + 1})
     assert told["errors"] == {} and told["scene"] == scene
     parameters, opens = told["state"]["parameters"], SCENES[scene].opens
     assert state.get("parameters") or opens.items() <= parameters.items(), "it opens as a page of it does"
@@ -36,14 +36,14 @@ def test_the_chain_goes_along_to_every_scene_of_it_and_back() -> None:
 def test_the_machine_of_the_absorber_is_another_thing_which_the_chain_passes_by() -> None:
     page = Page(SCENES["forced"](**CHAIN))
     assert go(page, "absorber") == {}
-    put(page, m2=30.0)
+    set_values(page, m2=30.0)
     assert go(page, "modes") == CHAIN
 
 
 def test_mass_and_spring_go_along_to_the_analogue_that_they_are() -> None:
     page = Page(SCENES["oscillator"](m=3.0))
     assert go(page, "energy") == {"m": 3.0}
-    put(page, k=20.0)
+    set_values(page, k=20.0)
     assert go(page, "analogues") == {"system": "spring", "spring_m": 3.0, "spring_k": 20.0}
     assert go(page, "coupled") == {}
     assert go(page, "oscillator") == {"m": 3.0, "k": 20.0}
@@ -63,9 +63,9 @@ def test_a_scene_as_it_opens_gives_up_what_was_taken_along() -> None:
 
 def test_a_state_that_is_opened_otherwise_is_what_it_says() -> None:
     page = Page(SCENES["coupled"](**CHAIN))
-    told = page.say({"type": "open", "state": {"scene": "modes"}, "number": 1})
+    told = page.send({"type": "open", "state": {"scene": "modes"}, "number": 1})
     assert told["state"]["parameters"] == {}
-    put(page, **CHAIN)
+    set_values(page, **CHAIN)
     assert go(page, "coupled", parameters={"k2": 9.0}) == {**CHAIN, "k2": 9.0}
 
 

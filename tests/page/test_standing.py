@@ -36,6 +36,6 @@ def test_after_a_refusal_the_page_state_is_the_same_object(said: str) -> None:
     slug, message = REFUSED[said]
     page = Page(SCENES[slug]())
     before = page.now
-    told = page.say({**message, "number": 7})
+    told = page.send({**message, "number": 7})
     assert page.now is before
     assert said in ("about", "csv", "given", "read", "run, of a scene that can") or told["errors"]

@@ -176,6 +176,6 @@ def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> No
 def test_the_page_is_answered_and_nothing_changes() -> None:
     page = Page(SCENES["coupled"]())
     before = page.shown
-    told = page.say({"type": "about", "number": 7})
+    told = page.send({"type": "about", "number": 7})
     assert told == msgspec.json.decode(msgspec.json.encode(about_numbers(partial(page.scene.about, before), 7)))
     assert page.shown is before

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from components.language.signals import Responses
 from components.scenes.absorber import Absorber
 from physics.coupled import TwoMassChain
-from tests.page.headless_page import Page, change, put
+from tests.page.headless_page import Page, change, set_values
 from tests.page.scripts import played
 from tests.scenes.checks import check_picture
 from tests.scenes.visible_sentences import sentences
@@ -187,9 +187,9 @@ def test_twice_the_force_is_seen_as_twice_the_swing_until_the_stage_has_no_room(
     first = page.opening()
     scale, tick = drawn_to(first), first["view"]["values"]["tick"]
     for force in (250.0, 100.0, 700.0):
-        told = put(page, F_0=force)
+        told = set_values(page, F_0=force)
         assert (drawn_to(told), told["view"]["values"]["tick"]) == (pytest.approx(scale), tick), force
-    small = drawn_to(put(page, F_0=5e4))
+    small = drawn_to(set_values(page, F_0=5e4))
     assert small < 0.5 * scale
-    assert drawn_to(put(page, F_0=700.0)) == pytest.approx(small), "it grows by Fit alone"
+    assert drawn_to(set_values(page, F_0=700.0)) == pytest.approx(small), "it grows by Fit alone"
     assert drawn_to(change(page, frame=None)) > 2 * small

@@ -10,7 +10,7 @@ from components.scenes.absorber import Absorber
 from components.session.opening import opened
 from components.state.link import read_query
 from physics.absorber import den_hartog
-from tests.page.headless_page import Page, apply_message, change, put, take_preset
+from tests.page.headless_page import Page, apply_message, change, set_values, take_preset
 from tests.scenes.checks import as_arguments, check_picture, solves
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
@@ -58,13 +58,13 @@ def test_score_is_the_lightest_mass_of_this_machine() -> None:
 
 def test_a_link_and_a_state_carry_the_lightest_solution_which_is_looked_at_again() -> None:
     page = Page(Absorber(m2=30.0))
-    told = put(page, m2=40.0)
+    told = set_values(page, m2=40.0)
     assert told["view"]["values"]["lightest"] == "30 kg"
     again = opened(SCENES, read_query(as_arguments(told["query"]), SCENES))
     assert again.now.shown.values["lightest"] == "30 kg"
     state = {**told["state"], "parameters": {**told["state"]["parameters"], "lightest": 3.0}}
     assert change(page, **state)["view"]["values"]["lightest"] == "40 kg", "no absorber of 3 kg does it"
-    assert put(page, lightest=3.0)["errors"], "nobody sets it"
+    assert set_values(page, lightest=3.0)["errors"], "nobody sets it"
 
 
 def test_tuned_spring_follows_mass_and_speed() -> None:

@@ -65,14 +65,14 @@ def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monk
     one = HalfDone()
     monkeypatch.setattr("components.scenes.accuracy.measurement.queue", lambda: one)
     page = Page(Accuracy())
-    page.say({"type": "run", "order": "start", "number": 1})
+    page.send({"type": "run", "order": "start", "number": 1})
     page.session.running.notify()
     assert known(page.scene).here.every == HERE[:2] and unpacked(page.packets[-1])["answer"] is None
     before = page.opening()["state"]
-    told = page.say({"type": "choose", "name": "system", "value": "dashpot", "number": 2})
+    told = page.send({"type": "choose", "name": "system", "value": "dashpot", "number": 2})
     assert told["errors"] == {} and not known(page.scene).here.every
-    page.say({"type": "run", "order": "cancel", "number": 3})
-    page.say({"type": "open", "state": before, "number": 4})
+    page.send({"type": "run", "order": "cancel", "number": 3})
+    page.send({"type": "open", "state": before, "number": 4})
     assert known(page.scene).here.every == HERE[:2]
     assert not known(Page(Accuracy()).scene).here.every
     one.done = True

@@ -33,8 +33,8 @@ def taken(scene: Scene, page: str = HERE, **state: Any) -> dict[str, bytes]:
     """The files that the button CSV gives, by name."""
     visit = Page(scene)
     if state:
-        visit.say({"type": "open", "number": 1, "state": {"scene": scene.slug, **state}})
-    file = visit.say({"type": "csv", "page": page, "number": 2})
+        visit.send({"type": "open", "number": 1, "state": {"scene": scene.slug, **state}})
+    file = visit.send({"type": "csv", "page": page, "number": 2})
     content = base64.b64decode(file["content"])
     if file["kind"] == "text/csv":
         return {file["name"]: content}

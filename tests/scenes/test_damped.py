@@ -19,7 +19,7 @@ from components.scene.traces import Floats
 from components.scenes import SCENES
 from physics.damped import DampedOscillator
 from tests.grids import tries
-from tests.page.headless_page import Page, put
+from tests.page.headless_page import Page, set_values
 from tests.scenes.presets import taken
 from tests.scenes.visible_sentences import read
 
@@ -195,10 +195,10 @@ def test_mass_spring_and_dashpot_go_along_and_one_without_a_dashpot_brings_mass_
     page = Page(SCENES["oscillator"](m=3.0, k=20.0))
 
     def go(scene: str) -> dict[str, Any]:
-        told = page.say({"type": "open", "state": {"scene": scene}, "carried": True, "number": len(page.packets) + 1})
+        told = page.send({"type": "open", "state": {"scene": scene}, "carried": True, "number": len(page.packets) + 1})
         return dict(told["state"]["parameters"])
 
     assert go("damped") == {"m": 3.0, "k": 20.0}
-    put(page, c=5.0)
+    set_values(page, c=5.0)
     assert go("energy") == {"m": 3.0, "k": 20.0}
     assert go("damped") == {"m": 3.0, "k": 20.0, "c": 5.0}

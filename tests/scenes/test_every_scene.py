@@ -109,7 +109,7 @@ def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
     drawn = next(view.slug for view in scene_class.views if parts[0] in view.names)
     page = Page(scene_class(view=drawn))
     name, quantity = next(iter(quantities(scene_class).items()))
-    told = page.say({"type": "set", "values": {name: quantity.softbounds[1]}, "number": 1})
+    told = page.send({"type": "set", "values": {name: quantity.softbounds[1]}, "number": 1})
     assert (told["type"], told["answer"], told["errors"]) == ("shown", 1, {})
     assert told["state"]["parameters"][name] == quantity.softbounds[1]
     picture, sent = page.shown, 0
@@ -129,7 +129,7 @@ def test_a_change_is_small(scene_class: type[Scene]) -> None:
     for number, (name, quantity) in enumerate(quantities(scene_class).items(), start=1):
         low, high = quantity.softbounds
         value = 1.1 * (quantity.default or 0.1 * high)
-        page.say({"type": "set", "values": {name: min(max(value, low), high)}, "number": 2 * number})
-        page.say({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
+        page.send({"type": "set", "values": {name: min(max(value, low), high)}, "number": 2 * number})
+        page.send({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
     around = 340  # bytes of the frames that Bokeh sends with it
     assert max(len(packet["data"]) for packet in page.packets) + around <= MOST_BYTES.get(scene_class.slug, 3000)

@@ -115,18 +115,18 @@ def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() 
     ):
         page = Page(SCENES[slug](**({"view": "speed"} if slug == "oscillator" else {})))
         assert page.shown.scalars[seen]
-        page.say({"type": "set", "values": {name: value}, "holding": True, "number": 1})
+        page.send({"type": "set", "values": {name: value}, "holding": True, "number": 1})
         assert not page.shown.scalars.get(seen)
-        page.say({"type": "set", "values": {}, "holding": False, "number": 2})
+        page.send({"type": "set", "values": {}, "holding": False, "number": 2})
         assert page.shown.scalars[seen], "in the frame that has grown"
 
 
 def test_a_frame_is_fixed_during_a_drag_and_grows_after_it() -> None:
     page = Page(SCENES["oscillator"]())
     before = frame_of(page.shown)
-    page.say({"type": "set", "values": {"x_0": 0.5}, "holding": True, "number": 1})
+    page.send({"type": "set", "values": {"x_0": 0.5}, "holding": True, "number": 1})
     assert frame_of(page.shown) == before
-    page.say({"type": "set", "values": {}, "holding": False, "number": 2})
+    page.send({"type": "set", "values": {}, "holding": False, "number": 2})
     grown = frame_of(page.shown)
     assert grown.ranges["x"][1] >= 0.5 > before.ranges["x"][1]
     assert (grown.window, grown.speed) == (before.window, before.speed)

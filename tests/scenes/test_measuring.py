@@ -259,6 +259,6 @@ def workers(server: Server) -> list[psutil.Process]:
 
 async def _measure_and_leave(server: Server) -> None:
     visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
-    await visitor.say({"type": "run", "order": "start"})
+    await visitor.send({"type": "run", "order": "start"})
     wait(lambda: workers(server))
     await visitor.depart()

@@ -32,7 +32,7 @@ def test_figures_count_what_happens(tmp_path: Path) -> None:
         before = figures(server)
         visitor, caller = await Visitor.arrive(server.url), await Caller.arrive(server.url)
         await visitor.move("x_0", 0.5)
-        await caller.say(*said([[[[[[]]]]]]))
+        await caller.send(*said([[[[[[]]]]]]))
         await caller.closed()
         ask(server.url, "/nowhere")
         now = figures(server)

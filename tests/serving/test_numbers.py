@@ -165,7 +165,7 @@ async def test_a_page_gives_long_jobs_to_a_worker_that_is_idle(message: dict[str
     worker = ReadingProcess("tests.serving.hanging")
     running = Serving(partial(walked([]).open_page, apart=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS)
     visitor = await Visitor.arrive(f"http://127.0.0.1:{running.port}/", "scene=coupled")
-    told = await visitor.say(message)
+    told = await visitor.send(message)
     assert "read" in (told["errors"]["message"] if message["type"] == "csv" else told["notes"][0])
     await visitor.depart()
     await running.end()

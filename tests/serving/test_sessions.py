@@ -142,7 +142,7 @@ async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> 
     async with served(page) as server:
         for message in (patch(event("document_ready")), said(None, model="p0")):
             caller = await Caller.arrive(url(server))
-            await caller.say(*message)
+            await caller.send(*message)
             assert (await caller.closed())[0] in (1008, 1011)
     assert len(_PATCHED_CURDOCS) == before
 
@@ -156,7 +156,7 @@ async def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
     async with served() as server:
         caller = await Caller.arrive(url(server))
         monkeypatch.setattr(ServerSession, "pull", fail)
-        await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+        await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
         code, reason = await caller.closed()
         assert code == 1011
         assert "Something went wrong on the server" in reason
@@ -196,7 +196,7 @@ async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
         for _ in range(MOST_MISSED + 1):
             for socket in list(server.context.admission.sockets):
                 socket.pulse()
-            await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+            await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
             for _ in range(3):  # the answer comes after the pong
                 await caller.receive()
         assert await silent.closed() == (1001, "No answer to two pings.")
@@ -212,7 +212,7 @@ async def test_a_page_has_one_socket() -> None:
         await until(lambda: len(server.context.admission.sockets) == 1)
         for _ in range(3):  # the greeting
             await second.receive()
-        await second.say(header("PULL-DOC-REQ"), "{}", "{}")
+        await second.send(header("PULL-DOC-REQ"), "{}", "{}")
         assert await second.receive()
         await second.depart()
 

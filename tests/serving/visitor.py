@@ -83,9 +83,9 @@ class Visitor:
 
     async def move(self, parameter: str, value: float) -> None:
         """Move one slider and wait for the new picture."""
-        await self.say({"type": "set", "values": {parameter: value}})
+        await self.send({"type": "set", "values": {parameter: value}})
 
-    async def say(self, message: dict[str, Any]) -> dict[str, Any]:
+    async def send(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send a message of the page, and return its answer without the columns."""
         self._number += 1
         answered = self._expect(f"answer {self._number}")

@@ -35,7 +35,7 @@ def page() -> Page:
 
 def opened(page: Page, state: Any) -> dict[str, Any]:
     plain = {"scene": state.scene, "parameters": state.parameters, "covered": list(state.covered), "step": state.step}
-    return page.say({"type": "open", "state": plain, "number": len(page.packets) + 1})
+    return page.send({"type": "open", "state": plain, "number": len(page.packets) + 1})
 
 
 def answering(walk: str, step: str, number: int, **answer: Any) -> dict[str, Any]:
@@ -43,7 +43,7 @@ def answering(walk: str, step: str, number: int, **answer: Any) -> dict[str, Any
 
 
 def given(page: Page, step: str, **answer: Any) -> dict[str, Any]:
-    told = page.say(answering(step.rpartition("-")[0], step, 1000 + len(page.packets), **answer))
+    told = page.send(answering(step.rpartition("-")[0], step, 1000 + len(page.packets), **answer))
     assert told["type"] == "taught", told.get("errors")
     return told
 
@@ -139,8 +139,8 @@ def test_a_point_is_a_place_on_the_axis(page: Page, step: str, place: float, rig
 
 @pytest.mark.parametrize("place", [1.6, -0.9])
 def test_what_was_marked_is_what_is_played(page: Page, place: float) -> None:
-    shows = page.say(answering("d34", "d34-08", 1, value=place))["lesson"]["shows"]
-    told = page.say({"type": "open", "state": shows, "number": 2})
+    shows = page.send(answering("d34", "d34-08", 1, value=place))["lesson"]["shows"]
+    told = page.send({"type": "open", "state": shows, "number": 2})
     assert told["errors"] == {} and told["state"]["step"] == "d34/d34-08"
     assert page.now.state.parameters["x2_0"] == place
 
@@ -163,7 +163,7 @@ def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     there = verdicts[3]["where"]
     assert (there["scene"], there["step"]) == ("forced", "d34/d34-12")
     assert there["parameters"] == {"k1": 2.0, "omega": 0.77, "view": "motion"}
-    shown = page.say({"type": "open", "state": there, "number": 99})
+    shown = page.send({"type": "open", "state": there, "number": 99})
     assert shown["settings"]["omega"]["value"] == 0.77 and shown["errors"] == {}
 
 
@@ -173,28 +173,28 @@ def test_a_reply_to_a_sketch_or_a_number_leads_to_its_case(page: Page) -> None:
     even = [(float(t), -2.0 * math.cos(t)) for t in np.linspace(0, 25, 201)]
     lesson = given(page, "d34-15", curves=heights(step, {"x1": even}))["lesson"]
     assert "with friction" in lesson["reply"] and lesson["where"]["step"] == "d34/d34-15"
-    shown = page.say({"type": "open", "state": lesson["where"], "number": 99})
+    shown = page.send({"type": "open", "state": lesson["where"], "number": 99})
     assert shown["errors"] == {} and shown["state"]["scene"] == lesson["where"]["scene"]
     assert given(page, "d34-15", curves=heights(step))["lesson"]["where"] is None
 
 
 def test_what_is_still_covered_is_so_in_its_own_scene_alone(page: Page) -> None:
     (_, _, friction, _) = given(page, "d34-02", option=2)["lesson"]["verdicts"]
-    shown = page.say({"type": "open", "state": friction["where"], "number": 99})
+    shown = page.send({"type": "open", "state": friction["where"], "number": 99})
     assert shown["errors"] == {} and shown["state"]["covered"] == []
 
 
 def test_an_answer_to_no_step_is_refused(page: Page) -> None:
     assert "no step" in given(page, "d31-99")["refused"]
-    assert "no step" in Page(SCENES["coupled"]()).say(answering("d31", "d31-01", 1))["refused"]
+    assert "no step" in Page(SCENES["coupled"]()).send(answering("d31", "d31-01", 1))["refused"]
 
 
 def test_a_session_runs_a_walk_of_its_own(page: Page) -> None:
     text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
-    told = page.say({"type": "walk", "name": "mine", "text": text, "number": 1})
+    told = page.send({"type": "walk", "name": "mine", "text": text, "number": 1})
     assert told["refused"] == "" and told["sheet"]["steps"][0]["opens"]["step"] == "mine/one"
-    assert page.say(answering("mine", "one", 2, option=0))["lesson"]["right"]
-    told = page.say({"type": "walk", "name": "mine2", "text": "title = 1", "number": 3})
+    assert page.send(answering("mine", "one", 2, option=0))["lesson"]["right"]
+    told = page.send({"type": "walk", "name": "mine2", "text": "title = 1", "number": 3})
     assert told["sheet"] is None and told["refused"].startswith("mine2: ")
     wrong = """title = "Mine"
 [[step]]
@@ -203,7 +203,7 @@ from = "d34-12"
 cover = ["plot:z"]
 options = [{ text = "a", right = true, where = "?scene=no" }, { text = "b", reply = "c" }]
 """
-    refused = page.say({"type": "walk", "name": "mine3", "text": wrong, "number": 4})["refused"]
+    refused = page.send({"type": "walk", "name": "mine3", "text": wrong, "number": 4})["refused"]
     assert "mine3, step 1 (one), cover: “plot:z” is not possible: choose from" in refused
     assert "mine3, step 1 (one), options[0].where: " in refused
     assert "mine" not in WALKS
@@ -214,14 +214,14 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
 
     def refusal(name: str) -> str:
         said = {"type": "walk", "name": name, "text": text, "number": 1 + len(page.packets)}
-        return str(page.say(said)["refused"])
+        return str(page.send(said)["refused"])
 
     assert refusal("d31") == "there is a walk “d31” here already: give the file another name."
     assert given(page, "d31-03", option=0)["lesson"]["right"]
     assert [refusal(f"mine-{i}") for i in range(5)] == [""] * 5
     assert refusal("mine-5").startswith("A page keeps at most 5 walks from files. Give this one the name")
     assert refusal("mine-3") == ""  # mended
-    known = [page.say(answering(f"mine-{i}", "one", 100 + i, option=0))["lesson"] is not None for i in range(6)]
+    known = [page.send(answering(f"mine-{i}", "one", 100 + i, option=0))["lesson"] is not None for i in range(6)]
     assert known == [True] * 5 + [False]
 
 

@@ -153,7 +153,7 @@ async def _lags(url: str) -> dict[float, float]:
 
 
 def _sending(page: Visitor, message: Message) -> GreedyAct:
-    return lambda: page.say(message)
+    return lambda: page.send(message)
 
 
 def _changed(page: Visitor, message: Message) -> GreedyAct:
@@ -162,7 +162,7 @@ def _changed(page: Visitor, message: Message) -> GreedyAct:
 
     def act() -> Awaitable[Message]:
         more = {"values": {**message["values"], "x2_0": next(numbers) / 1e3}} if "values" in message else {}
-        return page.say({**message, **more})
+        return page.send({**message, **more})
 
     return act
 

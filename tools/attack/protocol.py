@@ -161,7 +161,7 @@ async def _abused(url: str) -> list[AttackResult]:
     for number, (name, frames) in enumerate(ABUSES.items()):
         caller = await Caller.arrive(url)
         with suppress(WebSocketClosedError):  # the server may close before the last frame
-            await caller.say(*frames)
+            await caller.send(*frames)
         code, reason = await caller.closed()
         found.append(AttackResult(name, code in (1003, 1008, 1009) and bool(reason), f"{code} {reason}"))
         await witness.move("k2", 1 + number / 100)
@@ -215,7 +215,7 @@ async def _flooder(url: str) -> None:
         caller = await Caller.arrive(url)
         with suppress(WebSocketClosedError):
             while monotonic() < end:
-                await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+                await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
         await caller.depart()
 
 

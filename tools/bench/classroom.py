@@ -95,7 +95,7 @@ async def measured(
     figures, room = ClassFigures(count), room or await Class.open(server.url)
     Hearing.EVENTS.clear()
     visitor = await Visitor.arrive(server.url, "scene=coupled")
-    await visitor.say({"type": "lead", "code": room.code, "key": room.key})
+    await visitor.send({"type": "lead", "code": room.code, "key": room.key})
     hearing = await followed(room, [server.url], count)
     phones = await Phones.join(browser, room)
     process = psutil.Process(server.process.pid)

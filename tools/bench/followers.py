@@ -80,7 +80,7 @@ async def drag(visitor: Visitor, seconds: float) -> dict[float, float]:
     while (now := time.monotonic() - begun) < seconds:
         value = round(2 + math.sin(3 * now) + 1e-6 * len(sent), 9)
         sent[value] = time.time()
-        await visitor.say({"type": "set", "values": {"k2": value}})
+        await visitor.send({"type": "set", "values": {"k2": value}})
         await asyncio.sleep(max(0.0, now + 1 / RATE - (time.monotonic() - begun)))
     return sent
 

@@ -69,7 +69,7 @@ async def _class_of(site: DeployedSite, count: int, seconds: float) -> tuple[int
     Hearing.EVENTS.clear()
     room = await Class.open(site.url)
     visitor = await Visitor.arrive(f"http://127.0.0.1:{site.ports[1]}/", "scene=coupled")
-    await visitor.say({"type": "lead", "code": room.code, "key": room.key})
+    await visitor.send({"type": "lead", "code": room.code, "key": room.key})
     followers = [Returning(site.url, room, await room.token()) for _ in range(count)]
     await asyncio.gather(*(one.follow() for one in followers))
     staying = [asyncio.create_task(one.stay()) for one in followers]

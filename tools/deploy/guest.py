@@ -39,7 +39,7 @@ class ReturningVisitor:
         while monotonic() - begun < PATIENCE:
             try:
                 visitor = self._visitor or await self._reconnected()
-                self.answer = await visitor.say({"type": "set", "values": values})
+                self.answer = await visitor.send({"type": "set", "values": values})
                 self.longest = max(self.longest, monotonic() - begun)
                 return
             except (ConnectionError, TimeoutError):
@@ -58,7 +58,7 @@ class ReturningVisitor:
         visitor = await self._connect()
         self.returns += 1
         if self.answer:
-            await visitor.say({"type": "open", "state": self.answer["state"]})
+            await visitor.send({"type": "open", "state": self.answer["state"]})
         return visitor
 
     async def _connect(self) -> Visitor:

@@ -58,7 +58,7 @@ def _lost(visitor: ReturningVisitor, value: float) -> str:
     """Describe the value that a guest set and no longer sees; empty if nothing is lost."""
     answer = visitor.answer
     page = Page(SCENES["coupled"]())
-    true = page.say({"type": "open", "state": {**answer["state"], "parameters": {"k2": value}}, "number": 1})
+    true = page.send({"type": "open", "state": {**answer["state"], "parameters": {"k2": value}}, "number": 1})
     for name, shown, meant in (
         ("control", answer["settings"]["k2"]["value"], value),
         ("link", answer["query"], true["query"]),
