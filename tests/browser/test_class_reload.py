@@ -126,7 +126,7 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None
     expect(lecture.get_by_role("dialog")).to_contain_text("The server does not answer")
 
 
-def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
+def test_a_phone_survives_late_and_failing_requests(failing: Open) -> None:
     lecture = failing("walk=d31&step=d31-01", 1920, 1080)
     lecture.wait_for_function(CONNECTED)
     lecture.keyboard.press("t")

@@ -159,7 +159,7 @@ def course(browser: Browser, framed: Server) -> Iterator[Callable[[int], Page]]:
 
 
 @pytest.mark.parametrize("width", [1200, 420])
-def test_the_frame_tells_its_height_and_takes_no_focus(course: Callable[[int], Page], width: int) -> None:
+def test_the_frame_reports_its_height_and_takes_no_focus(course: Callable[[int], Page], width: int) -> None:
     page = course(width)
     page.wait_for_function("told.some(({type, height}) => type === 'oscillations:height' && height > 300)")
     assert page.evaluate("document.activeElement.localName") == "input"

@@ -120,7 +120,7 @@ PUT = f"id => {LED}.news.question?.step === id && !oscillations.walks.walk.lesso
 
 
 @pytest.mark.slow
-def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, window: Open) -> None:
+def test_a_step_is_fully_visible_next_to_the_corner_of_a_class(server: Server, window: Open) -> None:
     lecture, code = taught(window, "walk=d34&projector")
     lecture.set_viewport_size({"width": 1280, "height": HEIGHT})
     tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(MANY)]

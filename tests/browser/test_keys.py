@@ -211,7 +211,7 @@ def test_leaving_uncovers_no_open_question(page: Page, open_scene: Open) -> None
     assert covered
 
 
-def test_it_closes_what_lies_on_top_first(page: Page, open_scene: Open) -> None:
+def test_it_closes_the_topmost_dialog_first(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="d34", step="d34-02")
     at(page, "d34/d34-02")
     for shut, show in (("dialog.keys", "?"), (".walks[open]", None)):

@@ -158,7 +158,7 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     assert not [url for url in asked if "/assets/" not in url]
 
 
-def test_a_link_can_be_chosen_before_the_first_page_stands(server: Server, page: Page) -> None:
+def test_a_link_can_be_chosen_before_the_first_page_is_drawn(server: Server, page: Page) -> None:
     def late(route: Route) -> None:
         page.locator(".nav nav a[data-scene=modes]").evaluate("link => link.click()")
         route.continue_()

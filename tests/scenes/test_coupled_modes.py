@@ -15,7 +15,7 @@ from components.scenes import SCENES
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from tests.page.hand import Hand, grabs, sets
-from tests.page.headless_page import Page, put
+from tests.page.headless_page import Page, set_values
 
 U = 2.0**-53
 RANDOM = random.Random(16)
@@ -47,7 +47,7 @@ def test_a_motion_by_its_modes_comes_back_to_the_last_digits(chain: TwoMassChain
 
 
 def choose(page: Page, word: str) -> dict[str, Any]:
-    return page.say({"type": "choose", "name": "given_by", "value": word, "number": len(page.packets) + 1})
+    return page.send({"type": "choose", "name": "given_by", "value": word, "number": len(page.packets) + 1})
 
 
 def test_the_choice_changes_nothing_and_leads_back_exactly() -> None:
@@ -65,14 +65,14 @@ def test_the_choice_changes_nothing_and_leads_back_exactly() -> None:
 
 def test_one_mode_alone_is_that_mode_exactly() -> None:
     page = Page(SCENES["coupled"]())
-    told = put(page, X_fast=0.0, X_slow=0.5, phi_slow=0.3)
+    told = set_values(page, X_fast=0.0, X_slow=0.5, phi_slow=0.3)
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
     assert told["view"]["forms"]["beat"] == "one" and told["view"]["values"]["X1_plus"] == "+ 0.00"
     assert page.scene.x1_0 == pytest.approx(0.5 * math.sin(0.3), rel=1e-15)
     assert page.scene.x2_0 == pytest.approx(2 * 0.5 * math.sin(0.3), rel=1e-15)
-    told = put(page, k2=7.0)
+    told = set_values(page, k2=7.0)
     assert told["view"]["values"]["X1_plus"] == "+ 0.00", "the mode of the new chain"
-    told = put(page, x1_0=0.25)
+    told = set_values(page, x1_0=0.25)
     assert told["state"]["parameters"].get("given_by") is None, "a start is given by starting values"
 
 
@@ -81,14 +81,14 @@ LABEL = "Slow mode, start, by mass 1"
 
 def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -> None:
     page = Page(SCENES["coupled"]())
-    put(page, X_slow=0.5, X_fast=0.1 + 0.2, phi_slow=0.3, phi_fast=1.1)
+    set_values(page, X_slow=0.5, X_fast=0.1 + 0.2, phi_slow=0.3, phi_fast=1.1)
     scene = page.scene
     _, (shape, grab) = (one for one in grabs(SCENES["coupled"]) if one[1].label == LABEL)
     assert sets(grab) == ["X_slow", "phi_slow"]
     held = Hand(page.now, shape, wide=True, t=0.7).take()
     slow, fast = chain_of(scene).modes().omega
     turned = 1.1 + 0.7 * fast
-    told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
+    told = page.send({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
     scene = page.scene
     assert scene.X_fast == 0.1 + 0.2 and scene.phi_fast == pytest.approx(math.remainder(turned, 2 * math.pi), rel=1e-14)
@@ -96,7 +96,7 @@ def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -
         scene.X_slow == pytest.approx(0.5 * abs(math.sin(0.3 + 0.7 * slow)), abs=0.005)
         and scene.phi_slow == math.pi / 2
     )
-    page.say({"type": "set", "values": {"phi_slow": -math.pi / 2}, "holding": False, "number": 82})
+    page.send({"type": "set", "values": {"phi_slow": -math.pi / 2}, "holding": False, "number": 82})
     scene = page.scene
     assert scene.X_fast == 0.1 + 0.2 and scene.x1_0 == pytest.approx(0.3 * math.sin(turned) - scene.X_slow)
 
@@ -115,15 +115,17 @@ def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_
 
 def test_a_hand_on_a_mass_sets_the_modes_that_give_the_motion() -> None:
     page = Page(SCENES["coupled"]())
-    put(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
+    set_values(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
     shape = next(shape for shape, grab in grabs(SCENES["coupled"]) if grab.label == "Mass 1, start")
     held = Hand(page.now, shape, wide=True, t=0.7).take()
-    told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
+    told = page.send({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
     assert page.scene.v1_0 == 0 and abs(page.scene.phi_slow) == abs(page.scene.phi_fast) == math.pi / 2
-    told = page.say({"type": "set", "values": {"v1_0": 0.3}, "holding": False, "number": 83})
+    told = page.send({"type": "set", "values": {"v1_0": 0.3}, "holding": False, "number": 83})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes", "a flick as well"
-    assert put(page, x1_0=0.25)["state"]["parameters"].get("given_by") is None, "a typed start gives the motion itself"
+    assert set_values(page, x1_0=0.25)["state"]["parameters"].get("given_by") is None, (
+        "a typed start gives the motion itself"
+    )
 
 
 def test_a_drift_is_not_given_by_a_phase() -> None:
