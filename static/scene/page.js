@@ -91,9 +91,10 @@ export class Page {
 
   /** The parts in the order in which they get a picture, including those loaded later. @returns {Part[]} */
   #parts() {
-    const {compare, views, sheet, live, hand, stages, plots, controls, clock, transport, notice, tools} = this
+    const {compare, views, sheet, order, live, hand, stages, plots, controls, clock, transport, notice, tools} = this
     const freeze = {update: (/** @type {Drawn} */ shown) => compare.freeze(shown)} // before other parts
-    return [freeze, views, sheet, live, hand, ...stages, ...plots, controls, compare, clock, transport, notice, tools]
+    const parts = [views, sheet, order, live, hand, ...stages, ...plots]
+    return [freeze, ...parts, controls, compare, clock, transport, notice, tools]
   }
 
   #aboutNumbers() {

@@ -1,49 +1,75 @@
 // The order in which the Tab key and screen readers reach the parts of a page. On a desk it is the order in which the
 // page is built. On smaller screens, where the styles stack the parts by their `order`, the parts move in the document.
 
+import {viewOf} from "./views.js"
+
 /** @param {Element} part */
 const isFlat = part => getComputedStyle(part).display === "contents"
 
 /** @param {Element} part */
 const orderOf = part => Number(getComputedStyle(part).order)
 
+/** @implements {Part} */
 export class ReadingOrder {
-  /** @type {Map<Element, Comment>} for each moved part, its place in the page as it is built */
-  places = new Map()
+  view = ""
+  followed = "" // what was shown when the parts were last moved
+
+  /** @type {Map<Element, Comment>} for each moved part, where it is on a desk */
+  homes = new Map()
 
   /** @param {PartHost} page */
-  constructor({paper, panel, sheet, views}) {
+  constructor({root, paper, panel, sheet, views}) {
+    this.root = root
     this.paper = paper
     this.panel = panel
-    this.view = sheet.element
+    this.sheet = sheet.element
     this.views = views
     this.blocks = [...sheet.hosts.values()].filter(host => !host.matches(".row, .column"))
+    this.observer = new ResizeObserver(() => this.arrange())
+    this.observer.observe(root)
   }
 
-  /** Moves the parts if the layout has changed. The focus stays where it is. */
+  /** @param {Drawn} shown */
+  update({settings}) {
+    this.view = viewOf(settings)
+  }
+
+  /** Arranges the parts if another view, question or answer is shown. */
   follow() {
+    if (this.followed === this.#shown()) return
+    this.arrange()
+    this.followed = this.#shown()
+  }
+
+  /** A card or a notice is another part of the panel or of the paper. */
+  #shown() {
+    return [this.root.className, this.view, this.panel.childElementCount, this.paper.childElementCount].join(" ")
+  }
+
+  /** Moves the parts to where the layout has them. The focus stays where it is. */
+  arrange() {
     const focused = document.activeElement
-    if (isFlat(this.view)) this.#stack()
-    else for (const part of this.places.keys()) this.#return(part)
+    if (isFlat(this.sheet)) this.#stack()
+    else for (const part of this.homes.keys()) this.#return(part)
     if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus({preventScroll: true})
   }
 
   /** Parts after the tabs move into the view, but the last parts of the panel stay there. */
   #stack() {
-    const {paper, panel, view, views} = this
-    for (const part of this.places.keys()) if (!part.isConnected || this.#isApart(part)) this.#return(part)
+    const {paper, panel, sheet, views} = this
+    for (const part of this.homes.keys()) if (!part.isConnected || this.#isApart(part)) this.#return(part)
     const parts = this.#sorted()
     const tabs = parts.findIndex(part => part === views.row || part === views.element)
     const last = parts.findLastIndex(part => this.#home(part).parentNode !== panel)
     for (const part of parts.slice(last + 1)) this.#return(part)
-    this.#place(view, null, parts.slice(tabs + 1, last + 1))
-    this.#place(paper, view, parts.slice(0, tabs + 1))
+    this.#place(sheet, null, parts.slice(tabs + 1, last + 1))
+    this.#place(paper, sheet, parts.slice(0, tabs + 1))
   }
 
   /** The parts from top to bottom; if two have the same order, as the page is built. */
   #sorted() {
-    const {paper, panel, view, views, blocks} = this
-    const holders = [paper, view, views.element, panel].filter(holder => holder === paper || isFlat(holder))
+    const {paper, panel, sheet, views, blocks} = this
+    const holders = [paper, sheet, views.element, panel].filter(holder => holder === paper || isFlat(holder))
     const parts = new Set([...blocks, ...holders.flatMap(({children}) => Array.from(children))])
     const follows = (/** @type {Element} */ one, /** @type {Element} */ other) =>
       this.#home(one).compareDocumentPosition(this.#home(other)) & Node.DOCUMENT_POSITION_PRECEDING ? 1 : -1
@@ -56,7 +82,7 @@ export class ReadingOrder {
 
   /** @param {Element} part */
   #home(part) {
-    return this.places.get(part) ?? part
+    return this.homes.get(part) ?? part
   }
 
   /** True if the panel or the head to which the part belongs is not stacked. @param {Element} part */
@@ -75,19 +101,23 @@ export class ReadingOrder {
 
   /** @param {Element} part @param {Element} host @param {Element | null} next */
   #move(part, host, next) {
-    if (!this.places.has(part)) {
-      const place = document.createComment("")
-      part.before(place)
-      this.places.set(part, place)
+    if (!this.homes.has(part)) {
+      const home = document.createComment("")
+      part.before(home)
+      this.homes.set(part, home)
     }
     host.insertBefore(part, next)
   }
 
-  /** Returns a part to its place, unless it has left the page. @param {Element} part */
+  /** Puts a part back where it is on a desk, unless it has left the page. @param {Element} part */
   #return(part) {
-    const place = this.places.get(part)
-    if (part.isConnected) place?.replaceWith(part)
-    else place?.remove()
-    this.places.delete(part)
+    const home = this.homes.get(part)
+    if (part.isConnected) home?.replaceWith(part)
+    else home?.remove()
+    this.homes.delete(part)
+  }
+
+  leave() {
+    this.observer.disconnect()
   }
 }

@@ -126,7 +126,7 @@ TILTED = """pairs => {
   return pairs.filter(pair => pair.every(name => name in frames))
     .filter(([one, other]) => !level(frames[one], frames[other])).map(pair => `${pair} are not level`)
 }"""
-STACKED = "getComputedStyle(document.querySelector('.paper > .block')).display === 'contents'"
+STACKED = "getComputedStyle(document.querySelector('#view')).display === 'contents'"
 LINKED = (("v", "plane"), ("a", "law"), ("well", "energy"))
 """Pairs of plots connected by lines, next to each other if there is room."""
 

@@ -27,7 +27,12 @@ INVERTED = r"""() => {
   const range = document.createRange()
   const boxed = part => {
     range.selectNodeContents(part)
-    const {left, right, top, bottom} = (part.matches(texts) ? range : part).getBoundingClientRect()
+    let {left, right, top, bottom} = (part.matches(texts) ? range : part).getBoundingClientRect()
+    for (let holder = part; holder !== document.body; holder = holder.parentElement) {
+      if (getComputedStyle(holder).overflowX === "visible") continue
+      const frame = holder.getBoundingClientRect() // what is scrolled out of it is not seen
+      ;[left, right] = [Math.max(left, frame.left), Math.min(right, frame.right)]
+    }
     return {part, left, right, top, bottom, name: part.ariaLabel || part.textContent.trim() || part.className}
   }
   const boxes = parts.map(boxed).filter(({left, right, top, bottom}) => right - left > 1 && bottom - top > 1)
