@@ -45,6 +45,12 @@ def test_a_page_has_the_menu_of_scenes_and_says_how_the_lecture_is_started(panel
     assert "make run" in text and "python -m components.serving --show" in text
 
 
+def test_a_page_is_as_wide_as_the_screen_of_a_phone(panel_serve: str) -> None:
+    with urlopen(panel_serve) as response:
+        page = response.read().decode()
+    assert re.search(r'<meta name="viewport" content="width=device-width', page)
+
+
 def test_a_page_fetches_nothing_from_another_host(panel_serve: str) -> None:
     with urlopen(panel_serve) as response:
         page = response.read().decode()
