@@ -51,12 +51,12 @@ NAMES_ON = """kinds => {
     .map(part => `${text.textContent} on ${part.getAttribute("class")}`))
 }"""
 """Names on a stage that overlap parts of these kinds, or are less than 3 px next to them."""
-CROSSED = """(({shapes, clear}) => {
+CROSSED = """(({shapes, collisions}) => {
   const {parts: [shift]} = shapes.find(({group}) => group.textContent.includes("½"))
-  const {left, right, top, bottom} = clear.box(shift)
-  const crossed = clear.lines.filter(one =>
+  const {left, right, top, bottom} = collisions.box(shift)
+  const crossed = collisions.lines.filter(one =>
     one.left < right && one.right > left && one.top < bottom && one.bottom > top)
-  return [clear.lines.length > 99, crossed]
+  return [collisions.lines.length > 99, crossed]
 })(oscillations.page.stages.find(({under}) => under?.block.name === "well"))"""
 """True if the lines of the well are drawn, and the part of them under the name of a shift."""
 LIFT = """(({host, frame}) => {
