@@ -185,6 +185,15 @@ class Book:
     plots: dict[str, Any] = field(default_factory=dict)
     """The plots of the paper: `components.paper.plots.BuiltPlot` by name."""
 
+    def part(self, names: frozenset[str]) -> Book:
+        """Return the record of only these names, and of the plots among these parts of a sheet."""
+
+        def kept(known: dict[str, V]) -> dict[str, V]:
+            return {name: one for name, one in known.items() if name in names}
+
+        plots = {name: one for name, one in self.plots.items() if f"plot:{name}" in names}
+        return Book(self.kind, kept(self.numbers), kept(self.texts), kept(self.forms), kept(self.flags), plots)
+
     def number(self, of: ExpressionRecord, axis: PlotAxis | None) -> str:
         """Return the name of a number in the picture. If it is used on a second axis, the name of that axis is
         appended."""

@@ -202,7 +202,13 @@ class CaseScene(Scene):
         book = book_of(cls.case)
         block = settled(cls.paper(), book)
         check_views(block, cls.views)
-        return CasePaper(block, book)
+        return CasePaper.of(block, book)
+
+    @classmethod
+    @cache
+    def part(cls, names: frozenset[str]) -> CasePaper:
+        """Return what the paper needs for a picture with only these names."""
+        return cls.written().part(names)
 
     @classmethod
     def sheet(cls) -> Block:
@@ -214,6 +220,9 @@ class CaseScene(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         return CasePicture(self.written(), self.of(frame), frame).picture
+
+    def picture_of(self, names: frozenset[str], frame: Frame) -> Picture:
+        return CasePicture(self.part(names), self.of(frame), frame).picture
 
     @property
     def numbers(self) -> dict[str, SceneNumber]:

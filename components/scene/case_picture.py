@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -26,29 +26,32 @@ from physics.motion import ExactMotion, constant
 
 @dataclass(frozen=True, eq=False)
 class CasePaper:
-    """The paper of a scene: its sheet, and everything that it needs from a case."""
+    """The paper of a scene: its sheet, and everything that it needs from a case.
+
+    `names`       the names in the sheet, or in its visible part
+    `axes`        the axes of the plots, and the axes that give the stage its scale, by name
+    `other_axes`  axes that belong to no plot and are used only to format numbers, by name; their ranges are always
+                  fitted
+    """
 
     block: Block
     book: Book
+    names: frozenset[str]
+    axes: dict[str, PlotAxis]
+    other_axes: dict[str, PlotAxis]
 
-    @cached_property
-    def names(self) -> frozenset[str]:
-        """All names that the sheet contains."""
-        return names_in([self.block])
+    @classmethod
+    def of(cls, block: Block, book: Book) -> CasePaper:
+        names = names_in([block])
+        plots = [built.plot for built in book.plots.values()]
+        used = {use.axis.name: use.axis for use in book.numbers.values() if use.axis}
+        axes = {axis.name: axis for plot in plots for axis in (plot.across, plot.up)}
+        axes |= {name: axis for name, axis in used.items() if f"{name}_share" in names}
+        return cls(block, book, names, axes, {name: axis for name, axis in used.items() if name not in axes})
 
-    @cached_property
-    def axes(self) -> dict[str, PlotAxis]:
-        """The axes of the plots, and the axes that give the stage its scale, by name."""
-        plots = [built.plot for built in self.book.plots.values()]
-        axes = [axis for plot in plots for axis in (plot.across, plot.up)]
-        used = [use.axis for use in self.book.numbers.values() if use.axis and f"{use.axis.name}_share" in self.names]
-        return {axis.name: axis for axis in (*axes, *used)}
-
-    @cached_property
-    def other_axes(self) -> dict[str, PlotAxis]:
-        """Axes that belong to no plot and are used only to format numbers, by name. Their ranges are always fitted."""
-        used = (use.axis for use in self.book.numbers.values() if use.axis)
-        return {axis.name: axis for axis in used if axis.name not in self.axes}
+    def part(self, names: frozenset[str]) -> CasePaper:
+        """Return the paper of a picture that has only these names, on the same axes."""
+        return replace(self, book=self.book.part(names), names=names)
 
     @cached_property
     def named(self) -> list[str]:
@@ -75,13 +78,12 @@ class CasePaper:
 
     @cached_property
     def paths(self) -> dict[str, list[str]]:
-        """The names of motions that paths show over an interval other than the time window, by source, ordered as
+        """The names of motions that paths show over the time window or other intervals, by source, ordered as
         `numbers`."""
         items = [one for built in self.book.plots.values() for one in built.items if isinstance(one, PlottedPath)]
         found: dict[str, set[str]] = {}
         for one in items:
-            if one.source != TIME:
-                found.setdefault(one.source, set()).update((recorded(one.against).name, one.recorded.name))
+            found.setdefault(one.source, set()).update((recorded(one.against).name, one.recorded.name))
         return {source: sorted(names, key=list(self.numbers).index) for source, names in found.items()}
 
     @cached_property
@@ -105,9 +107,10 @@ class CasePaper:
 
     @cached_property
     def drawn(self) -> list[str]:
-        """The names of the curves over time and of the edges of stacks, in the order of their columns."""
+        """The names of the curves and paths over time and of the edges of stacks, in the order of their columns."""
         edges = {edge for stack in self.stacks for edge in stack}
-        names = sorted({*edges, *(one.recorded.name for one in self.curves)} - {FLOOR}, key=list(self.numbers).index)
+        lines = {*self.paths.get(TIME, ()), *(one.recorded.name for one in self.curves)}
+        names = sorted({*edges, *lines} - {FLOOR}, key=list(self.numbers).index)
         first = next((place for place, name in enumerate(names) if name in edges), 0)
         return [*names[:first], *([FLOOR] if edges else []), *names[first:]]
 
@@ -179,6 +182,8 @@ class CasePicture:
         """The curves over the time window, and the paths over other intervals."""
         found = {TIME: self.curves.traces}
         for source, names in self.paper.paths.items():
+            if source == TIME:
+                continue
             motions = {name: self.moving[name][0] for name in names if name in self.moving}
             end, count = self.case.intervals[source]
             found[source] = Traces(end, count, tuple(motions), partial(exact_values, motions))

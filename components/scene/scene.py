@@ -97,6 +97,10 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         Raises ValueError if doubles cannot represent the result.
         """
 
+    def picture_of(self, names: frozenset[str], frame: Frame) -> Picture:
+        """Return a picture with at least the curves, numbers, texts and forms of these names, and with all axes."""
+        return self.picture(frame)
+
     @classmethod
     def drawings(cls) -> dict[str, str]:
         """Return small pictures for presets, by label: SVG path data in a box of 128 by 46."""

@@ -108,7 +108,7 @@ class Session:
         self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
         self._publish: Publish | None = None
         self.running = self._work_for(now)
-        self.now = with_news(now, self.running)
+        self.now = with_news(dataclasses.replace(now, in_view=True), self.running)
 
     def close(self) -> None:
         """Forget the visitor, who has left."""

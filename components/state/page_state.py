@@ -24,6 +24,7 @@ from components.state.compared import HIDDEN, WINDOW, moved, own_values, shown_a
 from components.state.covers import NEXT, checked_covers
 from components.state.link import step_query, write_query
 from components.state.predicting import covers_after, picture_to_send, put_last
+from components.state.sent_parts import SceneInView
 from components.state.shared_system import Shared, brought, taken_along
 from components.state.states import other_in, scene_in, stated_all, stated_own
 
@@ -41,6 +42,7 @@ class PageState:
     `show`     the visible parts, if they are not those of the view
     `shared`   values of the physical system that other scenes take over
     `in_hand`  True during a drag; the axes along it then stay
+    `in_view`  True if pictures may lack what the view doesn't show; in steps and covered pages they are whole
     `number`   the number of the last message, so that a repeated one is ignored
     `own`      walks from the visitor's files, by name
     """
@@ -54,6 +56,7 @@ class PageState:
     show: tuple[str, ...] = ()
     shared: Shared = field(default_factory=dict)
     in_hand: bool = False
+    in_view: bool = False
     number: int | None = None
     own: Mapping[str, Any] = field(default_factory=dict)
 
@@ -65,6 +68,11 @@ class PageState:
     def shown(self) -> Picture:
         """The current picture."""
         return self.drawn.picture
+
+    @property
+    def is_whole(self) -> bool:
+        """True if the picture must have everything that any view shows."""
+        return not self.in_view or bool(self.step or self.covered or self.show)
 
     @property
     def asked(self) -> PageState:
@@ -149,6 +157,11 @@ def with_values(
     return _redrawn(now, scene, "kept" if holding else "grown", along, refits=ways)
 
 
+def _draw(is_whole: bool, scene: Scene, held: Scene | None, *rest: Any) -> Framed:
+    """Draw a scene with the compared one, whole or as far as the view shows them."""
+    return draw(scene, held, *rest) if is_whole else draw(SceneInView(scene), held and SceneInView(held), *rest)
+
+
 def _redrawn(
     now: PageState, scene: Scene, framing: Framing = "grown", along: Collection[str] = (), *, refits: bool
 ) -> PageState:
@@ -156,7 +169,7 @@ def _redrawn(
     frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
     if scene.values[WINDOW] != now.scene.values[WINDOW]:
         frame = msgspec.structs.replace(frame, window=None)
-    drawn = draw(scene, held, framing, frame, now.drawn.fitted if refits else None, along)
+    drawn = _draw(now.is_whole, scene, held, framing, frame, now.drawn.fitted if refits else None, along)
     return replace(now, scene=scene, held=held, drawn=drawn)
 
 
@@ -175,7 +188,7 @@ def _done(now: PageState, command: Command) -> PageState:
     if said is False and not (now.step or now.covered):
         frame = after.drawn.loosened({*along, *now.kind.steady})
         if frame != after.drawn.frame:
-            after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
+            after = replace(after, drawn=_draw(after.is_whole, after.scene, after.held, "grown", frame))
     chooses_view = isinstance(command, Choose) and command.name == VIEW
     after = replace(after, in_hand=bool(said), show=() if chooses_view else after.show)
     return _predicted(after, now.before or now, begins=now.before is None)
@@ -247,10 +260,11 @@ def page_state_in(kind: type[Scene], state: State, now: PageState | None = None,
     asked = before or (same and same.before)
     if asked and asked.frame == frame:
         frame = asked.drawn.frame  # not only the parts in the state, so that the answer is drawn in the same frame
+    is_whole = not (now and now.in_view) or bool(state.step or state.covered or state.show)
     if same and (scene.key, _key(held), frame) == (same.scene.key, _key(same.held), same.frame):
-        drawn = same.drawn
+        drawn = same.drawn if same.is_whole else _draw(is_whole, scene, held, "kept", same.drawn.frame)
     else:
-        drawn = draw(scene, held, "grown" if frame else "fitted", frame or FITTED)
+        drawn = _draw(is_whole, scene, held, "grown" if frame else "fitted", frame or FITTED)
     after = replace(
         now or PageState(scene=scene, drawn=drawn),
         scene=scene,

@@ -1,60 +1,35 @@
-"""The part of a picture that is sent: the curves and motions that the visible parts of the sheet need."""
+"""The part of a picture that is sent: the curves, motions and texts that the visible parts of the sheet need."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from dataclasses import replace
 
-from components.language.blocks import Column, StageBlock
-from components.layout.sheet import axes_of_columns, names_in
-from components.layout.views import shown_blocks
-from components.scene import Picture, Scene
+from components.scene import Picture
 from components.scene.scene import VIEW
 from components.state.covers import with_needs
 from components.state.encoding import ColumnAxes
 from components.state.page_state import PageState
-from components.state.scene_sheet import column_axes, scene_sheet
-
-MOST_LISTS = 300
-"""Size of the cache for views and lists of parts."""
+from components.state.scene_sheet import column_axes
+from components.state.sent_parts import SentParts, sent_parts
 
 
-@dataclass(frozen=True)
-class SentParts:
-    """The needs of the shown parts of a sheet: the axis of each column, and the names of signals and scalars."""
-
-    axes: ColumnAxes
-    names: frozenset[str]
-    has_stage: bool
-
-
-def sent_parts(now: PageState) -> SentParts | None:
+def parts_of(now: PageState) -> SentParts | None:
     """Return the needs of the visible parts of a page; None if the whole sheet is visible."""
     if not (now.kind.views or now.show):
         return None
-    return _sent_parts(now.kind, now.scene.values.get(VIEW, ""), now.show)
-
-
-@lru_cache(MOST_LISTS)
-def _sent_parts(scene: type[Scene], view: str, show: tuple[str, ...]) -> SentParts:
-    blocks, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
-    return SentParts(
-        axes_of_columns(Column(blocks=tuple(blocks))),
-        names_in([*blocks, sheet.panel, sheet.spoken]),
-        any(isinstance(one, StageBlock) for one in blocks),
-    )
+    return sent_parts(now.kind, now.scene.values.get(VIEW, ""), now.show)
 
 
 def drawn_on(now: PageState) -> ColumnAxes:
     """Return the axis of each column that is sent, by source."""
-    parts = sent_parts(now)
+    parts = parts_of(now)
     return parts.axes if parts else column_axes(now.kind)
 
 
 def sent_picture(now: PageState, picture: Picture) -> Picture:
-    """Return the picture without the curves and motions that no visible part needs. It keeps all texts, except for the
-    sentence on the scale of a stage that is not visible."""
-    parts = sent_parts(now)
+    """Return the picture without the curves, motions and texts that no visible part needs. A page that has to be
+    whole keeps all texts."""
+    parts = parts_of(now)
     if picture.to_scale and (parts is None or parts.has_stage):
         picture = replace(picture, notes=(picture.to_scale, *picture.notes))
     if parts is None:
@@ -67,10 +42,13 @@ def sent_picture(now: PageState, picture: Picture) -> Picture:
     if now.step:
         names = names.union(picture.live)  # the texts of a step may have any of them
     wanted = with_needs(names, picture.signals)
+    texts = wanted.union(picture.values, picture.forms) if now.is_whole else wanted
     return replace(
         picture,
         traces=traces,
         signals={name: one for name, one in picture.signals.items() if name in wanted},
         scalars={name: one for name, one in picture.scalars.items() if name in wanted},
         live={name: one for name, one in picture.live.items() if name in wanted},
+        values={name: one for name, one in picture.values.items() if name in texts},
+        forms={name: one for name, one in picture.forms.items() if name in texts},
     )

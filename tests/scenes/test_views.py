@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from urllib.parse import parse_qs
 
+import numpy as np
 import pytest
+from msgspec.structs import replace as replace_in
 
 from components.language.messages import Choose, Open
 from components.language.state import State
 from components.layout.views import shown_blocks
+from components.quantities.motion import derived
+from components.quantities.parameters import Quantity
+from components.scene import Scene
 from components.scenes import SCENES
 from components.state.link import read_query
-from components.state.page_state import PageState, changed, fitted, page_state_in
+from components.state.page_state import PageState, changed, fitted, page_state_in, with_values
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.states import state_in
 
@@ -106,6 +112,35 @@ def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) ->
     for source, traces in sent.traces.items():
         assert set(traces.names) <= drawn_on(now).get(source, {}).keys()
         assert traces.needed <= sent.signals.keys()
+
+
+@views
+def test_a_picture_of_one_view_shows_what_the_whole_picture_shows_there(slug: str, view: str) -> None:
+    whole = fitted(SCENES[slug].at({"view": view}))
+    page = replace(page_state_in(SCENES[slug], whole.state), in_view=True)
+    for name, value in _moved(SCENES[slug]).items():
+        whole, page = (with_values(now, {name: value}) for now in (whole, page))
+    part = page.drawn.picture
+    one, other = sent_picture(page, part), sent_picture(replace(page, drawn=whole.drawn), whole.shown)
+    assert page.drawn.frame == whole.drawn.frame and page.query == whole.query
+    assert one.values == other.values and one.forms == other.forms and one.scalars == other.scalars
+    assert {**one.signals, "zero": derived(0.0)} == {**other.signals, "zero": derived(0.0)}
+    for source, columns in drawn_on(page).items():
+        for name in columns.keys() & other.sources.get(source, {}).keys():
+            assert np.array_equal(one.sources[source][name], other.sources[source][name])
+    covered = changed(page, Open(state=replace_in(page.state, covered=("next",)), keeps=True), SCENES)
+    assert covered.drawn.picture.values == whole.shown.values, "what depends on a change is looked up in all views"
+
+
+def _moved(kind: type[Scene]) -> dict[str, float]:
+    """The first quantity of the panel that is not a count, with a slightly larger value."""
+    names = (name for group in kind.groups for name in group.names)
+    known = ((name, kind.param[name]) for name in names)
+    return next(
+        {name: 1.1 * one.default}
+        for name, one in known
+        if isinstance(one, Quantity) and one.scale != "count" and one.default
+    )
 
 
 def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
