@@ -202,9 +202,9 @@ export class Compare {
     this.ghosts?.update(under, held)
   }
 
-  /** Called in each animation frame. @param {number} t */
-  frame(t) {
-    this.ghosts?.frame(t)
+  /** Called in each animation frame. @param {number} t @param {boolean} writes true if numbers are written again */
+  frame(t, writes) {
+    this.ghosts?.frame(t, writes)
   }
 
   leave() {

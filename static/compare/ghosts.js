@@ -54,11 +54,11 @@ export class Ghosts {
     this.page.redraw()
   }
 
-  /** Called in each animation frame. @param {number} t */
-  frame(t) {
+  /** Called in each animation frame. @param {number} t @param {boolean} writes true if numbers are written again */
+  frame(t, writes) {
     if (!this.held) return
     const named = evaluate(this.held.signals, this.held.scalars, t)
-    for (const stage of this.stages) stage.frame(named, this.page.shown.view, this.name)
+    for (const stage of this.stages) stage.frame(named, writes ? this.page.shown.view : null, this.name)
   }
 }
 
@@ -303,10 +303,13 @@ export class StageGhost {
     if (!isHeld) for (const {group} of [...this.shapes, ...this.numbers]) group.style.display = "none"
   }
 
-  /** @param {Named} named @param {Drawn["view"]} view @param {string} prefix */
+  /**
+   * Without a `view` the numbers stay as they are.
+   * @param {Named} named @param {Drawn["view"] | null} view @param {string} prefix
+   */
   frame(named, view, prefix) {
     const {stage} = this
-    for (const number of this.numbers) number.frame(named, view, prefix)
+    if (view) for (const number of this.numbers) number.frame(named, view, prefix)
     const all = {...named, ...stage.plots, ...stage.size}
     for (const shape of this.shapes) {
       const {spec, needs, parts, group} = shape

@@ -167,14 +167,15 @@ export class Page {
     const named = this.compare.named(at)
     const {t} = named
     const now = performance.now()
-    if (!this.clock.playing || now - this.writtenAt > BETWEEN_TEXTS) {
+    const writes = !this.clock.playing || now - this.writtenAt > BETWEEN_TEXTS
+    if (writes) {
       this.writtenAt = now
       this.timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
       guarded(() => this.live.draw(named))
     }
     if (!this.measured) this.stages.forEach(stage => guarded(() => stage.measure(this.plots)))
     this.measured = true
-    guarded(() => this.compare.frame(t))
+    guarded(() => this.compare.frame(t, writes))
     this.stages.forEach(stage => guarded(() => stage.frame(named)))
     this.plots.forEach(plot => guarded(() => plot.draw(named, t, this.timeText)))
   }

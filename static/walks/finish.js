@@ -49,10 +49,10 @@ export class Finish {
     const rows = this.walk.sheet.steps.map(step => {
       const kept = this.walk.answers.of(step.id)
       const words = marked("span", {}, kept ? kept.title : this.walk.numbered(step).question)
-      if (!kept) return element("li", {}, element("span", {class: "skipped"}, "–"), words, element("b", {}, "skipped"))
+      if (!kept) return element("li", {}, words, element("b", {}, "skipped"))
       const sign = mark(kept.right)
       sign.setAttribute("aria-hidden", "true")
-      return element("li", {}, sign, words, element("b", {}, kept.right ? "right" : "wrong"))
+      return element("li", {}, words, element("b", {}, kept.right ? "you were right" : "you were wrong", sign))
     })
     return element("ol", {class: "results"}, ...rows)
   }

@@ -210,7 +210,7 @@ def _limit(plot: PlotFrame, at: Scalar[AbsorberCase]) -> list[Shape]:
 def _bracket() -> list[Shape]:
     """The range around the machine's speed in which no resonance should be."""
     y, low, high = SWING.top - 6, SWING.x(var(P.away_low)), SWING.x(var(P.away_high))
-    name = text(high + 8, y + 4, "no peak here", "start", style="t0 halo")
+    name = text(high + 8, y + 4, "goal: no peak", "start", style="t0 halo")
     return [line(low, y, high, y), *(line(x, y - 5, x, y + 5) for x in (low, high)), name]
 
 
