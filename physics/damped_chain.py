@@ -180,8 +180,8 @@ class DampedChain:
     def shapes(self) -> Complexes:
         """X2/X1 of each root, (4,), each part rounded once; inf where mass 1 is at rest.
 
-        Without springs every shape may rest: roots at 0 have the shape (1, 1) if both masses drift, (0, 1) if mass 2
-        does, and the shapes of the other roots if nothing drifts.
+        Without a spring the masses may rest anywhere, so that roots at 0 determine no ratio. By convention it is 1 if
+        both masses can drift, inf if only mass 2 can, and otherwise that of the other roots.
         """
         return np.array([self._ratio(i, s) for i, s in enumerate(self._roots)])
 

@@ -141,7 +141,7 @@ def period_excess(excess: float) -> float:
 
 
 def excess_at_period_excess(wanted: float) -> float:
-    """Return the speed excess, below the cusp's, at which T/T_0 - 1 has the wanted value.
+    """Return the speed excess v'/v_0, smaller than at the cusp, at which T/T_0 - 1 has the wanted value.
 
     Parameters
     ----------

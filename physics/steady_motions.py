@@ -161,7 +161,7 @@ class SteadyMotion:
         return self._in_pieces(np.mod(t, self.period), self.starts)
 
     def force_at(self, t: Array) -> Array:
-        """Return F (n,) in N at the times t (n,) in s, without impulses.
+        """Return F (n,) in N at the times t (n,) in s; impulses are left out, because their force is not finite.
 
         Parameters
         ----------

@@ -39,8 +39,8 @@ declare namespace page {
 
   /** Sets quantities by name, in SI: from sliders and handles.
    *
-   * While a hand is dragging (`holding` is true), the axes that it moves `along` and the scale of the stage stay; other
-   * axes grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
+   * While a hand is dragging (`holding` is true), neither the axes in `along` nor the scale of the stage change; other
+   * axes may grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
    * `along` it. If `holding` is None, the value may still change. */
   interface SetValues extends FromBrowser {
     type: "set"
@@ -780,10 +780,10 @@ declare namespace page {
 
   /** A picture for the browser.
    *
-   * `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals`
+   * `columns`   the columns by source and name; their numbers are bytes after the message, before samples of `signals`
    * `axes`      the axes by name; `time` is the name of the time axis, "" if nothing moves
    * `signals`   the moving numbers by name; each may use the ones before it
-   * `traces`    the signals that are drawn over time, by the source with their columns
+   * `traces`    for each source, the signals that are drawn over time
    * `scalars`   numbers that shapes and marks use
    * `values`    texts of live numbers, by name; `live` has the format of the moving ones, by signal
    * `forms`     the current variant of a formula or sentence, by name; "" hides it

@@ -57,8 +57,8 @@ class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_un
 class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
     """Sets quantities by name, in SI: from sliders and handles.
 
-    While a hand is dragging (`holding` is true), the axes that it moves `along` and the scale of the stage stay; other
-    axes grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
+    While a hand is dragging (`holding` is true), neither the axes in `along` nor the scale of the stage change; other
+    axes may grow. At the end of a drag or key press (false), a mostly empty axis is fitted again, unless the hand moved
     `along` it. If `holding` is None, the value may still change.
     """
 

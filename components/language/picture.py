@@ -79,10 +79,10 @@ class Onward(Struct, frozen=True, kw_only=True):
 class PagePicture(Struct, frozen=True, kw_only=True):
     """A picture for the browser.
 
-    `columns`   the columns by source and name; their numbers follow the message, then the runs of `signals`
+    `columns`   the columns by source and name; their numbers are bytes after the message, before samples of `signals`
     `axes`      the axes by name; `time` is the name of the time axis, "" if nothing moves
     `signals`   the moving numbers by name; each may use the ones before it
-    `traces`    the signals that are drawn over time, by the source with their columns
+    `traces`    for each source, the signals that are drawn over time
     `scalars`   numbers that shapes and marks use
     `values`    texts of live numbers, by name; `live` has the format of the moving ones, by signal
     `forms`     the current variant of a formula or sentence, by name; "" hides it

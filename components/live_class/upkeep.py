@@ -23,7 +23,7 @@ PATIENCE = 3
 TRIES = 5
 """Attempts to read a room from the store while others change it."""
 FAREWELL = 1.0
-"""Seconds that a replica that shuts down waits until the store knows that nobody follows there."""
+"""Seconds for which a replica waits, when it shuts down, for the store to record that it has no followers."""
 COUNTING = 1.0
 """Seconds between counts of the followers."""
 CROWD = 500

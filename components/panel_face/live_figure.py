@@ -337,7 +337,7 @@ def axis_words(block: PlotBlock) -> tuple[str, str]:
 
 
 def plain_html(html: str, picture: Picture) -> str:
-    """Return the words of a text in HTML, with its live numbers."""
+    """Return a text that is given as HTML as plain words, with the values of its live numbers."""
     filled = re.sub(r'data-value="(\w+)"></\w+>', lambda found: ">" + picture.values.get(found[1], ""), html)
     filled = INDEX.sub(lambda of: (of[2] or "") + subscript(unescape(re.sub("<.*?>", "", of[1] or of[3]))), filled)
     joined = re.sub(r"</?m(?!ath)\w+[^>]*>", "", filled)  # the parts of a formula

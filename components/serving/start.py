@@ -33,7 +33,7 @@ class StartPage:
     things: Mapping[str, Thing]
 
     def asked(self, query: Mapping[str, Sequence[bytes]]) -> str | None:
-        """Return the start page if the link asks for it, with a sentence about an unknown scene; otherwise None."""
+        """Return the start page if the link names no scene, or an unknown one, which a sentence says; else None."""
         if query.keys() <= LOOKS:
             return self._plain
         if "scene" in query and not query.keys() & (PAGE_KEYS - LOOKS):

@@ -1,6 +1,5 @@
-// Curves of another picture, dotted, under the current ones. For the compared picture also the moving shapes on the
-// stage,
-// as outlines, the old positions of the sliders, and the ledger of numbers.
+// Curves of another picture, dotted, under the current ones. For the compared picture there are also outlines of the
+// moving shapes on the stage, the old positions of the sliders, and a table of numbers (the ledger).
 
 import {element, long, marked, setAttributes, svg, textWidth, units} from "../core/dom.js"
 import {heldNumbers} from "./compared_number.js"

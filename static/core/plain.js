@@ -10,7 +10,8 @@ const WORD = /^[a-z]+$/i
 const APART = "=+−-±<>≤≥≈→⇒≠×·"
 
 /**
- * A text as an index or a power: in Unicode signs if it has them, else after a mark such as _ or ^.
+ * A text as an index or a power: in small Unicode characters if all of its characters have one, else after a mark such
+ * as _ or ^.
  * @param {string} text @param {Map<string, string>} signs @param {string} mark
  */
 function shifted(text, signs, mark) {

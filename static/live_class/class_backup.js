@@ -12,8 +12,8 @@ const LONGEST = 40000 // largest length of an order in characters
 const AGAIN = 1000 // ms until an order is sent again
 
 /**
- * A room, its remote control, the current question, the last vote on each question and the last one with a shown
- * answer, and the time when it was last led.
+ * A room as it is stored: its remote control, the current question (`put`), for each question its last vote (`last`)
+ * and its last vote with a shown answer (`shown`), and the time when an instructor last led the room (`seen`).
  * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean, answered: boolean,
  *   sure: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,

@@ -15,9 +15,9 @@ import {Refusal} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
-const PATIENCE = 10000 // ms for a sheet
+const PATIENCE = 10000 // ms to wait for a sheet, at most
 const RENEWED = "class-renewed" // name in the storage: time of the last reload for a new version
-const PAUSE = 10000 // ms from that reload to the next
+const PAUSE = 10000 // ms from that reload to the next, at least
 const AGAIN = 500 // ms until a failed request is repeated
 const OVER = "The class is over. Thank you for coming."
 
@@ -140,8 +140,8 @@ export class Following {
   }
 
   /**
-   * Follows the instructor's clock. If the browser asks for reduced motion, time changes only when the instructor moves
-   * it.
+   * Follows the instructor's clock. If the browser asks for reduced motion, time does not run here: it changes when the
+   * instructor sets another time.
    */
   #run() {
     const {clock} = this.news

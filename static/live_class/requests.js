@@ -18,7 +18,7 @@ export class Refusal extends Error {
     this.isSaid = isSaid
   }
 
-  /** True if another try may succeed. An error page of a proxy says nothing about the class. */
+  /** True if another try may succeed: the server is busy, or a proxy answered, which knows nothing about the class. */
   get passes() {
     return !this.isSaid || this.status >= 500 || PASSING.has(this.status)
   }

@@ -19,7 +19,7 @@ const LOOK = 50 // ms between two checks of the clock
 const OFF = 0.04 // s; the clock is sent again if followers are off by more
 const AGAIN = 1000 // ms until an order is sent again
 const PASSED = "led by another computer"
-const SAVING = 60000 // ms between two notes in the storage that the class continues
+const SAVING = 60000 // ms between two entries in the browser's storage which say that the class is still led
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 

@@ -1,5 +1,5 @@
 // A record, made from columns of a table: times, and for each mass its displacements, velocities or accelerations in SI
-// units; and its pieces for the server.
+// units. This module also cuts a record into the pieces that are sent to the server.
 
 const MOST_SENT = 20_000
 const PIECE = 1250 // rows: components/language/messages.py

@@ -111,7 +111,7 @@ export const moved = (box, across, down) =>
 const inward = (low, high, least, most) => Math.max(Math.min(0, most - high), least - low)
 
 /**
- * The distances by which an interval may move back and forth within its range, at most `far`.
+ * The distances by which an interval may move down (<= 0) and up (>= 0) within its range, at most `far` each.
  * @param {number} low @param {number} high @param {number} least @param {number} most @param {number} far
  * @returns {[number, number]}
  */

@@ -308,7 +308,7 @@ export class Walk {
     this.lecture.messages.send({type: "open", state, keeps: true}, {start: true, undoGroup: `reveal ${step}`})
   }
 
-  /** Opens the contents of all walks; after the last step with a summary. @param {boolean} [isOver] */
+  /** Opens the contents of all walks. After the last step (`isOver`) they have a summary. @param {boolean} [isOver] */
   open(isOver = false) {
     this.contents ??= new Contents(this)
     this.contents.open(isOver)

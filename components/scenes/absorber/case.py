@@ -49,8 +49,8 @@ FAR = 100.0
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
 """Shares of a distance, dense near both of its ends."""
 TOLD = 1e-15
-"""Relative distance from a resonance that cannot be distinguished from resonance at any time whose phase a double
-resolves.
+"""A drive that is relatively closer to a resonance counts as resonant: the motions would differ only at times so late
+that a double does not resolve their phase.
 """
 LARGEST, SMALLEST = 1e200, 1e-300
 

@@ -211,7 +211,7 @@ def shapes() -> list[AnyShape]:
             low = base - 0.026 * chain.BODY
             found += [arrow(chain.rest(i), low, at, low, tint=mode), *mode_hands(mode, i, at, base)]
     # Put the numbers of a row above it, because the row below may come close. With the large type of hall mode there is
-    # no room between rows.
+    # no room between rows, so they are shown only at a desk.
     found += [replace(one, show=(AT_DESK.name,)) if isinstance(one, Label) else one for one in DRAWN.ground(foot)]
     grabs = hand("Mass 1, start", 1), hand("Mass 2, start", 2)
     found += DRAWN.masses(foot, place(1, c.x1), place(2, c.x2), grabs=grabs)
