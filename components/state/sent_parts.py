@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from components.language.blocks import Column, StageBlock
 from components.language.state import Frame
-from components.layout.sheet import axes_of_columns, names_in
+from components.layout.sheet import axes_of_columns, blocks, names_in
 from components.layout.views import shown_blocks
 from components.scene import Picture, Scene
 from components.scene.scene import VIEW
@@ -32,11 +32,12 @@ class SentParts:
 @lru_cache(MOST_LISTS)
 def sent_parts(scene: type[Scene], view: str, show: tuple[str, ...] = ()) -> SentParts:
     """Return the needs of the parts that a view shows, or that are listed in `show`."""
-    blocks, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
+    shown, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
+    forms = [block.form for block in blocks(sheet.paper)]  # rows and columns have forms, too
     return SentParts(
-        axes_of_columns(Column(blocks=tuple(blocks))),
-        names_in([*blocks, sheet.panel, sheet.spoken]),
-        any(isinstance(one, StageBlock) for one in blocks),
+        axes_of_columns(Column(blocks=tuple(shown))),
+        names_in([*shown, *forms, sheet.panel, sheet.spoken]),
+        any(isinstance(one, StageBlock) for one in shown),
     )
 
 

@@ -11,7 +11,8 @@ from msgspec.structs import replace as replace_in
 
 from components.language.messages import Choose, Open
 from components.language.state import State
-from components.layout.views import shown_blocks
+from components.layout.sheet import in_force
+from components.layout.views import KEYS, shown_blocks
 from components.quantities.motion import derived
 from components.quantities.parameters import Quantity
 from components.scene import Scene
@@ -112,6 +113,15 @@ def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) ->
     for source, traces in sent.traces.items():
         assert set(traces.names) <= drawn_on(now).get(source, {}).keys()
         assert traces.needed <= sent.signals.keys()
+
+
+@views
+def test_a_view_sends_the_forms_that_show_the_parts_it_names(slug: str, view: str) -> None:
+    now = replace(page_state_in(SCENES[slug], State(scene=slug, parameters={"view": view})), in_view=True)
+    sent = sent_picture(now, now.drawn.picture)
+    drawn = {block.part for block in in_force(type(now.scene).sheet(), sent.forms)}
+    named = {name for one in SCENES[slug].views if one.slug == view for name in one.names}
+    assert named - {KEYS} <= drawn
 
 
 @views
