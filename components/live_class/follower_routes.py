@@ -252,6 +252,8 @@ class Answers(Follower):
             raise RefusedError(
                 503, "This phone does not follow the class at the moment. Its answer counts when it does.", 1
             )
+        if "question" not in room.parts:  # the instructor's page has not restored it yet, or put none at all
+            raise RefusedError(503, "The class has no question yet. Your answer counts when it has its question.", 1)
         await self.outcome(self.classes.registry.vote(room, voter, self.body(Given)))
         self.set_status(204)
 

@@ -11,6 +11,9 @@ const COPYING = 5000 // ms between two copies of new answers
 const LONGEST = 40000 // largest length of an order in characters
 const AGAIN = 1000 // ms until an order is sent again
 
+/** Until a restored class gets a question or this order, phones keep their answers and try again. */
+const NO_QUESTION = /** @type {const} */ ({type: "withdraw"})
+
 /**
  * A room as it is stored: its remote control, the current question (`put`), for each question its last vote (`last`)
  * and its last vote with a shown answer (`shown`), and the time when an instructor last led the room (`seen`).
@@ -124,7 +127,7 @@ export class Copies {
     if (put) {
       const {walk, step, vote, answered = false} = put
       orders.push({type: "put", walk, step, vote, answered})
-    }
+    } else orders.push(NO_QUESTION)
     if (put?.sure) orders.push({type: "sure"})
     if (put?.isClosed) orders.push({type: "close"})
     if (put?.isShown) orders.push({type: "show"})
@@ -144,9 +147,12 @@ export class Copies {
       await fetchJson(`${code}/lead`, {method: "POST", body: order, word: key})
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.status === 404) throw reason
-      if (!reason.passes) return console.warn(reason)
-      await pause(AGAIN)
-      await this.#order(order)
+      if (reason.passes) {
+        await pause(AGAIN)
+        return this.#order(order)
+      }
+      console.warn(reason)
+      if (order.type === "put") await this.#order(NO_QUESTION)
     }
   }
 

@@ -67,10 +67,11 @@ export class Delivery {
     return this.takenBy.get(question) === this.follower.server
   }
 
-  /** Give a restarted server the answer that it may have lost. @param {string} question */
+  /** Give a restarted server the answer that it lacks or may have lost. @param {string} question */
   resend(question) {
+    if (this.unsent.has(question)) return this.wake()
     const answer = this.sent.get(question)
-    if (!answer || this.unsent.has(question) || this.isTaken(question)) return
+    if (!answer || this.isTaken(question)) return
     this.unsent.set(question, answer)
     this.#deliver()
   }

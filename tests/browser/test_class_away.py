@@ -63,12 +63,14 @@ def tap(phone: Page, option: int) -> None:
 
 
 def begun(context: BrowserContext, site: GatedSite) -> tuple[Page, str]:
-    """The instructor's page with a class that asks its first question, and the code of the class."""
+    """The instructor's page with a class that asks the first question of a walk from a file, and the class's code."""
     lecture = context.new_page()
-    lecture.goto(f"{site.url}?walk=d31&step=d31-03")
+    lecture.goto(f"{site.url}?scene=oscillator")
     lecture.wait_for_function(CONNECTED)
     lecture.keyboard.press("t")
-    lecture.wait_for_function(f"{LED}?.news.question?.step === 'd31-03'")
+    lecture.wait_for_function(LED)
+    drop(lecture, "mine.toml", MINE)
+    lecture.wait_for_function(f"{LED}?.news.question?.step === 'pull'", timeout=READING)
     return lecture, lecture.evaluate(f"{LED}.room.code")
 
 
@@ -97,19 +99,19 @@ def answered_without_a_server(site: GatedSite, phones: list[Page], remote: Page)
     expect(phones[0].locator(".class-bar")).to_contain_text("Not connected")
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("The server does not answer")
     site.start()
-    expect(phones[2].get_by_text(SENT)).to_be_visible(timeout=BACK)
+    expect(phones[2].get_by_text(SENT)).to_be_visible(timeout=READING)
     expect(phones[0].locator(".class-bar")).to_contain_text("Following", timeout=BACK)
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("3 of 16", timeout=BACK)
+    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("1 of 2", timeout=BACK)
 
 
 def loaded_again(site: GatedSite, lecture: Page) -> None:
     """The server is killed again, and the instructor's page is loaded again, after the answer was shown."""
     code = lecture.evaluate(f"{LED}.room.code")
-    lecture.wait_for_function(copied("d31/d31-03", 3))
+    lecture.wait_for_function(copied("mine/pull", 3))
     site.kill()
     site.start()
     lecture.reload()
-    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=BACK)
+    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=READING)
     lecture.wait_for_function(f"{LED}.news.question?.lesson && {LED}.votes.tally?.now.answered === 3", timeout=BACK)
     lecture.wait_for_function("oscillations.walks.walk?.lesson")
 
@@ -137,7 +139,7 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
         paired(lecture, remote)
         for phone in phones:
             phone.goto(f"{site.url}{code}")
-        put(phones, "d31-03")
+        put(phones, "pull")
         for phone in phones[:2]:
             tap(phone, 0)
             expect(phone.get_by_text(SENT)).to_be_visible()
@@ -156,15 +158,9 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
 
 
 def led_by_another_computer(site: GatedSite, lecture: Page, phones: list[Page], context: BrowserContext) -> None:
-    """It leads through a walk from a file, back to a question that it has never shown, and ends the class."""
+    """It takes over at the second question, goes back to the first, which it has never shown, and ends the class."""
     lecture.wait_for_function(CONNECTED, timeout=BACK)
-    drop(lecture, "mine.toml", MINE)
-    lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=READING)
-    put(phones, "pull")
-    for i, phone in enumerate(phones):
-        tap(phone, i // 2)
-        expect(phone.get_by_text(SENT)).to_be_visible()
-    for _ in range(4):
+    for _ in range(2):
         clicked(lecture)
     put(phones, "curve")
     for phone in phones:
@@ -172,7 +168,7 @@ def led_by_another_computer(site: GatedSite, lecture: Page, phones: list[Page], 
         expect(phone.get_by_text(SENT)).to_be_visible()
     other = taken_over(lecture, context)
     code, key = other.evaluate(f"[{LED}.room.code, {LED}.room.key]")
-    assert call(site.url, f"/class/{code}/stored", word=key).json == {"answers": 9, "questions": 3}
+    assert call(site.url, f"/class/{code}/stored", word=key).json == {"answers": 6, "questions": 2}
     clicked(other, "PageUp")
     put(phones, "pull")
     other.wait_for_function("oscillations.walks.walk.lesson", timeout=BACK)

@@ -43,6 +43,7 @@ const OUTAGES = {
   "502 of a proxy": page(502),
   "404 of a proxy": page(404),
   "404 of a server that has lost the class": said(404, "The class cannot be reached at the moment."),
+  "503 of a server that does not have the question again": said(503, "The class has no question yet."),
   429: said(429, "Too many messages at once."),
   "200 of a hotel's login page": page(200),
   "killed during the request": take => {
@@ -167,16 +168,20 @@ for (const [request, begin] of Object.entries(REQUESTS))
       if (request !== "news") assert.equal(server.asked.length, length, "nothing is sent again")
     })
 
-test("an answer is sent at once when the stream is back", async () => {
-  away = OUTAGES.offline
-  const delivery = delivered()
-  delivery.give(QUESTION, ANSWER)
-  await pass(AWAY)
-  away = undefined
-  delivery.wake()
-  await pass(5)
-  assert.ok(delivery.isSent(QUESTION))
-})
+for (const [when, again] of Object.entries({
+  "the stream is back": delivery => delivery.wake(),
+  "the question is back": delivery => delivery.resend(QUESTION),
+}))
+  test(`an answer is sent at once when ${when}`, async () => {
+    away = OUTAGES.offline
+    const delivery = delivered()
+    delivery.give(QUESTION, ANSWER)
+    await pass(AWAY)
+    away = undefined
+    again(delivery)
+    await pass(5)
+    assert.ok(delivery.isSent(QUESTION))
+  })
 
 test("an answer that is refused for good is not sent again, and the reason is kept", async () => {
   const delivery = delivered()

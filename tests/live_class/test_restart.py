@@ -62,6 +62,22 @@ async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again(
             await followed.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
 
 
+async def test_an_answer_waits_until_a_restored_class_has_its_question() -> None:
+    """The phones are back before the question, by seconds if the server must read its walk from a file first."""
+    async with teaching() as (_, url):
+        lesson = await Class.open(url)
+    async with teaching() as (_, url):
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200
+        lesson.url = url
+        token = await lesson.token()
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 503  # the phone tries again
+        await lesson.order("put", **CHOICE)
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
+        await lesson.order("withdraw")
+        late = await lesson.vote(token, **CHOICE, option=2)
+        assert (late.status, late.json["sentence"]) == (409, "This question is closed.")
+
+
 async def test_a_class_is_reopened_only_with_its_key() -> None:
     async with teaching() as (server, url):
         lesson, other = await Class.open(url), await Class.open(url)
