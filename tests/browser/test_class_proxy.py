@@ -48,7 +48,7 @@ def test_a_phone_polls_if_a_proxy_holds_streams_back(server: Server, phone: Phon
         lecture.evaluate("oscillations.walks.walk.go(2)")
         expect(page.locator(".given")).to_contain_text("pulled out twice as far", timeout=30000)
         lecture.evaluate("oscillations.classes.led.end()")
-        expect(page.get_by_role("heading", name="The class is over.")).to_be_visible(timeout=30000)
+        expect(page.get_by_role("heading", name="The class is over.")).to_be_visible(timeout=60000)  # its doubt: 30 s
         page.close()
 
 
