@@ -149,7 +149,7 @@ def plot(
     drawn = tuple(replace(one, x=one.x or called(x_column) or "t") for one in curves)
     filled = tuple(replace(one, x=one.x or called(x_column) or "t") for one in bands)
     return PlotBlock(
-        part=f"plot:{frame.name}",
+        part=frame.part,
         name=frame.name,
         title=title,
         brief=re.split("[,:]", title)[0],

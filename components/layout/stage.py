@@ -66,6 +66,11 @@ class PlotFrame:
     name: str
 
     @property
+    def part(self) -> str:
+        """The name of the plot among the parts of a sheet."""
+        return f"plot:{self.name}"
+
+    @property
     def left(self) -> Expression:
         return self.at("left")
 

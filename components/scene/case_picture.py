@@ -32,6 +32,7 @@ class CasePaper:
     `axes`        the axes of the plots, and the axes that give the stage its scale, by name
     `other_axes`  axes that belong to no plot and are used only to format numbers, by name; their ranges are always
                   fitted
+    `is_part`     True if it is the paper of only a part of the sheet
     """
 
     block: Block
@@ -39,6 +40,7 @@ class CasePaper:
     names: frozenset[str]
     axes: dict[str, PlotAxis]
     other_axes: dict[str, PlotAxis]
+    is_part: bool = False
 
     @classmethod
     def of(cls, block: Block, book: Book) -> CasePaper:
@@ -51,7 +53,7 @@ class CasePaper:
 
     def part(self, names: frozenset[str]) -> CasePaper:
         """Return the paper of a picture that has only these names, on the same axes."""
-        return replace(self, book=self.book.part(names), names=names)
+        return replace(self, book=self.book.part(names), names=names, is_part=True)
 
     @cached_property
     def named(self) -> list[str]:
@@ -180,7 +182,7 @@ class CasePicture:
     @property
     def traces(self) -> dict[str, Traces]:
         """The curves over the time window, and the paths over other intervals."""
-        found = {TIME: self.curves.traces}
+        found = {TIME: self.curves.traces} if self.paper.drawn else {}
         for source, names in self.paper.paths.items():
             if source == TIME:
                 continue
@@ -243,4 +245,5 @@ class CasePicture:
             to_scale=self.case.to_scale(),
             onward=self.case.onward(),
             spans=self.case.spans,
+            is_part=self.paper.is_part,
         )

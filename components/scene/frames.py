@@ -197,11 +197,11 @@ def _up(value: float) -> float:
 
 
 def refitted(frame: Frame, before: Frame, fitted: Frame) -> Frame:
-    """Refit only the axes whose fitted range changed with the view."""
+    """Refit only the axes whose fitted range visibly changed with the view."""
     if before.window != fitted.window:
         frame = replace(frame, window=fitted.window, speed=fitted.speed)
     ranges = {
-        name: frame.ranges.get(name, span) if before.ranges.get(name) == span else span
+        name: frame.ranges.get(name, span) if _alike(span, before.ranges.get(name, ())) else span
         for name, span in fitted.ranges.items()
     }
     scale = frame.scale if before.scale == fitted.scale else fitted.scale

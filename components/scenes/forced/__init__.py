@@ -12,7 +12,7 @@ from components import chain
 from components.chain.forces import Forces
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.views import View
+from components.layout.views import View, parts
 from components.quantities.axes import Axis, nice_axis, time_axis, widest
 from components.quantities.declared import by_name
 from components.quantities.motion import pace, scaled
@@ -29,7 +29,7 @@ from components.scenes.forced.driven import Undamped
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
-from components.scenes.forced.sheet import CURVE, SCALE, UNITS, forced_sheet
+from components.scenes.forced.sheet import CURVE, ENERGY, SCALE, UNITS, forced_sheet
 from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import Forms, notes
 from physics.forced import driven_modes, steady_start
@@ -137,15 +137,18 @@ class Forced(Scene):
         return dict(zip(chain.START, (*x_0, *v_0), strict=True))
 
     def picture(self, frame: Frame = FITTED) -> Picture:
+        return self.picture_of(frozenset(parts(self.sheet())), frame)
+
+    def picture_of(self, names: frozenset[str], frame: Frame) -> Picture:
         case = self._case(frame)
         slow, fast = case.natural
         t = np.linspace(0.0, case.end, samples(case.end, case.fastest))
         curves, bands = case.columns(t)
         limit = {"limit": Traces(case.end, t.size, tuple(by_name(case.limits)), case.limiting)} if case.limits else {}
         extremes = chain.extremes(curves, bands)
-        work = case.energies(t)
+        work = case.energies(t, ENERGY.part in names)
         shown = self.scale if case.view == "bode" else self.curve
-        swing = response(case, shown, self.axes == "lecture" and case.comparable, frame)
+        swing = response(case, shown, self.axes == "lecture" and case.comparable, frame, names)
         window = time_axis(self.window or time_window(slow, fast))
         x = nice_axis(*_span(extremes, curves), "m", 2)
         own = by_name({Axes.t: window, Axes.x: x, Axes.E: _energy_axis(work)})

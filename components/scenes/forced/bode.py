@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from components.chain import BOTH
 from components.language.blocks import Block
@@ -84,13 +85,13 @@ class DrawnResponse:
     tables: dict[str, FileTable]
 
 
-def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: Frame) -> DrawnResponse:
-    """The lags at the frequencies w of an axis, and the plane around its curves; `unit` is an amplitude in m."""
-    roots = [one for one, _ in case.modes.transient] if isinstance(case, DampedForcedCase) else []
-    far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
-    X = bode_curves(case.damped, far, case.modes.F_0).X
-    inside = np.isfinite(X).all(axis=0)
-    far, X = far[inside], X[:, inside]
+def bode(case: AnyCase, across: Axis, up: Axis, unit: float, frame: Frame, names: frozenset[str]) -> DrawnResponse:
+    """The axes of the lags and of the plane, the plane around its curves, and the marks; `unit` is an amplitude in m.
+
+    If neither plot is among `names`, only the axes and the extremes of the response are returned.
+    """
+    is_drawn = LAG.part in names or PLANE.part in names
+    far, X = _loops(case) if is_drawn or isinstance(case, DampedForcedCase) else (np.empty(0), np.empty((2, 0)))
     ends = [(-unit, unit), (-unit, unit)]
     if isinstance(case, DampedForcedCase) and X.any():
         ends = [(float(part.min(initial=0.0)), float(part.max(initial=0.0))) for part in (X.real, X.imag)]
@@ -98,14 +99,29 @@ def bode(case: AnyCase, w: Floats, across: Axis, up: Axis, unit: float, frame: F
     labels = tuple(f"{one:.0f}°" if one == QUARTERS[-1] else f"{one:.0f}" for one in QUARTERS)
     lag = Axis(0.0, 1.04 * TURN, "°", ticks=QUARTERS, labels=labels, factor=TURN / 360, drawn=(0.0, TURN))
     axes = framed(frame, by_name({Axes.lag: lag, Axes.re: re, Axes.im: im}))
-    w = w[w > 0]
-    lags = bode_curves(case.damped, w).lags
+    tops = _extremes(case, across, up)
+    if not is_drawn:
+        return DrawnResponse({}, axes, by_name(tops), {})
     rows = (of[i] for of in (Plane.re, Plane.im) for i in BOTH)
     plane = {"omega": far} | by_name(dict(zip(rows, (*X.real, *X.imag), strict=True)))
-    columns = {"lag": by_name({Lags.w: w, Lags.phi[1]: lags[0], Lags.phi[2]: lags[1]}), "nyquist": plane}
-    scalars = by_name(_places(case, across, axes) | _extremes(case, across, up))
     table = FileTable(("nyquist",), lambda: plane, dict.fromkeys(plane, "m") | {"omega": "rad/s"}, {})
-    return DrawnResponse(columns, axes, scalars, {"nyquist": table})
+    return DrawnResponse({"nyquist": plane}, axes, by_name(_places(case, across, axes) | tops), {"nyquist": table})
+
+
+def lags(case: AnyCase, w: Floats) -> dict[str, Columns]:
+    """The lags at the frequencies w of an axis."""
+    w = w[w > 0]
+    one, two = bode_curves(case.damped, w).lags
+    return {"lag": by_name({Lags.w: w, Lags.phi[1]: one, Lags.phi[2]: two})}
+
+
+def _loops(case: AnyCase) -> tuple[Floats, NDArray[np.complex128]]:
+    """The frequencies of the curves in the plane, and X1 and X2 at them."""
+    roots = [one for one, _ in case.modes.transient] if isinstance(case, DampedForcedCase) else []
+    far = locus_frequencies(roots, case.natural[1] or case.modes.omega or 1.0)
+    X = bode_curves(case.damped, far, case.modes.F_0).X
+    inside = np.isfinite(X).all(axis=0)
+    return far[inside], X[:, inside]
 
 
 def _places(case: AnyCase, across: Axis, axes: AxesInForce) -> dict[Scalar[AnyCase], float]:

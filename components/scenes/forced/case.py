@@ -168,8 +168,12 @@ class ForcedCase:
         """The change of T + V since the start and the work of the drive."""
         raise NotImplementedError
 
-    def energies(self, t: Floats) -> dict[Column[Any], Floats]:
-        """The energies; none if they are too fast to be drawn.
+    def energy_range(self, t: Floats) -> dict[Column[Any], Floats]:
+        """The energies between which all of them are."""
+        return self.energy(t)
+
+    def energies(self, t: Floats, is_drawn: bool) -> dict[Column[Any], Floats]:
+        """The energies, or only what their axis needs; none if they are too fast to be drawn.
 
         If they would be expensive or leave the range of doubles, the view Work raises ValueError; other views leave
         them out.
@@ -177,7 +181,7 @@ class ForcedCase:
         if not drawable(2 * self.fastest, t) or not (self.in_doubles or self.view == "work"):
             return {}
         try:
-            return self.energy(t)
+            return self.energy(t) if is_drawn else self.energy_range(t)
         except ValueError:
             if self.view == "work":
                 raise

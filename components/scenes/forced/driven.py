@@ -161,8 +161,13 @@ class Undamped(ForcedCase):
 
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:
         """The change of T + V since the start and the work of the drive."""
+        gain, zero = self.energy_range(t).values()
+        return {Work.gain: gain, Work.work: self.modes.work(t), Work.zero: zero}
+
+    def energy_range(self, t: Floats) -> dict[Column[Any], Floats]:
+        """The energies without the work, which is equal to the gain."""
         energy = chain_energy(self.chain, self.modes.motion(t)).total
-        return {Work.gain: energy - energy[0], Work.work: self.modes.work(t), Work.zero: np.zeros_like(t)}
+        return {Work.gain: energy - energy[0], Work.zero: np.zeros_like(t)}
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
         """Signals for the clock: the free motion of the start plus the response of each mode, regular at resonance."""

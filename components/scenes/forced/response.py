@@ -22,9 +22,9 @@ from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
 from components.quantities.declared import Column, Declared, Scalar, by_name
 from components.scene.file_table import FileTable
-from components.scene.frames import FITTED, framed
+from components.scene.frames import framed
 from components.scene.traces import Columns, Floats
-from components.scenes.forced.bode import DrawnResponse, bode, extremes
+from components.scenes.forced.bode import LAG, DrawnResponse, bode, extremes, lags
 from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
@@ -79,10 +79,11 @@ class Places(Declared[AnyCase]):
 P = Places
 
 
-def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
+def response(case: AnyCase, shown: str, lecture: bool, frame: Frame, names: frozenset[str]) -> DrawnResponse:
     """The curves `size`, `signed` or `log`, with the drive marked, in the lecture's units if asked for.
 
-    With dashpots there is no sign, because a motion is neither with nor against the drive.
+    With dashpots there is no sign, because a motion is neither with nor against the drive. Plots that are not among
+    `names` have only their axes.
     """
     log, omega, fast = shown == "log", case.modes.omega, case.natural[1]
     signed = shown == "signed" and isinstance(case, Undamped)
@@ -95,15 +96,19 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     up = replace(up, drawn=(up.start / 2 if up.start < 0 else up.start, up.end / 2))
     axes = framed(frame, by_name({Axes.omega: across, Axes.X: up}))
     across, up = Axes.omega(axes), Axes.X(axes)
+    also = bode(case, across, up, TALL * (base or 1.0), frame, names)
+    axes, scalars = axes | also.axes, _marks(case, across, up, log, signed) | also.scalars
+    if RESPONSE.part not in names:
+        return DrawnResponse(also.columns, axes, scalars, also.tables)
     w, swings, branches = _curves(case, across, log) if isinstance(case, Undamped) else _curve(case, across, log)
     drawn = swings if signed else np.abs(swings)
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns[Swings.omega.source] = _column(w, swings)
-    also = bode(case, w, across, up, TALL * (base or 1.0), frame)
+    if LAG.part in names:
+        columns |= lags(case, w)
     tables = {"response": _table(case, w, swings)} | also.tables
-    scalars = _marks(case, across, up, log, signed) | also.scalars
-    return DrawnResponse(columns | also.columns, axes | also.axes, scalars, tables)
+    return DrawnResponse(columns | also.columns, axes, scalars, tables)
 
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
@@ -175,14 +180,19 @@ def _branches(
 
 def _table(case: AnyCase, w: Floats, swings: Floats) -> FileTable:
     """The amplitudes for a file, one row per frequency: with signs, or with dashpots their sizes and the lags."""
-    w, first = np.unique(w, return_index=True)
     sources = *(f"branch{i}" for i in range(len(BRANCHES))), "lag"
     units = {"omega": "rad/s", "Xp1": "m", "Xp2": "m"}
     if isinstance(case, Undamped):
-        return FileTable(sources, lambda: _with_poles(case, w, swings[:, first]), units, {}, POLES)
+        return FileTable(sources, lambda: _with_poles(case, *_sorted(w, swings)), units, {}, POLES)
     of = {"phi1": ("Xp1", "phi1"), "phi2": ("Xp2", "phi2")}
     lags = dict.fromkeys(of, "rad")
-    return FileTable(sources, lambda: _with_lags(case, w, swings[:, first]), units | lags, of)
+    return FileTable(sources, lambda: _with_lags(case, *_sorted(w, swings)), units | lags, of)
+
+
+def _sorted(w: Floats, swings: Floats) -> tuple[Floats, Floats]:
+    """Return each frequency once, with the amplitudes there."""
+    w, first = np.unique(w, return_index=True)
+    return w, swings[:, first]
 
 
 def _with_poles(case: Undamped, w: Floats, swings: Floats) -> Columns:

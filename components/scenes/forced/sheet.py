@@ -28,6 +28,7 @@ from components.scenes.forced.words import Forms as F
 
 CURVE = one_of("size", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as")
 SCALE = one_of("log", {"log": "Log", "size": "Linear"}, "Axes of the Bode plot")
+ENERGY = PlotFrame("energy")
 UNITS = one_of("si", {"si": "SI", "lecture": "Relative"}, "Units of the response")
 
 
@@ -134,7 +135,7 @@ def _heading(i: int) -> tuple[Term, ...]:
 
 def _energy() -> Block:
     return plot(
-        PlotFrame("energy"),
+        ENERGY,
         x=Axes.t,
         y=Axes.E,
         title="Gain of kinetic and potential energy since the start, with the heat of dashpots where there are any, "
