@@ -153,8 +153,8 @@ def test_no_answer_is_lost_when_the_server_is_killed(contexts: list[BrowserConte
         expect(phones[2].get_by_text("Twice the pull is twice the force")).to_be_visible()
         loaded_again(site, lecture)
         led_by_another_computer(site, lecture, phones, contexts[5])
-        for page in (*phones, remote):
-            expect(page.locator("h1")).to_contain_text("The class is over.", timeout=BACK)
+        for page in (*phones, remote):  # one that misses the last news doubts for half a minute that the class is over
+            expect(page.locator("h1")).to_contain_text("The class is over.", timeout=2 * BACK)
 
 
 def led_by_another_computer(site: GatedSite, lecture: Page, phones: list[Page], context: BrowserContext) -> None:
