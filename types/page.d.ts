@@ -274,13 +274,14 @@ declare namespace page {
 
   type AnyServerMessage = Shown | Kept | File | AboutNumbers | Taught | Walking | Fitted
 
-  /** A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
-   * first of the panel. */
+  /** A view of a scene: its name in links, the name on its tab, its task, the parameters whose controls are the first
+   * of the panel, and the parts that its task is about. */
   interface ViewTab {
     word: string
     name: string
     task: Html
     keys: string[]
+    names: string[]
   }
 
   /** Everything about a scene that is the same for every visitor: an immutable file.

@@ -316,13 +316,14 @@ AnyServerMessage: TypeAlias = Shown | Kept | File | AboutNumbers | Taught | Walk
 
 
 class ViewTab(Struct, frozen=True, kw_only=True):
-    """A view of a scene: its name in links, the name on its tab, its task, and the parameters whose controls are the
-    first of the panel."""
+    """A view of a scene: its name in links, the name on its tab, its task, the parameters whose controls are the first
+    of the panel, and the parts that its task is about."""
 
     word: str
     name: str
     task: Html
     keys: tuple[str, ...]
+    names: tuple[str, ...]
 
 
 class SceneSheet(Struct, frozen=True, kw_only=True):

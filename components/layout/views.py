@@ -39,7 +39,8 @@ class View:
 
     @property
     def sent(self) -> ViewTab:
-        return ViewTab(word=self.slug, name=self.name, task=rich(self.task), keys=tuple(names_of(self.keys)))
+        keys = tuple(names_of(self.keys))
+        return ViewTab(word=self.slug, name=self.name, task=rich(self.task), keys=keys, names=self.names)
 
 
 def in_views(block: Block, *views: str) -> Block:

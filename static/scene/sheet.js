@@ -102,6 +102,8 @@ export class Sheet {
   #plot(host, block) {
     if (block.heading.length) host.append(this.#heading(block))
     const area = element("div", {class: "plot-area"})
+    const {top, bottom} = block.room
+    host.style.setProperty("--around", long(top + bottom))
     host.append(area)
     const plot = new Plot(block, area, this.page)
     this.plots.push(plot)
@@ -196,7 +198,13 @@ export class Sheet {
     host.classList.toggle("at-desk", !block.hall && !parts.length) // visible in hall mode too if a step lists it
     host.hidden = !isShown
     host.classList.toggle("listed", isShown && parts.includes(block.part))
+    host.classList.toggle("named", this.#names(viewOf(settings)).includes(block.part)) // hall mode keeps it
     return isShown
+  }
+
+  /** The parts that the task of a view is about. @param {string} view */
+  #names(view) {
+    return this.page.spec.views.find(({word}) => word === view)?.names ?? []
   }
 
   /** @param {Drawn} shown */

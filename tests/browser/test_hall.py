@@ -12,7 +12,7 @@ from components.scenes import SCENES
 from tests.browser.boxes import faults
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
-from tests.browser.waiting import passed, seek
+from tests.browser.waiting import passed, seek, turned
 from tests.grids import spread
 from tests.serving.server import Server
 
@@ -35,6 +35,27 @@ BELOW = """(paper => {
   return Math.max(paper.scrollHeight - paper.clientHeight, ...words)
 })(oscillations.page.paper)"""
 """Pixels of the sheet that are out of view, or of its words under the transport."""
+UNFIT = """(() => {
+  const {paper} = oscillations.page, bar = paper.querySelector(".transport").getBoundingClientRect()
+  const frame = paper.getBoundingClientRect(), top = paper.querySelector(".views-head").getBoundingClientRect().bottom
+  const low = oscillations.plots.filter(({host, frame}) => host.checkVisibility() && frame.height < 59)
+  const kinds = ".stage, .plot, .words, .table, .choice, .modes, .measured"
+  const seen = [...paper.querySelectorAll(`.block:is(${kinds})`)].filter(part => part.checkVisibility())
+  const parts = seen.map(({className, innerText}) => `${className} ${(innerText ?? "").slice(0, 30)}`)
+  const boxes = seen.map(part => part.getBoundingClientRect())
+  const isCut = box => box.top < top - 1.5 || box.bottom > (bar.height ? bar.top : frame.bottom) + 1.5 ||
+    box.left < frame.left - 1.5 || box.right > frame.right + 1.5
+  const meet = (one, other) => one.left + 2 < other.right && other.left + 2 < one.right &&
+    one.top + 2 < other.bottom && other.top + 2 < one.bottom
+  return [
+    ...(seen.length ? [] : ["nothing is shown"]),
+    ...low.map(({block, frame}) => `the plot ${block.name} is ${frame.height} high`),
+    ...parts.filter((_, i) => isCut(boxes[i])).map(part => `cut: ${part}`),
+    ...parts.flatMap((part, i) => parts.slice(0, i).filter((_, j) => meet(boxes[i], boxes[j]))
+      .map(other => `${part} meets ${other}`)),
+  ]
+})()"""
+"""What does not fit in a view: a plot below 60, give or take a pixel, a part that is cut, parts that overlap."""
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
@@ -75,6 +96,25 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(third: int, server:
             across = page.evaluate("oscillations.page.paper.scrollWidth - oscillations.page.paper.clientWidth")
             thin = page.evaluate(THIN)
             assert across <= 1 and not thin, (slug, given, height, across, thin)
+    assert not found, "\n".join(found)
+
+
+ALWAYS = {"oscillator", "coupled", "phugoid"}
+"""The scenes with the fullest views."""
+
+
+@pytest.mark.parametrize(
+    "slug", [pytest.param(slug, marks=() if slug in ALWAYS else pytest.mark.slow) for slug in SCENES]
+)
+def test_every_view_fits_with_plots_that_can_be_read(slug: str, server: Server, page: Page) -> None:
+    page.goto(f"{server.url}?scene={slug}&projector")
+    found = []
+    for view in SCENES[slug].views:
+        turned(page, slug, {"view": view.slug})
+        for width, height in ((853, 480), (1280, 720)):
+            seen = looked_at(page, width, height)
+            seen += [f"{width} x {height}: {fault}" for fault in page.evaluate(UNFIT)]
+            found += [f"{view.name}, {fault}" for fault in seen]
     assert not found, "\n".join(found)
 
 

@@ -111,7 +111,7 @@ class Coupled(CaseScene):
         ),
         View(
             "Forces", "Watch the arrows: when does spring 2 pull mass 1 on, and when back?",
-            keys=(x1_0, x2_0), names=("stage", "plot:x1"),
+            keys=(x1_0, x2_0), names=("stage", "plot:x1", "plot:x2"),
         ),
         View(
             "Formulas", "Change one value, and watch the numbers in each formula.",
@@ -119,7 +119,7 @@ class Coupled(CaseScene):
         ),
         View(
             "Measured", "Drop or choose a file with both of your motions: do they have two frequencies only?",
-            keys=(k1, k2), names=("plot:x1", "measured:file"),
+            keys=(k1, k2), names=("plot:x1", "plot:x2", "measured:file"),
         ),
     )  # fmt: skip
     old_views = {"view": {"modes": "motion", "constants": "formulas"}}

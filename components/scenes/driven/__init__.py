@@ -141,7 +141,7 @@ class DrivenScene(DashpotScene, CaseScene):
         ),
         View(
             "Power", "Change *ω*: when does the drive put in most, and where does it all go?",
-            keys=(omega,), names=("plot:power",),
+            keys=(omega,), names=("plot:x", "plot:power"),
         ),
         View(
             "Formulas", "Change one value, and watch the numbers in each formula.",

@@ -94,7 +94,7 @@ class Forced(Scene):
         ),
         View(
             "Forces", "Watch the arrows: when do push and spring 2 cancel on mass 1?",
-            keys=(omega,), names=("stage", "plot:x1"),
+            keys=(omega,), names=("stage", "plot:x1", "plot:x2"),
         ),
         View(
             "Work", "Change *ω*: what does the drive give the masses, and does it ever take it back?",

@@ -73,7 +73,7 @@ class OscillatorScene(CaseScene):
         ),
         View(
             "Force", "Pull the mass out and let go: where does the spring pull hardest, and where not at all?",
-            keys=(x_0,), names=("stage", "plot:x"),
+            keys=(x_0,), names=("stage", "plot:x", "plot:a"),
         ),
         View(
             "Formulas", "Drag the arrow at the start: it shows *A*, *B*, *C* and *φ* at once.",
