@@ -163,7 +163,9 @@ def test_a_network_asks_for_as_many_tables_as_it_opens_pages(tmp_path: Path) -> 
 async def test_a_page_gives_long_jobs_to_a_worker_that_is_idle(message: dict[str, Any]) -> None:
     """A worker without jobs was once treated as missing."""
     worker = ReadingProcess("tests.serving.hanging")
-    running = Serving(partial(walked([]).open_page, apart=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS)
+    running = Serving(
+        partial(walked([]).open_page, worker=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS
+    )
     visitor = await Visitor.arrive(f"http://127.0.0.1:{running.port}/", "scene=coupled")
     told = await visitor.send(message)
     assert "read" in (told["errors"]["message"] if message["type"] == "csv" else told["notes"][0])

@@ -92,6 +92,7 @@ def run(project: Path, *command: str) -> str:
     return done.stdout
 
 
+@pytest.mark.timeout(300)  # mypy without a cache
 def test_the_code_is_clean_and_typed(project: Path) -> None:
     added = ("components/scenes/friction", "components/scenes/walls")
     run(project, "ruff", "check", *added)
