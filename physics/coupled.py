@@ -298,6 +298,8 @@ class FreeModes:
 
     def _drift(self, quantity: str, values: Vector) -> list[float]:
         drifting = [(m.rows, q) for m, q in zip(self.chain.exact_modes, values, strict=True) if not m.omega]
+        if not drifting:
+            return [0.0, 0.0, 0.0]
         with precise():
             sums = [sum((rows[i] * q for rows, q in drifting), Decimal(0)) for i in (0, 1, 2)]
         return [rounded(quantity, total) for total in sums]

@@ -118,5 +118,8 @@ def _values(motion: Motion) -> list[Array]:
 
 
 def _product(size: float, omega: float) -> float:
+    found = size * omega
+    if math.isfinite(found):
+        return found
     with precise():
         return rounded("the amplitude of a velocity", exact(size) * exact(omega))

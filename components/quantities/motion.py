@@ -163,12 +163,12 @@ def displacements(signal: Modal, t: NDArray[np.float64]) -> NDArray[np.float64]:
 def played(numbers: object, size: Axis, time: Axis) -> AnySignal:
     """Return the signal that plays an elementary motion, from its numbers."""
     match numbers:
+        case Harmonic(sinusoids, line):
+            return sines(size, time, *sinusoids, line=line)
         case Fading():
             return damped(size, time, numbers)
         case Decay(amplitude, slope, rate, omega, phase):
             return sines(size, time, (amplitude, omega, phase, rate, slope))
-        case Harmonic(sinusoids, line):
-            return sines(size, time, *sinusoids, line=line)
         case Push():
             return driven(size, time, numbers)
         case ModalPlay():

@@ -81,10 +81,11 @@ class CaseCurves:
     def traces(self) -> Traces:
         """The motions that are drawn as lines, and the motions for a file."""
         shown = {name: one for name, one in self.motions.items() if name in self.drawn or name in self.layers}
+        columns = self.too_fast | self.averaged
         return Traces(
             float(self.case.end),
             self.case.instants,
-            tuple(name for name in self.drawn if name not in self.too_fast | self.averaged),
+            tuple(name for name in self.drawn if name not in columns),
             partial(exact_values, shown),
             fastest=self.case.resolved,
             moving=tuple(name for name in shown if name in self.named and name != FLOOR),

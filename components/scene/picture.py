@@ -129,7 +129,8 @@ def _drawn(asked: Asked[Drawable]) -> Framed:
     """Return a picture with read-only columns, because many pages share it. Raises ArithmeticError for a number that
     cannot be sent."""
     picture, frame = asked.scene.picture(asked.frame), asked.frame
-    shown = replace(picture, pace=paced(frame, picture.pace))
+    pace = paced(frame, picture.pace)
+    shown = picture if pace == picture.pace else replace(picture, pace=pace)
     _check(shown)
     for columns in shown.columns.values():
         for column in columns.values():

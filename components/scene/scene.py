@@ -165,12 +165,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     def off_default(self) -> Values:
         """Return the linked parameters that are not at their defaults and do not depend on others."""
-        values, derived = self.values, self.derived()
-        return {
-            name: values[name]
-            for name, one in self.linked().items()
-            if values[name] != one.default and name not in derived
-        }
+        values, defaults, derived = self.values, self.parameters(), self.derived()
+        return {name: values[name] for name in self.linked() if values[name] != defaults[name] and name not in derived}
 
     def preset(self) -> str | None:
         """The label of the current preset, if any."""

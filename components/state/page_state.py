@@ -190,7 +190,9 @@ def _done(now: PageState, command: Command) -> PageState:
         if frame != after.drawn.frame:
             after = replace(after, drawn=_draw(after.is_whole, after.scene, after.held, "grown", frame))
     chooses_view = isinstance(command, Choose) and command.name == VIEW
-    after = replace(after, in_hand=bool(said), show=() if chooses_view else after.show)
+    in_hand, show = bool(said), () if chooses_view else after.show
+    if (in_hand, show) != (after.in_hand, after.show):
+        after = replace(after, in_hand=in_hand, show=show)
     return _predicted(after, now.before or now, begins=now.before is None)
 
 
@@ -200,7 +202,7 @@ def _predicted(after: PageState, before: PageState | None, begins: bool) -> Page
     A prediction `begins` with the first change of a parameter that is not only a change of display.
     """
     if NEXT not in after.covered or before is None or (begins and not moved(after.scene, before.scene)):
-        return replace(after, before=None)
+        return replace(after, before=None) if after.before else after
     before = _shown_like(before, after)
     covered = put_last(after.covered) if begins else after.covered
     return replace(after, before=before, covered=covers_after(after.scene, after.shown, before.shown, covered))

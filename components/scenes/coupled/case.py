@@ -106,7 +106,7 @@ class CoupledCase(ChainCase):
     @cached_property
     def beat(self) -> Literal["rest", "drift", "one", "both", "apart"]:
         """The word for beats: both modes move, neither drifts, their frequencies are close. Otherwise the reason."""
-        if not (np.any(self.free.amplitude) or np.any(self.free.drift_b)):
+        if not (self.free.amplitude.any() or self.free.drift_b.any()):
             return "rest"
         if not self.slow:
             return "drift"
