@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from components.language.blocks import Column, StageBlock
+from components.language.blocks import Column, PlotBlock, StageBlock
 from components.language.state import Frame
 from components.layout.sheet import axes_of_columns, blocks, names_in
 from components.layout.views import shown_blocks
@@ -15,6 +16,8 @@ from components.scene.scene import VIEW
 from components.state.encoding import ColumnAxes
 from components.state.scene_sheet import scene_sheet
 
+SPOKEN = re.compile(r"{(\w+)}")
+"""A live number in a text that is read aloud."""
 MOST_LISTS = 300
 """Size of the cache for views and lists of parts."""
 
@@ -34,9 +37,11 @@ def sent_parts(scene: type[Scene], view: str, show: tuple[str, ...] = ()) -> Sen
     """Return the needs of the parts that a view shows, or that are listed in `show`."""
     shown, sheet = list(shown_blocks(scene.sheet(), view, show)), scene_sheet(scene)
     forms = [block.form for block in blocks(sheet.paper)]  # rows and columns have forms, too
+    aloud = [sheet.spoken, *(one.says for one in shown if isinstance(one, PlotBlock))]
+    spoken = {name for texts in aloud for text in texts.values() for name in SPOKEN.findall(text)}
     return SentParts(
         axes_of_columns(Column(blocks=tuple(shown))),
-        names_in([*shown, *forms, sheet.panel, sheet.spoken]),
+        names_in([*shown, *forms, sheet.panel]) | spoken,
         any(isinstance(one, StageBlock) for one in shown),
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from urllib.parse import parse_qs
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace as replace_in
 
+from components.language.blocks import PlotBlock
 from components.language.messages import Choose, Open
 from components.language.state import State
 from components.layout.sheet import in_force
@@ -19,6 +21,7 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.state.link import read_query
 from components.state.page_state import PageState, changed, fitted, page_state_in, with_values
+from components.state.scene_sheet import scene_sheet
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.states import state_in
 
@@ -122,6 +125,16 @@ def test_a_view_sends_the_forms_that_show_the_parts_it_names(slug: str, view: st
     drawn = {block.part for block in in_force(type(now.scene).sheet(), sent.forms)}
     named = {name for one in SCENES[slug].views if one.slug == view for name in one.names}
     assert named - {KEYS} <= drawn
+
+
+@views
+def test_a_view_sends_the_numbers_that_are_read_aloud(slug: str, view: str) -> None:
+    whole = page_state_in(SCENES[slug], State(scene=slug, parameters={"view": view}))
+    whole, now = (with_values(one, _moved(SCENES[slug])) for one in (whole, replace(whole, in_view=True)))
+    plots = [one.says for one in shown_blocks(SCENES[slug].sheet(), view) if isinstance(one, PlotBlock)]
+    texts = " ".join(text for spoken in (scene_sheet(SCENES[slug]).spoken, *plots) for text in spoken.values())
+    aloud = whole.shown.values.keys() & set(re.findall(r"{(\w+)}", texts))
+    assert {name: whole.shown.values[name] for name in aloud}.items() <= now.drawn.picture.values.items()
 
 
 @views
