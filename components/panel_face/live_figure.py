@@ -76,7 +76,7 @@ class LiveStage:
         self.model = figure(
             x_range=Range1d(0, STAGE), y_range=Range1d(self.height + EDGE, -HEAD), toolbar_location=None, tools="",
             height=int(HEAD + self.height + EDGE), sizing_mode="stretch_width", min_border=0,
-            max_width=WIDEST,
+            max_width=min(WIDEST, int(block.widest * self.height)),
             outline_line_color=None, background_fill_color=None, border_fill_color=None,
         )  # fmt: skip
         self.model.axis.visible = self.model.grid.visible = False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 
+import numpy as np
 import pytest
 from bokeh.document import Document
 from bokeh.events import RangesUpdate
@@ -145,6 +146,15 @@ def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
     assert max(map(max, stage.drawing.sources["lines"].data["x"])) > narrow
     stage.model.set_from_json("inner_width", 0)  # of a hidden figure
     assert stage.model.x_range.end == WIDE
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_stage_on_a_wide_page_shows_all_of_its_drawing(slug: str) -> None:
+    for stage in first_face(slug).stages.values():
+        stage.model.set_from_json("inner_width", stage.model.max_width)
+        marks = [stage.drawing.sources[kind].data["y"] for kind in ("lines", "areas")]
+        heights = [y for rows_of_kind in marks for row in rows_of_kind for y in row]
+        assert 0 <= np.nanmin(heights) <= np.nanmax(heights) <= stage.height
 
 
 def test_the_later_of_two_overlapping_texts_moves_or_is_left_out() -> None:
