@@ -101,7 +101,7 @@ def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server)
     assert not engine.evaluate(READ)
     engine.evaluate("() => window.go()")
     engine.wait_for_function(READ)
-    assert "back every 31.3 s. Half-way" in engine.evaluate(READ)
+    assert "again every 31.3 s. Half-way" in engine.evaluate(READ)
 
 
 HIDE = """hidden => {

@@ -23,7 +23,7 @@ from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples
 from components.scenes.forced.about import damped_about, forced_about
-from components.scenes.forced.case import Axes, Signals
+from components.scenes.forced.case import Axes, Signals, Work
 from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.numbers import AnyCase
@@ -151,7 +151,7 @@ class Forced(Scene):
         swing = response(case, shown, self.axes == "lecture" and case.comparable, frame, names)
         window = time_axis(self.window or time_window(slow, fast))
         x = nice_axis(*_span(extremes, curves), "m", 2)
-        own = by_name({Axes.t: window, Axes.x: x, Axes.E: _energy_axis(work)})
+        own = by_name({Axes.t: window, Axes.x: x, Axes.E: _energy_axis(case, work)})
         axes, push = framed(frame, own) | swing.axes, nice_axis(0.0, self.F_0 or 1.0, "N")
         size, time, counted = Axes.x(axes), Axes.t(axes), axes | by_name({Axes.F: push})
         drawn = chain.to_scale(case.chain, extremes, size, frame.scale)
@@ -209,7 +209,9 @@ def _span(extremes: chain.Extremes, curves: Columns) -> tuple[float, float]:
     return whole if whole[1] - whole[0] < PARTS * (motion[1] - motion[0]) or motion[0] == motion[1] else motion
 
 
-def _energy_axis(work: Mapping[Any, Floats]) -> Axis:
-    if not work:
+def _energy_axis(case: AnyCase, work: Mapping[Any, Floats]) -> Axis:
+    """The axis of the energies. Without dashpots the work is the gain, so that it is not needed."""
+    spanned = [c for column, c in work.items() if column is not Work.work or isinstance(case, DampedForcedCase)]
+    if not spanned:
         return Axis(0, 1, "J")
-    return nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2)
+    return nice_axis(*widest(*((float(c.min()), float(c.max())) for c in spanned)), "J", 2)
