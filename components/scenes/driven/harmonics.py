@@ -4,6 +4,7 @@ curve."""
 from __future__ import annotations
 
 import numpy as np
+from msgspec.structs import replace
 
 from components.language.blocks import Block
 from components.language.expressions import Number
@@ -77,7 +78,7 @@ def harmonics(plot: Plot, *response: PlotItem) -> Block:
         *response,
         note("of each harmonic, against *nω*/*ω*_n", "mute"),
         title="Harmonics of the push over its size, the response, and the swing of each harmonic over F_0/k",
-        handles=(OMEGA,),
+        handles=(replace(OMEGA, symbol="ratio r"),),  # short, because its axis is long
         over=[
             line(x, plot.top, x, plot.bottom, style="thin", tint="F"),
             circle(x, plot.y(c.first_line), 0, grab=hand),
