@@ -1,4 +1,4 @@
-"""Votes on a phone and in the hall: answers and counts, an earlier class, a countdown, numbers of one's own."""
+"""Votes on a phone and in the hall: answers, counts, an earlier class, a countdown, other numbers on each phone."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ UNFIT = """(() => {
       .map(other => `${part} meets ${other}`)),
   ]
 })()"""
-"""What does not fit in a view: a plot below 60, give or take a pixel, a part that is cut, parts that overlap."""
+"""The faults of a view: plots lower than 60 px (one pixel of rounding is allowed), cut parts, parts that overlap."""
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 

@@ -1,4 +1,4 @@
-"""The page in Chromium: draws, plays without the server, restores a link, tells the numbers at the pointer."""
+"""The page in Chromium: draws, plays without the server, restores a link, shows the numbers at the pointer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The proxy alone: the headers of its own pages, its timeouts, and how it ends."""
+"""Tests of the proxy without the server: headers of error pages, timeouts, shutdown."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ def dragged(hand: Hand, grab: Grab) -> bool:
 
 @pytest.mark.parametrize(("stiff", "exponent"), [(2.0, 0), (2e10, -6), (2e-12, 6)])
 def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff: float, exponent: int) -> None:
-    """By the slope of its part of the motion, for times in s, in µs and in 10⁶ s."""
+    """The slope of its part of the motion gives the velocity, for times in s, in µs and in 10⁶ s."""
     now = fitted(SCENES["coupled"](k1=stiff, k2=stiff, v1_0=0.1 * stiff**0.5).value)
     time, place = now.shown.axes["t"].ruler, now.shown.axes["x"].ruler
     assert (time.exponent, place.exponent) == (exponent, 0)

@@ -1,4 +1,4 @@
-"""Many visitors at once: the time until all are in, the waits of those who drag, and what remains afterwards."""
+"""Many visitors at once: the time until all pages are open, the waits during drags, and the memory used afterwards."""
 
 from __future__ import annotations
 

@@ -6,15 +6,11 @@ received and drawn a change. The Player asks for 20 frames a second.
 
 from __future__ import annotations
 
-import argparse
-
 import psutil
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser
 
-from components.scenes import SCENES
 from tests.serving.server import Server, serving_panel
-from tools.bench.load import REPORT, machine
-from tools.browsers.chromium import find
+from tools.bench.scene_table import report
 
 SECONDS = 10.0
 WARM = 1.0
@@ -65,20 +61,8 @@ def used(process: psutil.Process) -> float:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scene", choices=SCENES, help="only this scene")
-    slugs = [only] if (only := parser.parse_args().scene) else list(SCENES)
-    names = "| scene | frames a second | CPU of the server per frame | of the browser | bytes per frame |"
-    head = [names, "|---|---|---|---|---|"]
-    report = REPORT.with_name("player.md")
-    report.parent.mkdir(parents=True, exist_ok=True)
-    with serving_panel(report.with_suffix(".log")) as server, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=find())
-        rows = [line(browser, server, slug) for slug in slugs]
-        browser.close()
-    text = "\n".join([machine(), "", *head, *rows, ""])
-    report.write_text(text, encoding="utf-8")
-    print(text)
+    columns = ("frames a second", "CPU of the server per frame", "of the browser", "bytes per frame")
+    report("player", str(__doc__), columns, line, serving_panel)
 
 
 if __name__ == "__main__":

@@ -6,15 +6,13 @@ main thread without slowing, so the load of the machine has little effect on it.
 
 from __future__ import annotations
 
-import argparse
 from statistics import median
 
-from playwright.sync_api import Browser, CDPSession, Page, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Page
 
-from components.scenes import SCENES
 from tests.serving.server import Server, serving
-from tools.bench.load import READY, REPORT, machine
-from tools.browsers.chromium import find
+from tools.bench.load import READY
+from tools.bench.scene_table import report
 
 PHONE = {"width": 390, "height": 844}
 SLOWED = 6
@@ -87,22 +85,8 @@ def line(browser: Browser, server: Server, slug: str) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scene", choices=SCENES, help="only this scene")
-    slugs = [only] if (only := parser.parse_args().scene) else list(SCENES)
-    head = [
-        "| scene | work per frame | frames a second, slowed | a drag is followed after frames |",
-        "|---|---|---|---|",
-    ]
-    report = REPORT.with_name("slow_phone.md")
-    report.parent.mkdir(parents=True, exist_ok=True)
-    with serving(report.with_suffix(".log")) as server, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=find())
-        rows = [line(browser, server, slug) for slug in slugs]
-        browser.close()
-    text = "\n".join([machine(), "", *head, *rows, ""])
-    report.write_text(text, encoding="utf-8")
-    print(text)
+    columns = ("work per frame", "frames a second, slowed", "a drag is followed after frames")
+    report("slow_phone", str(__doc__), columns, line, serving)
 
 
 if __name__ == "__main__":
