@@ -190,7 +190,7 @@ def in_force(block: Block, forms: Mapping[str, str]) -> Iterator[Block]:
                 yield from in_force(inner, forms)
 
 
-def names_in(parts: Iterable[object]) -> frozenset[str]:
+def needed_names(parts: Iterable[object]) -> frozenset[str]:
     """Return the names of the signals, numbers, texts and forms that some parts of a sheet need.
 
     All strings in these parts count as names, so that none is missed.

@@ -10,7 +10,7 @@ from components.language.blocks import Block
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.language.state import Frame
-from components.layout.sheet import names_in
+from components.layout.sheet import needed_names
 from components.paper.deferred import FORMATS, Book, CountedNumber, ExpressionRecord, attributes, recorded
 from components.paper.plot_axes import PlotAxis
 from components.paper.plots import PlottedCurve, PlottedLayer, PlottedPath
@@ -32,7 +32,6 @@ class CasePaper:
     `axes`        the axes of the plots, and the axes that give the stage its scale, by name
     `other_axes`  axes that belong to no plot and are used only to format numbers, by name; their ranges are always
                   fitted
-    `is_part`     True if it is the paper of only a part of the sheet
     """
 
     block: Block
@@ -40,11 +39,10 @@ class CasePaper:
     names: frozenset[str]
     axes: dict[str, PlotAxis]
     other_axes: dict[str, PlotAxis]
-    is_part: bool = False
 
     @classmethod
     def of(cls, block: Block, book: Book) -> CasePaper:
-        names = names_in([block])
+        names = needed_names([block])
         plots = [built.plot for built in book.plots.values()]
         used = {use.axis.name: use.axis for use in book.numbers.values() if use.axis}
         axes = {axis.name: axis for plot in plots for axis in (plot.across, plot.up)}
@@ -53,7 +51,7 @@ class CasePaper:
 
     def part(self, names: frozenset[str]) -> CasePaper:
         """Return the paper of a picture that has only these names, on the same axes."""
-        return replace(self, book=self.book.part(names), names=names, is_part=True)
+        return replace(self, book=self.book.part(names), names=names)
 
     @cached_property
     def named(self) -> list[str]:
@@ -245,5 +243,4 @@ class CasePicture:
             to_scale=self.case.to_scale(),
             onward=self.case.onward(),
             spans=self.case.spans,
-            is_part=self.paper.is_part,
         )

@@ -48,7 +48,6 @@ class Picture:
     `onward`    links to scenes that show the same system for these values
     `scale`     the scale of the stage, if it has one; `fits` is the one that suits the drawing
     `spans`     the ends of sliders whose range depends on the other parameters, by parameter
-    `is_part`   True if it has only what a view shows
     """
 
     columns: dict[str, Columns]
@@ -67,7 +66,6 @@ class Picture:
     scale: float | None = None
     fits: float | None = None
     spans: dict[str, tuple[float, float]] = field(default_factory=dict)
-    is_part: bool = False
 
     @cached_property
     def sources(self) -> dict[str, Columns]:

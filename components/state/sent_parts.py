@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from components.language.blocks import Column, PlotBlock, StageBlock
 from components.language.state import Frame
-from components.layout.sheet import axes_of_columns, blocks, names_in
+from components.layout.sheet import axes_of_columns, blocks, needed_names
 from components.layout.views import shown_blocks
 from components.scene import Picture, Scene
 from components.scene.scene import VIEW
@@ -41,7 +41,7 @@ def sent_parts(scene: type[Scene], view: str, show: tuple[str, ...] = ()) -> Sen
     spoken = {name for texts in aloud for text in texts.values() for name in SPOKEN.findall(text)}
     return SentParts(
         axes_of_columns(Column(blocks=tuple(shown))),
-        names_in([*shown, *forms, sheet.panel]) | spoken,
+        needed_names([*shown, *forms, sheet.panel]) | spoken,
         any(isinstance(one, StageBlock) for one in shown),
     )
 

@@ -32,7 +32,7 @@ def sent_picture(now: PageState, picture: Picture) -> Picture:
     parts = parts_of(now)
     if picture.to_scale and (parts is None or parts.has_stage):
         picture = replace(picture, notes=(picture.to_scale, *picture.notes))
-    if parts is None or picture.is_part:
+    if parts is None:
         return picture
     axes = parts.axes
     drawn = {name: one for name, one in picture.traces.items() if name in axes}
