@@ -31,8 +31,8 @@ class Waiting(msgspec.Struct, frozen=True):
 
 def waiting(parts: Parts) -> dict[str, Waiting]:
     """Return the phones that wait now, by their digits."""
-    waiting = {name.removeprefix(WAITS): part for name, part in parts.items() if name.startswith(WAITS) and part}
-    read = {digits: msgspec.json.decode(part, type=Waiting) for digits, part in waiting.items()}
+    found = {name.removeprefix(WAITS): part for name, part in parts.items() if name.startswith(WAITS) and part}
+    read = {digits: msgspec.json.decode(part, type=Waiting) for digits, part in found.items()}
     return {digits: one for digits, one in sorted(read.items()) if one.until > time()}
 
 

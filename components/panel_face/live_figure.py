@@ -39,6 +39,7 @@ from components.panel_face.shapes import GlyphRow, subscript, text_row
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.motion import displacements
 from components.scene import Picture, Scene
+from components.scene.html import filled
 
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0, "none": 1.0}
 LOWEST = 240  # pixels
@@ -338,9 +339,9 @@ def axis_words(block: PlotBlock) -> tuple[str, str]:
 
 def plain_html(html: str, picture: Picture) -> str:
     """Return a text that is given as HTML as plain words, with the values of its live numbers."""
-    filled = re.sub(r'data-value="(\w+)"></\w+>', lambda found: ">" + picture.values.get(found[1], ""), html)
-    filled = INDEX.sub(lambda of: (of[2] or "") + subscript(unescape(re.sub("<.*?>", "", of[1] or of[3]))), filled)
-    joined = re.sub(r"</?m(?!ath)\w+[^>]*>", "", filled)  # the parts of a formula
+    text = filled(html, picture.values)
+    text = INDEX.sub(lambda of: (of[2] or "") + subscript(unescape(re.sub("<.*?>", "", of[1] or of[3]))), text)
+    joined = re.sub(r"</?m(?!ath)\w+[^>]*>", "", text)  # the parts of a formula
     return unescape(" ".join(re.sub("<[^>]*>", " ", joined).split()))
 
 

@@ -15,7 +15,6 @@ A cover consists of its kind and a name in the sheet or the picture:
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -28,7 +27,7 @@ from components.language.expressions import Expression, names_in
 from components.language.plots import Curve, Region
 from components.language.shapes import AnyShape, Label
 from components.language.signals import AnySignal, CosineOf, Derived, Modal, SineOf
-from components.layout.sheet import blocks, in_force
+from components.layout.sheet import LIVE, blocks, in_force
 from components.quantities.axes import Axis, round_ticks
 from components.quantities.formatting import excerpt
 from components.quantities.instant import instant
@@ -42,7 +41,6 @@ PLOT, VALUE = "plot:", "value:"
 STAGE, TABLE, NEXT = "stage", "table", "next"
 ROOM = 0.5
 """Share by which the range of an axis with covered numbers is widened, so that its ends give no hint."""
-_LIVE = re.compile(r'data-value="(\w+)"')
 
 
 def coverable(scene: type[Scene], picture: Picture) -> set[str]:
@@ -185,7 +183,7 @@ def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
             yield from (run.text for runs in words for run in runs if run.kind == "value")
         elif isinstance(block, TableBlock) and TABLE in covered:
             cells = (html for row in block.rows for cell in row for html in cell.variants.values())
-            yield from (name for html in cells for name in _LIVE.findall(html))
+            yield from (name for html in cells for name in LIVE.findall(html))
 
 
 def _traces_less(
