@@ -98,7 +98,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame, names: froz
     across, up = Axes.omega(axes), Axes.X(axes)
     also = bode(case, across, up, TALL * (base or 1.0), frame, names)
     axes, scalars = axes | also.axes, _marks(case, across, up, log, signed) | also.scalars
-    if RESPONSE.part not in names:
+    if names.isdisjoint((RESPONSE.part, LAG.part)):
         return DrawnResponse(also.columns, axes, scalars, also.tables)
     w, swings, branches = _curves(case, across, log) if isinstance(case, Undamped) else _curve(case, across, log)
     drawn = swings if signed else np.abs(swings)
