@@ -15,8 +15,8 @@ import {BEGINS_NUMBER} from "../core/numbers.js"
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
 const MOVED = "input, [role=slider], [role=application], [role=menuitem], [role=tab]"
-const LIES = ".walks[open], .scene-menu[open], dialog.keys, dialog.class-large"
-const OPEN = `${LIES}, .card .follows[open]`
+const OVERLAYS = ".walks[open], .scene-menu[open], dialog.keys, dialog.class-large"
+const OPEN = `${OVERLAYS}, .card .follows[open]`
 const OFF = "single-keys"
 const BOUNCE = 400 // ms within which a second press of a clicker counts as the first
 
@@ -139,7 +139,7 @@ function handleKey(event, lecture) {
     event.stopPropagation()
   }
   if (turns && isBounced(event)) return
-  if (turns && isTurned()) return close()
+  if (turns && isOverlaid()) return close()
   known.act(lecture)
 }
 
@@ -153,7 +153,7 @@ function isBounced({timeStamp}) {
 }
 
 /** True if a dialog or menu covers the page; a clicker closes it first. */
-const isTurned = () => document.querySelector(LIES) !== null
+const isOverlaid = () => document.querySelector(OVERLAYS) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */
 function acts(event, {own}) {
