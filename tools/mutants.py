@@ -10,10 +10,6 @@ ones (tools/random_faults.py), each held against the tests that run its line. It
 
 from __future__ import annotations
 
-import os
-import re
-import shutil
-import subprocess
 import sys
 import time
 from argparse import ArgumentParser, Namespace
@@ -27,36 +23,15 @@ from tempfile import TemporaryDirectory
 from tools.faults import MUTANTS, Mutant, broken
 from tools.random_faults import AREAS, RandomFault, random_faults
 from tools.tests_by_line import TestsByLine
+from tools.trials import copied, failures
 
 ROOT = Path(__file__).parents[1]
-LEFT = (".git", "build", "*_cache", "__pycache__", ".hypothesis")
-SHARED = (".venv", "node_modules")
-FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
 SECONDS = 60.0
 """Measured duration of the tests that are tried for one random fault."""
-ENDLESS = 900.0
-"""Seconds after which tests count as stopped by the fault."""
 WORKERS = 2
 MutantTrial = Callable[[Path], tuple[str, bool]]
 """A function that puts a fault into a copy of the project. It returns a message, and whether a test has found the
 fault."""
-
-
-def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list[str]:
-    """Return the tests that fail in a copy of the project with the fault, or another reason why they stop."""
-    path = folder / file
-    sound = path.read_bytes()
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests]
-    try:
-        path.write_text(faulty, encoding="utf-8")
-        done = subprocess.run(
-            command, cwd=folder, env=dict(os.environ), capture_output=True, text=True, check=False, timeout=ENDLESS
-        )
-    except subprocess.TimeoutExpired:
-        return ["no end"]
-    finally:
-        path.write_bytes(sound)
-    return FAILED.findall(done.stdout) or ([f"exit {done.returncode}"] if done.returncode not in (0, 5) else [])
 
 
 def known(mutant: Mutant, folder: Path) -> tuple[str, bool]:
@@ -82,7 +57,7 @@ def in_copies(top: Path, jobs: Sequence[MutantTrial]) -> list[bool]:
     found."""
     free: Queue[Path] = Queue()
     for number in range(WORKERS):
-        free.put(copied(top / str(number)))
+        free.put(copied(ROOT, top / str(number)))
 
     def done(job: MutantTrial) -> bool:
         folder = free.get()
@@ -95,14 +70,6 @@ def in_copies(top: Path, jobs: Sequence[MutantTrial]) -> list[bool]:
 
     with ThreadPoolExecutor(WORKERS) as pool:
         return list(pool.map(done, jobs))
-
-
-def copied(folder: Path) -> Path:
-    """Return a copy of the project."""
-    shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*LEFT, *SHARED))
-    for name in SHARED:
-        (folder / name).symlink_to((ROOT / name).resolve())
-    return folder
 
 
 def try_known(asked: Sequence[Mutant]) -> int:
@@ -119,7 +86,7 @@ def try_random(seed: int, count: int, tests: Sequence[str]) -> None:
     """Print which random faults are found, and their share in each area."""
     faults = random_faults(ROOT, seed, count)
     with TemporaryDirectory() as top:
-        measured = TestsByLine(copied(Path(top) / "sound"), ROOT / "build" / "tests-by-line")
+        measured = TestsByLine(copied(ROOT, Path(top) / "sound"), ROOT / "build" / "tests-by-line")
         if not tests:
             measured.measure()
         jobs = [partial(drawn, one, tests or measured.tests(one.site.file, one.site.line, SECONDS)) for one in faults]

@@ -44,17 +44,23 @@ class TestsByLine:
     def tests(self, file: str, line: int, seconds: float) -> list[str]:
         """Return tests that take so many seconds together, the quickest first: tests that run the line, then tests that
         run its file. For a line that runs at import or is cached, only the tests of its file are known."""
-        lines = self._data.contexts_by_lineno(file)
-        of_line, of_file = _named(lines.get(line, [])), _named(test for tests in lines.values() for test in tests)
-        found, left = list[str](), seconds
-        for test in [*self._passing(of_line), *self._passing(of_file - of_line)]:
-            left -= self._seconds[test]
-            if left > 0:
-                found.append(test)
-        return found
+        of_line = self.of_line(file, line)
+        of_file = {test for tests in self._data.contexts_by_lineno(file).values() for test in _named(tests)}
+        return self.within(seconds, of_line, of_file - of_line)
 
-    def _passing(self, tests: set[str]) -> list[str]:
-        return sorted(tests & self._seconds.keys(), key=lambda test: (self._seconds[test], test))
+    def of_line(self, file: str, line: int) -> set[str]:
+        """Return the tests that run a line and pass."""
+        return _named(self._data.contexts_by_lineno(file).get(line, [])) & self.seconds.keys()
+
+    def within(self, seconds: float, *groups: set[str]) -> list[str]:
+        """Return tests that take so many seconds together, group after group, the quickest of each first."""
+        found, left = list[str](), seconds
+        for group in groups:
+            for test in sorted(group & self.seconds.keys(), key=lambda test: (self.seconds[test], test)):
+                left -= self.seconds[test]
+                if left > 0:
+                    found.append(test)
+        return found
 
     @cached_property
     def _data(self) -> CoverageData:
@@ -63,7 +69,7 @@ class TestsByLine:
         return data
 
     @cached_property
-    def _seconds(self) -> dict[str, float]:
+    def seconds(self) -> dict[str, float]:
         """The duration of each test that passed."""
         cases = ElementTree.parse(self.kept / "times.xml").iter("testcase")
         return {

@@ -1,0 +1,98 @@
+"""Tests of a copy of the project with one fault, in a new process for each fault, for `make mutants`.
+
+Importing the libraries takes longer than most tests. Each process is therefore a fork of one that has imported them,
+and imports only the project.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+LEFT = (".git", "build", "*_cache", "__pycache__", ".hypothesis")
+SHARED = (".venv", "node_modules")
+OURS = ("app", "components", "physics", "reading", "tests", "tools")
+"""The project's own modules: a process imports them from its copy."""
+LIBRARIES = ["bokeh.plotting", "mpmath", "numpy", "panel", "scipy.integrate", "scipy.linalg", "scipy.optimize"]
+ENDLESS = 900.0
+"""Seconds after which tests count as stopped by the fault."""
+
+forks = get_context("forkserver")
+forks.set_forkserver_preload(LIBRARIES)
+
+
+def copied(source: Path, folder: Path) -> Path:
+    """Return a copy of the project. Its compiled modules are checked by their content, because two faults can have the
+    same size and second."""
+    shutil.copytree(source, folder, ignore=shutil.ignore_patterns(*LEFT, *SHARED))
+    for name in SHARED:
+        (folder / name).symlink_to((source / name).resolve())
+    compiled = ("-m", "compileall", "-q", "--invalidation-mode", "checked-hash", *OURS)
+    subprocess.run([sys.executable, *compiled], cwd=folder, check=False, capture_output=True)
+    return folder
+
+
+def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list[str]:
+    """Return the first test that fails in a copy of the project with the fault, or another reason why they stop."""
+    path = folder / file
+    sound = path.read_bytes()
+    ours, theirs = forks.Pipe(duplex=False)
+    process = forks.Process(target=_run, args=(theirs, folder, [*tests]))
+    try:
+        path.write_text(faulty, encoding="utf-8")
+        process.start()
+        theirs.close()
+        if not ours.poll(ENDLESS):
+            return ["no end"]
+        return list(ours.recv())
+    except EOFError:
+        return ["the process ends"]
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid or 0, signal.SIGKILL)
+        process.join()
+        path.write_bytes(sound)
+
+
+def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
+    """Run tests in a copy of the project until one fails."""
+    os.setsid()
+    os.chdir(folder)
+    with open(os.devnull, "w", encoding="utf-8") as nowhere:
+        os.dup2(nowhere.fileno(), 1)
+        os.dup2(nowhere.fileno(), 2)
+    sys.dont_write_bytecode = True
+    sys.path[:] = [str(folder), *(name for name in sys.path if name and Path(name) != ROOT)]
+    for name in [name for name in sys.modules if name.partition(".")[0] in OURS]:
+        del sys.modules[name]
+    failed = _Failed()
+    code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests], plugins=[failed])
+    answer.send(failed.names or ([f"exit {int(code)}"] if code not in (0, 5) else []))
+
+
+class _Failed:
+    """A plugin of pytest that notes which tests fail."""
+
+    def __init__(self) -> None:
+        self.names = list[str]()
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Note a test that fails."""
+        if report.failed:
+            self.names.append(report.nodeid)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Note a module that cannot be collected."""
+        if report.failed:
+            self.names.append(report.nodeid)
