@@ -53,6 +53,17 @@ def test_what_is_drawn_is_the_motion(case):
             assert abs(mp.mpf(value) - mp.mpf(text)) <= 6 * turns * U * size
 
 
+@settings(max_examples=tries(200))
+@given(*[log_uniform(-300, 300)] * 2, st.floats(0.0, 1.5), st.floats(-17.0, 2.0), st.sampled_from([-1, 0, 1]))
+def test_the_detuning_is_rounded_once(m, k, zeta, decades, side):
+    """The difference of two rounded frequencies would have no digit next to omega_d."""
+    one = DrivenOscillator(m=m, c=zeta * math.sqrt(k) * math.sqrt(m), k=k)
+    omega = max(one.free.omega_d * (1 + side * 10.0**decades), 0.0) or one.free.omega_n
+    with mp.workprec(3000):
+        square = mp.mpf(k) / mp.mpf(m) - (mp.mpf(one.c) / (2 * mp.mpf(m))) ** 2
+        assert ulps(one.push(omega).detuning, omega - mp.sqrt(max(square, 0))) <= 0.51
+
+
 @each_case
 def test_steady_part(case):
     X = system(case).response(**drive(case))

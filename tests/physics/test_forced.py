@@ -19,7 +19,7 @@ from physics.forced import (
 from tests.grids import tries
 from tests.physics.chain_cases import chain_with, each_family
 from tests.physics.chain_families import FAMILIES, drawn
-from tests.physics.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
+from tests.physics.chain_truth import SETUP_BITS, WORKING_BITS, Truth, U, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
@@ -64,6 +64,23 @@ def test_amplitudes_at_every_frequency(family):
         parameters = data.draw(drawn(family))
         omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
         check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
+
+    check()
+
+
+@each_family
+def test_detunings_are_rounded_once(family):
+    """Differences of two rounded frequencies would have no digit next to a resonance."""
+
+    @thorough
+    @given(st.data())
+    def check(data):
+        parameters = data.draw(drawn(family))
+        omega, true = data.draw(drives(parameters)), Truth(*parameters)
+        assume(true.omega[1] < LARGEST)
+        found = driven_modes(chain_with(parameters), 1.0, omega).detuning
+        with mp.workprec(SETUP_BITS):
+            assert all(ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
 
     check()
 
