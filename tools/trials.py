@@ -49,25 +49,37 @@ def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list
     sound = path.read_bytes()
     ours, theirs = forks.Pipe(duplex=False)
     process = forks.Process(target=_run, args=(theirs, folder, [*tests]))
+    path.write_text(faulty, encoding="utf-8")
     try:
-        path.write_text(faulty, encoding="utf-8")
         process.start()
         theirs.close()
-        if not ours.poll(ENDLESS):
-            return ["no end"]
-        return list(ours.recv())
+        return _answer(ours)
+    finally:
+        if process.pid:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.join()
+        path.write_bytes(sound)
+
+
+def _answer(process: Connection) -> list[str]:
+    """Return what a process says of its tests. Raises EOFError if it does not start."""
+    process.recv()
+    if not process.poll(ENDLESS):
+        return ["no end"]
+    try:
+        names: list[str] | None = process.recv()
     except EOFError:
         return ["the process ends"]
-    finally:
-        with suppress(ProcessLookupError):
-            os.killpg(process.pid or 0, signal.SIGKILL)
-        process.join()
-        path.write_bytes(sound)
+    if names is None:
+        raise ValueError("pytest does not know one of the tests.")
+    return names
 
 
 def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
     """Run tests in a copy of the project until one fails."""
     os.setsid()
+    answer.send(["started"])
     os.chdir(folder)
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
         os.dup2(nowhere.fileno(), 1)
@@ -78,7 +90,8 @@ def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
         del sys.modules[name]
     failed = _Failed()
     code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests], plugins=[failed])
-    answer.send(failed.names or ([f"exit {int(code)}"] if code not in (0, 5) else []))
+    is_unknown = code == pytest.ExitCode.USAGE_ERROR
+    answer.send(None if is_unknown else failed.names or ([f"exit {int(code)}"] if code not in (0, 5) else []))
 
 
 class _Failed:
