@@ -401,11 +401,15 @@ def _means(z: Array) -> tuple[Array, Array]:
 
 
 def _series(damping: float, square: float, tau: Array) -> tuple[Array, Array]:
-    """E2 and E3 (n,) as power series: each rate of change follows from the two before it."""
-    term, (before, now) = tau * tau / 2, (0.0, 1.0)
+    """E2 and E3 (n,) as power series: each rate of change follows from the two before it.
+
+    The rates are multiplied by powers of tau: those of a quick mass alone leave the range of doubles.
+    """
+    decay, turn, share = damping * tau, square * tau * tau, 0.5
+    before, now = np.zeros_like(tau), np.ones_like(tau)
     E2, E3 = np.zeros_like(tau), np.zeros_like(tau)
     for n in range(3, _TERMS):
-        E2, E3 = E2 + now * term, E3 + now * term * (tau / n)
-        before, now = now, -damping * now - square * before
-        term = term * (tau / n)
-    return E2, E3
+        E2, E3 = E2 + now * share, E3 + now * (share / n)
+        before, now = now, -decay * now - turn * before
+        share /= n
+    return E2 * tau**2, E3 * tau**3
