@@ -9,25 +9,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.language.signals import Responses
 from components.scenes.absorber import Absorber
-from physics.coupled import TwoMassChain
 from tests.page.headless_page import Page, change, set_values
 from tests.page.scripts import played
-from tests.scenes.checks import check_picture
 from tests.scenes.visible_sentences import sentences
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
-
-
-def test_book_example() -> None:
-    values = Absorber().shown.values
-    expected = {"Xp1": "0.00", "Xp2": "−13.6", "alone": "25.5", "slow": "40.3", "fast": "59.6", "mu": "0.160"}
-    assert {name: values[name] for name in expected} == expected
-    assert (values["help_low"], values["help_high"]) == ("42.6", "56.3")
-    assert values["found0"] == "nearest is 16.1 % away: ω₋ 40.3 rad/s"
-    assert values["found1"] == "xₚ: 0.00 mm; from rest within 5.18 mm"
-    assert values["found2"] == "xₚ: 13.6 mm; from rest within 26.9 mm"
 
 
 OWN = {"own": True, "omega": 1.0, "tuning": "free", "damping": "added", "view": "rest"}
@@ -122,32 +109,6 @@ def test_springs_end_on_the_smaller_mass(m2: float) -> None:
     assert 0 < scalars["hook"] <= min(scalars["side1"], scalars["side2"]) / 2
 
 
-def test_at_a_resonance_the_motion_grows_from_rest() -> None:
-    scene = Absorber(own=True, m1=2.0, k1=4.0, F_0=1.0, omega=1.0, m2=1.0, k2=2.0)
-    assert scene.shown.scalars["is_grow"] == 1
-    assert scene.shown.forms["why"] == "grow"
-    assert scene.shown.values["found1"] == "no Xₚ here: it grows without limit"
-    assert scene.shown.values["judged"] == "from rest"
-    grown = scene.shown.signals["x1"]
-    assert isinstance(grown, Responses)
-    assert len(grown.responses) == 2
-    check_picture(scene)
-
-
-@pytest.mark.parametrize("tuning", ["tuned", "free"])
-def test_hardly_an_ulp_from_a_resonance_is_a_resonance(tuning: str) -> None:
-    """A machine with sqrt(k1/m1) = sqrt(1/3), which is no double, driven there; a chain driven at its slow mode."""
-    scene = Absorber(own=True, m1=3.0, k1=1.0, F_0=1.0, omega=math.sqrt(1 / 3), m2=1.0)
-    slow = TwoMassChain(m1=3.0, m2=1.0, k1=1.0, k2=scene.k2).modes().omega[0]
-    if tuning == "free":
-        scene.set({"tuning": "free", "omega": float(slow)})
-        assert scene.shown.values["found1"] == "no Xₚ here: it grows without limit"
-        assert scene.shown.forms["first"] == "none"
-    else:
-        assert scene.shown.values["found1"].startswith("xₚ: 0.00 m; from rest within")
-        assert scene.shown.scalars["alone_grows"] == 1
-
-
 @pytest.mark.parametrize("values", [{"c": 313.7, "k2": 27.4e3}, {"c": 2000.0}, {"c": 20.0, "omega": 40.0}])
 def test_after_the_time_that_is_told_hardly_anything_is_left_of_the_transient(values: dict[str, float]) -> None:
     scene = Absorber(**values, damping="added", view="rest", tuning="free")
@@ -162,18 +123,6 @@ def test_after_the_time_that_is_told_hardly_anything_is_left_of_the_transient(va
 def test_what_is_left_of_a_transient_is_said_as_it_is(c: float) -> None:
     (told,) = (text for text in sentences(Absorber(**TWICE, c=c)) if "dies out" in text)
     assert "at most 1 %" not in told and ("each term to 1 % within" in told) == (c != 216.0)
-
-
-@pytest.mark.parametrize("view", ["goals", "rest"])
-def test_next_to_a_resonance_it_beats_and_does_not_grow_without_limit(view: str) -> None:
-    alone = Absorber(omega=50.0001, tuning="free", k2=36864.0, view=view).shown
-    assert (alone.scalars["alone_beats"], alone.scalars["alone_grows"]) == (1, 0)
-    slow = TwoMassChain(m1=M1, m2=16.0, k1=K1, k2=36864.0).modes().omega[0]
-    beside = Absorber(omega=float(slow) * (1 + 1e-6), tuning="free", k2=36864.0, view=view).shown
-    assert (beside.scalars["is_beat"], beside.forms["why"], beside.forms["why_rest"]) == (1, "beat", "beat")
-    assert "∞" not in "".join(beside.values.values())
-    loose = Absorber(omega=50.0001, tuning="detached", view=view).shown
-    assert (loose.forms["why"], loose.forms["why_rest"]) == ("detached", "beat")
 
 
 def drawn_to(told: dict[str, Any]) -> float:

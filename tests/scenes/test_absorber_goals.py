@@ -39,11 +39,6 @@ def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
     assert scene.shown.values["lightest"] == f"{mass * (1 + 1e-3):.4g} kg"
 
 
-def test_goals_see_swing_and_stroke() -> None:
-    assert met(Absorber(k2=30e3)) == [False, False, True]
-    assert met(Absorber(m2=10.0)) == [False, True, False]
-
-
 def test_score_is_the_lightest_mass_of_this_machine() -> None:
     scene = Absorber(m2=30.0)
     assert scene.shown.values["lightest"] == "30 kg"

@@ -12,7 +12,6 @@ import pytest
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.reach import REACHES, REMARKS
 from physics.analogues import ANALOGUES
-from tests.page.headless_page import apply_message
 from tests.page.scripts import played
 from tests.scenes.checks import quantities
 
@@ -80,14 +79,6 @@ def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
     scene = Analogues(system=slug)
     shown = [group.names for group in scene.groups if group.is_shown(scene.shown.forms)]
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])
-
-
-def test_many_half_waves_are_drawn_as_twelve_and_it_is_said() -> None:
-    scene = Analogues(system="string", string_n=100.0)
-    assert scene.shown.scalars["half_waves"] == 12
-    assert "12 half waves" in scene.shown.notes[0]
-    assert apply_message(scene, {"type": "typed", "name": "string_n", "text": "3"}) == {}
-    assert (scene.shown.scalars["half_waves"], scene.shown.notes) == (3, ())
 
 
 def test_defaults_lie_on_their_sliders() -> None:

@@ -34,14 +34,6 @@ def test_the_clock_plays_a_slow_period_in_four_to_ten_seconds() -> None:
         assert 4 <= 2 * math.pi / (slow or fast) * unit / scene.shown.pace.auto <= 10 + 1e-9
 
 
-def test_without_any_spring_both_drifts_are_described_as_one() -> None:
-    scene = Coupled(k1=0.0, k2=0.0, v1_0=1.0)
-    columns = scene.sources["time"].data
-    np.testing.assert_array_equal(columns["x1_slow"], columns["x1"])
-    assert "x1_fast" not in columns and scene.shown.forms["x1_fast"] == ""
-    assert scene.shown.forms["slow_omega"] == "two"
-
-
 def test_labels_are_on_the_directions_inside_the_plane() -> None:
     for values in ({}, {"k2": 0.0}, {"m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0}):
         scene = Coupled(**values)

@@ -170,27 +170,6 @@ def test_next_to_critical_it_crosses_only_where_it_is_thrown_faster_than_is_said
     assert told.startswith("It passes 0 once" if share > 1 else "It has fallen to 1 % of its start after"), told
 
 
-@pytest.mark.parametrize(
-    ("values", "told"),
-    [
-        ({"x_0": 0.0}, "It rests"),
-        ({"c": 0.0, "x_0": 0.15, "v_0": 0.4}, "Nothing is lost: every swing is as large as the last."),
-        ({"x_0": 0.0, "v_0": 1.0, "c": 40.0}, "It never passes 0 again."),
-        ({"x_0": 1e-12, "v_0": 1.0, "c": 40.0}, "It goes out to +0.0"),
-        ({"k": 0.0, "v_0": 1.0}, "No spring: it glides to rest 0.796 m further on."),
-        ({"k": 0.0, "c": 0.0, "v_0": 1.0}, "No spring and no dashpot"),
-        ({"k": 0.0}, "No spring, and a start at rest"),
-        (
-            {"c": 12.566622},
-            "It has fallen to 1 % of its start after 1.06 s and never passes 0; with three times the damping after "
-            "4.30",
-        ),
-    ],
-)
-def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
-    assert sentence(DAMPED(**values)).startswith(told)
-
-
 def test_mass_spring_and_dashpot_go_along_and_one_without_a_dashpot_brings_mass_and_spring() -> None:
     page = Page(SCENES["oscillator"](m=3.0, k=20.0))
 

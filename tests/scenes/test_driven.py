@@ -166,36 +166,6 @@ def test_the_presets_are_as_they_say() -> None:
     assert highest(0.2, "unbalance") == pytest.approx((1.04, 2.55), abs=5e-3)
 
 
-def test_without_a_dashpot_it_grows_at_resonance_and_the_text_says_so() -> None:
-    scene = taken("driven", "No dashpot")
-    assert sentence(scene) == "Nothing balances the push: each swing grows by the same 0.159 m."
-    assert "M_at" not in scene.shown.scalars and corners(scene)["growing"]
-    columns = scene.shown.sources["time"]
-    assert np.all(np.abs(columns["x"]) <= columns["upper"] + 0.03)
-    power = scene.shown.sources["power"]
-    assert not power["P_lost"].any() and power["P_in"][-1] > 2 * power["P_in"][len(power["t"]) // 2] * 0.9
-    below = DRIVEN(c=0.0, omega=4.0)
-    assert below.shown.scalars["lag_at"] == 0.0 and DRIVEN(c=0.0, omega=8.0).shown.scalars["lag_at"] == math.pi
-
-
-@pytest.mark.parametrize(
-    ("values", "told"),
-    [
-        ({"omega": 0.0}, "At ω = 0 nothing pushes"),
-        ({"F_0": 0.0, "x_0": 0.1}, "No push"),
-        ({"omega": 6.28331}, "At resonance the dashpot alone"),
-        ({"omega": math.sqrt(39.48), "c": 0.0, "v_0": 1.0}, "Nothing balances the push: in the end each swing grows"),
-        ({"kind": "base", "omega": math.sqrt(2 * 39.48)}, "At √2 every dashpot is alike"),
-        ({"kind": "base", "omega": 10.0, "c": 0.0}, "Beyond √2 the mass swings less than its base"),
-    ],
-)
-def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
-    scene = DRIVEN(**values)
-    assert sentence(scene).startswith(told)
-    if told.startswith(("At ω", "No push")):
-        assert corners(scene)["idle"] and not scene.shown.columns["power"]
-
-
 def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
     follows a band."""
@@ -303,12 +273,3 @@ def test_log_axes_mark_the_peak_the_width_and_the_natural_frequency(kind: Drive,
     assert scalars["natural"] == pytest.approx(0.0), "r = 1"
     drawn = np.interp(math.log(5.0), np.log(curve["omega"]), np.log(curve["M"]))
     assert math.exp(drawn) == pytest.approx(scene.of().M, rel=5e-3)
-
-
-def test_log_axes_change_no_number_and_no_other_view() -> None:
-    linear, log = DRIVEN(), DRIVEN(axes="log")
-    assert linear.numbers == log.numbers
-    assert not {"natural", "peak_up"} & linear.shown.scalars.keys()
-    forces = DRIVEN(axes="log", view="forces").shown
-    assert not forces.axes["M"].log and "natural" not in forces.scalars, "the arrows are on its scale"
-    assert "omega_at" not in DRIVEN(axes="log", omega=0.0).shown.scalars, "0 is on no log axis"

@@ -166,28 +166,6 @@ def test_its_sentence_is_true(push: Any, r: float, zeta: float, width: float, m:
         assert word == ("wide" if scene.zeta > 0.35 else "between")
 
 
-def test_a_harmonic_at_the_natural_frequency_grows_without_a_dashpot() -> None:
-    scene = DRIVEN(**EXACT, push="square", c=0.0, omega=2.0)
-    assert "Harmonic 3 has exactly the natural frequency" in sentence(scene)
-    x, t = (scene.sources["time"].data[name] for name in ("x", "t"))
-    assert "x_p" not in scene.sources["time"].data and scene.shown.notes == ()
-    rate = 4 * scene.F_0 / (3 * math.pi) / (2 * scene.m * 6.0)
-    assert f"{rate:.3g}" in sentence(scene)
-    late = t > t[-1] - math.pi
-    assert np.abs(x[late]).max() == pytest.approx(rate * t[-1], rel=0.2)
-    assert scene.sources["dots"].data["dot"].max() == scene.shown.axes["M"].end
-    assert "grows" not in sentence(DRIVEN(**EXACT, push="square", c=0.0, omega=math.nextafter(2.0, 3.0)))
-
-
-def test_a_missing_harmonic_is_harmless() -> None:
-    """The second harmonic of a square is missing, that of a pulse of a fifth of a period is not."""
-    scene = DRIVEN(**EXACT, push="square", c=0.0, omega=3.0)
-    assert "Harmonic 2 would be at the peak, but this push has none" in sentence(scene)
-    assert np.abs(scene.sources["time"].data["x"]).max() < 0.3
-    assert "Harmonic 2 has exactly" in sentence(DRIVEN(**EXACT, push="pulses", c=0.0, omega=3.0, width=0.2))
-    assert "would be" in sentence(DRIVEN(**EXACT, push="pulses", c=0.0, omega=3.0, width=0.5))
-
-
 @pytest.mark.parametrize("push", PUSHES)
 def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
     scene = DRIVEN(view="response", push=push)
@@ -248,30 +226,6 @@ def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices
     assert area == pytest.approx(np.abs(mass.force(middles)).mean() * t[-1])
     assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
     assert np.count_nonzero(tails["tail_t"] == t[-1]) <= 14
-
-
-def test_impulses_are_slices_already() -> None:
-    scene = DRIVEN(view="convolution", push="impulses", omega=2.0)
-    assert "x_sliced" not in scene.sources["time"].data and "misses" not in scene.numbers
-    assert "An impulse is a slice already" in sentence(scene, "sums") and not scene.shown.forms["has_slices"]
-    assert scene.sources["outline"].data["slice"].max() == scene.J
-    assert scene.shown.forms["tail"] == "each_jolt"
-
-
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ({"kind": "base"}, "about a force"),
-        ({"F_0": 0.0}, "No push"),
-        ({"omega": 0.0}, "No push"),
-        ({"push": "step", "window": 1e3}, "too fast for a line"),
-        ({"push": "impulses", "omega": 1e5}, "too fast for a line"),
-    ],
-)
-def test_without_slices_the_page_says_why(values: dict[str, Any], words: str) -> None:
-    scene = DRIVEN(view="convolution", **values)
-    assert words in sentence(scene, "sums")
-    assert "x_sliced" not in scene.sources["time"].data and not len(scene.sources["outline"].data)
 
 
 def test_a_hand_sets_the_push_where_it_is_drawn() -> None:

@@ -56,12 +56,6 @@ def test_other_planets_are_marked_where_the_mass_would_hang() -> None:
     assert scalars["planet0"] - scalars["natural"] == pytest.approx(1.62 / 39.4)
 
 
-def test_a_natural_length_far_away_is_left_out_of_the_picture() -> None:
-    scene = Energy(x_0=0.001)
-    assert (scene.shown.scalars["natural_seen"], scene.shown.scalars["natural_far"]) == (0.0, 1.0)
-    assert scene.shown.axes["x"].end == pytest.approx(-0.00125)
-
-
 def test_the_button_of_the_planet_in_force_is_known() -> None:
     scene = Energy()
     assert scene.here() == ["earth"]

@@ -55,12 +55,6 @@ def test_a_dot_that_has_left_the_frame_is_marked() -> None:
     assert [Forced().shown.scalars[name] for name in marks] == [0, 0, 0, 0]
 
 
-@pytest.mark.parametrize(("omega", "ways"), [(0.3, "with with"), (0.8, "against against"), (1.3, "with against")])
-def test_with_or_against_the_push_is_said(omega: float, ways: str) -> None:
-    shown = Forced(omega=omega).shown
-    assert [shown.values[f"way{i}"] for i in (1, 2)] == [f"{way} F" for way in ways.split()]
-
-
 def test_growth_at_resonance_is_said_and_drawn() -> None:
     """m1 = 2, m2 = 1, k1 = 4, k2 = 2 at omega_- = 1: M_- = 6 kg, so x1 grows by F_0/(2 M_- omega_-) = 1/12 m/s."""
     scene = Forced(m1=2.0, k1=4.0, k2=2.0, omega=1.0)
@@ -73,12 +67,6 @@ def test_growth_at_resonance_is_said_and_drawn() -> None:
     assert np.all(np.abs(data["x1"]) < np.interp(data["t"], limit["t"], limit["x1_beat"]) + 0.2)
 
 
-def test_a_long_window_bends_the_line_into_a_beat() -> None:
-    short, long = Forced(omega=1 / GOLDEN + 2e-5), Forced(omega=1 / GOLDEN + 2e-5, window=2e5)
-    assert (short.shown.forms["x1_limit"], long.shown.forms["x1_limit"]) == ("grows", "beats")
-    assert "x1_growth" not in short.sources["limit"].data and "x1_growth" in long.sources["limit"].data
-
-
 def test_forces_on_demand_are_newtons_law() -> None:
     assert "F1" not in Forced().shown.signals
     scene = Forced(view="forces", x1_0=0.5, v2_0=-1.0)
@@ -89,13 +77,6 @@ def test_forces_on_demand_are_newtons_law() -> None:
     scalars = scene.shown.scalars
     assert scalars["newton"] * max(np.abs(F1).max(), np.abs(F2).max(), scene.F_0) == pytest.approx(LENGTH)
     assert scalars["push"] == pytest.approx(scalars["newton"] * scene.F_0)
-
-
-def test_lecture_axes_are_not_offered_without_a_wall() -> None:
-    scene = Forced(k1=0.0, axes="lecture")
-    assert scene.shown.axes["X"].unit == "m"
-    assert scene.shown.forms["lecture"] == ""
-    assert any("k₁" in note for note in scene.shown.notes)
 
 
 def test_near_resonance_the_parts_give_way_to_the_envelope() -> None:
@@ -129,12 +110,6 @@ def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None
         assert scene.shown is before
     # The frequency is between two doubles; only these two are at most an ulp away.
     assert seen[0] == "resonance" and seen.count("resonance") == 2
-
-
-def test_without_a_force_nothing_resonates() -> None:
-    scene = Forced(F_0=0.0, omega=1 / GOLDEN)
-    assert scene.shown.forms["steady"] == "rest"
-    assert apply_message(scene, {"type": "act", "name": "steady"}) == {}
 
 
 def test_work_is_the_gain_of_energy() -> None:

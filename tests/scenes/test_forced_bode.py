@@ -127,7 +127,3 @@ def test_the_dot_of_nyquist_stays_on_its_curve_where_the_hand_leaves_it() -> Non
     found = [(hand.move((x + dx, y + dy)), hand.at()) for dx, dy in ways]
     for values, moved in found:
         assert math.dist(place(LIGHT, 1, values["omega"]), moved or ()) < 1.0
-
-
-def test_without_dashpots_no_hand_can_take_the_dots_of_nyquist() -> None:
-    assert "unit" not in SCENES["forced"](view="nyquist").shown.scalars

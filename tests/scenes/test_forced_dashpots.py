@@ -81,13 +81,6 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
     assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
 
 
-def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
-    """The zero of mass 1 at sqrt(k2/m2) is marked if it exists."""
-    assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
-    assert Forced(c1=0.2, k1=0.0).shown.scalars["mark_minus"] == Forced(k1=0.0).shown.scalars["mark_minus"] == 0.0
-    assert Forced(c1=0.2, omega=1.0).numbers["Xp1"].value == 0.0 < Forced(c2=0.2, omega=1.0).numbers["Xp1"].value
-
-
 @pytest.mark.parametrize("curve", ["size", "signed", "log"])
 @pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
 def test_the_response_is_drawn_of_sizes(curve: str, c1: float, c2: float) -> None:

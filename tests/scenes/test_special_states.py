@@ -1,0 +1,212 @@
+"""Special states of the scenes: at rest, at a resonance, without a spring, in the examples of the lecture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import pytest
+
+from components.layout.sheet import blocks
+from components.scene.face import SceneFace
+from components.scenes import SCENES
+from physics.coupled import TwoMassChain
+from tests.scenes.checks import check_picture
+from tests.scenes.visible_sentences import read, visible_text
+
+GOLDEN = (math.sqrt(5) - 1) / 2
+OWN = math.sqrt(39.48)
+"""The natural frequency of the default mass and spring."""
+EXACT = {"view": "harmonics", "m": 1.0, "k": 36.0, "c": 0.0}
+"""A driven mass with the natural frequency 6 rad/s."""
+MACHINE = {"own": True, "m1": 3.0, "k1": 1.0, "F_0": 1.0, "m2": 1.0}
+"""sqrt(k1/m1) = sqrt(1/3) is no double."""
+
+
+def slow(**chain: float) -> float:
+    return float(TwoMassChain(**chain).modes().omega[0])
+
+
+BESIDE = {"tuning": "free", "k2": 36864.0, "omega": slow(m1=100.0, m2=16.0, k1=250e3, k2=36864.0) * (1 + 1e-6)}
+ALONE_BESIDE = {"omega": 50.0001, "tuning": "free", "k2": 36864.0}
+Given = dict[str, Any]
+STATES: dict[str, list[tuple[Given, Given]]] = {
+    "oscillator": [
+        ({"view": "force", "k": 1e5, "x_0": 0.2, "v_0": 0.0}, {"values.F_unit": "·10³ N", "scalars.forced": 1}),
+        ({"view": "force", "k": 0.0}, {"scalars.forced": 0}),
+        ({}, {"signals.F": None, "scalars.forced": 0}),
+    ],
+    "energy": [
+        ({"x_0": 0.001}, {"scalars.natural_seen": 0, "scalars.natural_far": 1, "axes.x.end": -0.00125}),
+    ],
+    "analogues": [
+        ({"system": "string", "string_n": 100.0}, {"scalars.half_waves": 12, "notes": "12 half waves"}),
+        ({"system": "string", "string_n": 3.0}, {"scalars.half_waves": 3, "notes": None}),
+    ],
+    "phugoid": [
+        ({"excess": 0.0}, {"values.verdict": "Steady level flight: nothing swings."}),
+        ({"view": "limits"}, {"scalars.family_named": 1}),
+        ({"view": "limits", "excess": 3.0}, {"scalars.family_named": 0}),
+        ({}, {"values.tau": "20.7", "values.omega": "0.303", "values.tau_model": "4.83 s"}),
+        ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
+    ],
+    "damped": [
+        ({"x_0": 0.0}, {"said": "It rests"}),
+        ({"c": 0.0, "x_0": 0.15, "v_0": 0.4}, {"said": "Nothing is lost: every swing is as large as the last."}),
+        ({"x_0": 0.0, "v_0": 1.0, "c": 40.0}, {"said": "It never passes 0 again."}),
+        ({"x_0": 1e-12, "v_0": 1.0, "c": 40.0}, {"said": "It goes out to +0.0"}),
+        ({"k": 0.0, "v_0": 1.0}, {"said": "No spring: it glides to rest 0.796 m further on."}),
+        ({"k": 0.0, "c": 0.0, "v_0": 1.0}, {"said": "No spring and no dashpot"}),
+        ({"k": 0.0}, {"said": "No spring, and a start at rest"}),
+        ({"c": 12.566622}, {"said": "It has fallen to 1 % of its start after 1.06 s and never passes 0; with three"}),
+        ({"c": 12.566622}, {"said": "with three times the damping after 4.30"}),
+    ],
+    "driven": [
+        ({"omega": 0.0}, {"holds": "At ω = 0 nothing pushes", "scalars.polygon_idle": 1, "columns.power": None}),
+        ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),
+        ({"omega": 6.28331}, {"holds": "At resonance the dashpot alone"}),
+        ({"omega": OWN, "c": 0.0, "v_0": 1.0}, {"holds": "Nothing balances the push: in the end each swing grows"}),
+        (
+            {"omega": OWN, "c": 0.0},
+            {
+                "holds": "Nothing balances the push: each swing grows by the same 0.159 m.",
+                "scalars.M_at": None,
+                "scalars.polygon_growing": 1,
+            },
+        ),
+        ({"kind": "base", "omega": math.sqrt(2) * OWN}, {"holds": "At √2 every dashpot is alike"}),
+        ({"kind": "base", "omega": 10.0, "c": 0.0}, {"holds": "Beyond √2 the mass swings less than its base"}),
+        ({"c": 0.0, "omega": 4.0}, {"scalars.lag_at": 0.0}),
+        ({"c": 0.0, "omega": 8.0}, {"scalars.lag_at": math.pi}),
+        ({"axes": "log", "omega": 0.0}, {"scalars.omega_at": None}),
+        ({"axes": "log", "view": "forces"}, {"scalars.natural": None, "axes.M.log": False}),
+        ({}, {"scalars.natural": None, "scalars.peak_up": None}),
+        ({"view": "harmonics"}, {"forms.meets": "sine"}),
+        ({"push": "impulse", "J": 0.0, "x_0": 0.1}, {"forms.meets": "idle"}),
+        ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "Harmonic 3 has exactly the natural frequency"}),
+        ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "0.0707"}),  # 4 F_0/(3 π) over 2 m 3 ω
+        ({**EXACT, "push": "square", "omega": 2.0}, {"sources.time.x_p": None, "notes": None}),
+        ({**EXACT, "push": "square", "omega": math.nextafter(2.0, 3.0)}, {"not meets": "grows"}),
+        ({**EXACT, "push": "square", "omega": 3.0}, {"meets": "Harmonic 2 would be at the peak, but this push"}),
+        ({**EXACT, "push": "pulses", "omega": 3.0, "width": 0.2}, {"meets": "Harmonic 2 has exactly"}),
+        ({**EXACT, "push": "pulses", "omega": 3.0, "width": 0.5}, {"meets": "would be"}),
+        ({"view": "convolution", "kind": "base"}, {"sums": "about a force", "sources.time.x_sliced": None}),
+        ({"view": "convolution", "F_0": 0.0}, {"sums": "No push", "columns.outline": None}),
+        ({"view": "convolution", "omega": 0.0}, {"sums": "No push", "columns.outline": None}),
+        ({"view": "convolution", "push": "step", "window": 1e3}, {"sums": "too fast for a line"}),
+        ({"view": "convolution", "push": "impulses", "omega": 1e5}, {"sums": "too fast for a line"}),
+        (
+            {"view": "convolution", "push": "impulses", "omega": 2.0},
+            {"sums": "An impulse is a slice already", "forms.has_slices": "", "forms.tail": "each_jolt"},
+        ),
+    ],
+    "coupled": [
+        ({"x1_0": 0.0}, {"text": "Nothing moves"}),
+        ({"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1e12}, {"forms.beat": "apart"}),
+        ({"k1": 0.0, "k2": 0.0, "v1_0": 1.0}, {"sources.time.x1_fast": None, "forms.slow_omega": "two"}),
+        ({"view": "forces"}, {"values.force_unit": "N"}),
+        ({}, {"signals.F1": None}),
+    ],
+    "modes": [
+        ({"view": "sweep"}, {"scalars.cross": math.log10(4)}),  # m1 k2 = m2 (k1 + k2): 2 k2 = 4 + k2
+        ({"view": "guess", "omega": math.sqrt(3)}, {"values.a11": "0.00", "values.row1": "+0.00"}),
+        ({"view": "guess", "omega": math.nextafter(1.0, 2.0)}, {"forms.agree": "same_slow", "values.D": "0.00"}),
+        ({"view": "guess", "omega": math.nextafter(2.0, 1.0)}, {"forms.agree": "same_fast", "values.apart": "0.00"}),
+        (
+            {"view": "hunt"},
+            {"forms.answer": "", "columns.answer": None, "values.answer_slow": None, "values.omega_slow": None},
+        ),
+        ({"view": "hunt", "answer": "shown"}, {"values.answer_slow": "+2.00", "values.answer_fast": "−1.00"}),
+    ],
+    "forced": [
+        (
+            {"curve": "signed", "axes": "lecture"},
+            {"scalars.mark_minus": GOLDEN, "scalars.mark_plus": 1 / GOLDEN, "scalars.mark_still": 1.0},
+        ),
+        ({"k1": 0.0, "axes": "lecture"}, {"forms.lecture": "", "notes": "k₁", "axes.X.unit": "m"}),
+        ({"omega": 0.3}, {"values.way1": "with F", "values.way2": "with F"}),
+        ({"omega": 0.8}, {"values.way1": "against F", "values.way2": "against F"}),
+        ({"omega": 1.3}, {"values.way1": "with F", "values.way2": "against F"}),
+        ({"F_0": 0.0, "omega": GOLDEN}, {"forms.steady": "rest"}),
+        ({"m1": 2.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}, {"values.growth1": "0.0833", "values.growth2": "0.167"}),
+        ({"omega": GOLDEN + 2e-5}, {"forms.x1_limit": "grows", "sources.limit.x1_growth": None}),
+        ({"omega": GOLDEN + 2e-5, "window": 2e5}, {"forms.x1_limit": "beats"}),
+        ({"omega": (1 + 1e-9) * GOLDEN}, {"sources.time.x1_p": None, "notes": "far larger than their sum"}),
+        ({"view": "bode", "omega": 1.0}, {"text": "Mass 1 is still: no lag"}),
+        ({"view": "bode", "omega": 1.0}, {"text": "mass 2 lags 180°"}),
+        ({"view": "nyquist"}, {"scalars.unit": None}),
+        ({"c1": 0.2, "omega": 1.0}, {"numbers.Xp1": 0.0, "scalars.mark_still": 1.0}),
+        ({"c2": 0.2}, {"scalars.mark_still": None}),
+        ({"c1": 0.2, "k1": 0.0}, {"scalars.mark_minus": 0.0}),
+        ({"k1": 0.0}, {"scalars.mark_minus": 0.0}),
+        ({"c1": 0.4, "omega": 0.0}, {"notes": "At ω = 0 the force F₀ sin ωt is 0 at all times."}),
+    ],
+    "absorber": [
+        ({}, {"values.Xp1": "0.00", "values.Xp2": "−13.6", "values.alone": "25.5", "values.slow": "40.3"}),
+        ({}, {"values.help_low": "42.6", "values.help_high": "56.3", "values.fast": "59.6", "values.mu": "0.160"}),
+        ({}, {"values.found0": "nearest is 16.1 % away: ω₋ 40.3 rad/s"}),
+        ({}, {"values.found1": "xₚ: 0.00 mm; from rest within 5.18 mm"}),
+        ({}, {"values.found2": "xₚ: 13.6 mm; from rest within 26.9 mm"}),
+        (
+            {"own": True, "m1": 2.0, "k1": 4.0, "F_0": 1.0, "omega": 1.0, "m2": 1.0, "k2": 2.0},
+            {
+                "forms.why": "grow",
+                "scalars.is_grow": 1,
+                "values.found1": "no Xₚ here: it grows without limit",
+                "values.judged": "from rest",
+            },
+        ),
+        ({**MACHINE, "omega": math.sqrt(1 / 3)}, {"values.found1": "xₚ: 0.00 m; from rest within"}),
+        (
+            {**MACHINE, "tuning": "free", "omega": slow(m1=3.0, m2=1.0, k1=1.0, k2=1 / 3), "k2": 1 / 3},
+            {"values.found1": "no Xₚ here: it grows without limit", "forms.first": "none"},
+        ),
+        ({"omega": 50.0001, "tuning": "detached"}, {"forms.why": "detached", "forms.why_rest": "beat"}),
+        (ALONE_BESIDE, {"scalars.alone_beats": 1, "scalars.alone_grows": 0}),
+        (BESIDE, {"scalars.is_beat": 1, "forms.why": "beat", "forms.why_rest": "beat"}),
+        ({**BESIDE, "view": "rest"}, {"forms.why_rest": "beat"}),
+        ({"k2": 30e3}, {"scalars.met0": 0, "scalars.met1": 0, "scalars.met2": 1}),
+        ({"m2": 10.0}, {"scalars.met0": 0, "scalars.met1": 1, "scalars.met2": 0}),
+    ],
+}
+"""States of each scene and what they show: numbers, scalars, forms and values by name, None if there is none; a part
+of the sentence with a name; a part of all visible sentences or notes."""
+
+
+def found(scene: SceneFace, place: str) -> Any:
+    """The content of a place of a picture: numbers.X, sources.time.x, text, notes, or the name of a sentence."""
+    part, *names = place.split(".")
+    if not names:
+        texts = {"text": visible_text(scene), "notes": "\n".join(scene.shown.notes)}
+        return texts[part] if part in texts else sentence(scene, part)
+    level: Any = scene.numbers if part == "numbers" else getattr(scene.shown, part)
+    for name in names:
+        level = level.get(name) if isinstance(level, Mapping) else getattr(level, name, None)
+    return getattr(level, "value", level)
+
+
+def sentence(scene: SceneFace, name: str) -> str:
+    texts = (item for block in blocks(scene.sheet()) for item in getattr(block, "items", ()))
+    variants = next(item.variants for item in texts if item.name == name)
+    return read(scene, variants[scene.shown.forms[name]])
+
+
+@pytest.mark.parametrize(
+    ("slug", "values", "shown"),
+    [(slug, values, shown) for slug, rows in STATES.items() for values, shown in rows],
+    ids=str,
+)
+def test_a_special_state_shows(slug: str, values: Given, shown: Given) -> None:
+    scene = SCENES[slug](**values)
+    check_picture(scene)
+    for place, expected in shown.items():
+        told = found(scene, place.removeprefix("not "))
+        if place.startswith("not "):
+            assert expected not in told
+        elif expected is None:
+            assert told is None or not len(told), place
+        elif isinstance(expected, str) and place.split(".")[0] != "forms":
+            assert expected in told, place
+        else:
+            assert told == (expected if isinstance(expected, str) else pytest.approx(expected, rel=1e-3)), place
