@@ -26,73 +26,45 @@ afterEach(() => {
   mock.reset()
 })
 
-const say = (/** @type {string} */ to, more = false) => address.write({address: to, entry: {}}, more)
+const say = (/** @type {number} */ m, more = false) => address.write({address: `?m=${m}`, entry: {}}, more)
+const some = () => [2, 3, 4].forEach(m => say(m))
+const tick = (/** @type {number} */ ms) => mock.timers.tick(ms)
 
-test("a change alone is written at once", () => {
-  say("?m=2")
-  assert.deepEqual(written, ["?m=2"])
-  happens("pagehide")
-  assert.equal(written.length, 1)
-})
-
-test("a few changes in quick succession are each written at once, so that a reload finds them", () => {
-  for (const to of ["?m=2", "?m=3", "?m=4"]) say(to)
-  assert.deepEqual(written, ["?m=2", "?m=3", "?m=4"])
-})
-
-/** Eleven changes: the most that are written at once. */
-const spent = () => {
-  for (let at = 0; at < 11; at++) say(`?m=${at}`)
+/** Makes the most changes that are written at once; the next waits. */
+function spend() {
+  for (let m = 0; m < 11; m++) say(m)
   written = []
 }
 
-test("after many changes in quick succession the last is written, with a short delay", () => {
-  spent()
-  for (const to of ["?m=2", "?m=3", "?m=4"]) say(to)
-  mock.timers.tick(349)
-  assert.deepEqual(written, [])
-  mock.timers.tick(1)
-  assert.deepEqual(written, ["?m=4"])
-})
+for (const [name, act, expected] of /** @type {[string, () => void, string[]][]} */ ([
+  ["a few changes are each written at once, so that a reload finds them", some, ["?m=2", "?m=3", "?m=4"]],
+  ["nothing is written again when the page is left", () => (say(2), happens("pagehide")), ["?m=2"]],
+  ["a change waits while more follow", () => (say(2, true), tick(349)), []],
+  ["what followed is written at once", () => (say(2, true), say(3)), ["?m=3"]],
+  ["a change after many waits", () => (spend(), some(), tick(349)), []],
+  ["only the last of them is written", () => (spend(), some(), tick(350)), ["?m=4"]],
+  [
+    "it is written once when the page is left",
+    () => (spend(), some(), happens("pagehide"), happens("pagehide")),
+    ["?m=4"],
+  ],
+  ["it is not written into another history entry", () => (spend(), some(), happens("popstate"), tick(1000)), []],
+  [
+    "it is written before a new entry",
+    () => (spend(), some(), address.turn({address: "?m=5", entry: {}})),
+    ["?m=4", "new ?m=5"],
+  ],
+]))
+  test(name, () => {
+    act()
+    assert.deepEqual(written, expected)
+  })
 
-test("nothing is written while changes continue", () => {
-  say("?m=2", true)
-  assert.deepEqual(written, [])
-  say("?m=3")
-  assert.deepEqual(written, ["?m=3"])
-})
-
-test("the address is written less than a hundred times in 30 s", () => {
-  for (const pause of [1, 10, 100, 201, 309, 311, 500]) {
-    written = []
+for (const pause of [1, 10, 100, 201, 309, 311, 500])
+  test(`changes every ${pause} ms are written less than a hundred times in 30 s`, () => {
     for (let at = 0; at < 30_000; at += pause) {
-      say(`?m=${at}`)
-      mock.timers.tick(pause)
+      say(at)
+      tick(pause)
     }
-    assert.ok(written.length > 40 && written.length < 100, `${pause} ms: ${written.length} times`)
-  }
-})
-
-test("a pending change is written when the page is left", () => {
-  spent()
-  say("?m=3")
-  happens("pagehide")
-  assert.deepEqual(written, ["?m=3"])
-  happens("pagehide")
-  assert.equal(written.length, 1)
-})
-
-test("a pending change of one history entry is not written into another", () => {
-  spent()
-  say("?m=3")
-  happens("popstate")
-  mock.timers.tick(1000)
-  assert.deepEqual(written, [])
-})
-
-test("a new step is a separate entry, after the pending change is written", () => {
-  spent()
-  say("?m=3")
-  address.turn({address: "?scene=forced", entry: {}})
-  assert.deepEqual(written, ["?m=3", "new ?scene=forced"])
-})
+    assert.ok(written.length > 40 && written.length < 100, `${written.length} times`)
+  })

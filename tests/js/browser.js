@@ -73,12 +73,12 @@ export function clock() {
   })
 }
 
-/** Let time pass and run everything that is due. @param {number} ms */
-export async function pass(ms) {
+/** Let time pass and run everything that is due, to the next `step`. @param {number} ms @param {number} [step] */
+export async function pass(ms, step = 5) {
   const end = Date.now() + ms
   await settled()
   while (Date.now() < end) {
-    mock.timers.tick(Math.min(5, end - Date.now()))
+    mock.timers.tick(Math.min(step, end - Date.now()))
     await settled()
   }
 }
@@ -128,4 +128,31 @@ export function events(signal) {
   const answer = new Response(body, {headers: {"Lecture-Version": "1"}})
   const say = news => control.enqueue(new TextEncoder().encode(`data: ${JSON.stringify(news)}\n\n`))
   return {answer, say, end: () => control.close()}
+}
+
+/** A server's refusal with a sentence. @param {number} status @param {string} sentence */
+export const refusing = (status, sentence) => () => Response.json({sentence}, {status})
+
+/** Numbers from 0 to 1, the same in each run. */
+export function numbers(seed = 1) {
+  let state = (seed * 1_299_709) % 2147483647
+  return () => (state = (state * 16807) % 2147483647) / 2147483647
+}
+
+/** A browser's storage, whose names are its own keys. */
+export function storage(setItem = store) {
+  const hidden = value => ({value, enumerable: false})
+  return Object.create(null, {
+    getItem: hidden(function (name) {
+      return this[name] ?? null
+    }),
+    setItem: hidden(setItem),
+    removeItem: hidden(function (name) {
+      delete this[name]
+    }),
+  })
+}
+
+function store(name, text) {
+  this[name] = String(text)
 }

@@ -3,35 +3,42 @@
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
 
-import {FakeServer, clock, events, happens, pass} from "./browser.js"
+import {FakeServer, clock, events, happens, pass, refusing} from "./browser.js"
 
 const {STATES, Stream} = await import("../../static/live_class/stream.js")
 
-let server, stream, heard
+/** @type {FakeServer} */ let server
+let stream, heard, streams
 
 beforeEach(() => {
   clock()
   server = new FakeServer()
+  streams = []
   heard = {news: [], connected: [], refused: []}
 })
 
-afterEach(() => {
+afterEach(async () => {
   stream?.close()
+  const {length} = server.asked
+  await pass(60000, 500)
+  assert.equal(server.asked.length, length, "a closed stream sends no request")
   mock.timers.reset()
   mock.reset()
 })
 
+const opened = signal => streams[streams.push(events(signal)) - 1].answer
+
+/** Answer requests for a stream with one that the test writes to. */
+const served = (path, signal) => (path.includes("/events") ? opened(signal) : undefined)
+
 function begin(more) {
   stream = new Stream("ABCD", "word", {
-    ...more,
-    news: news => heard.news.push(news.number),
-    refused: refusal => heard.refused.push(refusal.message),
+    news: ({number}) => heard.news.push(number),
+    refused: ({message}) => heard.refused.push(`${message} ${Date.now()}`),
     connected: (is, why = "") => heard.connected.push(is || why),
+    ...more,
   })
 }
-
-const refuse = (status, sentence) => () => Response.json({sentence}, {status})
-const news = number => () => Response.json({number})
 
 test("each state leads to an existing one, and finally to polling", () => {
   for (const name of Object.keys(STATES)) {
@@ -41,27 +48,32 @@ test("each state leads to an existing one, and finally to polling", () => {
   }
 })
 
-test("a stream is read until it ends and then resumed at the same event", async () => {
-  const streams = []
-  server.answers = (path, signal) => streams[streams.push(events(signal)) - 1].answer
-  begin()
+test("a stream that ends or is silent is resumed at the same event; faults of the page do not end it", async () => {
+  mock.method(console, "warn", () => {})
+  server.answers = served
+  const news = ({number}) => {
+    heard.news.push(number)
+    throw new TypeError("a fault")
+  }
+  begin({news})
   await pass(10)
   streams[0].say({number: "a.1"})
   streams[0].say({number: "a.2"})
-  await pass(20000)
-  assert.deepEqual(heard.news, ["a.1", "a.2"])
-  streams[0].end()
-  await pass(400)
-  assert.deepEqual(server.times("events?after=").length, 2)
-  assert.equal(server.asked[1].path, "ABCD/events?after=a.2")
-  assert.deepEqual(heard.connected, [true, true, ""])
+  await pass(24000, 50)
+  assert.deepEqual([heard.news, streams.length], [["a.1", "a.2"], 1])
+  await pass(3000)
+  assert.equal(streams.length, 2)
+  streams[1].end()
+  await pass(700)
+  const paths = server.asked.map(({path}) => path)
+  assert.deepEqual(paths, ["ABCD/events?after=", "ABCD/events?after=a.2", "ABCD/events?after=a.2"])
+  assert.deepEqual(heard.connected.slice(0, 3), [true, true, ""])
 })
 
 test("a silent stream is replaced by polling, and tried again in parallel", async () => {
-  let late
   server.answers = (path, signal) => {
-    if (path.includes("/now")) return news("a.1")()
-    if (Date.now() > 60000) return (late = events(signal)).answer
+    if (path.includes("/now")) return Response.json({number: "a.1"})
+    if (Date.now() > 60000) return opened(signal)
   }
   begin()
   await pass(2990)
@@ -69,59 +81,52 @@ test("a silent stream is replaced by polling, and tried again in parallel", asyn
   await pass(4000)
   assert.equal(stream.by, "now")
   assert.deepEqual(server.times("/now"), [3000, 4000, 5000, 6000])
-  await pass(57100)
+  await pass(57100, 50)
   assert.equal(server.times("/events").length, 2)
-  late.say({number: "a.2"})
+  streams[0].say({number: "a.2"})
   await pass(10)
   assert.equal(stream.by, "events")
   assert.ok(!heard.connected.includes(""))
-  late.say({number: "a.3"})
+  streams.at(-1).say({number: "a.3"})
   await pass(2000)
   assert.equal(heard.news.at(-1), "a.3")
   assert.ok(server.times("/now").at(-1) < 64200)
 })
 
 test("a page that wakes up reconnects quickly and drops dead connections", async () => {
-  let last
-  server.answers = (path, signal) => (path.includes("/events") ? (last = events(signal)).answer : undefined)
+  server.answers = served
   begin()
   await pass(1)
-  last.say({number: "a.1"})
+  streams[0].say({number: "a.1"})
   await pass(10000)
-  const {answers} = server
   server.answers = () => {}
   const woken = Date.now()
   happens("online")
   await pass(1000)
-  assert.deepEqual(
-    server
-      .times("/events")
-      .slice(1)
-      .map(at => at - woken),
-    [0, 150, 380, 720],
-  )
+  const after = server.times("/events").map(at => at - woken)
+  assert.deepEqual(after.slice(1), [0, 150, 380, 720])
   assert.equal(server.times("time").length, 15)
-  server.answers = answers
+  server.answers = served
   await pass(600)
-  last.say({number: "a.2"})
+  streams.at(-1).say({number: "a.2"})
   await pass(1)
   assert.equal(stream.state, "events")
   assert.ok(server.asked.filter(({path}) => path === "time").every(({signal}) => signal.aborted))
 })
 
 test("a hidden page has no stream and sends no request until it is visible, then at once", async () => {
-  const seen = is => {
-    document.hidden = !is
+  const hide = is => {
+    document.hidden = is
     document.dispatchEvent(new Event("visibilitychange"))
   }
-  server.answers = (path, signal) => events(signal).answer
+  server.answers = served
   begin({sleeps: true})
   await pass(10)
-  seen(false)
-  await pass(30000)
+  hide(true)
+  await pass(30000, 50)
   assert.ok(server.asked[0].signal.aborted)
   assert.equal(server.asked.length, 1)
-  seen(true)
+  hide(false)
   await pass(10)
   assert.equal(server.asked.length, 2)
 })
@@ -131,7 +136,7 @@ test("an unreachable page asks less and less often, and at once when the network
     throw new TypeError("Failed to fetch")
   }
   begin()
-  await pass(60000)
+  await pass(60000, 50)
   const times = server.times("/events")
   const pauses = times.slice(1).map((at, i) => at - times[i])
   assert.deepEqual(pauses, [300, 600, 1200, 2400, 4800, 8000, 8000, 8000, 8000, 8000, 8000])
@@ -142,67 +147,26 @@ test("an unreachable page asks less and less often, and at once when the network
   assert.equal(heard.refused.length, 0)
 })
 
-test("a missing class ends the stream after some tries, a full server never", async () => {
-  server.answers = refuse(503, "Try later.")
-  begin()
-  await pass(60000)
-  assert.ok(heard.connected.every(why => why === "Try later.") && !heard.refused.length)
-  server.answers = refuse(404, "No class has this code.")
-  await pass(60000)
-  assert.deepEqual(heard.refused, ["No class has this code."])
-  const count = server.asked.length
-  happens("online")
-  await pass(60000)
-  assert.equal(server.asked.length, count)
-})
-
-test("a restarted server has half a minute to restore the class, for the instructor's page none", async () => {
-  server.answers = (path, signal) => (Date.now() < 25000 ? refuse(404, "Not there.")() : events(signal).answer)
-  begin()
-  await pass(60000)
-  assert.equal(heard.refused.length, 0)
-  stream.close()
-  server.answers = refuse(404, "Not there.")
-  const count = server.asked.length
-  begin({doubt: 0})
-  await pass(60000)
-  assert.equal(server.asked.length, count + 1)
-  assert.deepEqual(heard.refused, ["Not there."])
-})
-
-test("an exception in the news handler does not end the stream", async () => {
-  mock.method(console, "warn", () => {})
-  let last
-  server.answers = (path, signal) => (last = events(signal)).answer
-  begin()
-  heard.news.push = () => {
-    throw new TypeError("a fault")
-  }
-  await pass(10)
-  last.say({number: "a.1"})
-  last.say({number: "a.2"})
-  await pass(5000)
-  assert.equal(server.asked.length, 1)
-  assert.ok(!heard.connected.includes(""))
-})
-
-test("a silent stream is opened again", async () => {
-  const streams = []
-  server.answers = (path, signal) => streams[streams.push(events(signal)) - 1].answer
-  begin()
-  await pass(10)
-  streams[0].say({number: "a.1"})
-  await pass(24000)
-  assert.equal(streams.length, 1)
-  await pass(3000)
-  assert.equal(streams.length, 2)
-})
-
-test("a closed stream sends no request", async () => {
-  server.answers = refuse(503, "")
-  begin()
-  await pass(100)
-  stream.close()
-  await pass(60000)
-  assert.equal(server.asked.length, 1)
-})
+const missing = refusing(404, "Not there.")
+for (const [name, answers, more, told, refused] of [
+  ["a full server never ends it", refusing(503, "Later."), {}, "Later.", []],
+  ["a missing class ends it after half a minute", missing, {}, "Not there.", ["Not there. 33300"]],
+  ["a missing class ends it at once on the instructor's page", missing, {doubt: 0}, undefined, ["Not there. 0"]],
+  [
+    "a class that is restored meanwhile does not",
+    (...how) => (Date.now() < 25000 ? missing() : served(...how)),
+    {},
+    "Not there.",
+    [],
+  ],
+])
+  test(`refusals with a reason: ${name}`, async () => {
+    server.answers = answers
+    begin(more)
+    await pass(60000, 50)
+    assert.deepEqual([heard.connected[0], heard.refused], [told, refused])
+    const {length} = server.asked
+    happens("online")
+    await pass(100)
+    assert.equal(server.asked.length > length, !refused.length)
+  })

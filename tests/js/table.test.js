@@ -21,63 +21,53 @@ const recordIn = (text, count = 1) => {
   return {...rest, columns, x: columns[0]}
 }
 
-test("each kind of file gives the same record", () => {
-  const files = [
-    `t (s),x (mm)\n${rows(10, i => `${i / 10},${i * i}`)}\n`,
-    `"Time (ms)"\t"Position (cm)"\r\n${rows(10, i => `${100 * i}\t${i * i * 0.1}`).replaceAll("\n", "\r\n")}`,
-    `Zeit [s];x/mm\n${rows(10, i => `${i / 10};${i * i}`.replaceAll(".", ","))}`,
-    `Recorded on a phone\n\nrow,t (s),x (mm)\n${rows(10, i => `${i},${i / 10},${i * i}`)}`,
-  ]
-  for (const text of files) {
+const column = (count, value) => Array.from({length: count}, (_, i) => value(i))
+const isClose = (found, expected) => found.every((value, i) => Math.abs(value - expected[i]) < 1e-12)
+
+for (const [name, text] of Object.entries({
+  commas: `t (s),x (mm)\n${rows(10, i => `${i / 10},${i * i}`)}\n`,
+  tabs: `"Time (ms)"\t"Position (cm)"\r\n${rows(10, i => `${100 * i}\t${i * i * 0.1}`).replaceAll("\n", "\r\n")}`,
+  semicolons: `Zeit [s];x/mm\n${rows(10, i => `${i / 10};${i * i}`.replaceAll(".", ","))}`,
+  remarks: `Recorded on a phone\n\nrow,t (s),x (mm)\n${rows(10, i => `${i},${i / 10},${i * i}`)}`,
+}))
+  test(`a file with ${name} gives the same record`, () => {
     const {t, x, left} = recordIn(text)
     assert.equal(left, 0)
-    for (let i = 0; i < 10; i++) {
-      assert.ok(Math.abs(t[i] - i / 10) < 1e-12)
-      assert.ok(Math.abs(x[i] - i * i * 1e-3) < 1e-12)
-    }
-  }
-})
+    assert.ok(
+      isClose(
+        t,
+        column(10, i => i / 10),
+      ) &&
+        isClose(
+          x,
+          column(10, i => i * i * 1e-3),
+        ),
+    )
+  })
 
 test("without names the first column that only grows is the time, and units are asked for", () => {
-  const table = tableOf(
-    rows(10, i => `${Math.cos(i)};${i}`),
-    parser,
-  )
+  const text = rows(10, i => `${Math.cos(i)};${i}`)
+  const table = tableOf(text, parser)
   assert.deepEqual(table.names, ["Column 1", "Column 2"])
   assert.deepEqual(guessed(table, 1), {time: {place: 1, unit: ""}, motions: [{place: 0, unit: ""}]})
 })
 
-test("the unit says whether a column is a displacement, a velocity or an acceleration", () => {
-  for (const [unit, derivative, size] of [
-    ["cm", 0, 0.01],
-    ["m/s", 1, 1],
-    ["m/s^2", 2, 1],
-    ["g", 2, 9.80665],
-  ]) {
+for (const [unit, derivative, size] of [
+  ["cm", 0, 0.01],
+  ["m/s", 1, 1],
+  ["m/s^2", 2, 1],
+  ["g", 2, 9.80665],
+])
+  test(`a column in ${unit} is a displacement, a velocity or an acceleration`, () => {
     const record = recordIn(`Time (s),Linear Acceleration x (${unit})\n${rows(10, i => `${i},${i}`)}`)
-    assert.equal(record.derivative, derivative)
-    assert.equal(record.x[3], 3 * size)
-  }
-})
-
-test("two columns of one kind are read for two masses", () => {
-  const text = `n,t (s),left (mm),right (cm)\n${rows(10, i => `${7 - i},${i},${i * i},${i % 3}`)}`
-  const {columns, derivative} = recordIn(text, 2)
-  assert.deepEqual([columns.length, columns[0][3], columns[1][5], derivative], [2, 9 * 1e-3, 0.02, 0])
-  assert.throws(() => recordIn(`t (s),x (mm)\n${rows(10, i => `${i},${i * i}`)}`, 2), {
-    message: /^One column is chosen twice/,
+    assert.deepEqual([record.derivative, record.x[3]], [derivative, 3 * size])
   })
-  assert.throws(() => recordIn(`t (s),x (mm),y (m/s)\n${rows(10, i => `${i},${i * i},${i}`)}`, 2), {
-    message: /^The units of the columns differ in kind/,
-  })
-})
 
-test("rows with holes are left out and counted", () => {
-  const text = `t (s),x (m)\n${rows(12, i => `${i},${i % 6 ? i * i : ""}`)}\n\n`
-  const {t, left} = recordIn(text)
-  assert.equal(left, 2)
-  assert.equal(t.length, 10)
-  assert.equal(t[0], 0)
+test("two columns of one kind are read for two masses; rows with holes are left out and counted", () => {
+  const text = `n,t (s),left (mm),right (cm)\n${rows(12, i => `${7 - i},${i},${i % 6 ? i * i : ""},${i % 3}`)}\n\n`
+  const {t, columns, derivative, left} = recordIn(text, 2)
+  assert.deepEqual([columns.length, columns[0][2], columns[1][4], derivative], [2, 9 * 1e-3, 0.02, 0])
+  assert.deepEqual([t.length, t[0], left], [10, 0, 2])
 })
 
 test("a file without a record is refused with the line and the reason", () => {
@@ -91,9 +81,11 @@ test("a file without a record is refused with the line and the reason", () => {
     [Array(1e6).fill("x").join(","), /^Line 1: it is too long. At most 2,000 characters/],
     [`t,x\n1,2\n${"9".repeat(5e6)}`, /^Line 3: it is too long/],
     [rows(9, () => "1,".repeat(60)), /^Line 1: it has 61 columns, and at most 50/],
+    [`t (s),x (mm)\n${rows(10, i => `${i},${i * i}`)}`, /^One column is chosen twice/, 2],
+    [`t (s),x (mm),y (m/s)\n${rows(10, i => `${i},${i * i},${i}`)}`, /^The units of the columns differ in kind/, 2],
     ["1,2\n".repeat(200101), /^Line 200101: the file goes on, and at most 200,000 rows/],
   ]
-  for (const [text, reason] of refused) assert.throws(() => recordIn(text), {message: reason})
+  for (const [text, reason, masses = 1] of refused) assert.throws(() => recordIn(text, masses), {message: reason})
 })
 
 test("a long record is sent as means, in pieces that fit into a message", () => {
@@ -115,10 +107,7 @@ test("a drawing keeps the lowest and the highest point of each step", () => {
   const drawn = drawnRows(places, values, 2)
   assert.ok(drawn.length <= 2 * 5)
   assert.ok(drawn.includes(250) && drawn.includes(777))
-  assert.deepEqual(
-    drawn,
-    drawn.toSorted((a, b) => a - b),
-  )
+  assert.ok(drawn.every((row, i) => !i || row > drawn[i - 1]))
 })
 
 const bytesOf = text => new TextEncoder().encode(text)
@@ -138,24 +127,13 @@ sys.stdout.write(base64.b64encode(made.getvalue()).decode())`
 }
 
 test("the tables of a zip file are read, the others left out", async () => {
-  const rows10 = `"Time (s)","Linear Acceleration x (m/s^2)"\n${rows(10, i => `${i},${i * i}`)}`
-  const file = zip({
-    "Raw Data.csv": rows10,
-    "Settings.csv": "name,value\na,b\n",
-    "meta/time.csv": rows10,
-    "a.png": "xy",
-  })
-  assert.ok(isZip(file) && !isZip(bytesOf(rows10)))
+  const text = `"Time (s)","Linear Acceleration x (m/s^2)"\n${rows(10, i => `${i},${i * i}`)}`
+  const file = zip({"Raw Data.csv": text, "Settings.csv": "name,value\na,b\n", "meta/time.csv": text, "a.png": "xy"})
+  assert.ok(isZip(file) && !isZip(bytesOf(text)))
   const files = await unpacked(file)
-  assert.deepEqual(
-    files.map(({name}) => name),
-    ["Raw Data.csv", "Settings.csv"],
-  )
-  const tables = tablesOf(files, parser)
-  assert.deepEqual(
-    tables.map(({name, table}) => [name, table.lines.length]),
-    [["Raw Data.csv", 10]],
-  )
+  assert.deepEqual(files.map(one => one.name), ["Raw Data.csv", "Settings.csv"]) // prettier-ignore
+  const [{name, table}, ...others] = tablesOf(files, parser)
+  assert.deepEqual([name, table.lines.length, others], ["Raw Data.csv", 10, []])
 })
 
 test("a zip file without tables, with too large ones, or a damaged one is refused with the reason", async () => {
