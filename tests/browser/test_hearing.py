@@ -17,23 +17,39 @@ from tests.browser.descriptions import described
 pytestmark = pytest.mark.browser
 
 Open = Callable[..., Page]
+HEARD = ".page > [role=status]"
+
+
+def changed(page: Page, **values: float) -> None:
+    page.evaluate("values => oscillations.send({type: 'set', values})", values)
 
 
 def test_a_change_is_announced_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     described(page, "x1")
-    heard = page.locator(".page > [role=status]")
+    heard = page.locator(HEARD)
     expect(heard).to_have_text("")
     before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
-    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    changed(page, k2=3)
     told = [
-        f"Slow mode {now['omega_minus']} rad/s, was {before['omega_minus']} rad/s",
-        f"fast mode {now['omega_plus']} rad/s, was {before['omega_plus']} rad/s",
-        f"energy {now['E_total']} J, was {before['E_total']} J.",
+        f"{name} {now[key]} {unit}, was {before[key]} {unit}"
+        for name, key, unit in (
+            ("Slow mode", "omega_minus", "rad/s"),
+            ("fast mode", "omega_plus", "rad/s"),
+            ("energy", "E_total", "J"),
+        )
     ]
-    expect(heard).to_have_text("; ".join(told))
-    page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
+    expect(heard).to_have_text("; ".join(told) + ".")
+    changed(page, v1_0=1)
     expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
+    state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
+    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
+    changed(page, k1=9)
+    expect(heard).to_have_text(re.compile("^Fast mode .*"))
+    assert "slow" not in (heard.text_content() or "").lower(), "a hidden number is announced"
+    assert described(page, "x2").endswith("Covered until you press Reveal.")
+    open_scene(page, walk="d31", step="d31-04")
+    assert described(page, "x").endswith("Covered until you press Show the answer.")
 
 
 def test_the_lags_are_described_with_their_plots_and_announced_after_a_change(page: Page, open_scene: Open) -> None:
@@ -43,38 +59,24 @@ def test_the_lags_are_described_with_their_plots_and_announced_after_a_change(pa
     assert lags[0] != lags[1] and "°" in lags[0]
     open_scene(page, scene="forced", view="bode", omega=0.8, **forced)
     assert f"M{lags[0]}. Horizontal" in described(page, "lag")
-    page.evaluate("oscillations.send({type: 'set', values: {omega: 0.7}})")
+    changed(page, omega=0.7)
     heard = "; ".join(f"mass {i} {texts[1][f'phase{i}']}, was {texts[0][f'phase{i}']}" for i in (1, 2))
-    expect(page.locator(".page > [role=status]")).to_contain_text(heard)
+    expect(page.locator(HEARD)).to_contain_text(heard)
     open_scene(page, scene="forced", view="nyquist", omega=0.7, **forced)
     assert f"M{lags[1]}; work of a cycle {texts[1]['work']} J. Horizontal" in described(page, "nyquist")
 
 
-def test_a_hidden_number_is_not_announced(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    described(page, "x1")
-    state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
-    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
-    page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
-    expect(page.locator(".page > [role=status]")).to_have_text(re.compile("^Fast mode .*"))
-    assert "slow" not in (page.locator(".page > [role=status]").text_content() or "").lower()
-    assert described(page, "x2").endswith("Covered until you press Reveal.")
-    open_scene(page, walk="d31", step="d31-04")
-    assert described(page, "x").endswith("Covered until you press Show the answer.")
-
-
 def test_a_turning_point_is_described_where_the_motion_turns(page: Page, open_scene: Open) -> None:
-    """Not at the nearest drawn point."""
+    """Not at the nearest drawn point. The figure has the description as its own."""
     open_scene(page, scene="oscillator")
     scene = SCENES["oscillator"]()
     omega_n = math.sqrt(scene.k / scene.m)
     lowest = (math.pi + math.atan2(scene.v_0 / omega_n, scene.x_0)) / omega_n
-    found = re.search(r"lowest (\S+) m at (\S+) s, highest", described(page, "x"))
-    assert found
-    assert [float(part.replace("−", "-")) for part in found.groups()] == [
-        float(f"{-math.hypot(scene.x_0, scene.v_0 / omega_n):.3g}"),
-        float(f"{lowest:.3g}"),
-    ]
+    depth = math.hypot(scene.x_0, scene.v_0 / omega_n)
+    assert f"lowest −{depth:.3g} m at {lowest:.3g} s, highest" in described(page, "x")
+    figure = page.get_by_role("img", name="Displacement against time")
+    told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
+    expect(figure).to_have_accessible_description(told)
 
 
 @pytest.mark.parametrize("k2", [2.0, 7.0])
@@ -94,16 +96,5 @@ def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2
     open_scene(page, scene="coupled", view="energy", k2=k2)
     T2 = time["T1_V1_V2_T2"] - time["T1_V1_V2"]
     assert f"T2: between 0 J and {three(float(np.ptp(np.maximum(T2, 0.0))))[:3]}" in described(page, "energy")
-
-
-def test_what_leaves_the_frame_is_said_to(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="absorber", view="stroke")
     assert "highest outside the frame" in described(page, "stroke")
-
-
-def test_the_figure_has_the_description_as_its_own(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="oscillator")
-    described(page, "x")
-    figures = page.get_by_role("img", name="Displacement against time")
-    told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
-    expect(figures).to_have_accessible_description(told)

@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 from components.scenes import SCENES
 from tests.browser.fixtures import READY
 from tests.browser.views import GRID
+from tests.browser.waiting import PASSED
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -18,73 +19,69 @@ PLACES = """() => [...document.querySelectorAll(".thumb")].map(thumb => [...thum
   const {top} = thumb.getBoundingClientRect()
   return [x, y - top, width, height].map(Math.round).join()
 }).join(" "))"""
-LEAVES = """() => [...document.querySelectorAll("body *")].filter(one => one.checkVisibility() && !one.closest("svg")
-  && one.getBoundingClientRect().right > innerWidth + 0.5).map(one => one.outerHTML.slice(0, 80))"""
-SMALL = """() => [...document.querySelectorAll("a, button, input")].filter(one => one.checkVisibility())
-  .filter(one => one.getBoundingClientRect().height < 24).map(one => one.outerHTML.slice(0, 80))"""
-
+FAULTS = """() => [...document.querySelectorAll("body *")].filter(one => one.checkVisibility()).filter(one => {
+  const {right, height} = one.getBoundingClientRect()
+  const leaves = !one.closest("svg") && right > innerWidth + 0.5
+  return leaves || (one.matches("a, button, input") && height < 24)
+}).map(one => one.outerHTML.slice(0, 80))"""
+"""Parts that leave the screen, and targets that are too small."""
 READ = """() => [...document.querySelectorAll("h1, h2, a, button, input")].filter(one => one.checkVisibility())
   .map(one => one.getBoundingClientRect()).map(({left, top, height}) => [Math.round(top + height / 2), left])"""
 """How far down and right each part is, in the order in which a screen reader reads them."""
+INK = """all => all.filter(one => getComputedStyle(one).backgroundColor === getComputedStyle(document.body).color)
+  .map(one => one.textContent)"""
 
 
-@pytest.mark.parametrize("how", ["mouse", "keys"])
-def test_every_scene_is_there_and_opens(how: str, page: Page, server: Server) -> None:
+@pytest.fixture
+def home(page: Page, server: Server) -> Page:
     page.goto(server.url)
-    cards = page.locator("a.scene-card")
+    return page
+
+
+def test_every_scene_is_there_and_opens_by_mouse_and_keys(home: Page) -> None:
+    cards = home.locator("a.scene-card")
     expect(cards.locator(".name")).to_have_text([scene.title for scene in SCENES.values()])
     expect(cards.locator(".claim")).to_have_text([scene.headline for scene in SCENES.values()])
     card = cards.filter(has_text="Coupled")
-    if how == "mouse":
-        card.click()
-    else:
-        card.focus()
-        page.keyboard.press("Enter")
-    page.wait_for_function(READY)
-    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
-    page.locator(".brand").click()
-    expect(page.get_by_role("heading", level=1)).to_have_text("Pull a mass and see how it oscillates")
+    for opens in (lambda: card.click(), lambda: card.press("Enter")):
+        card.hover()
+        fetched = f'head link[rel=prefetch][href="assets/{card.get_attribute("data-sheet")}"]'
+        expect(home.locator(fetched)).to_be_attached()  # before it is pressed
+        opens()
+        home.wait_for_function(READY)
+        expect(home.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
+        home.locator(".brand").click()
+        expect(home.get_by_role("heading", level=1)).to_have_text("Pull a mass and see how it oscillates")
 
 
-def test_nothing_leaves_any_screen_and_all_can_be_hit(page: Page, server: Server) -> None:
-    page.goto(server.url)
+def test_nothing_leaves_any_screen_all_can_be_hit_and_is_read_in_the_order_in_which_it_is_seen(home: Page) -> None:
     for width, height in GRID:
-        page.set_viewport_size({"width": width, "height": height})
-        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), (width, height)
-        assert page.evaluate(LEAVES) == [], (width, height)
-        assert page.evaluate(SMALL) == [], (width, height)
-
-
-def test_on_a_phone_it_is_read_in_the_order_in_which_it_is_seen(page: Page, server: Server) -> None:
-    page.set_viewport_size({"width": 390, "height": 844})
-    page.goto(server.url)
-    read = page.evaluate(READ)
+        home.set_viewport_size({"width": width, "height": height})
+        assert home.evaluate("document.documentElement.scrollWidth <= innerWidth"), (width, height)
+        assert home.evaluate(FAULTS) == [], (width, height)
+    home.set_viewport_size({"width": 390, "height": 844})
+    read = home.evaluate(READ)
     rows = sorted({round(y / 8) for y, _ in read})
     assert len(rows) > 10
     assert [y for y, _ in read] == pytest.approx(sorted(y for y, _ in read), abs=8)
     for row in rows:
         places = [x for y, x in read if round(y / 8) == row]
         assert places == sorted(places)
+    home.emulate_media(media="print")
+    expect(home.locator("a.scene-card:visible")).to_have_count(len(SCENES))
+    expect(home.get_by_role("link", name="Start here")).to_be_hidden()
 
 
-def test_each_picture_in_view_moves_and_no_other(page: Page, server: Server) -> None:
-    page.set_viewport_size({"width": 390, "height": 844})
-    page.goto(server.url)
-    before = page.evaluate(PLACES)
-    page.wait_for_function(f"before => ({PLACES})()[0] !== before", arg=before[0])
-    assert page.evaluate(PLACES)[-1] == before[-1]
+def test_each_picture_in_view_moves_and_no_other(home: Page) -> None:
+    home.set_viewport_size({"width": 390, "height": 844})
+    home.reload()
+    before = home.evaluate(PLACES)
+    home.wait_for_function(f"before => ({PLACES})()[0] !== before", arg=before[0])
+    assert home.evaluate(PLACES)[-1] == before[-1]
     for i in range(len(SCENES)):
-        page.locator(".thumb").nth(i).scroll_into_view_if_needed()
-        page.wait_for_function(f"([i, before]) => ({PLACES})()[i] !== before", arg=[i, before[i]])
-    page.wait_for_function("document.querySelector('.thumb').animationsPaused()")
-
-
-def test_a_scene_is_fetched_before_it_is_pressed(page: Page, server: Server) -> None:
-    page.goto(server.url)
-    last = page.locator("a.scene-card").filter(has_text="Absorber")
-    last.hover()
-    sheet = last.get_attribute("data-sheet")
-    expect(page.locator(f'head link[rel=prefetch][href="assets/{sheet}"]')).to_be_attached()
+        home.locator(".thumb").nth(i).scroll_into_view_if_needed()
+        home.wait_for_function(f"([i, before]) => ({PLACES})()[i] !== before", arg=[i, before[i]])
+    home.wait_for_function("document.querySelector('.thumb').animationsPaused()")
 
 
 def test_with_reduced_motion_nothing_moves(new_page: Callable[..., Page], server: Server) -> None:
@@ -92,31 +89,22 @@ def test_with_reduced_motion_nothing_moves(new_page: Callable[..., Page], server
     page.goto(server.url)
     page.locator("a.scene-card").first.hover()
     before = page.evaluate(PLACES)
-    page.evaluate(
-        "() => new Promise(done => { let n = 0; const f = () => ++n > 10 ? done() : requestAnimationFrame(f); f() })"
-    )
+    page.evaluate(PASSED, 10)
     assert page.evaluate(PLACES) == before
     page.emulate_media(reduced_motion="no-preference")
     page.wait_for_function(f"before => ({PLACES})()[0] !== before", arg=before[0])
 
 
-def test_one_filled_button_begins_the_tour(page: Page, server: Server) -> None:
-    page.goto(server.url)
-    ink = "getComputedStyle(document.body).color"
-    filled = page.locator("body :is(a, button)").evaluate_all(
-        f"all => all.filter(one => getComputedStyle(one).backgroundColor === {ink}).map(one => one.textContent)"
-    )
+def test_light_and_dark_are_kept_and_one_filled_button_begins_the_tour(home: Page) -> None:
+    home.locator("#theme").click()
+    theme = home.evaluate("document.documentElement.dataset.theme")
+    home.reload()
+    assert home.evaluate("document.documentElement.dataset.theme") == theme == "dark"
+    filled = home.locator("body :is(a, button)").evaluate_all(INK)
     assert filled == ["Start here five questions, ten minutes"]
-    page.get_by_role("link", name="Start here").click()
-    page.wait_for_function(READY)
-    expect(page.locator(".card-head span")).to_contain_text("1 of 5")
-
-
-def test_it_can_be_printed(page: Page, server: Server) -> None:
-    page.goto(server.url)
-    page.emulate_media(media="print")
-    expect(page.locator("a.scene-card:visible")).to_have_count(len(SCENES))
-    expect(page.get_by_role("link", name="Start here")).to_be_hidden()
+    home.get_by_role("link", name="Start here").click()
+    home.wait_for_function(READY)
+    expect(home.locator(".card-head span")).to_contain_text("1 of 5")
 
 
 def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
@@ -129,11 +117,3 @@ def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Se
     expect(field).to_be_focused()
     expect(field).to_have_value("ZZZZ")
     page.close()
-
-
-def test_light_and_dark_are_kept(page: Page, server: Server) -> None:
-    page.goto(server.url)
-    page.locator("#theme").click()
-    theme = page.evaluate("document.documentElement.dataset.theme")
-    page.reload()
-    assert page.evaluate("document.documentElement.dataset.theme") == theme == "dark"
