@@ -83,7 +83,7 @@ MUTANTS = (
     # the server and the class
     Mutant(
         "vote", "components/live_class/room.py", "return name in self.streams or", "return name not in self.streams or",
-        "tests/live_class/test_abuse.py",
+        "tests/live_class/test_streams.py",
     ),
     Mutant(
         "listener", "components/live_class/store.py", "self._listeners.remove(receive)", "pass",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import subprocess
+import logging
 import sys
 
 import pytest
@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.link import Link
-from tests.serving.server import ROOT
+from tools.attack import __main__ as command
 from tools.attack.__main__ import hunt
 from tools.attack.extremes import ExtremeValues, Message, messages, queries, values
+from tools.attack.result import AttackResult
 from tools.attack.visit import Visit, follow, visit
 
 scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
@@ -71,8 +72,15 @@ def test_a_failed_hunt_reports_its_simplest_example() -> None:
     assert hunt("below a hundred", 50, 1, given(st.integers(0, 100))(small)).passed
 
 
-def test_the_hunt_is_a_command() -> None:
-    shown = subprocess.run(
-        [sys.executable, "-m", "tools.attack", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
-    )
-    assert "--seed" in shown.stdout
+def test_the_command_prints_each_finding_and_fails_for_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    findings = AttackResult("calm", True), AttackResult("storm", False, "found=1000")
+    monkeypatch.setattr(command, "found", lambda *given: findings if given == (3, 7) else ())
+    monkeypatch.setattr(logging, "disable", lambda level: None)
+    for seed, code in ((7, 1), (8, 0)):
+        monkeypatch.setattr(sys, "argv", ["attack", "--size", "3", "--seed", f"{seed}"])
+        assert command.main() == code
+    printed = capsys.readouterr().out
+    for line in ("passed  calm", "FAILED  storm", "found=1000", "1 of the findings failed; seed 7.", "All passed."):
+        assert line in printed

@@ -1,14 +1,12 @@
-"""Tests of the proxy without the server: headers of error pages, timeouts, shutdown."""
+"""The proxy of compose.yaml with one replica and with none: headers, its own pages, its health check."""
 
 from __future__ import annotations
 
-import asyncio
 import hmac
 import json
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +16,6 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import Reply, ask
 from tests.deploy.health import health_check
-from tests.live_class.caller import Class, streams_closed
 from tests.serving.server import ROOT, free_port, serving
 from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
@@ -35,66 +32,35 @@ def safety_headers(reply: Reply) -> dict[str, str]:
     return {name: reply.headers.get(name, "") for name in SAFE}
 
 
-def test_the_proxys_own_pages_have_the_lectures_safety_headers(site: DeployedSite) -> None:
-    own = ask(site.url, "/metrics")
-    assert own.status == 404 and safety_headers(own) == safety_headers(ask(site.url, "/")) == SAFE
-    assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
-    assert "frame-ancestors" in ask(site.url, "/").headers["Content-Security-Policy"]
-
-
-def test_the_replica_cookie_is_signed_and_not_sent_with_cached_files(site: DeployedSite) -> None:
-    assert ask(site.url, "/").headers["Set-Cookie"].startswith("replica=")
-    file = ask(site.url, ASSET)
+def test_pages_of_the_proxy_and_of_the_lecture_have_the_same_safety_headers(site: DeployedSite) -> None:
+    page, file = ask(site.url, "/"), ask(site.url, ASSET)
+    for path in ("/metrics", "/liveness", "/readiness"):
+        own = ask(site.url, path)
+        assert own.status == 404 and safety_headers(own) == safety_headers(page) == SAFE
+        assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
+    assert "frame-ancestors" in page.headers["Content-Security-Policy"]
+    # The cookie that names the replica is signed, and not sent with cached files.
+    written = hmac.new(COOKIE_SECRET.encode(), f"127.0.0.1:{site.ports[0]}".encode(), "sha256").hexdigest()
+    assert page.headers["Set-Cookie"].startswith(f"replica={written};")
     assert (file.status, "Set-Cookie" in file.headers) == (200, False)
     assert "immutable" in file.headers["Cache-Control"]
-    written = hmac.new(COOKIE_SECRET.encode(), f"127.0.0.1:{site.ports[0]}".encode(), "sha256").hexdigest()
-    assert ask(site.url, "/").headers["Set-Cookie"].startswith(f"replica={written};")
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(240)
-def test_the_proxy_drops_slow_requests_and_ends_despite_open_streams(tmp_path: Path) -> None:
-    """A request that comes byte by byte is dropped; a stream of a class stays open."""
-
-    @streams_closed()
-    async def go(site: DeployedSite) -> None:
-        room = await Class.open(site.url)
-        stream = await room.follow()
-        slow = [
-            b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ",
-            b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n",
-        ]
-        begun = [asyncio.create_task(dropped(site.port, start)) for start in slow]
-        await asyncio.wait_for(asyncio.gather(*begun), 40)
-        assert (await room.order("put", walk="d31", step="d31-03")).status == 204
-        await stream.until(lambda event: event.get("question"))
-        site.front.process.terminate()
-        assert await asyncio.to_thread(site.front.process.wait, 9) == 0
-
-    with deployed(tmp_path, (ROOT,)) as site:
-        asyncio.run(go(site))
-
-
-async def dropped(port: int, start: bytes) -> None:
-    """Wait until the proxy closes a connection on which a request never ends."""
-    reader, writer = await asyncio.open_connection("127.0.0.1", port)
-    writer.write(start)
-    with suppress(ConnectionError):
-        while not reader.at_eof():
-            with suppress(TimeoutError):
-                await asyncio.wait_for(reader.read(4096), 0.5)
-            writer.write(b"x")
-            await writer.drain()
-    writer.close()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
-def test_the_proxy_is_healthy_without_replicas(site: DeployedSite, tmp_path: Path) -> None:
+def test_a_proxy_without_replicas_is_healthy_and_says_that_the_lecture_does_not_answer(
+    site: DeployedSite, tmp_path: Path
+) -> None:
     healthy = health_check(tmp_path, "proxy")
     assert healthy(80, site.port) == 0 and healthy(80, free_port()) != 0
     alone = {**behind_caddy(site)[1], "SITE": f"http://127.0.0.1:{(port := free_port())}", "UPSTREAMS": "127.0.0.1:1"}
-    with serving(tmp_path / "log", port=port, command=behind_caddy(site)[0], environment=alone):
+    with serving(tmp_path / "log", port=port, command=behind_caddy(site)[0], environment=alone) as proxy:
         assert healthy(80, port) == 0
+        unavailable = ask(proxy.url, "/?scene=coupled&k2=3")
+    assert unavailable.status in (502, 503) and not {"Server", "Via"} & set(unavailable.headers)
+    assert "The lecture does not answer now" in unavailable.text and 'http-equiv="refresh"' in unavailable.text
+    log = proxy.log.read_text()
+    assert "http.log.error" in log
+    assert not [line for line in log.splitlines() if "k2=3" in line or "remote_ip" in line]
 
 
 def parts(recipe: Any) -> Iterator[dict[str, Any]]:

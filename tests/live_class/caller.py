@@ -31,7 +31,8 @@ def call(url: str, path: str, method: str = "GET", body: object = None, word: st
     if word:
         named["Authorization"] = f"Bearer {word}"
     try:
-        connection.request(method, path, None if body is None else json.dumps(body), named)
+        sent = body if body is None or isinstance(body, bytes) else json.dumps(body)
+        connection.request(method, path, sent, named)
         answer = connection.getresponse()
         return Answered(answer.status, answer.read().decode("utf-8", "replace"), dict(answer.headers))
     finally:
@@ -141,3 +142,40 @@ class Class:
 
     async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:
         return await called(url or self.url, f"/class/{self.code}/answer", "PUT", vote, token)
+
+
+class Remote:
+    """A phone as a remote control."""
+
+    def __init__(self, url: str, lesson: Class, digits: str, key: str) -> None:
+        self.url, self.lesson, self.digits, self.key = url, lesson, digits, key
+
+    @staticmethod
+    async def secret(url: str, lesson: Class) -> str:
+        """Return the secret of a new ticket."""
+        ticket = (await called(url, f"/class/{lesson.code}/tickets", "POST", word=lesson.key)).json["address"]
+        return str(ticket.partition("remote=")[2])
+
+    @classmethod
+    async def wait(cls, url: str, lesson: Class) -> Remote | None:
+        """Return a phone that has scanned a ticket and waits to be admitted; None if too many wait."""
+        secret = {"address": await cls.secret(url, lesson)}
+        paired = await called(url, f"/class/{lesson.code}/remote", "PUT", secret)
+        return cls(url, lesson, **paired.json) if paired.status == 200 else None
+
+    @classmethod
+    async def pair(cls, url: str, lesson: Class) -> Remote:
+        remote = await cls.wait(url, lesson)
+        assert remote and (await remote.decide()).status == 200
+        return remote
+
+    async def decide(self, method: str = "PUT", digits: str = "") -> Answered:
+        """The instructor's page admits or refuses it."""
+        path, body = f"/class/{self.lesson.code}/tickets", {"digits": digits or self.digits}
+        return await called(self.url, path, method, body, self.lesson.key)
+
+    async def look(self, after: str = "") -> Answered:
+        return await called(self.url, f"/class/{self.lesson.code}/remote?after={after}", word=self.key)
+
+    async def press(self, **done: str) -> Answered:
+        return await called(self.url, f"/class/{self.lesson.code}/remote", "POST", done, self.key)

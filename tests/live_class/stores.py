@@ -12,7 +12,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+import redis
 
+from components.live_class import shared_store, store
 from components.live_class.shared_store import SharedStore
 from components.live_class.store import MemoryStore, Store
 from tests.serving.server import free_port
@@ -43,8 +45,6 @@ class Valkey:
     def start(self) -> None:
         at = ("--port", str(self.port), "--bind", "127.0.0.1", "--save", "", "--appendonly", "no")
         self._process = subprocess.Popen([str(valkey_binary()), *at], stdout=subprocess.DEVNULL)
-        import redis
-
         end = time.monotonic() + 30
         while time.monotonic() < end:
             try:
@@ -90,3 +90,10 @@ async def made(kind: str, url: str, **options: float) -> AsyncIterator[Store]:
         yield store
     finally:
         await store.close()
+
+
+def set_limits(patch: pytest.MonkeyPatch, size: int, reserve: int) -> None:
+    """Let all rooms of a store have so many bytes, some of them for pictures and questions only."""
+    for module in (store, shared_store):
+        patch.setattr(module, "ALL_BYTES", size)
+        patch.setattr(module, "RESERVE", reserve)

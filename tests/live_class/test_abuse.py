@@ -1,175 +1,224 @@
-"""Attacks on a class: guessing its code, controlling it without its key, flooding it, taking its places."""
+"""Every route of a class x every abuse: a status, a sentence, nothing stored, and nothing lost to another class."""
 
 from __future__ import annotations
 
-import asyncio
-import socket
+from collections.abc import Awaitable, Callable
+from functools import partial
+from typing import Any, NamedTuple
 
 import pytest
+from tornado.web import RequestHandler
 
-from components.live_class import follower_routes, instructor_routes, registry
-from components.live_class import room as rooms
-from components.live_class.room import name_of
-from tests.live_class.caller import Class, Stream, called
-from tests.live_class.listening import until
+from components.language.class_messages import YEAR_2100
+from components.live_class import follower_routes, lead_routes
+from components.live_class.codes import join_key
+from components.live_class.context import ClassContext
+from components.live_class.routes import CODE, LiveClass
+from components.live_class.store import MemoryStore, Store
+from tests.live_class.caller import Answered, Class, Remote, called
+from tests.live_class.listening import BANK
+from tests.live_class.messages import MESSAGES
 from tests.live_class.served import CHOICE, teaching
 
-SKETCH = {"walk": "d34", "step": "d34-14"}
+METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
+QUESTION = "d31/d31-03/1"
+NAMES = {" ".join(name.split(" ")[:2]): name for name in reversed(MESSAGES)}
+"""The first message of each route."""
+ROUTES = [route for route in NAMES if "/class" in route]
+OF_A_CODE = [route for route in ROUTES if "CODE" in route]
+OF_A_MEMBER = [route for route in OF_A_CODE if MESSAGES[NAMES[route]].word in ("key", "phone", "remote")]
+WITH_BODY = [route for route in ROUTES if MESSAGES[NAMES[route]].body]
+LIMITED = [route for route in ROUTES if route not in ("GET /class/time", "PUT /class/CODE/remote")]
 
 
-async def test_no_response_reveals_if_a_code_belongs_to_a_class() -> None:
-    asked = [
-        ("GET", "lead", None), ("POST", "lead", {"type": "end"}), ("GET", "tally", None), ("GET", "answers.csv", None),
-        ("PUT", "lead", {}), ("GET", "answers?question=d31/d31-03/1", None),
-        ("POST", "tickets", None), ("PUT", "tickets", {"digits": "10"}), ("GET", "remote", None), ("GET", "now", None),
-        ("DELETE", "tickets", {"digits": "10"}),
-        ("POST", "remote", {"deed": "next"}), ("PUT", "remote", {"address": "x"}), ("GET", "events", None),
-        ("PUT", "answer", {**CHOICE, "option": 0}), ("POST", "answer", {**CHOICE, "option": 0}),
-    ]  # fmt: skip
-
-    async with teaching() as (_, url):
-        lesson = await Class.open(url)
-        await lesson.order("put", **CHOICE)
-        none = "2222" if lesson.code != "2222" else "3333"
-        for word in ("", "x" * 32, "made.up"):
-            for method, path, body in asked:
-                there, nowhere = [
-                    await called(url, f"/class/{code}/{path}", method, body, word) for code in (lesson.code, none)
-                ]
-                assert there[:2] == nowhere[:2], path
-                assert there.status in (403, 404, 409) and there.json["sentence"].endswith(".")
+def test_the_table_has_each_route_of_the_product() -> None:
+    plain = {"/CODE(/?)": "/CODE", "/CODE-([0-9A-Za-z]{8})": "/CODE-WORD"}
+    of = [(route.replace(CODE, "CODE"), handler) for route, handler, *_ in LiveClass(MemoryStore(), BANK).routes()]
+    assert set(NAMES) == {
+        f"{method.upper()} {plain.get(route, route)}"
+        for route, handler in of
+        for method in METHODS
+        if getattr(handler, method) is not getattr(RequestHandler, method)
+    }
 
 
-async def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
-    async with teaching() as (_, url):
-        lesson = await Class.open(url)
-        leader = await lesson.lead()
-        path = f"/class/{lesson.code}/remote"
-        for word in (
-            "",
-            await lesson.token(),
-            lesson.key,
-        ):  # neither a follower's token nor the key makes a remote control
-            assert (await called(url, path, "POST", {"deed": "next"}, word)).status == 403
-        await lesson.order("withdraw")
-        await leader.until(lambda event: event.get("question"))
-        assert not any(event.get("deed") for _, event in leader.heard)
-        await leader.close()
+class Attacked(NamedTuple):
+    """A class, the words of its members and of another class, and the limits of its server."""
+
+    lesson: Class
+    words: dict[str, str]
+    classes: ClassContext
+
+    async def send(
+        self, route: str, code: str = "", word: str | None = None, body: Any = None, **more: Any
+    ) -> Answered:
+        """Send the right message of a route, or with another code, word, body, method or header."""
+        (method, path), sent = route.split(" "), MESSAGES[NAMES[route]]
+        path = path.replace("CODE", code or self.lesson.code) + sent.query(0)
+        word = self.words.get(sent.word, "") if word is None else word
+        body = sent.body(0) if body is None and sent.body else body
+        return await called(self.lesson.url, path, more.pop("method", method), body, word, **more)
 
 
-async def test_who_floods_an_instructors_door_does_not_close_it() -> None:
+async def contents(kept: Store, *lessons: Class) -> Any:
+    return [
+        (await kept.parts(one.code), await kept.questions(one.code), await kept.votes(one.code, QUESTION))
+        for one in lessons
+    ], await kept.rooms()
+
+
+def sending(**given: Any) -> Callable[[Attacked, str], Awaitable[list[Answered]]]:
+    async def act(on: Attacked, route: str) -> list[Answered]:
+        return [await on.send(route, **given)]
+
+    return act
+
+
+async def no_word(on: Attacked, route: str) -> list[Answered]:
+    """The answers are the same for a code of no class, so nobody learns which codes are taken."""
+    codes, answers = (on.lesson.code, "2222" if on.lesson.code != "2222" else "3333"), list[Answered]()
+    for word in ("", "x" * 32, "made.up", on.words["another key"], on.words["another phone"]):
+        there, nowhere = [await on.send(route, code, word) for code in codes]
+        assert there[:2] == nowhere[:2]
+        answers += [there, nowhere]
+    return answers
+
+
+async def other_member(on: Attacked, route: str) -> list[Answered]:
+    """No member of a class can do what another may, but all can follow."""
+    own = MESSAGES[NAMES[route]].word
+    others = {"key": ("phone", "remote"), "phone": (), "remote": ("key", "phone")}[own]
+    return [await on.send(route, word=on.words[other]) for other in others]
+
+
+async def too_many(on: Attacked, route: str) -> list[Answered]:
+    with pytest.MonkeyPatch.context() as patch:
+        for rate in (on.classes.rate, on.classes.openings):
+            patch.setattr(rate, "most", 0.5)
+        for module in (follower_routes, lead_routes):
+            patch.setattr(module, "MISSES", 1)
+        await on.send("PUT /class/CODE/word")  # a wrong guess
+        refused = await on.send(route, word="" if route == "POST /class/CODE/token" else None)
+    assert float(refused.headers["Retry-After"]) >= 1
+    return [refused]
+
+
+async def no_place(on: Attacked, route: str) -> list[Answered]:
+    """The instructor needs no place."""
+    answers = []
+    for limit in ("MOST_FOLLOWERS", "ALL_FOLLOWERS"):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(follower_routes, limit, 1)
+            answers.append(await on.send(route, word=on.words["new phone"]))
+            assert (await on.send("GET /class/CODE/now", word=on.lesson.key)).status == 200
+    return answers
+
+
+NOT_YOURS = {403, 404, 409}
+ABUSES: dict[str, tuple[Callable[[Attacked, str], Awaitable[list[Answered]]], list[str], set[int]]] = {
+    "another site": (sending(Origin="https://elsewhere.example"), ROUTES, {403}),
+    "another host": (sending(Host="elsewhere.example"), ROUTES, {403}),
+    "another method": (sending(method="PATCH"), ROUTES, {405}),
+    "no word": (no_word, [one for one in OF_A_CODE if one != "POST /class/CODE/token"], NOT_YOURS),
+    "the word of another member": (other_member, OF_A_MEMBER, NOT_YOURS),
+    "a closed class": (sending(), OF_A_CODE, NOT_YOURS),
+    "too large": (sending(body={"type": "x" * 64_000}), WITH_BODY, {413}),
+    "no message": (sending(body=b""), WITH_BODY, {400}),
+    "a list": (sending(body=[]), WITH_BODY, {400}),
+    "of no type": (sending(body={"type": 5}), WITH_BODY, {400}),
+    "no text": (sending(body=b'{"type": "\xff"}'), WITH_BODY, {400}),
+    "no end of lists": (sending(body=b"[" * 5000), WITH_BODY, {400}),
+    "too many": (too_many, LIMITED, {429}),
+    "no place": (no_place, ["GET /class/CODE/events", "GET /class/CODE/now"], {503}),
+}
+"""What is sent, to which routes, and the statuses of the answers."""
+
+
+@pytest.mark.parametrize("abuse", ABUSES)
+async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
+    abuse: str, subtests: pytest.Subtests
+) -> None:
+    act, routes, statuses = ABUSES[abuse]
     async with teaching() as (server, url):
-        server.classes.rate.most = 5
-        lesson, path = await Class.open(url), "/class/{}/{}"
-        for _ in range(10):
-            assert (await called(url, path.format(lesson.code, "lead"), "POST", {"type": "end"}, "x")).status == 404
-            assert (await called(url, path.format(lesson.code, "remote"), "PUT", {"address": "x"})).status == 403
-        ticket = (await called(url, path.format(lesson.code, "tickets"), "POST", word=lesson.key)).json
-        secret = {"address": ticket["address"].partition("remote=")[2]}
-        assert (await called(url, path.format(lesson.code, "remote"), "PUT", secret)).status == 200
-        assert [(await lesson.order("withdraw")).status for _ in range(6)][-1] == 429
+        lesson, other = await Class.open(url), await Class.open(url)
+        for one in (lesson, other):
+            await one.order("put", **CHOICE)
+        key, token, kept = lesson.key, await other.token(), server.classes.registry.store
+        words = {"key": key, "new key": key, "join": join_key(key), "remote": (await Remote.pair(url, lesson)).key}
+        words |= {"phone": await lesson.token(), "another key": other.key, "another phone": token}
+        words["new phone"] = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
+        if abuse == "a closed class":
+            await lesson.order("end")
+        if abuse == "no word":
+            server.classes.rate.most = 30
+        before = await contents(kept, lesson, other)
+        for route in routes:
+            with subtests.test(route):
+                for answer in await act(Attacked(lesson, words, server.classes), route):
+                    assert answer.status in statuses and answer.json["sentence"].endswith(".")
+        assert await contents(kept, lesson, other) == before
+        if abuse == "no word":  # strangers do not use up the limit of the instructor
+            assert (await called(url, f"/class/{lesson.code}/lead", word=key)).status == 200
+        assert (await other.vote(token, **CHOICE, option=2)).status == 204
+        assert (await other.tally())["now"]["options"] == [0, 0, 1]
 
 
-async def test_sketches_that_are_too_large_are_refused_in_words() -> None:
-    async with teaching() as (_, url):
-        lesson = await Class.open(url)
-        await lesson.order("put", **SKETCH)
-        token = await lesson.token()
-        for curves, status in (
-            ({"Xp1": [500] * 101}, 204), ({"Xp1": [500] * 102}, 400), ({"Xp1": [1101] * 101}, 400),
-            ({"Xp1": [5] * 100}, 409), ({"Xp9": [5] * 101}, 409), ({f"X{i}": [5] * 101 for i in range(3)}, 400),
-            ({"Xp1": [1e3] * 101, "Xp2": [-1e-7] * 101}, 400), ({"Xp1": [500] * 5_000}, 413),
-        ):  # fmt: skip
-            reply = await lesson.vote(token, **SKETCH, curves=curves)
-            assert reply.status == status, reply.text
-            assert status == 204 or reply.json["sentence"].endswith(".")
-        tally = (await lesson.tally())["now"]
-        assert [sketch["curves"] for sketch in tally["sketches"]] == [{"Xp1": [500] * 101}]
+SKETCH, WHY = {"walk": "d34", "step": "d34-14"}, {"walk": "why", "step": "why"}
+NAME, GOOD = "0" * 11 + "abcdefgh", {**CHOICE, "option": 1}
+LEAD, ANSWER = "POST /class/CODE/lead", "PUT /class/CODE/answer"
 
 
-async def test_a_storm_of_streams_takes_no_places() -> None:
+def sketch(**curves: list[float]) -> dict[str, Any]:
+    return {**SKETCH, "curves": curves}
+
+
+def restored(**fields: Any) -> dict[str, Any]:
+    return {"type": "restore", "answers": {NAME: {**GOOD, **fields}}}
+
+
+REFUSED: list[tuple[str, Any, int]] = [
+    *((LEAD, {"type": "countdown", "seconds": wrong}, 400) for wrong in (601, -1, 1e9, "30", None)),
+    *((LEAD, {"type": "screen", **wrong}, 400) for wrong in ({"next": "x" * 61}, {"deeds": ["fly"]}, {"next": 1})),
+    (LEAD, {"type": "screen", "deeds": ["go"] * 21}, 400),
+    (LEAD, {"type": "put", "walk": "mine", "step": "one"}, 409),
+    (LEAD, {"type": "put", **CHOICE, "vote": 10}, 400),
+    (LEAD, {"type": "walk", "name": "mine", "text": 'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-99"\n'}, 409),
+    (LEAD, {"type": "walk", "name": "mine", "text": "x" * 48_001}, 400),
+    (LEAD, {"type": "moderate", "text": "x" * 81, "shows": True}, 400),
+    *((LEAD, restored(at=at), 400) for at in (1e300, -1, YEAR_2100 + 1)),
+    *((LEAD, restored(**wrong), 400) for wrong in ({"here": 10**30}, {"option": 10}, {"who": "me"}, {"vote": 10})),
+    *((LEAD, restored(**wrong), 400) for wrong in ({"text": "x" * 81}, {"curves": {"x": [0] * 102}})),
+    (LEAD, restored(walk="none"), 409),
+    *((LEAD, {"type": "restore", "answers": wrong}, 400) for wrong in ({"me": GOOD}, {f"{NAME}x": GOOD}, {NAME: []})),
+    (LEAD, {"type": "restore", "answers": [GOOD]}, 400),
+    *(("PUT /class/CODE/lead", wrong, 400) for wrong in ({"control": "x"}, {"control": "a" * 65}, {"key": "x"})),
+    *((ANSWER, {**CHOICE, "option": 0, "sure": wrong}, 400) for wrong in (4, -1, "certain", 10**40)),
+    *((ANSWER, {**CHOICE, **wrong}, 409) for wrong in ({}, {"option": 7}, {"sure": 2}, {"option": 0, "vote": 2})),
+    (ANSWER, {**CHOICE, "option": 0, "who": "me"}, 400),
+    *((ANSWER, {**WHY, "text": text}, status) for text, status in (("x" * 81, 400), ("x" * 10_000, 413))),
+    (ANSWER, sketch(Xp1=[500] * 102), 400),
+    (ANSWER, sketch(Xp1=[1101] * 101), 400),
+    (ANSWER, sketch(Xp1=[5] * 100), 409),
+    (ANSWER, sketch(a=[5] * 101, b=[5] * 101, c=[5] * 101), 400),
+    (ANSWER, sketch(Xp1=[1e3] * 101, Xp2=[-1e-7] * 101), 400),
+    (ANSWER, sketch(Xp1=[500] * 5000), 413),
+    ("POST /class/CODE/answer", {**CHOICE, "option": 0}, 409),
+    ("PUT /class/CODE/word", {"word": "x" * 21}, 400),
+    ("POST /class/CODE/word", {"query": "x" * 4001}, 400),
+    ("PUT /class/CODE/tickets", {"digits": "100"}, 400),
+    ("POST /class/CODE/remote", {"deed": "fly"}, 400),
+]
+
+
+async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(subtests: pytest.Subtests) -> None:
     async with teaching() as (server, url):
         lesson = await Class.open(url)
-        other, token = await lesson.follow(), await lesson.token()
-        streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
-        room = server.classes.registry.rooms[lesson.code]
-        await until(lambda: sum(stream.ended for stream in streams) >= 2 * follower_routes.MOST_STREAMS)
-        assert room.followers == 2  # any number of tabs of one phone
-        assert not streams[-1].ended and not other.ended  # the newest streams stay open, and so do those of others
-        for stream in streams:
-            await stream.close()
-        await until(lambda: len(room.streams) <= 1)
-        await other.close()
-
-
-async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
-
-    async with teaching() as (server, url):
-        lesson = await Class.open(url)
-        mute = socket.socket()
-        mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        mute.connect(("127.0.0.1", server.port))
-        head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n"
-        mute.sendall(f"{head}Authorization: Bearer {await lesson.token()}\r\n\r\n".encode())
-        room = (await called(url, f"/class/{lesson.code}/lead", word=lesson.key)) and server.classes.registry.rooms
-        async with asyncio.timeout(30):
-            while room[lesson.code].followers < 1:
-                await asyncio.sleep(0.01)
-            while room[lesson.code].followers:
-                room[lesson.code].deliver({"picture": b'{"sheet":"s","data":"%s"}' % (b"A" * 4000)})
-                await asyncio.sleep(0.01)
-        mute.close()
-
-
-async def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rooms, "SILENCE", 0.05)
-
-    async with teaching() as (server, url):
-        lesson = await Class.open(url)
-        await lesson.order("put", **CHOICE)
-        stranger = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
-        refused = await lesson.vote(stranger, **CHOICE, option=0)
-        assert refused.status == 503 and refused.json["sentence"].startswith("This phone does not follow")
-        token = await lesson.token()
-        stream = await Stream(url, lesson.code, token).open()
-        await asyncio.sleep(0.2)
-        assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
-        await stream.close()
-        room = server.classes.registry.rooms[lesson.code]
-        await until(lambda: not room.follows(name_of(token)))
-        assert (await lesson.vote(token, **CHOICE, option=1)).status == 503
-        await server.classes.registry.store.name(lesson.code, "another replica", [name_of(token)])
-        assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
-        assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
-
-
-async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(registry, "SPARE", 2)
-
-    async with teaching() as (server, url):
-        lesson = await Class.open(url)
-        await lesson.order("put", **CHOICE)
-        early, late = await lesson.token(), await lesson.token()
-        assert (await lesson.vote(early, **CHOICE, option=1)).status == 204
-        room = server.classes.registry.rooms[lesson.code]
-        for _ in range(20):  # joins, votes and leaves
-            token = await lesson.token()
-            assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
-            del room.polls[name_of(token)]
-        del room.polls[name_of(early)]  # a sleeping phone
-        assert (await lesson.vote(late, **CHOICE, option=2)).status == 204
-        now = (await lesson.tally())["now"]
-        assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]
-
-
-async def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
-
-    async with teaching(trusted_proxies=("127.0.0.1",)) as (_, url):
-
-        async def opened(address: str) -> int:
-            return (await called(url, "/class", "POST", X_Forwarded_For=address)).status
-
-        assert [await opened(f"198.51.100.{i}") for i in range(4)] == [200, 200, 429, 429]
-        assert await opened("203.0.113.9") == 200
+        words = {"remote": (await Remote.pair(url, lesson)).key, "key": lesson.key, "phone": await lesson.token()}
+        stored = partial(contents, server.classes.registry.store, lesson)
+        for route, body, status in REFUSED:
+            await lesson.order("put", **(SKETCH if body.get("walk") == "d34" else CHOICE))
+            before = await stored()
+            with subtests.test(f"{route} {str(body)[:60]}"):
+                answer = await Attacked(lesson, words, server.classes).send(route, body=body)
+                assert answer.status == status and answer.json["sentence"].endswith(".")
+                assert await stored() == before

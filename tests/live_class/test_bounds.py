@@ -12,23 +12,19 @@ from typing import get_args
 
 import pytest
 import redis
-from tornado.web import RequestHandler
 
 from components.language.class_messages import Order
-from components.live_class import follower_routes, instructor_routes, registry, remotes, room, shared_store, store
-from components.live_class.routes import CODE, LiveClass
-from components.live_class.store import MemoryStore
+from components.live_class import follower_routes, instructor_routes, registry, remotes, room
 from tests.live_class.caller import Class
-from tests.live_class.listening import BANK
 from tests.live_class.messages import MESSAGES, Client
 from tests.live_class.served import CHOICE, served
-from tests.live_class.stores import KINDS, Valkey, made
+from tests.live_class.stores import KINDS, Valkey, made, set_limits
 
-METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
 NO_DATA = (type, ModuleType, FunctionType, FrameType, CoroutineType, asyncio.Task, asyncio.AbstractEventLoop)
 REFUSED = {
+    "POST /class/CODE/answer",
     "PUT /class/CODE/word", "PUT /class/CODE/word of none", "PUT /class/CODE/tickets", "DELETE /class/CODE/tickets",
-    "GET /class/CODE/remote", "POST /class/CODE/token of none", "GET /class/CODE/now of none",
+    "POST /class/CODE/token of none", "GET /class/CODE/now of none",
 }  # fmt: skip
 """Guesses and messages of strangers."""
 ROUND = 18
@@ -37,16 +33,7 @@ STEADY = 2000
 """Bytes that a round may add although nothing is stored per message: filling caches and growing lists."""
 
 
-def test_the_messages_are_all_that_a_class_takes() -> None:
-    told = {tuple(name.split(" ")[:2]) for name in MESSAGES}
-    routes = [(route.replace(CODE, "CODE"), handler) for route, handler, *_ in LiveClass(MemoryStore(), BANK).routes()]
-    taken = {
-        (method.upper(), {"/CODE(/?)": "/CODE", "/CODE-([0-9A-Za-z]{8})": "/CODE-WORD"}.get(route, route))
-        for route, handler in routes
-        for method in METHODS
-        if getattr(handler, method) is not getattr(RequestHandler, method)
-    }
-    assert told == taken
+def test_the_orders_are_all_that_a_class_takes() -> None:
     orders = {order.__struct_config__.tag for order in get_args(Order)}
     assert orders == {name.split(" ")[2] for name in MESSAGES if name.startswith("POST /class/CODE/lead")}
 
@@ -54,9 +41,7 @@ def test_the_messages_are_all_that_a_class_takes() -> None:
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """A server with small limits."""
-    for module in (store, shared_store):
-        monkeypatch.setattr(module, "ALL_BYTES", 300_000)
-        monkeypatch.setattr(module, "RESERVE", 50_000)
+    set_limits(monkeypatch, 300_000, 50_000)
     monkeypatch.setattr(follower_routes, "MOST_FOLLOWERS", 4)
     monkeypatch.setattr(registry, "SPARE", 2)
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 4)
@@ -89,14 +74,14 @@ async def test_many_messages_of_a_kind_leave_no_more_than_some(
     """After some messages a limit is reached: twice or three times as many add nothing."""
     async with made(kind, valkey.url) as kept, served(kept, trusted_proxies=("127.0.0.1",)) as (server, url):
         rooms = server.classes.registry
-        for i, (name, send) in enumerate(MESSAGES.items()):
+        for i, name in enumerate(MESSAGES):
             code, key = await rooms.open()
             sender = Client(url, Class(url, {"code": code, "key": key}), f"198.51.{i}.1")
             await sender.lesson.order("put", **CHOICE)
             sizes, statuses = list[int](), Counter[int]()
             for turn in range(3):
                 for number in range(turn * ROUND, (turn + 1) * ROUND):
-                    answer = await send(sender, number)
+                    answer = await sender.send(name, number)
                     statuses[answer.status if answer else 0] += 1
                 sizes.append(bytes_of(rooms) + (bytes_in(valkey.url) if kind == "valkey" else 0))
             with subtests.test(name):

@@ -16,13 +16,14 @@ from components.live_class import publisher
 from components.live_class import room as room_of
 from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
-from components.live_class.room import KEPT, ClassRoom
+from components.live_class.room import ClassRoom
 from components.live_class.store import FullError, MemoryStore, Parts, UnreachableError
 from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
 from components.state.page_state import fitted
-from tests.live_class.listening import BANK, CHOICE, Listener, until
+from tests.live_class.listening import BANK, CHOICE, Listener, replicas, until
+from tests.live_class.stores import Valkey, made
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)
@@ -146,40 +147,34 @@ async def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: 
         assert room.whole().clock == CLOCK and "could not be read" in caplog.text
 
 
-async def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
-    async with rooms() as (_, registry, upkeep, code, key):
-        room = await registry.led(code, key)
-        assert not room.is_led
-        room.polled(key, leads=True)
-        room.polled("a follower's", leads=False)
-        assert room.is_led and room.followers == 1
-        number = room.number
-        await upkeep._look_at(room)
-        assert room.number != number and room.whole().here == 1
-        number = room.number
-        await upkeep._look_at(room)
-        assert room.number == number  # nothing has changed, so nobody gets the complete state again
-
-
-async def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_who_has_no_stream_is_counted_as_long_as_it_asks_and_its_replica_goes_on(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     async with rooms() as (store, registry, upkeep, code, key):
         room = await registry.led(code, key)
-        room.polled("a follower's", leads=False)
-        await upkeep._look_at(room)
+        room.polled(key, leads=True)
+        for name, leads in ((key, True), ("a follower's", False)):
+            room.polled(name, leads=leads)
+        numbers = [room.number]
+        for _ in range(2):
+            await upkeep._look_at(room)
+            numbers.append(room.number)
+        # Nothing has changed the second time, so nobody gets the complete state again.
+        assert numbers[0] != numbers[1] == numbers[2] and room.whole().here == 1
         assert await store.present(code, "another", {"a phone"}) == 2
         monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + room_of.ASKED)
         await upkeep._look_at(room)
         assert room.here == 1 and room.names  # whose answers count for some more time
-
-
-async def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:
-    async with rooms() as (store, registry, upkeep, code, key):
-        room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
         assert await store.present(code, "another", {"a phone"}) == 2
+        await upkeep._look_at(room)
+        assert await registry.room(code) is room
         await upkeep.end()
         assert await store.present(code, "another", {"a phone"}) == 1
+        monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + 2 * room_of.SILENCE)
+        registry.leave(room)  # nobody uses it any more
+        assert not registry.rooms
 
 
 async def test_a_store_that_stays_away_is_logged_once(
@@ -228,20 +223,24 @@ async def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pyte
         assert caplog.text.count("The store is full.") == 1 and "Traceback" not in caplog.text
 
 
-def test_answers_do_not_make_a_deed_forgotten() -> None:
-    room = ClassRoom("K7HM", {})
-    known = room.number
-    room.deliver({"deed": b'"next"'})
-    for _ in range(2 * KEPT):
-        room.deliver({"answers": b"true"})
-    assert [(news.deed, news.answers) for news in room.news_after(known)] == [("next", False), ("", True)]
-
-
-async def test_a_vote_that_is_asked_for_twice_is_one() -> None:
-    async with rooms() as (_, registry, _, code, key):
-        room, (walk, step) = await registry.led(code, key), CHOICE
-        await registry.obey(room, PutQuestion(walk=walk, step=step))
-        for vote, stands in ((2, 2), (2, 2), (1, 2), (9, 3)):
-            await registry.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
-            assert room.question.vote == stands
-        await registry.vote(room, "one", Given(walk=walk, step=step, option=0, vote=3))
+async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:
+    one, other = made("valkey", valkey.url), made("valkey", valkey.url)
+    async with one as store, other as another, replicas(store, another) as (registry, second):
+        code, key = await registry.open()
+        room, there = await registry.led(code, key), await second.room(code)
+        leader, follower = Listener(leads=True), Listener()
+        room.listeners.add(leader)
+        there.listeners.add(follower)
+        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await until(lambda: there.question.step)
+        await second.vote(there, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
+        assert await registry.tally(room)
+        valkey.kill()
+        await until(lambda: any(news.lost for news in follower.news) and room.lost)
+        await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
+        assert leader.news[-1].picture and not any(news.picture for news in follower.news)
+        valkey.start()
+        await until(lambda: any(news.picture for news in follower.news) and not there.lost)
+        tally = await second.tally(there)
+        assert tally and tally.now.options == (0, 1, 0)
+        assert await second.led(code, key) is there

@@ -1,4 +1,4 @@
-"""Edge cases of the streams of a live class: news while a stream starts or its reader is slow."""
+"""Streams of a live class and the places that they take: slow readers, several tabs, sleeping phones."""
 
 from __future__ import annotations
 
@@ -9,14 +9,29 @@ from typing import Any
 
 import pytest
 
+from components.live_class import follower_routes
+from components.live_class import registry as registries
 from components.live_class import room as rooms
 from components.live_class.follower_routes import Events
-from components.live_class.registry import Registry
-from components.live_class.store import MemoryStore
-from tests.live_class.caller import Class, Stream, streams_closed
+from components.live_class.room import name_of
+from tests.live_class.caller import Class, Stream, called
 from tests.live_class.listening import until
-from tests.live_class.served import LECTURE, served, teaching
+from tests.live_class.served import CHOICE, served, teaching
 from tests.live_class.stores import Valkey, made
+
+
+def unread(lesson: Class, port: int, word: str) -> socket.socket:
+    """Open a stream that nobody reads."""
+    mute = socket.socket()
+    mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    mute.connect(("127.0.0.1", port))
+    head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {word}\r\n\r\n"
+    mute.sendall(head.encode())
+    return mute
+
+
+def picture(sheet: object) -> dict[str, bytes]:
+    return {"picture": b'{"sheet":"%s","data":"%s"}' % (str(sheet).encode(), b"A" * 4000)}
 
 
 async def test_news_during_the_start_of_a_stream_is_received(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -38,15 +53,14 @@ async def test_news_during_the_start_of_a_stream_is_received(monkeypatch: pytest
         lesson = await Class.open(url)
         leader, follower = await lesson.lead(), await lesson.follow()
         await begun.wait()
-        server.classes.registry.leave(server.classes.registry.rooms[lesson.code])  # as upkeep does once a second
         registry = server.classes.registry
+        registry.leave(registry.rooms[lesson.code])  # as upkeep does once a second
         await registry.store.publish(lesson.code, {"deed": b'"next"'})
         await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
         free.set()
         assert await leader.until(lambda event: event.get("deed") == "next")
         for stream in (leader, follower):
             assert (await stream.until(lambda event: event.get("clock")))["clock"]["t"] == 1.0
-            await stream.close()
 
 
 @pytest.mark.parametrize("leads", [False, True])
@@ -54,15 +68,11 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
     async with teaching() as (server, url):
         lesson = await Class.open(url)
         quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
-        slow = socket.create_connection(("127.0.0.1", server.port))
-        slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {word}\r\n\r\n"
-        slow.sendall(head.encode())
-        room = server.classes.registry.rooms[lesson.code]
+        slow, room = unread(lesson, server.port, word), server.classes.registry.rooms[lesson.code]
         await until(lambda: room.is_led if leads else room.followers == 2)
         room.deliver({"deed": b'"back"'})
         for i in range(400):
-            room.deliver({"picture": b'{"sheet":"%d","data":"%s"}' % (i, b"A" * 4000)})
+            room.deliver(picture(i))
             await asyncio.sleep(0)
         room.deliver({"deed": b'"next"'})
         await quick.until(lambda event: event.get("picture", {}).get("sheet") == "399")
@@ -74,45 +84,83 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
         assert len(seen) < 200 and seen == sorted(seen) and seen[-1] == 399
         assert read.count(b'"deed":"back"') == read.count(b'"deed":"next"') == leads
         slow.close()
-        await quick.close()
 
 
-def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    room = rooms.ClassRoom("K7HM", {})
-    before = room.number
-    room.deliver({"deed": b'"next"'})
-    room.deliver({"answers": b"true"})
-    assert [(news.deed, news.answers) for news in room.news_after(before)] == [("next", False), ("", True)]
-    monkeypatch.setattr(rooms, "OBEYED", 0.0)
-    assert [(news.deed, news.answers) for news in room.news_after(before)] == [("", True)]
+async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
+
+    async with teaching() as (server, url):
+        lesson = await Class.open(url)
+        mute = unread(lesson, server.port, await lesson.token())
+        room = server.classes.registry.rooms[lesson.code]
+        await until(lambda: room.listeners)
+        async with asyncio.timeout(30):
+            while room.listeners:
+                room.deliver(picture("s"))
+                await asyncio.sleep(0.01)
+        mute.close()
 
 
-async def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    registry = Registry(MemoryStore(), LECTURE.bank)
-    code, key = await registry.open()
-    room = await registry.led(code, key)
-    registry.leave(room)
-    assert await registry.room(code) is room
-    monkeypatch.setattr(rooms, "SILENCE", 0.0)
-    registry.leave(room)
-    assert not registry.rooms
-
-
-async def test_a_phone_whose_tabs_are_at_two_replicas_is_one_and_asleep_none(valkey: Valkey) -> None:
+async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is_one(valkey: Valkey) -> None:
+    """The newest streams of a phone stay open, and so do those of others. Asleep, it is none."""
     async with (
         made("valkey", valkey.url) as store,
         made("valkey", valkey.url) as other,
-        served(store) as (_, url),
+        teaching(store=store) as (server, url),
         served(other) as (_, second),
-        streams_closed(),
     ):
         lesson = await Class.open(url)
         leader, token = await lesson.lead(), await lesson.token()
-        tabs = [await Stream(at, lesson.code, token).open() for at in (url, second)]
-        await lesson.follow(second)
-        heard = leader.heard
+        friend, there = await lesson.follow(second), await Stream(second, lesson.code, token).open()
+        tabs = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
+        await until(lambda: sum(tab.ended for tab in tabs) >= 2 * follower_routes.MOST_STREAMS)
+        room = server.classes.registry.rooms[lesson.code]
+        assert (room.followers, room.places) == (1, 2) and not tabs[-1].ended and not friend.ended
         await leader.until(lambda event: event.get("here") == 2)
-        assert max(event.get("here", 0) for _, event in heard) == 2  # never three
-        await tabs[0].close()
-        await tabs[1].close()  # both are asleep
-        await leader.until(lambda event: event is heard[-1][1] and event.get("here") == 1)
+        assert max(event.get("here", 0) for _, event in leader.heard) == 2  # never three
+        await asyncio.gather(*(tab.close() for tab in (*tabs, there)))
+        await leader.until(lambda event: event is leader.heard[-1][1] and event.get("here") == 1)
+        await until(lambda: len(room.streams) == 1)  # the leader's
+
+
+async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "SILENCE", 0.05)
+
+    async with teaching() as (server, url):
+        lesson = await Class.open(url)
+        token, store = await lesson.token(), server.classes.registry.store
+        stream = await Stream(url, lesson.code, token).open()
+        early = await lesson.vote(token, **CHOICE, option=0)  # before its question is restored
+        assert early.status == 503 and "no question yet" in early.json["sentence"]
+        await lesson.order("put", **CHOICE)
+        stranger = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
+        refused = await lesson.vote(stranger, **CHOICE, option=0)
+        assert refused.status == 503 and refused.json["sentence"].startswith("This phone does not follow")
+        await asyncio.sleep(0.2)
+        assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
+        await stream.close()
+        room = server.classes.registry.rooms[lesson.code]
+        await until(lambda: not room.follows(name_of(token)))
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 503
+        await store.name(lesson.code, "another replica", [name_of(token)])
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
+        assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
+
+
+async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(registries, "SPARE", 2)
+
+    async with teaching() as (server, url):
+        lesson = await Class.open(url)
+        await lesson.order("put", **CHOICE)
+        early, late = await lesson.token(), await lesson.token()
+        assert (await lesson.vote(early, **CHOICE, option=1)).status == 204
+        room = server.classes.registry.rooms[lesson.code]
+        for _ in range(10):  # joins, votes and leaves
+            token = await lesson.token()
+            assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
+            del room.polls[name_of(token)]
+        del room.polls[name_of(early)]  # a sleeping phone
+        assert (await lesson.vote(late, **CHOICE, option=2)).status == 204
+        now = (await lesson.tally())["now"]
+        assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]

@@ -16,7 +16,7 @@ from time import monotonic
 from typing import Any, NamedTuple
 
 from tests.live_class.caller import Class, called
-from tests.live_class.messages import MESSAGES, SKETCH, Client, Send
+from tests.live_class.messages import SKETCH, Client
 from tests.serving.visitor import Visitor
 from tools.attack.result import AttackResult
 
@@ -100,9 +100,9 @@ async def _clients(url: str) -> AsyncIterator[tuple[str, list[GreedyAct]]]:
     client = Client(url, await Class.open(url), "127.0.0.1")
     await client.lesson.order("put", walk=SKETCH["walk"], step=SKETCH["step"])
     for _ in range(PHONES):
-        await client.follow("answer", "PUT", SKETCH)
+        await client.ask(f"/class/{client.lesson.code}/answer", "PUT", SKETCH, await client.phone())
     for name in OF_A_CLASS:
-        yield name, [_sent(client, MESSAGES[name])] * AT_ONCE
+        yield name, [_sent(client, name)] * AT_ONCE
 
 
 async def _compared(url: str, others: list[Visitor], name: str, acts: list[GreedyAct]) -> AttackResult:
@@ -169,9 +169,9 @@ def _changed(page: Visitor, message: Message) -> GreedyAct:
     return act
 
 
-def _sent(client: Client, send: Send) -> GreedyAct:
+def _sent(client: Client, name: str) -> GreedyAct:
     numbers = count()
-    return lambda: send(client, next(numbers))
+    return lambda: client.send(name, next(numbers))
 
 
 def _fetched(url: str, *request: Any) -> GreedyAct:
