@@ -12,7 +12,7 @@ from fontTools.ttLib import TTFont
 from components.layout.text import SENTENCES, SHORT, kept, mathml, rich
 from components.scenes import SCENES
 from components.state.scene_sheet import sheet_json
-from tests.tooling.math_font import FONT
+from tools.math_font import FONT
 
 
 def signs(markup: str) -> set[str]:

@@ -1,4 +1,4 @@
-"""Make static/fonts/stix-two-math.woff from the full STIX Two Math: python -m tests.tooling.math_font path/to/full.woff
+"""Make static/fonts/stix-two-math.woff from the full STIX Two Math: python -m tools.math_font path/to/full.woff
 
 The full font is in the npm package @fontsource/stix-two-math. The result keeps the characters of formulas, with the
 variants and the table that mathematical layout needs.
@@ -12,7 +12,7 @@ from pathlib import Path
 from fontTools.subset import Options, Subsetter
 from fontTools.ttLib import TTFont
 
-FONT = Path(__file__).parents[2] / "static" / "fonts" / "stix-two-math.woff"
+FONT = Path(__file__).parents[1] / "static" / "fonts" / "stix-two-math.woff"
 CHARACTERS = (
     *range(0x20, 0x7F),
     *map(ord, "\xa0¨¯°±²³·¹¼½¾×÷˙′″⁄ℎ←↑→↓↔∂∆∑−∓∕√∝∞∣∫≈≠≡≤≥≪≫⋅\u0307\u0308"),
