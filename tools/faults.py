@@ -97,7 +97,7 @@ MUTANTS = (
         "line", "components/serving/admission.py", "has < OF_A_NETWORK", "has <= OF_A_NETWORK",
         "tests/serving/test_admission.py",
     ),
-    Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_headers.py"),
+    Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_routes.py"),
     # scripts
     Mutant("silence", "static/live_class/stream.js", "receivedAt > SILENCE", "receivedAt > 9 * SILENCE", "tests/js"),
     Mutant("twice told", "static/core/storage.js", "if (!wasReported) note(NOTHING)", "note(NOTHING)", "tests/js"),

@@ -1,6 +1,6 @@
 """`python -m tools.house_rules` checks the house rules that no linter knows, as `make lint` does.
 
-It prints each place that breaks a rule, with the rule. tests/tooling/test_measures.py calls the same functions.
+It prints each place that breaks a rule, with the rule. tests/tooling/test_measures.py tests the functions.
 """
 
 from __future__ import annotations

@@ -36,9 +36,10 @@ def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Reply
 
 
 def token_of(page: str) -> str:
+    """Return the token that opens the page's session."""
     found = re.search(r'"token":"([^"]+)"', page)
     if found is None:
-        raise RuntimeError("this is not a page with a token")
+        raise ConnectionError("this is not a page with a session")
     return found[1]
 
 

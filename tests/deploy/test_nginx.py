@@ -13,9 +13,9 @@ from textwrap import dedent
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
-from tests.attack.caller import ask
+from tests.attack.caller import ask, token_of
 from tests.serving.server import ROOT
-from tests.serving.visitor import Visitor, token_in
+from tests.serving.visitor import Visitor
 from tools.deploy.site import DeployedSite, deployed
 from tools.deploy.trials import trial
 
@@ -116,7 +116,7 @@ async def arrive(site: DeployedSite, link: str, cookies: bool) -> tuple[Visitor,
     assert page.status == 200
     cookie = page.headers["Set-Cookie"].partition(";")[0]
     headers = {"Cookie": cookie} if cookies else {}
-    return await Visitor.connect(site.url, token_in(page.text), headers), cookie
+    return await Visitor.connect(site.url, token_of(page.text), headers), cookie
 
 
 @with_nginx

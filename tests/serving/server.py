@@ -53,7 +53,6 @@ def serving(
     command: Sequence[str] | None = None,
     folder: Path = ROOT,
     environment: Mapping[str, str] | None = None,
-    user: int | None = None,
 ) -> Iterator[Server]:
     """Yield a server that listens, and end it. `command` replaces the default one and must listen on `port`."""
     port = port or free_port()
@@ -70,7 +69,6 @@ def serving(
                 env=variables,
                 stdout=stream,
                 stderr=subprocess.STDOUT,
-                **({} if user is None else {"user": user, "group": user, "extra_groups": []}),
             )
     try:
         _wait_until_listening(process, port, log)

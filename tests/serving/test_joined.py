@@ -10,7 +10,7 @@ import pytest
 
 from components.serving.assets import assets, static_files, written_files
 from components.serving.scripts import FIRST, IMPORT, sent
-from components.serving.shell import version
+from components.serving.shell import library, version
 
 MODULES = {name: text.decode() for name, text in written_files().items() if name.endswith(".js")}
 
@@ -33,28 +33,9 @@ def test_every_import_of_a_script_that_is_sent_is_sent() -> None:
         for name, text in scripts.items()
         for imported in re.findall(r'(?:^import .* from |=> import\()"(.*)"', text, re.M)
     }
-    assert len(asked) > 15
-    assert asked <= scripts.keys()
-    assert {f"{version()}/{name}" for name in scripts} <= assets().keys()
-
-
-def test_a_module_comes_after_what_it_needs_and_says_what_others_may_use() -> None:
-    modules = {
-        FIRST: 'import {twice as double} from "./core/sum.js"\n\ndouble(1)\n',
-        "core/sum.js": 'import {one} from "./one.js"\n\nexport const twice = n => n + n + one - one\n',
-        "core/one.js": "export const one = 1\n",
-        "late/x.js": 'import {one} from "../core/one.js"\nimport {y} from "./y.js"\n',
-        "late/y.js": "export const y = 1\n",
-    }
-    assert sent(modules) == {
-        FIRST: "const $core_one = (() => {\nconst one = 1\nreturn {one}\n})()\n"
-        "const $core_sum = (() => {\nconst {one} = $core_one\n\n"
-        "const twice = n => n + n + one - one\nreturn {twice}\n})()\n"
-        "const $start = (() => {\nconst {twice: double} = $core_sum\n\ndouble(1)\nreturn {}\n})()\n"
-        "export const {one} = $core_one\nexport const {twice} = $core_sum\n",
-        "late/x.js": 'import {one} from "../start.js"\nimport {y} from "./y.js"\n',
-        "late/y.js": "export const y = 1\n",
-    }
+    assert len(asked) > 15 and asked <= scripts.keys()
+    page = {f"{version()}/{name}" for name in (*scripts, "style.css")} | {library().removeprefix("assets/")}
+    assert page <= assets().keys()
 
 
 @pytest.mark.parametrize(

@@ -7,29 +7,24 @@ import io
 import zipfile
 from concurrent.futures import Future
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
 import pytest
-from tornado.httpclient import AsyncHTTPClient
 
-from app import NO_WALKS, SHEETS, visited, walked
+from app import NO_WALKS, visited, walked
 from components.language.messages import File
 from components.scenes import SCENES
 from components.serving.csv_route import NumbersRoute
-from components.serving.server import Server as Serving
-from components.serving.settings import Settings
-from components.serving.worker_process import ReadingProcess
 from components.session.exports import LinkExport, link_file
 from components.session.worker import Replied, WorkerJob
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
 from tests.scenes.checks import as_arguments
-from tests.serving.server import Server, serving
+from tests.serving.served import page_of, served, until, url
+from tests.serving.server import Server
 from tests.serving.visitor import Visitor
 
-scenes = pytest.mark.parametrize("slug", SCENES)
 COUPLED = "/data.csv?scene=coupled&k2=3"
 
 
@@ -48,7 +43,7 @@ def files_of(query: str, page: str) -> dict[str, bytes]:
         return {name.removeprefix(prefix).removesuffix(".csv"): packed.read(name) for name in packed.namelist()}
 
 
-@scenes
+@pytest.mark.parametrize("slug", SCENES)
 def test_every_table_is_that_of_take_away(slug: str) -> None:
     query = f"scene={slug}"
     files = files_of(query, "http://here/")
@@ -57,27 +52,22 @@ def test_every_table_is_that_of_take_away(slug: str) -> None:
         assert link_table(f"{query}&table={name}") == content
 
 
-def test_pandas_reads_the_numbers_of_an_address(server: Server) -> None:
-    table = pd.read_csv(f"{server.url}data.csv?scene=coupled&k2=3", comment="#")
+def test_pandas_reads_the_numbers_of_an_address_and_the_file_says_where_it_is_from(server: Server) -> None:
+    reply = ask(server.url, COUPLED)
+    table = pd.read_csv(io.StringIO(reply.text), comment="#")
     scene = SCENES["coupled"](k2=3.0)
     assert list(table) == list(scene.frame())
     assert table["x1 [m]"].to_list() == scene.sources["time"].data["x1"].tolist()
-
-
-def test_the_file_says_where_it_is_from(server: Server) -> None:
-    reply = ask(server.url, COUPLED)
     assert f"# {server.url}?scene=coupled&k2=3&view=motion" in reply.text
     assert reply.headers["Content-Type"].startswith("text/csv")
     assert reply.headers["Content-Disposition"] == 'attachment; filename="coupled.csv"'
-    assert ask(server.url, COUPLED, "HEAD").text == ""
 
 
 def test_what_is_covered_stays_out(server: Server) -> None:
     assert "T1 [J]" in ask(server.url, COUPLED).text
     reply = ask(server.url, f"{COUPLED}&cover=plot:energy")
     assert reply.status == 200 and "x1 [m]" in reply.text and "[J]" not in reply.text
-    whole = ask(server.url, "/data.csv?walk=d34&step=d34-07").text
-    assert whole.startswith("# Oscillations")
+    assert ask(server.url, "/data.csv?walk=d34&step=d34-07").text.startswith("# Oscillations")
 
 
 @pytest.mark.parametrize(
@@ -91,6 +81,11 @@ def test_what_is_covered_stays_out(server: Server) -> None:
         ("scene=coupled&cover=plot:nothing", "“plot:nothing” cannot be covered here."),
         ("scene=oscillator&m=1e308&k=1e308&x_0=1e308&v_0=1e308", "The link"),
         ("scene=driven&omega=1e150", "takes more digits of arithmetic than are allowed"),
+        (  # The power once divided by the time between two points, which is 0 here.
+            "scene=driven&window=5e-324&kind=unbalance&F_0=1e100&omega=11.729809191764284&k=1e-300&"
+            "c=33.108882784528554&keep=zeta&x_0=-1e-100",
+            "range of doubles",
+        ),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sentence: str) -> None:
@@ -100,75 +95,46 @@ def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sen
     assert sentence in reply.text and "<" not in reply.text
 
 
-def test_a_window_too_short_for_its_points_is_no_fault(server: Server) -> None:
-    """The power of `driven` once divided by the time between two points, which is 0 here; the server answered 500."""
-    query = "kind=unbalance&F_0=1e100&omega=11.729809191764284&k=1e-300&c=33.108882784528554&keep=zeta&x_0=-1e-100"
-    reply = ask(server.url, f"/data.csv?scene=driven&window=5e-324&{query}")
-    assert reply.status == 400 and "range of doubles" in reply.text
-
-
-class Worker:
+class FakeWorker:
     """A worker that holds jobs and their replies."""
 
     def __init__(self) -> None:
-        self.jobs: list[tuple[WorkerJob, str, Future[Replied]]] = []
+        self.jobs: list[tuple[WorkerJob, str]] = []
+        self.replies: list[Future[Replied]] = []
 
     def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
-        self.jobs.append((asked, network, Future()))
-        return self.jobs[-1][-1]
+        self.jobs.append((asked, network))
+        self.replies.append(Future())
+        return self.replies[-1]
 
 
 async def test_the_worker_makes_the_file_for_the_network_that_asks() -> None:
     """The event loop continues meanwhile; the job of a client who leaves is cancelled."""
-    worker = Worker()
-    running = Serving(
-        lambda document: None, Settings(address="127.0.0.1", port=0), extensions=[NumbersRoute(worker, 9)]
-    )
-    client, url = AsyncHTTPClient(), f"http://127.0.0.1:{running.port}"
-    waits = client.fetch(f"{url}{COUPLED}")
-    while not worker.jobs:
-        await asyncio.sleep(0.01)
-    assert (await client.fetch(f"{url}/liveness")).code == 200
-    ((job, network, reply),) = worker.jobs
-    assert job == LinkExport({"scene": [b"coupled"], "k2": [b"3"]}, f"{url}/") and network == "127.0.0.0/24"
-    reply.set_result(Replied(file=File(answer=None, name="coupled.csv", kind="text/csv", content=b"here")))
-    assert (await waits).body == b"here"
-    _, writer = await asyncio.open_connection("127.0.0.1", running.port)
-    writer.write(f"GET {COUPLED} HTTP/1.1\r\nHost: 127.0.0.1:{running.port}\r\n\r\n".encode())
-    while len(worker.jobs) < 2:
-        await asyncio.sleep(0.01)
-    writer.close()
-    while not worker.jobs[1][-1].cancelled():
-        await asyncio.sleep(0.01)
-    waits = client.fetch(f"{url}{COUPLED}", raise_error=False)
-    while len(worker.jobs) < 3:
-        await asyncio.sleep(0.01)
-    worker.jobs[2][-1].set_result(Replied(refused="Later.", is_busy=True, after=1.5))
-    refused = await waits
-    assert (refused.code, refused.headers["Retry-After"], refused.body) == (429, "2", b"Later.\n")
-    await running.end()
-
-
-def test_a_network_asks_for_as_many_tables_as_it_opens_pages(tmp_path: Path) -> None:
-    with serving(tmp_path / "log", options=("--arrivals", "3")) as running:
-        replies = [ask(running.url, COUPLED) for _ in range(5)]
-        assert [reply.status for reply in replies] == [200, 200, 200, 429, 429]
-        assert int(replies[-1].headers["Retry-After"]) >= 1
-        assert ask(running.url).status == 200, "pages are counted by themselves"
-        assert ask(running.url, "/data.csv?" + "x" * 9000).status == 414
-        assert ask(running.url, COUPLED, Host="elsewhere.example").status == 403
+    worker = FakeWorker()
+    async with served(extensions=[NumbersRoute(worker, 9)]) as server:
+        waits = asyncio.create_task(page_of(server, COUPLED))
+        await until(lambda: len(worker.jobs) == 1)
+        assert (await page_of(server, "/liveness")).status == 200
+        job = LinkExport({"scene": [b"coupled"], "k2": [b"3"]}, url(server))
+        assert worker.jobs == [(job, "127.0.0.0/24")]
+        worker.replies[0].set_result(
+            Replied(file=File(answer=None, name="coupled.csv", kind="text/csv", content=b"here"))
+        )
+        assert (await waits).text == "here"
+        _, writer = await asyncio.open_connection("127.0.0.1", server.port)
+        writer.write(f"GET {COUPLED} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
+        await until(lambda: len(worker.jobs) == 2)
+        writer.close()
+        await until(worker.replies[1].cancelled)
 
 
 @pytest.mark.parametrize("message", [{"type": "csv", "page": "http://here/"}, {"type": "about"}], ids=["csv", "about"])
-async def test_a_page_gives_long_jobs_to_a_worker_that_is_idle(message: dict[str, Any]) -> None:
-    """A worker without jobs was once treated as missing."""
-    worker = ReadingProcess("tests.serving.hanging")
-    running = Serving(
-        partial(walked([]).open_page, worker=worker), Settings(address="127.0.0.1", port=0), sheets=SHEETS
-    )
-    visitor = await Visitor.arrive(f"http://127.0.0.1:{running.port}/", "scene=coupled")
-    told = await visitor.send(message)
-    assert "read" in (told["errors"]["message"] if message["type"] == "csv" else told["notes"][0])
-    await visitor.depart()
-    await running.end()
-    worker.close()
+async def test_a_page_gives_long_jobs_to_a_worker(message: dict[str, Any]) -> None:
+    worker = FakeWorker()
+    async with served(partial(walked([]).open_page, worker=worker)) as server:
+        visitor = await Visitor.arrive(url(server), "scene=coupled")
+        told = asyncio.create_task(visitor.send(message))
+        await until(lambda: len(worker.jobs) == 1)
+        worker.replies[0].set_result(Replied(refused="read"))
+        assert "read" in ((await told)["errors"]["message"] if message["type"] == "csv" else (await told)["notes"][0])
+        await visitor.depart()

@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, expect
 from components.scenes import SCENES
 from tests.serving.server import serving_panel
 
+pytestmark = pytest.mark.slow  # it starts a process
 LAST = """() => [...Bokeh.documents[0]._all_models.values()].find(
     model => model.name === "time" && "x1_slow" in model.data).data.x1.at(-1)"""
 """The end of the curve x1."""
@@ -36,39 +37,30 @@ def texts(session: ClientSession) -> str:
     return html.unescape(" ".join(str(getattr(model, "text", "")) for model in models))
 
 
-def test_a_page_has_the_menu_of_scenes_and_says_how_the_lecture_is_started(panel_serve: str) -> None:
-    session = visit(panel_serve)
+def test_a_page_has_the_menu_and_says_how_the_lecture_is_started_and_what_of_a_link_cannot_be(
+    panel_serve: str,
+) -> None:
+    session = visit(f"{panel_serve}?scene=coupled&k2=3&k1=many")
     text = texts(session)
+    fields = [model.value for model in session.document.models if type(model).__name__ == "TextInput"]
     session.close()
     assert all(f'href="?scene={slug}"' in text and scene.title in text for slug, scene in SCENES.items())
     assert "The whole lecture" in text
     assert "make run" in text and "python -m components.serving --show" in text
+    assert "“many” is not a number" in text
+    assert "3.00" in fields and "4.00" in fields
 
 
-def test_a_page_is_as_wide_as_the_screen_of_a_phone(panel_serve: str) -> None:
+def test_a_page_fits_a_phone_and_fetches_nothing_from_another_host(panel_serve: str) -> None:
     with urlopen(panel_serve) as response:
         page = response.read().decode()
     assert re.search(r'<meta name="viewport" content="width=device-width', page)
-
-
-def test_a_page_fetches_nothing_from_another_host(panel_serve: str) -> None:
-    with urlopen(panel_serve) as response:
-        page = response.read().decode()
     fetched = re.findall(r"<(?:script|link|img)\b[^>]*?(?:src|href)=\"([^\"]+)", page)
     assert any("bokeh.min.js" in address for address in fetched)
     assert [address for address in fetched if urlsplit(address).netloc] == []
 
 
-def test_what_of_a_link_cannot_be_is_said(panel_serve: str) -> None:
-    session = visit(f"{panel_serve}?scene=coupled&k2=3&k1=many")
-    fields = [model.value for model in session.document.models if type(model).__name__ == "TextInput"]
-    assert "“many” is not a number" in texts(session)
-    assert "3.00" in fields and "4.00" in fields
-    session.close()
-
-
 @pytest.mark.browser
-@pytest.mark.slow
 def test_a_widget_drives_the_figures_and_the_address_and_a_refused_value_stays(
     panel_serve: str, browser: Browser
 ) -> None:

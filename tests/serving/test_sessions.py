@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
 from socket import IPPROTO_TCP, TCP_NODELAY
+from time import thread_time
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,73 +16,31 @@ from bokeh.server.contexts import ApplicationContext
 from bokeh.server.session import ServerSession
 from bokeh.util.token import generate_jwt_token, generate_session_id
 
-from app import SHEETS, open_page
-from components.serving.server import Server
-from components.serving.settings import Settings
-from components.serving.sockets import CHEAP, MOST_MISSED, MOST_PINGS, SURCHARGE, Socket
+from app import open_page
+from components.serving.sockets import CHEAP, MOST_MISSED, MOST_PINGS, SURCHARGE, Socket, metered
 from components.serving.tokens import opens_session
-from tests.attack.caller import Caller, Reply, ask, connect, contents, event, header, patch, refused, said, token_of
+from tests.attack.caller import Caller, connect, event, header, patch, refused, said, token_of
+from tests.serving.served import page_of, served, sessions, until, url
 from tests.serving.visitor import Visitor
 
 SECRET = "a secret of sixteen letters"
+PULL = (header("PULL-DOC-REQ"), "{}", "{}")
+WORD = "the word that is for the log"
 
 
-@asynccontextmanager
-async def served(page: Callable[[Document], None] = open_page, **settings: Any) -> AsyncIterator[Server]:
-    server = Server(page, Settings(**{"address": "127.0.0.1", "port": 0, **settings}), sheets=SHEETS)
-    try:
-        yield server
-    finally:
-        await server.end()
-
-
-def url(server: Server) -> str:
-    return f"http://127.0.0.1:{server.port}/"
-
-
-async def page_of(server: Server, path: str = "/", **headers: str) -> Reply:
-    return await asyncio.to_thread(ask, url(server), path, **headers)
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(30):
-        while not condition():
-            await asyncio.sleep(0.01)
-
-
-def sessions(server: Server) -> list[ServerSession]:
-    return server.lecture.get_sessions("/")
-
-
-def broken(document: Document) -> None:
-    raise ArithmeticError("the word that is for the log")
+def fail(_: object) -> None:
+    raise ArithmeticError(WORD)
 
 
 async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
-    async with (
-        served(bokeh_secret_key=SECRET) as first,
-        served(bokeh_secret_key=SECRET) as second,
-        served() as other,
-    ):
+    async with served(bokeh_secret_key=SECRET) as first, served(bokeh_secret_key=SECRET) as second, served() as other:
         token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
         caller = Caller(await connect(url(second), token))
         await until(lambda: len(sessions(second)) == 1)
         assert sessions(second)[0].document.title == sessions(first)[0].document.title
         assert await refused(url(other), token) == 403
+        assert other.context.secret != second.context.secret and len(other.context.secret) > 32
         await caller.depart()
-
-
-async def test_a_secret_that_is_not_set_is_made_for_each_start() -> None:
-    async with served() as first, served() as second:
-        assert first.context.secret != second.context.secret and len(first.context.secret) > 32
-
-
-async def test_a_token_holds_the_host_and_the_query() -> None:
-    async with served() as server:
-        page = await page_of(server, "/?k2=3", Cookie="a=b", Authorization="Basic eDp5", User_Agent="me")
-        told = contents(token_of(page.text))
-        host = f"127.0.0.1:{server.port}"
-        assert (told["headers"], told["cookies"], set(told["arguments"])) == ({"Host": host}, {}, {"k2"})
 
 
 def test_tokens_expire_and_only_tokens_open() -> None:
@@ -100,44 +57,23 @@ def test_tokens_expire_and_only_tokens_open() -> None:
     assert not opens_session(generate_session_id(secret_key=secret, signed=True), secret)
 
 
-@pytest.mark.parametrize("path", ["/?bokeh-session-id=klass", "/?bokeh-token=a.b", "/?k2=3&bokeh-session-id=klass"])
-async def test_a_link_names_no_session(path: str) -> None:
-    async with served() as server:
-        page = await page_of(server, path)
-        assert page.status == 403
-        assert "A link cannot name a session" in page.text
-        assert not sessions(server)
-
-
-async def test_looking_whether_there_is_a_page_opens_no_session() -> None:
-    async with served() as server:
-        reply = await asyncio.to_thread(ask, url(server), "/", "HEAD")
-        assert (reply.status, reply.text) == (200, "")
-        assert not sessions(server)
-
-
 async def test_a_page_that_fails_says_so_in_a_sentence_and_the_log_says_why(caplog: pytest.LogCaptureFixture) -> None:
-    async with served(broken, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
+    async with served(fail, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
         page = await page_of(server)
-        assert page.status == 500
+        assert page.status == 500 and page.quiet and WORD not in page.text
         assert "Something went wrong on the server" in page.text
-        assert page.quiet
-        assert "the word" not in page.text
         caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
         assert (await caller.closed())[0] == 1011
-    assert "the word that is for the log" in caplog.text
+    assert WORD in caplog.text
 
 
 async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
-    def fail(_: object) -> None:
-        raise ArithmeticError("the word that is for the log")
-
     def page(document: Document) -> None:
         open_page(document)
         document.on_event("document_ready", fail)
 
     before = len(_PATCHED_CURDOCS)
-    async with served(broken) as server:
+    async with served(fail) as server:
         await page_of(server)
     async with served(page) as server:
         for message in (patch(event("document_ready")), said(None, model="p0")):
@@ -150,16 +86,15 @@ async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> 
 async def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def fail(*_: object) -> None:
-        raise ArithmeticError("the word that is for the log")
+    async def fails(*_: object) -> None:
+        fail(None)
 
     async with served() as server:
         caller = await Caller.arrive(url(server))
-        monkeypatch.setattr(ServerSession, "pull", fail)
-        await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
+        monkeypatch.setattr(ServerSession, "pull", fails)
+        await caller.send(*PULL)
         code, reason = await caller.closed()
-        assert code == 1011
-        assert "Something went wrong on the server" in reason
+        assert code == 1011 and "Something went wrong on the server" in reason
     assert [record.levelno for record in caplog.records if record.exc_info] == [logging.ERROR]
 
 
@@ -196,7 +131,7 @@ async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
         for _ in range(MOST_MISSED + 1):
             for socket in list(server.context.admission.sockets):
                 socket.pulse()
-            await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
+            await caller.send(*PULL)
             for _ in range(3):  # the answer comes after the pong
                 await caller.receive()
         assert await silent.closed() == (1001, "No answer to two pings.")
@@ -204,25 +139,30 @@ async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
         await caller.depart()
 
 
-async def test_a_page_has_one_socket() -> None:
+async def test_a_page_has_one_socket_which_delays_no_answer() -> None:
     async with served() as server:
         token = token_of((await page_of(server)).text)
         first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
         assert await first.closed() == (1008, "This page has a newer connection.")
         await until(lambda: len(server.context.admission.sockets) == 1)
+        (socket,) = server.context.admission.sockets
+        assert isinstance(socket, Socket) and socket.ws_connection is not None
+        assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
         for _ in range(3):  # the greeting
             await second.receive()
-        await second.send(header("PULL-DOC-REQ"), "{}", "{}")
+        await second.send(*PULL)
         assert await second.receive()
         await second.depart()
 
 
-async def test_pings_without_end_close_their_socket() -> None:
+async def test_pings_without_end_close_their_socket_and_the_end_of_the_server_all_others() -> None:
     async with served() as server:
-        caller = await Caller.arrive(url(server))
+        caller, other = await Caller.arrive(url(server)), await Caller.arrive(url(server))
         for _ in range(MOST_PINGS):
             caller.socket.ping(b"")
         assert await caller.closed() == (1008, "Too many pings.")
+        await server.end()
+        assert (await other.closed())[0] == 1001
 
 
 async def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -249,16 +189,67 @@ async def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest
     assert slept == [-100.0, *[pytest.approx(3.0 + SURCHARGE * (3.0 - CHEAP))] * 2]
 
 
-async def test_answers_are_not_held_back() -> None:
+async def test_who_leaves_while_a_change_is_answered_is_no_visitor_any_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The connection has no session then: nothing is counted, and no error occurs."""
+    answering, left = asyncio.Event(), asyncio.Event()
+
+    async def answer(self: Socket, message: object) -> None:
+        answering.set()
+        await self.gone.wait()
+        left.set()
+
     async with served() as server:
         caller = await Caller.arrive(url(server))
-        (socket,) = server.context.admission.sockets
-        assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
+        monkeypatch.setattr(Socket, "_answer", answer)
+        await caller.send(*patch(event("document_ready")))
+        await answering.wait()
         await caller.depart()
+        await left.wait()
+        await asyncio.sleep(0)
+        assert b"change_seconds_count 0.0" in server.context.metrics.text()
 
 
-async def test_the_end_of_the_server_closes_its_sockets_as_going_away() -> None:
-    async with served() as server:
-        caller = await Caller.arrive(url(server))
-        await server.end()
-        assert (await caller.closed())[0] == 1001
+# The CPU time that a message takes
+
+
+async def busy(seconds: float) -> None:
+    end = thread_time() + seconds
+    while thread_time() < end:
+        pass
+
+
+async def test_nobody_pays_for_what_another_asks_for_meanwhile() -> None:
+    async def patient() -> None:
+        await busy(0.01)
+        await asyncio.sleep(0.01)
+        await asyncio.sleep(0)
+
+    other = asyncio.create_task(busy(0.2))
+    took = await metered(patient())
+    await other
+    assert 0.01 <= took < 0.1
+
+
+async def test_what_is_metered_fails_and_is_cancelled_as_it_is_without() -> None:
+    ended = asyncio.Event()
+
+    async def failing() -> None:
+        await asyncio.sleep(0)
+        raise ValueError("as it is")
+
+    async def wait() -> None:
+        try:
+            await asyncio.sleep(60)
+        finally:
+            ended.set()
+
+    async def pay() -> None:
+        await metered(wait())
+
+    with pytest.raises(ValueError, match="as it is"):
+        await metered(failing())
+    task = asyncio.create_task(pay())
+    await asyncio.sleep(0)
+    task.cancel()
+    await asyncio.wait([task])
+    assert ended.is_set() and task.cancelled()

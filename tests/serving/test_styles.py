@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 import tinycss2
@@ -14,8 +13,8 @@ from tinycss2.ast import AtRule, Declaration, Node, QualifiedRule
 from components.serving.assets import SCENES, STYLES, in_text_sizes, static_files, style_sheet
 
 PARTS = [path for path in (*STYLES.glob("*.css"), *SCENES.glob("*/*.css")) if path.name != "style.css"]
+LONGEST_FILE = 300
 ORDER = tinycss2.parse_stylesheet((STYLES / "style.css").read_text("utf-8"), skip_comments=True, skip_whitespace=True)
-LONGEST_FILE, LONGEST_LINE = 300, 120
 
 
 def rules(nodes: list[Node], where: str = "") -> Iterator[tuple[str, list[str]]]:
@@ -68,8 +67,10 @@ def test_scripts_ask_for_no_size_of_the_screen() -> None:
     assert [query for query in asked if re.search("width|height", query)] == []
 
 
-def test_every_part_is_on_the_wire_once_and_alone() -> None:
+def test_every_part_is_short_and_on_the_wire_once_and_alone() -> None:
     sheet = style_sheet()
+    assert [path.name for path in PARTS if len(path.read_text("utf-8").splitlines()) > LONGEST_FILE] == []
+    assert all(path.stem == path.parent.name for path in PARTS if path.parent != STYLES)
     assert all(sheet.count(in_text_sizes(path.read_text("utf-8")).encode()) == 1 for path in PARTS)
     assert b"@import" not in sheet
     assert [name for name in static_files() if name.endswith(".css")] == ["style.css"]
@@ -85,13 +86,6 @@ def test_all_our_rules_are_in_a_named_layer() -> None:
     assert {tinycss2.serialize(node.prelude).strip() for node in sheet[1:]} == set(layers)
 
 
-def test_the_hall_is_styled_by_properties_and_one_container() -> None:
-    """Its selectors are those that set them."""
-    told = [where for where, _ in all_rules() if "data-mode" in where]
-    assert len(told) <= 4
-    assert all(where.startswith(" layer hall ") for where in told)
-
-
 def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
     sheet = "@container screen (width < 1280px) { .a { margin: -4px 0.5px; --m1: #0a3f8a; stroke-width: 2px; } }"
     grown = (
@@ -100,13 +94,10 @@ def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
     assert in_text_sizes(sheet) == grown
 
 
-def test_no_rule_is_defined_twice() -> None:
+def test_no_rule_is_defined_twice_and_no_declaration_occurs_twice_in_one() -> None:
     found = Counter(where for where, _ in all_rules())
     assert len(found) > 200
     assert [rule for rule, count in found.items() if count > 1] == []
-
-
-def test_no_declaration_occurs_twice_in_a_rule() -> None:
     assert [where for where, names in all_rules() if len(names) != len(set(names))] == []
 
 
@@ -116,19 +107,40 @@ def test_what_is_important_says_why() -> None:
     assert all("/* Important: " in lines[i - 1] for i in important), [lines[i] for i in important]
 
 
-@pytest.mark.parametrize("path", PARTS, ids=lambda path: path.name)
-def test_a_part_is_short(path: Path) -> None:
-    lines = path.read_text(encoding="utf-8").splitlines()
-    assert len(lines) <= LONGEST_FILE
-    assert max(map(len, lines)) <= LONGEST_LINE
-
-
-def test_the_rules_of_a_scene_lie_with_that_scene() -> None:
-    assert {path.stem for path in SCENES.glob("*/*.css")} == {path.parent.name for path in SCENES.glob("*/*.css")}
-
-
 def test_what_is_not_selected_opens_no_menu_in_safari_either() -> None:
     """Safari needs the prefixed name, and a long press opens a menu there; no browser of the tests uses that rule."""
     found = [{*names} for _, names in all_rules() if "user-select" in names]
     assert found
     assert all({"-webkit-user-select", "-webkit-touch-callout"} <= names for names in found)
+
+
+# Tints: each has a light and a dark colour that is readable on paper and panel, and a class.
+
+TOKENS = (STYLES / "tokens.css").read_text(encoding="utf-8")
+FILLS = {"k1fill", "k2fill"}
+"""Areas without text."""
+TINTS = set(re.findall(r"^  \.(\w+) \{\n    --c: var\(--\1\);", TOKENS, re.M))
+THEMES = {
+    theme: dict(re.findall(r"--(\w+): (#\w{6});", TOKENS.partition(f"color-scheme: {theme};")[2].partition("\n}")[0]))
+    for theme in ("light", "dark")
+}
+
+
+def luminance(colour: str) -> float:
+    """Return the relative luminance of a colour by WCAG 2.2."""
+    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_a_tint_is_readable_on_paper_and_panel_and_each_mass_has_its_own(theme: str) -> None:
+    colours = THEMES[theme]
+    assert {"m1", "m2", "m3"} <= TINTS and len({colours[name] for name in ("m1", "m2", "m3")}) == 3
+    contrasts = {
+        (tint, ground): (max(pair) + 0.05) / (min(pair) + 0.05)
+        for tint in TINTS - FILLS
+        for ground in ("paper", "panel")
+        for pair in [(luminance(colours[tint]), luminance(colours[ground]))]
+    }
+    assert {pair: contrast for pair, contrast in contrasts.items() if contrast < 4.5} == {}

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
-
 import pytest
 from bokeh.util.token import generate_jwt_token, generate_session_id
 
-from app import SHEETS, open_page
 from components.serving.admission import RETURNS
-from components.serving.server import Server
-from components.serving.settings import Settings
 from components.serving.visitors import MINUTE, Arrivals, Rate, networks, visitor
-from tests.attack.caller import Reply, ask, contents, token_of
+from tests.attack.caller import Reply, contents, token_of
+from tests.serving.served import page_of, served, sessions
 
 TRUSTED = networks(["10.0.0.0/24", "fd00::1"])
 
@@ -90,61 +86,36 @@ def test_a_charge_of_more_than_a_minute_is_paid_off_in_full() -> None:
     assert waits == [True, True, True, False]
 
 
-async def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
-    async def page_for(server: Server, address: str) -> Reply:
-        url = f"http://127.0.0.1:{server.port}/"
-        return await asyncio.to_thread(ask, url, "/", **{"X-Forwarded-For": address})
-
-    settings = Settings(address="127.0.0.1", port=0, arrivals=2, trusted_proxies=("127.0.0.1",))
-    server = Server(open_page, settings, sheets=SHEETS)
-    replies = [await page_for(server, "198.51.100.1") for _ in range(3)]
-    assert [reply.status for reply in replies] == [200, 200, 429]
-    assert "Too many pages were opened from this network" in replies[2].text
-    assert 0 < int(replies[2].headers["Retry-After"]) <= 30
-    assert (await page_for(server, "203.0.113.5")).status == 200
-    contexts = [session.document.session_context for session in server.lecture.get_sessions("/")]
-    known = [context.token_payload["network"] for context in contexts]
-    assert sorted(known) == ["198.51.100.0/24"] * 2 + ["203.0.113.0/24"]
-    await server.end()
+async def test_a_page_knows_the_network_that_a_trusted_proxy_names() -> None:
+    async with served(arrivals=1, trusted_proxies=("127.0.0.1",)) as server:
+        for address, status in (("198.51.100.1", 200), ("198.51.100.1", 429), ("203.0.113.5", 200)):
+            assert (await page_of(server, X_Forwarded_For=address)).status == status
+        contexts = [session.document.session_context for session in sessions(server)]
+        known = [context.token_payload["network"] for context in contexts if context]
+        assert sorted(known) == ["198.51.100.0/24", "203.0.113.0/24"]
 
 
 async def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
     """A page is recognised by its earlier token, expired or not, with a rate limit that its successors share."""
+    async with served(arrivals=2) as server:
+        admission = server.context.admission
+        for rate in (admission.arrivals, admission.returns, admission.returning):
+            rate._clock = lambda: 0.0
 
-    server = Server(open_page, Settings(address="127.0.0.1", port=0, arrivals=2), sheets=SHEETS)
-    admission = server.context.admission
-    for rate in (admission.arrivals, admission.returns, admission.returning):
-        rate._clock = lambda: 0.0
-    url = f"http://127.0.0.1:{server.port}/"
+        async def page(token: str = "") -> Reply:
+            return await page_of(server, Page_Token=token)
 
-    async def page(token: str = "") -> Reply:
-        return await asyncio.to_thread(ask, url, "/", **{"Page-Token": token})
-
-    first, other, stranger = [await page() for _ in range(3)]
-    assert [first.status, other.status, stranger.status] == [200, 200, 429]
-    token, name = token_of(first.text), contents(token_of(first.text))["page"]
-    assert name != contents(token_of(other.text))["page"]
-    for forged in (token[:-4] + "AAAA", "a.b", contents(token)["session_id"], "é"):
-        assert (await page(forged)).status == 429
-    for _ in range(RETURNS):
-        back = await page(token)
-        assert back.status == 200 and contents(token_of(back.text))["page"] == name
-        token = token_of(back.text)
-    assert (await page(token)).status == 429
-    secret = server.context.secret
-    session = generate_session_id(secret, True)
-    old = generate_jwt_token(session, secret, True, extra_payload={"page": "old"}, expiration=-1000)
-    assert (await page(old)).status == 200
-    await server.end()
-
-
-async def test_a_page_that_comes_back_keeps_its_place_in_the_line() -> None:
-    server = Server(open_page, Settings(address="127.0.0.1", port=0, sessions=1), sheets=SHEETS)
-    url, ticket = f"http://127.0.0.1:{server.port}/", ""
-    assert (await asyncio.to_thread(ask, url)).status == 200
-    for _ in range(3):
-        reply = await asyncio.to_thread(ask, url, "/", **{"Page-Ticket": ticket})
-        assert reply.status == 503 and ticket in ("", reply.headers["Page-Ticket"])
-        ticket = reply.headers["Page-Ticket"]
-        assert "you are first in line" in reply.text and len(server.context.admission.queue) == 1
-    await server.end()
+        first, other, _ = [await page() for _ in range(3)]
+        token, name = token_of(first.text), contents(token_of(first.text))["page"]
+        assert name != contents(token_of(other.text))["page"]
+        for forged in (token[:-4] + "AAAA", "a.b", contents(token)["session_id"], "é"):
+            assert (await page(forged)).status == 429
+        for _ in range(RETURNS):
+            back = await page(token)
+            assert back.status == 200 and contents(token_of(back.text))["page"] == name
+            token = token_of(back.text)
+        assert (await page(token)).status == 429
+        secret = server.context.secret
+        session = generate_session_id(secret, True)
+        old = generate_jwt_token(session, secret, True, extra_payload={"page": "old"}, expiration=-1000)
+        assert (await page(old)).status == 200

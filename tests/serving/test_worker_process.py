@@ -6,20 +6,23 @@ from collections.abc import Iterator
 from concurrent.futures import Future
 from contextlib import closing
 from functools import partial
+from threading import Event
+from types import SimpleNamespace
 
+import msgspec
 import pytest
 
 from components.language.messages import Given
 from components.scenes import SCENES
 from components.serving import worker_process
 from components.serving.worker_process import (
-    ALLOWANCE,
     BUSY,
     FILE_TOO_LONG,
     FIT_TOO_LONG,
     GONE,
     LATE,
     OF_A_NETWORK,
+    OVER_BUDGET,
     SHARED,
     USED_UP,
     WAITING,
@@ -35,152 +38,178 @@ from components.state.wire import Packet
 from tests.page.headless_page import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
-READ = Reading("mine", MINE)
+READ, ENDLESS = Reading("mine", MINE), Reading("endless", MINE)
+ASLEEP, SLOW_FIT = Reading("asleep", MINE), Fitting([], [[]], 1, 0)
 GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
-def hanging() -> closing[ReadingProcess]:
-    """A worker process in which some jobs never end. It ends with the test."""
-    return closing(ReadingProcess("tests.serving.hanging"))
+# The process
 
 
-@pytest.fixture(scope="module")
-def beside() -> Iterator[ReadingProcess]:
-    one = ReadingProcess("reading")
-    yield one
-    one.close()
+def test_a_walk_is_read_and_answered_in_a_process_of_its_own() -> None:
+    with closing(ReadingProcess("reading")) as beside:
+        read = beside.ask(READ).result(120)
+        assert read.refused == "" and read.walk and read.sheet and read.sheet.steps[0].opens.step == "mine/one"
+        given = Given(walk="mine", step="one", option=0)
+        told = beside.ask(Teaching(given, read.walk.steps[0])).result(30)
+        assert told.taught and told.taught.lesson and told.taught.lesson.right
+        assert beside.ask(Reading("mine", "title = 1")).result(30).refused.startswith("mine: ")
+        assert beside.pending == 0
 
 
-def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProcess) -> None:
-    read = beside.ask(Reading("mine", MINE)).result(120)
-    assert read.refused == "" and read.walk and read.sheet and read.sheet.steps[0].opens.step == "mine/one"
-    given = Given(walk="mine", step="one", option=0)
-    told = beside.ask(Teaching(given, read.walk.steps[0])).result(30)
-    assert told.taught and told.taught.lesson and told.taught.lesson.right
-    assert beside.ask(Reading("mine", "title = 1")).result(30).refused.startswith("mine: ")
-    assert beside.pending == 0
-
-
-def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.slow
+def test_the_system_ends_a_job_that_uses_more_than_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
-    with hanging() as beside:
-        endless = LinkExport({"scene": [b"endless"]}, "")
-        asked = [beside.ask(job) for job in (READ, Reading("endless", MINE), READ, endless, READ)]
-        assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read", FILE_TOO_LONG, "read"]
-        monkeypatch.setattr(worker_process, "PATIENCE", 0.2)
-        assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no CPU time
+    with closing(ReadingProcess("tests.serving.hanging")) as beside:
+        asked = [beside.ask(job) for job in (READ, ENDLESS, READ)]
+        assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read"]
 
 
-def test_a_fit_that_takes_too_long_ends_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worker_process, "FIT_PATIENCE", 100.0)
-    with hanging() as beside:
-        assert beside.ask(Fitting([], [[]], 2, 0)).result(120).refused == FIT_TOO_LONG
-        monkeypatch.setattr(worker_process, "FIT_PATIENCE", 0.2)
-        assert beside.ask(Fitting([], [[]], 1, 0)).result(120).refused == LATE
-        assert beside.ask(READ).result(120).refused == "read"
+def test_a_process_that_cannot_start_is_named() -> None:
+    with closing(ReadingProcess("tests.serving.no_such_module")) as beside:
+        assert beside.ask(READ).result(120).refused == GONE
 
 
-def test_a_fit_that_waits_can_be_cancelled_and_another_one_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worker_process, "FIT_PATIENCE", 100.0)
-    session = Session(fitted(SCENES["damped"]().value))
-    sent: list[Packet] = []
-    session.send = sent.append
-    rows = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]]}
-    with hanging() as beside:
-        session.worker = beside
-        endless = beside.ask(Reading("endless", MINE))
-        session.handle({**rows, "number": 1})
-        assert beside.pending == 2 and not sent
-        session.handle({**rows, "number": 1})
-        assert beside.pending == 2 and not sent, "a repeated message is answered once"
-        session.handle({"type": "cancel_fit", "number": 2})
-        session.handle({**rows, "size": 2, "number": 3})
-        assert [unpacked(one)["answer"] for one in sent] == [2]
-        assert endless.result(120).refused == WALK_TOO_LONG
-        beside.ask(READ).result(120)
-        answers = [unpacked(one) for one in sent]
-        assert [one["answer"] for one in answers] == [2, 3] and answers[1]["refused"] == FIT_TOO_LONG
+# The line of jobs, with a fake process
 
 
-def test_who_cannot_be_started_is_said() -> None:
-    beside = ReadingProcess("tests.serving.no_such_module")
-    assert beside.ask(Reading("mine", MINE)).result(120).refused == GONE
-    beside.close()
+GATE, BEGAN = Event(), Event()
+"""A fake process finishes its jobs when the gate is open, and says when it has begun one."""
 
 
-def test_a_bounded_number_waits() -> None:
-    with hanging() as beside:
-        asked = [beside.ask(Reading("endless", MINE)), *(beside.ask(READ) for _ in range(WAITING + 3))]
-        refused = [one.result(120).refused for one in asked]
-        assert refused[0] == WALK_TOO_LONG and refused[-1] == BUSY and set(refused[1:]) == {"read", BUSY}
+class FakeProcess:
+    """A process that reads each walk, is ended for any other job by the system, and does not finish one asleep."""
+
+    def __init__(self) -> None:
+        self._out, self._killed, self.returncode = b"\0\0\0\0", Event(), -9
+        self.stdin = self.stdout = self
+        self.kill, self.communicate = self._killed.set, str
+
+    def write(self, message: bytes) -> None:
+        job = msgspec.msgpack.decode(message[4:], type=WorkerJob)
+        BEGAN.set()
+        if job in (ASLEEP, SLOW_FIT):
+            self._killed.wait(60)
+        elif GATE.wait(60) and job == READ:
+            done = msgspec.msgpack.encode(Replied(refused="read"))
+            self._out += len(done).to_bytes(4, "big") + done
+        else:
+            self.returncode = OVER_BUDGET
+
+    def read(self, size: int) -> bytes:
+        taken, self._out = self._out[:size], self._out[size:]
+        return taken
+
+    def flush(self) -> None:
+        """Do nothing."""
 
 
-def test_networks_take_turns() -> None:
+@pytest.fixture
+def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[ReadingProcess]:
+    """A worker with fake processes."""
+    monkeypatch.setattr(worker_process, "started", lambda *_: FakeProcess())
+    GATE.clear()
+    BEGAN.clear()
+    with closing(ReadingProcess("fake")) as one:
+        yield one
+        GATE.set()
+
+
+def begun(worker: ReadingProcess, job: WorkerJob, network: str = "") -> Future[Replied]:
+    """Ask for a job, and return when the process has it, so that all later jobs wait."""
+    reply = worker.ask(job, network)
+    assert BEGAN.wait(60)
+    return reply
+
+
+def results(*asked: Future[Replied]) -> list[str]:
+    return [one.result(60).refused for one in asked]
+
+
+def test_a_job_that_takes_too_long_is_refused_in_words_and_the_next_is_done(
+    worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    GATE.set()
+    asked = [worker.ask(job) for job in (READ, ENDLESS, LinkExport({}, ""), Fitting([], [[]], 2, 0), READ)]
+    assert results(*asked) == ["read", WALK_TOO_LONG, FILE_TOO_LONG, FIT_TOO_LONG, "read"]
+    for patience, job in (("FIT_PATIENCE", SLOW_FIT), ("PATIENCE", ASLEEP)):
+        monkeypatch.setattr(worker_process, patience, 0.05)
+        assert results(worker.ask(job)) == [LATE]
+
+
+def test_a_bounded_number_waits(worker: ReadingProcess) -> None:
+    asked = [begun(worker, READ), *(worker.ask(READ) for _ in range(WAITING + 3))]
+    GATE.set()
+    assert results(*asked) == ["read"] * (WAITING + 1) + [BUSY] * 3
+
+
+def test_networks_take_turns(worker: ReadingProcess) -> None:
     done: list[str] = []
 
     def note(network: str, reply: Future[Replied]) -> None:
         if not reply.result().is_busy:
             done.append(network)
 
-    with hanging() as beside:
-        asked = [beside.ask(Reading("endless", MINE), GREEDY)]
-        asked += [beside.ask(READ, GREEDY) for _ in range(OF_A_NETWORK + 3)]
-        asked += [beside.ask(READ, other) for other in (CALM, "", CALM)]
-        networks = [*[GREEDY] * (OF_A_NETWORK + 4), CALM, "", CALM]
-        for network, one in zip(networks, asked, strict=True):
-            one.add_done_callback(partial(note, network))
-        replies = [one.result(120).refused for one in asked]
-        assert replies.count(SHARED) in (3, 2) and replies[-3:] == ["read"] * 3
-        assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
+    networks = [*[GREEDY] * (OF_A_NETWORK + 4), CALM, "", CALM]
+    asked = [begun(worker, ENDLESS, GREEDY), *(worker.ask(READ, network) for network in networks[1:])]
+    for network, one in zip(networks, asked, strict=True):
+        one.add_done_callback(partial(note, network))
+    GATE.set()
+    assert results(*asked) == [WALK_TOO_LONG, *["read"] * OF_A_NETWORK, *[SHARED] * 3, *["read"] * 3]
+    assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
 
 
-def test_a_network_that_has_used_its_time_is_refused_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_network_that_has_used_its_time_is_refused_for_a_while(
+    worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(worker_process, "ALLOWANCE", 2)
-    with hanging() as beside:
-        assert ALLOWANCE > 2
-        for _ in range(2):
-            beside.ask(Reading("endless", MINE), GREEDY).result(120)
-        refused = beside.ask(READ, GREEDY).result(120)
+    GATE.set()
+    with closing(ReadingProcess("fake")) as other:
+        assert results(other.ask(ENDLESS, GREEDY)) == results(other.ask(ENDLESS, GREEDY)) == [WALK_TOO_LONG]
+        refused = other.ask(READ, GREEDY).result(60)
         assert refused.refused == USED_UP and refused.is_busy and 0 < refused.after < 60
-        assert beside.ask(READ, CALM).result(120).refused == "read"
+        assert results(other.ask(READ, CALM)) == ["read"]
 
 
-def test_a_job_that_nobody_waits_for_is_left_out() -> None:
-    with hanging() as beside:
-        first, left = beside.ask(Reading("endless", MINE)), beside.ask(Reading("endless", MINE))
-        last = beside.ask(READ)
-        assert left.cancel() and first.result(120).refused == WALK_TOO_LONG and last.result(120).refused == "read"
-        assert beside.pending == 0
+def test_a_job_that_nobody_waits_for_is_left_out(worker: ReadingProcess) -> None:
+    first, left, last = begun(worker, ENDLESS), worker.ask(ENDLESS), worker.ask(READ)
+    assert left.cancel()
+    GATE.set()
+    assert results(first, last) == [WALK_TOO_LONG, "read"]
+    assert worker.pending == 0
 
 
-class Slow:
-    """A worker that replies when the test says so."""
-
-    def __init__(self) -> None:
-        self.asked: list[tuple[WorkerJob, Future[Replied]]] = []
-        self.networks: list[str] = []
-
-    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
-        future: Future[Replied] = Future()
-        self.asked.append((asked, future))
-        self.networks.append(network)
-        return future
+# A session and the worker
 
 
-def test_a_session_has_one_job_at_a_time_and_continues_meanwhile() -> None:
-    session, process, packets = Session(fitted(SCENES["coupled"]().value), scenes=SCENES), Slow(), list[Packet]()
-    session.send, session.worker, session.network = packets.append, process, "192.0.2.0/24"
-    for number in (1, 1, 2):  # the second is a repetition of the first by a page that has waited long
-        session.handle({"type": "walk", "name": "mine", "text": MINE, "number": number})
-    session.handle({"type": "set", "values": {"k2": 3.0}, "number": 3})
-    refused, moved = map(unpacked, packets)
-    assert (refused["answer"], refused["refused"]) == (2, ONE_AT_A_TIME)
-    assert (moved["answer"], moved["errors"]) == (3, {})
-    ((_, future),) = process.asked
-    assert process.networks == ["192.0.2.0/24"]
-    future.set_result(Replied(refused=WALK_TOO_LONG))
-    told = unpacked(packets[-1])
-    assert (told["answer"], told["sheet"], told["refused"]) == (1, None, WALK_TOO_LONG)
-    session.handle({"type": "walk", "name": "mine", "text": MINE, "number": 4})
+def test_a_session_has_one_job_at_a_time_which_it_can_cancel_and_continues_meanwhile(worker: ReadingProcess) -> None:
+    session, sent, networks = Session(fitted(SCENES["damped"]().value), scenes=SCENES), list[Packet](), list[str]()
+
+    def ask(asked: WorkerJob, network: str = "") -> Future[Replied]:
+        networks.append(network)
+        return worker.ask(asked, network)
+
+    def answers() -> list[tuple[int, str | None]]:
+        return [(told["answer"], told.get("refused")) for told in map(unpacked, sent)]
+
+    session.send, session.worker, session.network = sent.append, SimpleNamespace(ask=ask), CALM
+    fit = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]], "size": 2}
+    endless = begun(worker, ENDLESS)
+    for number in (1, 1):  # a repeated message is answered once
+        session.handle({**fit, "number": number})
+        assert worker.pending == 2 and not sent
+    session.handle({"type": "walk", "name": "mine", "text": MINE, "number": 2})
+    session.handle({"type": "set", "values": {"zeta": 0.5}, "number": 3})
+    session.handle({"type": "cancel_fit", "number": 4})
+    session.handle({**fit, "number": 5})
+    assert [number for number, _ in answers()] == [2, 3, 4] and answers()[0][1] == ONE_AT_A_TIME
+    GATE.set()
+    assert results(endless, worker.ask(READ)) == [WALK_TOO_LONG, "read"]
+    assert answers()[3:] == [(5, FIT_TOO_LONG)] and networks == [CALM, CALM]
+    GATE.clear()
+    BEGAN.clear()
+    endless = begun(worker, ENDLESS)
+    session.handle({**fit, "number": 6})
     session.close()
-    assert process.asked[1][1].cancelled()
+    GATE.set()
+    assert results(endless, worker.ask(READ)) == [WALK_TOO_LONG, "read"] and len(sent) == 4

@@ -7,17 +7,16 @@ from __future__ import annotations
 
 import asyncio
 import json
-import re
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
-from urllib.request import urlopen
 
 from tornado.httpclient import HTTPError, HTTPRequest
 from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
 from components.session.panel_bridge import FROM_SERVER
+from tests.attack.caller import ask, event, token_of
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
 
@@ -60,8 +59,8 @@ class Visitor:
 
     @classmethod
     async def arrive(cls, url: str, query: str = "scene=oscillator") -> Visitor:
-        page = await asyncio.to_thread(_get, f"{url}?{query}")
-        return await cls.connect(url, token_in(page))
+        page = await asyncio.to_thread(ask, url, f"/?{query}")
+        return await cls.connect(url, token_of(page.text))
 
     @classmethod
     async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Visitor:
@@ -90,7 +89,7 @@ class Visitor:
         self._number += 1
         answered = self._expect(f"answer {self._number}")
         data = _encoded({**message, "number": self._number})
-        await self._patch(_event("from_browser", model={"id": self._view}, data=data))
+        await self._patch(event("from_browser", model={"id": self._view}, data=data))
         told: dict[str, Any] = await asyncio.wait_for(answered, PATIENCE)
         return told
 
@@ -110,7 +109,7 @@ class Visitor:
         if info := models.get("panel.models.browser.BrowserInfo"):
             for name, value in ABOUT.items():
                 await self._patch({"kind": "ModelChanged", "model": {"id": info}, "attr": name, "new": value})
-        await self._patch(_event("document_ready"))
+        await self._patch(event("document_ready"))
 
     async def _patch(self, event: dict[str, Any]) -> None:
         await self._send("PATCH-DOC", {"events": [event]})
@@ -161,8 +160,8 @@ class Visitor:
     async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
         """Return the messages in a patch, without their columns."""
         told = []
-        for event in content.get("events", []):
-            if event.get("msg_type") == FROM_SERVER:
+        for one in content.get("events", []):
+            if one.get("msg_type") == FROM_SERVER:
                 sheet, _, data = buffers.pop(0).partition(b"\n")
                 preset_dictionary = await self.dictionary(sheet.decode())
                 text = zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else [])).decompress(data)
@@ -172,8 +171,8 @@ class Visitor:
     async def dictionary(self, sheet: str) -> bytes:
         """Return the preset dictionary of a scene."""
         if sheet and sheet not in USUAL:
-            text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["preset_dictionary"]
-            USUAL[sheet] = text.encode()
+            found = await asyncio.to_thread(ask, self._url, f"/assets/{sheet}")
+            USUAL[sheet] = found.json["preset_dictionary"].encode()
         return USUAL.get(sheet, b"")
 
     async def _frame(self) -> str | bytes:
@@ -182,29 +181,6 @@ class Visitor:
             raise ConnectionError("the server closed the session")
         self.traffic.bytes += len(frame)
         return frame
-
-
-def token_in(page: str) -> str:
-    """Return the token that opens the page's session."""
-    token = re.search(r'"token":"([^"]+)"', page)
-    if token is None:
-        raise ConnectionError("this is not a page with a session")
-    return token[1]
-
-
-def _get(address: str) -> str:
-    with urlopen(address, timeout=PATIENCE) as reply:
-        text: str = reply.read().decode()
-        return text
-
-
-def _event(name: str, **values: Any) -> dict[str, Any]:
-    wired = {"type": "map", "entries": list(values.items())}
-    return {
-        "kind": "MessageSent",
-        "msg_type": "bokeh_event",
-        "msg_data": {"type": "event", "name": name, "values": wired},
-    }
 
 
 def _encoded(value: Any) -> Any:

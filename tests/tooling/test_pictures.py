@@ -15,7 +15,7 @@ from components.scenes import SCENES
 from components.state.page_state import fitted
 from components.walks.registry import all_walks
 from tests.serving.server import ROOT
-from tools.pictures import SIZES, differing, views
+from tools.pictures import differing, views
 
 WIDE, HIGH = 200, 100
 
@@ -53,8 +53,8 @@ def test_visible_differences_are_listed(tmp_path: Path, pixels: int, level: int,
     assert list(differing(tmp_path / "before", tmp_path / "after")) == listed
 
 
-def run(*arguments: str, tool: str = "tools.pictures") -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", tool, *arguments]
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "tools.pictures", *arguments]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
@@ -75,16 +75,3 @@ def test_two_runs_of_one_commit_agree(browser: object, tmp_path: Path) -> None:
     other = run("compare", *folders)
     assert other.returncode == 1
     assert re.fullmatch(rf"{re.escape(path.name)}: \d+\.\d+% of the pixels, .*\n", other.stdout)
-
-
-@pytest.mark.slow
-@pytest.mark.browser
-@pytest.mark.timeout(400)  # three browsers start
-def test_a_scene_is_shown_in_all_installed_engines_side_by_side(browser: object, tmp_path: Path) -> None:
-    shot = run(str(tmp_path), "--only", "oscillator", tool="tools.engines")
-    assert shot.returncode == 0, shot.stderr
-    count = len(shot.stdout.splitlines()[-1].split(" from ")[0].strip(", ").split(", "))
-    for screen in ("desk", "phone"):
-        width, height = SIZES[screen]
-        with Image.open(tmp_path / f"oscillator-{screen}.png") as picture:
-            assert picture.size == (count * width, height)

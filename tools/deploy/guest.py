@@ -8,7 +8,8 @@ from time import monotonic
 from typing import Any
 from urllib.parse import urlsplit
 
-from tests.serving.visitor import Visitor, token_in
+from tests.attack.caller import token_of
+from tests.serving.visitor import Visitor
 
 PATIENCE = 30.0
 AGAIN = 0.1
@@ -67,7 +68,7 @@ class ReturningVisitor:
 
     async def _load(self, query: str) -> None:
         page, cookie = await asyncio.to_thread(_page, self.url, query)
-        self._token = token_in(page)
+        self._token = token_of(page)
         if self.cookies and cookie:
             self._headers = {"Cookie": cookie.partition(";")[0]}
 

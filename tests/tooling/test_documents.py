@@ -1,0 +1,157 @@
+"""Documents: tests run the commands of README, figures agree with the measured ones, all that is named exists."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import time
+from urllib.request import urlopen
+
+import pytest
+from PIL import Image
+
+from tests.serving.server import ROOT, free_port
+from tools.animation import MOST_BYTES, MOVING
+from tools.bench.decisions import QUESTIONS
+from tools.house_rules import code
+
+PATHS = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
+DOCS = {path.relative_to(ROOT).as_posix(): path.read_text("utf-8") for path in PATHS}
+README, MEASURED = DOCS["README.md"], DOCS["docs/measured.md"]
+COMMANDS = "tests/tooling/test_commands.py"
+RUN = "tests/tooling/test_documents.py::test_make_run_serves_the_lecture"
+TRIED = {
+    "make run": RUN,
+    "make run PORT=8000": RUN,
+    "make run HOST=0.0.0.0": RUN,
+    "make test": f"{COMMANDS}::test_ci_runs_all_tests_and_prints_the_audit_without_failing",
+    "docker build -t oscillations . && docker run -p 5006:5006 oscillations": (
+        f"{COMMANDS}::test_the_container_serves_page_and_static_files"
+    ),
+    "make up REPLICAS=4 SITE=lecture.example": "tests/tooling/test_compose.py",
+    "panel serve app.py": "tests/serving/test_panel_serve.py",
+    "pip install .": (
+        "tests/tooling/test_packaging.py::test_an_installed_lecture_has_its_files_and_serves_its_first_page"
+    ),
+}
+"""Each command of README and the test that runs it. Steps of the image run without a container engine."""
+PATIENCE = 110.0
+
+
+def commands(text: str) -> set[str]:
+    """Return the commands of indented lines and of `code`."""
+    lines = re.findall(r"^    (\S.*)$", text, re.M)
+    coded = [code for code in re.findall(r"`([^`]+)`", text) if re.match(r"(make|docker|panel|python|pip) ", code)]
+    said = re.findall(r"make run PORT=\d+", text)
+    return {re.split(r"\s{2,}#|\s{3,}", line)[0].strip() for line in (*lines, *coded)} | set(said)
+
+
+def test_every_command_of_readme_is_run_by_a_test() -> None:
+    assert commands(README) == TRIED.keys()
+    for place in TRIED.values():
+        path, _, name = place.partition("::")
+        assert f"def {name}" in (ROOT / path).read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_make_run_serves_the_lecture() -> None:
+    port = free_port()
+    plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "DISPLAY"))}
+    # The environment exists already: this test installs nothing.
+    command = ["make", "run", f"PORT={port}", "HOST=0.0.0.0", "--old-file", ".venv/run.stamp"]
+    process = subprocess.Popen(command, cwd=ROOT, env=plain, stdout=subprocess.DEVNULL, start_new_session=True)
+    end = time.monotonic() + PATIENCE
+    try:
+        while True:
+            try:
+                with urlopen(f"http://localhost:{port}/") as page:
+                    assert b"<title>" in page.read()
+                return
+            except OSError:
+                assert time.monotonic() < end and process.poll() is None
+                time.sleep(0.1)
+    finally:
+        os.killpg(process.pid, 15)
+        process.wait()
+
+
+def test_the_figures_of_readme_agree_with_the_measured_ones() -> None:
+    rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \|$", README, re.M)
+    figures = [(name, figure) for name, figure in rows if name not in ("what", "---")]
+    assert len(figures) == 10
+    for name, figure in figures:
+        (row,) = [line for line in MEASURED.splitlines() if line.startswith(f"| {name} |")]
+        assert f"| {figure} |" in row, name
+
+
+def test_the_picture_of_readme_moves_and_is_small() -> None:
+    assert f"]({MOVING.relative_to(ROOT).as_posix()})" in README
+    assert MOVING.stat().st_size <= MOST_BYTES
+    with Image.open(MOVING) as picture:
+        assert getattr(picture, "n_frames", 1) > 20
+
+
+@pytest.mark.parametrize("page", DOCS)
+def test_links_lead_to_existing_files(page: str) -> None:
+    for target in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", DOCS[page]):
+        assert ((ROOT / page).parent / target).exists(), target
+
+
+def test_files_named_in_code_and_documents_exist() -> None:
+    texts = [*DOCS.values(), *(path.read_text("utf-8") for path in (ROOT / "types").glob("*.ts"))]
+    texts += [source.text for source in code() if source.is_product]
+    named = re.compile(
+        r"(?<![\w/])(?:components|docs|physics|static|tests|tools|types)/[\w/-]+\.(?:css|d\.ts|html|js|md|py|toml)\b"
+    )
+    found = {name for text in texts for name in named.findall(text)}
+    assert len(found) > 100
+    written = ("components/scenes/friction/", "tests/scenes/test_friction.py")  # by docs/adding-a-scene.md
+    assert [name for name in found if not ((ROOT / name).exists() or name.startswith(written))] == []
+
+
+def test_the_glossary_is_short() -> None:
+    """It has only terms that neither a physicist nor a web developer knows."""
+    assert 0 < len(re.findall(r"\*\*(.+?)\*\*", DOCS["docs/glossary.md"])) <= 120
+
+
+def test_a_decision_has_its_parts_its_command_and_its_place_in_the_architecture() -> None:
+    records = {name.removeprefix("docs/"): text for name, text in DOCS.items() if name.startswith("docs/decisions/")}
+    assert len(records) >= 6
+    for name, text in records.items():
+        assert [part for part in ("The question", "Measured", "Decided") if f"\n## {part}\n" not in text] == []
+        assert f"({name})" in DOCS["docs/architecture.md"]
+    assert set(re.findall(r"tools\.bench\.decisions (\w+)", "\n".join(records.values()))) == set(QUESTIONS)
+
+
+def test_the_table_of_browsers_is_true_of_what_the_page_asks_them() -> None:
+    page = (ROOT / "components/serving/page.html").read_text(encoding="utf-8")
+    table = re.findall(r"^\| (.+?) \|.*\| (\d+) \| (\d+) \| ([\d.]+) \|$", DOCS["docs/browsers.md"], re.M)
+    *features, (all_of_it, *newest) = table
+    assert [name for name, *_ in features] == re.findall(r'^        "(.+)": ', page, re.M)
+    versions = [
+        max((row[i] for row in features), key=lambda text: [int(n) for n in text.split(".")]) for i in (1, 2, 3)
+    ]
+    assert (all_of_it, newest) == ("all of it", versions)
+    assert "Chrome or Edge {}, Firefox {}, Safari {} or a newer one".format(*versions) in page
+
+
+A = """1.1.1 1.2.1 1.2.2 1.2.3 1.3.1 1.3.2 1.3.3 1.4.1 1.4.2 2.1.1 2.1.2 2.1.4 2.2.1 2.2.2 2.3.1 2.4.1 2.4.2 2.4.3 2.4.4
+2.5.1 2.5.2 2.5.3 2.5.4 3.1.1 3.2.1 3.2.2 3.2.6 3.3.1 3.3.2 3.3.7 4.1.2"""
+AA = """1.2.4 1.2.5 1.3.4 1.3.5 1.4.3 1.4.4 1.4.5 1.4.10 1.4.11 1.4.12 1.4.13 2.4.5 2.4.6 2.4.7 2.4.11 2.5.7 2.5.8 3.1.2
+3.2.3 3.2.4 3.3.3 3.3.4 3.3.8 4.1.3"""
+TEST = re.compile(r"(tests/\S+\.py)::(test_\w+)")
+
+
+def test_every_criterion_of_wcag_2_2_has_a_row_and_supported_ones_name_tests_that_exist() -> None:
+    rows = re.findall(r"^\| (\d\.\d\.\d+) [^|]+ \| ([^|]+) \| ([^|]+) \|$", DOCS["docs/accessibility.md"], re.M)
+    assert [number for number, *_ in rows] == [*A.split(), *AA.split()]
+    named = set()
+    for number, conformance, remarks in rows:
+        assert conformance in ("Supports", "Partially Supports", "Does Not Support", "Not Applicable"), number
+        found = TEST.findall(remarks)
+        assert (found or conformance != "Supports") and remarks.strip(), number
+        named.update(found)
+    assert len(named) > 20
+    for path, name in named:
+        assert re.search(rf"^def {name}\(", (ROOT / path).read_text(encoding="utf-8"), re.M), f"{path}::{name}"
