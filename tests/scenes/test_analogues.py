@@ -16,20 +16,6 @@ from tests.page.scripts import played
 from tests.scenes.checks import quantities
 
 systems = pytest.mark.parametrize("slug", ANALOGUES)
-G = 9.81
-
-# omega_n again, from the table of the lecture.
-OMEGA = {
-    "spring": lambda s: math.sqrt(s.spring_k / s.spring_m),
-    "shaft": lambda s: math.sqrt(s.shaft_k_t / s.shaft_J),
-    "pendulum": lambda s: math.sqrt(s.pendulum_g / s.pendulum_l),
-    "rocking": lambda s: math.sqrt(G * s.rocking_d / (s.rocking_d**2 + s.rocking_r**2)),
-    "floating": lambda s: math.sqrt(s.floating_rho * G * s.floating_A / s.floating_m),
-    "circuit": lambda s: 1 / math.sqrt(s.circuit_L * s.circuit_C),
-    "string": lambda s: s.string_n * math.pi / s.string_L * math.sqrt(s.string_T / 4e-4),
-    "wave": lambda s: math.sqrt(s.wave_g * 2 * math.pi / s.wave_wavelength),
-    "pipe": lambda s: s.pipe_n * math.pi * s.pipe_c / s.pipe_L,
-}
 
 
 def own(slug: str) -> list[str]:
@@ -70,7 +56,7 @@ def test_lateness_is_that_of_the_agm_and_its_flags_stand_on_it() -> None:
 def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, period: float) -> None:
     scene = Analogues()
     scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
-    assert float(2 * math.pi / OMEGA[scene.system](scene)) == pytest.approx(period, rel=2e-3)
+    assert 2 * math.pi / scene.numbers["omega"].value == pytest.approx(period, rel=2e-3)
     assert 1 <= period / scene.shown.pace.auto <= 12
 
 

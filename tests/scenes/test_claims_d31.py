@@ -13,12 +13,10 @@ from components.scenes.analogues.controls import LINEAR
 from components.scenes.energy import Energy
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
+from tests.grids import WHOLE
 from tests.scenes.visible_sentences import Draw, visible_text
 
-DRAWS = 120
-
-
-# Oscillator
+DRAWS = 120 if WHOLE else 60
 
 
 def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
@@ -43,12 +41,9 @@ def test_what_is_said_of_the_arrow_and_of_its_phase() -> None:
     assert seen == {"right", "wrong", "zero", "rest", "drift", "still"}
 
 
-# Energy
-
-
 def test_what_is_said_of_the_largest_energies() -> None:
     draw, seen = Draw("energy"), set()
-    for _ in range(DRAWS):
+    for _ in range(120):
         moves = draw.pick.random() < 0.8
         scene = Energy(
             m=draw.size(), k=draw.size(-1, 3), g=draw.some(draw.size(-6, 2)),
@@ -78,9 +73,6 @@ def test_what_is_said_of_the_largest_energies() -> None:
     assert seen == {"equilibrium", "separate", "slide", "weightless", "rest", "rest_apart"}
 
 
-# Analogues
-
-
 @pytest.mark.parametrize("slug", LINEAR)
 def test_linear_is_said_of_the_model_with_its_reach_in_truth(slug: str) -> None:
     draw = Draw(slug)
@@ -100,9 +92,6 @@ def test_energies_of_a_wave_are_by_area_and_no_angle_is_minus_zero() -> None:
     for degrees in (0.0, 5.0, -5.0):
         values = Analogues(theta_0=degrees).shown.values
         assert (values["end_left"] == values["end_right"]) == (not degrees), values["end_left"]
-
-
-# Phugoid
 
 
 def flown(excess: float) -> tuple[float, float, bool, float]:
@@ -133,7 +122,7 @@ def flown(excess: float) -> tuple[float, float, bool, float]:
 
 def test_the_verdict_on_linear_theory_over_all_excesses() -> None:
     draw, seen = Draw("phugoid"), set()
-    for _ in range(40):
+    for _ in range(DRAWS // 3):
         excess = round(draw.pick.choice((draw.pick.uniform(-0.9, 0.72), draw.pick.uniform(-0.2, 0.2))), 4)
         scene = Phugoid(excess=excess)
         told = scene.shown.values["verdict"].replace("\N{NO-BREAK SPACE}", " ")
@@ -151,6 +140,3 @@ def test_the_verdict_on_linear_theory_over_all_excesses() -> None:
         assert "loops" in Phugoid(excess=excess).shown.values["verdict"] and flown(excess)[2]
     assert Phugoid(excess=0.0).shown.values["verdict"] == "Steady level flight: nothing swings."
     assert flown(0.1)[1] <= 0.05 and "5 %" in Phugoid.watch["Ripple, 0.1"]
-
-
-# Sentences of refusals

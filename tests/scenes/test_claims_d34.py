@@ -13,13 +13,11 @@ from components.scenes.coupled import Coupled
 from components.scenes.modes import ModesScene
 from components.scenes.modes.hunt import FOUND
 from physics.coupled import TwoMassChain, free_motion
+from tests.grids import WHOLE
 from tests.scenes.chains import chain, matrix, number, squares, starts
 from tests.scenes.visible_sentences import Draw, visible_text
 
-DRAWS = 150
-
-
-# Coupled
+DRAWS = 150 if WHOLE else 60
 
 
 def test_what_is_said_of_beats() -> None:
@@ -65,13 +63,10 @@ def amplitudes(scene: Any) -> np.ndarray:
     return np.abs(vectors.T * sizes[:, None] / root)
 
 
-# Modes, hunt
-
-
 def test_a_line_is_found_where_the_path_is_one_and_one_mode_alone_swings() -> None:
     """The path fills the parallelogram of both modes; the drawn time does not affect its measured width."""
     draw, seen = Draw("hunt"), set()
-    for i in range(2 * DRAWS):
+    for i in range(300):
         values = chain(draw, 0.05)
         scene = ModesScene(view="hunt", **values)
         ratios = mode_ratios(values)
@@ -108,9 +103,6 @@ def mode_ratios(values: dict[str, float]) -> list[float]:
     gamma = values["m1"] / (2 * values["m2"]) - (values["k1"] + values["k2"]) / (2 * values["k2"])
     delta = math.sqrt(gamma**2 + values["m1"] / values["m2"])
     return [-gamma + delta, -gamma - delta]
-
-
-# Modes, guess
 
 
 def guesses(draw: Draw) -> ModesScene:
@@ -185,9 +177,6 @@ def test_what_a_hand_must_add() -> None:
         else:
             assert max(parts) > 0.00499
     assert seen == {"no extra force: a mode", "almost no extra force", "force of your hand"}
-
-
-# Modes, solve and sweep
 
 
 def test_the_root_is_below_b_by_a_number_that_is_seen() -> None:

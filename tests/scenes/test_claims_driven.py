@@ -37,9 +37,6 @@ def largest(scene: Any, i: int, t: float) -> float:
     return float(np.abs(forced_motion(system(scene), scene.F_0, scene.omega, times[times >= 0]).x[i]).max())
 
 
-# Forced
-
-
 def driven(draw: Draw) -> Forced:
     values = chain(draw, 0.15)
     scene = Forced(view="formulas", **values)
@@ -77,9 +74,6 @@ def test_what_is_said_of_the_particular_solution() -> None:
             off = min(abs(mp.sqrt(s) - scene.omega) for s in squares(scene)) / scene.omega
             assert off <= (2.0**-52 if steady == "resonance" else 1e-3 / (2 * math.pi) * 1.01)
     assert seen == {"finite", "loose", "none", "idle", "rest", "resonance", "near"}
-
-
-# The absorber
 
 
 def machines(draw: Draw, i: int) -> Absorber:

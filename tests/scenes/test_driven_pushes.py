@@ -84,14 +84,6 @@ def test_a_file_has_the_exact_motion_and_its_parts(push: Any, omega: float) -> N
         assert data["F_over_k"] == pytest.approx(mass.force(data["t"]) / scene.k, abs=1e-15)
 
 
-@pytest.mark.parametrize("push", [*PUSHES, *ONCE])
-def test_no_formula_calls_the_push_or_its_steady_part_a_sine(push: Any) -> None:
-    scene = DRIVEN(view="formulas", push=push)
-    assert scene.shown.forms["law"] == "push" and "formula" not in scene.shown.forms["x_p"]
-    sine = DRIVEN(view="formulas").shown.forms
-    assert sine["law"] == "force" and sine["x_p"] == "dies_formula"
-
-
 @pytest.mark.parametrize("push", ONCE)
 def test_what_does_not_repeat_has_no_frequency(push: Any) -> None:
     slow, quick = (DRIVEN(view="harmonics", push=push, omega=omega) for omega in (0.0, 50.0))
@@ -167,27 +159,12 @@ def test_its_sentence_is_true(push: Any, r: float, zeta: float, width: float, m:
 
 
 @pytest.mark.parametrize("push", PUSHES)
-def test_other_views_say_that_they_are_about_a_sine(push: Any) -> None:
-    scene = DRIVEN(view="response", push=push)
-    assert "The push is not a sine" in sentence(scene, "holds")
-    assert {"X", "phi", "W"}.isdisjoint(scene.numbers)
-    assert DRIVEN(view="harmonics").shown.forms["meets"] == "sine"
-
-
-@pytest.mark.parametrize("push", PUSHES)
 def test_the_mean_powers_are_those_of_the_push(push: Any) -> None:
     scene = DRIVEN(view="power", push=push, omega=2.0944, c=1.0, window=60.0)
     _, mass = pushed(scene)
     for name in ("P_in", "P_lost"):
         assert scene.numbers[name].value == pytest.approx(mass.work * 2.0944 / (2 * math.pi), rel=1e-6)
     assert scene.shown.forms["has_power"] and not scene.shown.forms["no_powers"]
-
-
-@pytest.mark.parametrize("push", ONCE)
-def test_a_push_that_does_not_repeat_has_no_mean_power(push: Any) -> None:
-    scene = DRIVEN(view="power", push=push)
-    assert {"P_in", "P_lost"}.isdisjoint(scene.numbers) and not scene.shown.forms["has_power"]
-    assert "no mean power" in sentence(scene, "no_powers")
 
 
 @pytest.mark.parametrize("values", [{"omega": 600.0}, {"omega": 0.01}, {"window": 1e5}, {"window": 1e-3}, {"k": 1e-6}])

@@ -76,20 +76,10 @@ def test_peaks_widths_and_dips_are_marked_in_the_view_that_shows_them() -> None:
     assert not any(name.startswith("peak") for name in SCENES["forced"](**LIGHT).shown.scalars)
 
 
-def test_the_axes_of_bode_are_its_own_choice() -> None:
-    scene = SCENES["forced"](**LIGHT, view="bode")
-    assert scene.shown.axes["omega"].log and scene.shown.axes["X"].log
-    scene.scale = "size"
-    assert not scene.shown.axes["omega"].log
-    scene.set({"view": "response", "scale": "log"})
-    assert not scene.shown.axes["omega"].log
-
-
 def test_without_dashpots_the_lags_jump_and_a_mass_at_rest_has_none() -> None:
     scene = SCENES["forced"](view="bode", omega=1.0)
     assert set(np.round(scene.sources["lag"].data["phi1"] / math.pi, 12)) == {0.0, 1.0}
     assert set(np.round(scene.sources["lag"].data["phi2"] / math.pi, 12)) == {0.0, 1.0, 2.0}
-    assert "Mass 1 is still: no lag" in visible_text(scene) and "mass 2 lags 180°" in visible_text(scene)
 
 
 def dot(i: int) -> AnyShape:

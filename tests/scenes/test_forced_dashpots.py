@@ -79,6 +79,7 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
     steady = Forced(c1=0.3, c2=0.1, **scene.action("steady"))
     data = steady.sources["time"].data
     assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
+    assert not any(Forced(F_0=0.0).action("steady").values())
 
 
 @pytest.mark.parametrize("curve", ["size", "signed", "log"])

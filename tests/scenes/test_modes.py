@@ -45,7 +45,7 @@ def test_no_ratio_says_that_mass_1_rests() -> None:
 
 
 def test_hardly_an_ulp_from_a_zero_is_the_zero() -> None:
-    """In the default chain mass 2 alone, mass 1 held, swings at sqrt(2), and mass 1 alone at sqrt(3): no doubles."""
+    """In the default chain mass 2 alone, mass 1 held, swings at sqrt(2), which is no double."""
     scene = ModesScene(view="guess")
     for omega in (math.sqrt(2), math.nextafter(math.sqrt(2), 0.0)):
         scene.set({"omega": omega})
@@ -53,12 +53,6 @@ def test_hardly_an_ulp_from_a_zero_is_the_zero() -> None:
         assert [scene.shown.forms[name] for name in ("row2_says", "agree", "D")] == ["pole", "pole", "value"]
         assert (values["a22"], values["D"]) == ("0.00", "−4.00")
         assert "X₁ = 0" in apply_message(scene, {"type": "act", "name": "row2"})["action"]
-    scene.set({"omega": math.sqrt(3)})
-    assert (scene.shown.values["a11"], scene.shown.values["row1"]) == ("0.00", "+0.00")
-    for omega, mode in ((math.nextafter(1.0, 2.0), "slow"), (math.nextafter(2.0, 1.0), "fast")):
-        scene.set({"omega": omega})
-        assert scene.shown.forms["agree"] == f"same_{mode}"
-        assert (scene.shown.values["D"], scene.shown.values["apart"]) == ("0.00", "0.00")
 
 
 def test_the_longest_arrow_fits_and_their_lengths_are_the_forces() -> None:
@@ -66,12 +60,6 @@ def test_the_longest_arrow_fits_and_their_lengths_are_the_forces() -> None:
     arrows = np.array([scalars[f"{row}{i}_N"] for i in (1, 2) for row in ("need", "give")])
     forces = np.array([-2 * 0.49 / 3, -4 / 3 + 2 * (1 - 1 / 3), -0.49, -2 * (1 - 1 / 3)])
     np.testing.assert_allclose(arrows, 0.17 * forces / np.abs(forces).max(), rtol=1e-12, atol=1e-15)
-
-
-# Solve
-
-
-# All views
 
 
 def test_what_is_compared_has_the_names_by_which_the_views_tell_it() -> None:

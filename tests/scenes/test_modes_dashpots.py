@@ -57,8 +57,16 @@ def lines(scene: ModesScene) -> list[str]:
 
 @settings(max_examples=tries(300), suppress_health_check=[HealthCheck.too_slow])
 @given(cases())
-def test_the_roots_are_told_as_they_are(case: Case) -> None:
-    scene, true = scene_of(case), upper(case)
+def test_what_is_said_of_the_roots_and_of_the_motions_is_true(case: Case) -> None:
+    scene = scene_of(case)
+    check_roots(case, scene)
+    check_frequencies(case, scene)
+    check_statement(case, visible_text(scene))
+
+
+def check_roots(case: Case, scene: ModesScene) -> None:
+    """Each root is said with its numbers."""
+    true = upper(case)
     sizes = [abs(float(part)) for s, _, _ in eigenvectors(case) for part in (s.real, s.imag)]
     told, every = lines(scene), case.damped.free_motions.modes
     assert len(told) == len(every)
@@ -73,10 +81,8 @@ def test_the_roots_are_told_as_they_are(case: Case) -> None:
             assert not value or any(math.isclose(value, one, rel_tol=6e-3) for one in sizes), (line, sizes)
 
 
-@settings(max_examples=tries(300), suppress_health_check=[HealthCheck.too_slow])
-@given(cases())
-def test_no_frequency_is_named_of_what_does_not_swing(case: Case) -> None:
-    scene = scene_of(case)
+def check_frequencies(case: Case, scene: ModesScene) -> None:
+    """No frequency is named of what does not swing."""
     compared = {one.symbol: one.value for one in scene.readouts()}
     frequencies = [value for symbol, value in compared.items() if symbol.startswith("ω")]
     assert len(frequencies) == sum("It swings" in line for line in lines(scene))
@@ -86,11 +92,9 @@ def test_no_frequency_is_named_of_what_does_not_swing(case: Case) -> None:
     assert not any("rad/s" in text for text in (*sentences(scene), *shown_titles(scene)))
 
 
-@settings(max_examples=tries(300), suppress_health_check=[HealthCheck.too_slow])
-@given(cases())
-def test_the_statement_on_the_motions_is_true(case: Case) -> None:
-    chain, c1, c2 = case
-    text, true = visible_text(scene_of(case)), eigenvectors(case)
+def check_statement(case: Case, text: str) -> None:
+    """The sentence on the motions is true."""
+    (chain, c1, c2), true = case, eigenvectors(case)
     ratios = [ratio for _, ratio in upper(case)]
     swinging, drifts = len(ratios), not (chain.k1 or c1) or not (chain.k2 or c2)
     assert drifts == ("Nothing brakes the drift" in text)
