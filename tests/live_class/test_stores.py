@@ -263,6 +263,19 @@ async def test_a_greedy_owner_leaves_the_others_a_share(on: Kept, small: None) -
         assert await fill(kept, "EEEE") == first
 
 
+async def test_a_room_has_so_many_bytes_of_answers_and_removed_ones_make_place(on: Kept) -> None:
+    async with on(size=2 * (store.OF_A_VOTE + store.OF_AN_ANSWER) + 100) as kept:
+        await kept.open("AAAA", {"key": b"1"})
+        assert await kept.vote("AAAA", "b", "one", b"x" * 60)
+        with pytest.raises(FullError, match="cannot store more answers"):
+            await kept.vote("AAAA", "a", "two", b"x" * 60)
+        assert await kept.vote("AAAA", "b", "one", b"x" * 30)  # in place of the longer one
+        assert await kept.vote("AAAA", "a", "two", b"x" * 60)
+        await kept.unvote("AAAA", "a", "two")
+        assert await kept.vote("AAAA", "a", "three", b"x" * 60)
+        assert await kept.questions("AAAA") == ["b", "a"]  # in the order of their first answers
+
+
 async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(valkey: Valkey, small: None) -> None:
     """The smallest answers need more bytes than they contain; many votes have only one answer."""
     async with made("valkey", emptied(valkey).url) as kept:
