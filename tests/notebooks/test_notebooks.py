@@ -25,10 +25,6 @@ def shown(notebook: Any) -> str:
     return "".join(output.get("text", "") or output.get("data", {}).get("text/plain", "") for output in found)
 
 
-def test_there_are_four() -> None:
-    assert [path.stem for path in NOTEBOOKS] == ["a-scene", "a-sweep", "against-scipy", "your-own-system"]
-
-
 @pytest.mark.parametrize(("name", "model"), [(WITH_SCENE, "panel.models.widgets.Player"), ("a-sweep", "Figure")])
 def test_the_figures_are_stored(name: str, model: str) -> None:
     """They are readable without running anything."""

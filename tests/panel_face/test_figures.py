@@ -78,21 +78,6 @@ def test_words_at_an_axis_and_legends_fit_a_phone(slug: str) -> None:
                 assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < FRAME, view.slug
 
 
-@pytest.mark.parametrize(
-    ("slug", "plot", "names"),
-    [
-        ("coupled", "x1", ["x₁", "slow", "fast"]),
-        ("coupled", "energy", ["T₂", "V₂", "V₁", "T₁"]),
-        ("forced", "response", ["Xₚ₂", "Xₚ₁"]),
-        ("absorber", "rest", ["x₁", "particular", "complementary"]),
-    ],
-)
-def test_a_legend_has_symbols_and_words(slug: str, plot: str, names: list[str]) -> None:
-    figure = fitted(slug, WIDE, WIDE).figures[plot]
-    assert [item.label.value for item in figure.items] == names
-    assert {renderer.name for item in figure.items for renderer in item.renderers} == set(names)
-
-
 def test_a_legend_lists_the_curves_that_are_drawn() -> None:
     face = fitted("driven", WIDE, WIDE)
     face.scene.view = "motion"
@@ -100,29 +85,22 @@ def test_a_legend_lists_the_curves_that_are_drawn() -> None:
     shown = [item for item in figure.items if item.visible]
     assert [item.label.value for item in shown] == ["x", "steady part", "complementary part"]
     assert all(renderer.visible for item in shown for renderer in item.renderers)
+    energy = fitted("coupled", WIDE, WIDE).figures["energy"]
+    assert [item.label.value for item in energy.items] == ["T₂", "V₂", "V₁", "T₁"]
     assert figure.legend.visible and not fitted("energy", WIDE, WIDE).figures["well"].legend.visible
 
 
-@pytest.mark.parametrize(
-    ("slug", "plot", "names"),
-    [
-        ("coupled", "x1", ("time", "Displacement of mass 1")),
-        ("coupled", "plane", ("Displacement of mass 1", "Displacement of mass 2")),
-        ("oscillator", "plane", ("displacement", "velocity")),
-        ("damped", "P", ("time", "Power that the dashpot takes")),
-        ("phugoid", "flight_energy", ("time", "Energy of the aircraft")),
-        ("chain", "field", ("", "time")),
-        ("damped", "roots", ("", "")),
-    ],
-)
-def test_an_axis_has_the_name_of_its_quantity(slug: str, plot: str, names: tuple[str, str]) -> None:
-    assert axis_words(fitted(slug, WIDE, WIDE).figures[plot].block) == names
-
-
-def test_a_mark_has_its_words_with_symbols_and_numbers() -> None:
+def test_an_axis_and_a_mark_have_words_with_symbols_and_numbers() -> None:
     face = fitted("forced", WIDE, WIDE)
     marks = face.figures["response"].block.marks
     assert [plain_html(one.html, face.scene.shown) for one in marks] == ["slow ω₋ 0.618", "Xₚ₁=0 1.00", "fast ω₊ 1.62"]
+    for slug, plot, names in (
+        ("coupled", "plane", ("Displacement of mass 1", "Displacement of mass 2")),
+        ("oscillator", "plane", ("displacement", "velocity")),
+        ("chain", "field", ("", "time")),
+        ("damped", "roots", ("", "")),
+    ):
+        assert axis_words(fitted(slug, WIDE, WIDE).figures[plot].block) == names
 
 
 def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:
