@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.special import jv
 
 from physics.chain import UniformChain
 from physics.reference.uniform_chain import chain_frequencies, chain_points
@@ -127,3 +128,25 @@ FREE, TIED = (UniformChain(N=3, m=1.0, k=1.0, ends=ends) for ends in ("free-free
 def test_what_is_not_possible_is_refused(words: str, call: Callable[[], object]) -> None:
     with pytest.raises(ValueError, match=words):
         call()
+
+
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("s", [1, 3, 5])
+def test_one_mass_that_is_let_go_sends_waves_that_are_reflected_as_images(ends: Any, s: int) -> None:
+    """x_p = J_2p(2 Omega t) of an endless chain (E. Schroedinger, 1914), mirrored at its ends."""
+    N, Omega, t = 5, 2.0, np.linspace(0, 9, 19)
+    chain, p = UniformChain(N=N, m=0.5, k=2.0, ends=ends), np.arange(1, N + 1)[:, None]
+    start = np.zeros(N)
+    start[s - 1] = 1.0
+
+    def wave(places: Any) -> Any:
+        return jv(2 * places, 2 * Omega * t)
+
+    images = range(-20, 21)
+    if ends == "fixed-fixed":
+        wanted = sum(wave(p - s + 2 * (N + 1) * i) - wave(p + s + 2 * (N + 1) * i) for i in images)
+    elif ends == "free-free":
+        wanted = sum(wave(p - s + 2 * N * i) + wave(p + s - 1 + 2 * N * i) for i in images)
+    else:
+        wanted = sum((-1) ** i * (wave(p - s + (2 * N + 1) * i) - wave(p + s + (2 * N + 1) * i)) for i in images)
+    assert chain.motion(start, np.zeros(N), t).x == pytest.approx(wanted, abs=1e-13)

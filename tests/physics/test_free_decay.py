@@ -83,3 +83,13 @@ def test_what_is_lost_beyond_the_doubles_is_refused():
     motion = FreeDecay(oscillator=DampedOscillator(m=1.0, c=1.0, k=1.0), x_0=1e200, v_0=0.0)
     with pytest.raises(ValueError, match="the energy lost leaves the range"):
         motion.lost([1.0])
+
+
+@each_case
+def test_motion_is_within_four_u_of_the_amplitude(case):
+    if case["m"] < 1e-100:
+        pytest.skip("sizes of 1e-250 count as nothing")
+    motion = oscillator(case).motion(case["x_0"], case["v_0"], case["t"])
+    for row, name, sizes in zip((motion.x, motion.v, motion.a), ("x", "v", "acc"), case["size"], strict=True):
+        for value, text, size in zip(row, case[name], sizes, strict=True):
+            assert abs(mp.mpf(value) - mp.mpf(text)) <= 4 * U * 1.001 * size + mp.mpf("1e-250")

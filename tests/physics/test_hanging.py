@@ -48,3 +48,12 @@ def test_what_leaves_the_range_of_doubles_is_named():
         _ = MASS.spring([1e200])
     with pytest.raises(ValueError, match="the weight m g = "):
         _ = HangingMass(m=1e200, k=1.0, g=1e200).gravity([0.0])
+
+
+@pytest.mark.parametrize("periods", [1.0, 1e6])
+def test_total_energy_is_constant_within_8_u(periods):
+    tau = 2 * math.pi / MASS.omega_n
+    t = np.random.default_rng(3).uniform(periods - 1, periods, 2000) * tau
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.13, v_0=-0.4)
+    total = (0.5 * MASS.m * free.v**2).at(t) + MASS.well(free.x.at(t))
+    assert np.max(np.abs(total / free.E - 1)) <= 8 * U

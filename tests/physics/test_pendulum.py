@@ -57,3 +57,12 @@ def test_the_largest_excess_belongs_to_the_last_double():
     for wanted in (-1e-3, 1.001 * excess(math.pi), math.nan):
         with pytest.raises(ValueError, match="T/T_0 - 1"):
             amplitude_at_excess(wanted)
+
+
+def test_at_rest_and_small():
+    rest = Pendulum(l=1.0, g=9.81).motion(0.0, [0.0, 1.0])
+    for values in (rest.theta, rest.theta_dot, rest.theta_ddot):
+        np.testing.assert_array_equal(values, 0.0)
+    pendulum = Pendulum(l=1.0, g=4 * math.pi**2)
+    assert pendulum.omega_0 == pytest.approx(2 * math.pi, rel=U)
+    np.testing.assert_allclose(pendulum.motion(1e-9, [0.0, 0.5]).theta, [1e-9, -1e-9], rtol=4 * U)
