@@ -13,7 +13,7 @@ from components.language.class_messages import Opened
 from components.live_class.codes import as_code, join_key
 from components.live_class.context import ClassContext
 from components.live_class.question_bank import BusyError
-from components.live_class.registry import ClosedError
+from components.live_class.registry import ClosedError, EndedError
 from components.live_class.room import ClassRoom
 from components.live_class.store import UnreachableError
 from components.serving.handlers import SENTENCES, RefusedError, VisitorHandler
@@ -65,6 +65,8 @@ class ClassHandler(VisitorHandler):
         """Return the result of the registry, or refuse with its sentence."""
         try:
             return await asked
+        except EndedError as reason:
+            raise RefusedError(410, str(reason)) from reason
         except ClosedError as reason:
             raise RefusedError(404, str(reason)) from reason
         except UnreachableError as reason:

@@ -63,6 +63,10 @@ class ClosedError(ValueError):
     """A refusal, because there is no such room or no permission. Its message says which."""
 
 
+class EndedError(ClosedError):
+    """A refusal of a follower's request, because the class has ended for good."""
+
+
 class Registry:
     """The rooms with at least one member at this replica."""
 
@@ -118,13 +122,13 @@ class Registry:
 
     async def followed(self, code: str, token: str) -> ClassRoom | None:
         """Return the room of a follower's token, or None if there is none or the token belongs to another. Raises
-        ClosedError if the class has ended."""
+        EndedError if the class has ended."""
         room = await self._found(code)
         if room.voter(token):
             return self._asked(room)
         with suppress(UnreachableError):  # the class may have ended, but the store cannot be asked now
             if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
-                raise ClosedError(OVER)
+                raise EndedError(OVER)
         return None
 
     async def room(self, code: str) -> ClassRoom:

@@ -7,7 +7,7 @@ import {tabStorage} from "../core/storage.js"
 import {Countdown} from "./countdown.js"
 import {Timing} from "./timing.js"
 import {brief, haveAllAnswered} from "./brief.js"
-import {Refusal, fetchJson, insist, isMissing} from "./requests.js"
+import {Refusal, fetchJson, hasEnded, insist, isMissing} from "./requests.js"
 
 const DOUBTS = 30 // number of requests for a missing class before it counts as over; its server may be restarting
 const ASKING = 1000 // ms between requests
@@ -208,7 +208,8 @@ class Remote {
   /** @param {unknown} reason */
   #failed(reason) {
     const status = reason instanceof Refusal && reason.isSaid ? reason.status : 0
-    const isOver = isMissing(reason) // this remote control ended the class, so nothing is left to wait for
+    // A missing class is over too: this remote control ended it, so nothing is left to wait for.
+    const isOver = isMissing(reason) || hasEnded(reason)
     this.over ||= isOver || (status === 403 && this.doubts++ >= DOUBTS)
     const why = isOver ? inWords(reason) : "This phone is no longer the remote control of a class."
     if (this.over) this.host.replaceChildren(element("h1", {}, why))

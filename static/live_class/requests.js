@@ -66,6 +66,9 @@ export const isRefused = reason => reason instanceof Refusal && !reason.passes
 /** True if the server does not know the class, for example after a restart. @param {unknown} reason */
 export const isMissing = reason => reason instanceof Refusal && reason.isSaid && reason.status === 404
 
+/** True if the class has ended for good. @param {unknown} reason */
+export const hasEnded = reason => reason instanceof Refusal && reason.isSaid && reason.status === 410
+
 /**
  * The pause after a number of failures, in ms. It is random, so that clients that failed at the same time do not return
  * at the same time. @param {number} tries

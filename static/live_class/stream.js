@@ -1,6 +1,6 @@
 // The stream of updates of a live class: reopened if it breaks, and replaced by polling if a proxy holds it back.
 
-import {Refusal, fetchJson, asked, pause, pauseAfter} from "./requests.js"
+import {Refusal, fetchJson, asked, hasEnded, pause, pauseAfter} from "./requests.js"
 
 const PATIENCE = 3000 // ms without data until an attempt is given up
 const HASTE = 150 // the same for the first try of a page that becomes visible again, whose old connections may be dead
@@ -125,7 +125,8 @@ export class Stream {
     const refusal = reason instanceof Refusal && reason.status ? reason : null
     const isMissed = refusal && !refusal.passes
     if (isMissed) this.missedAt ||= Date.now()
-    if (isMissed && Date.now() - this.missedAt >= (this.listener.doubt ?? DOUBT)) {
+    const doubt = hasEnded(refusal) ? 0 : (this.listener.doubt ?? DOUBT)
+    if (isMissed && Date.now() - this.missedAt >= doubt) {
       this.close()
       this.listener.refused(refusal)
     } else if (!this.over) this.listener.connected(false, refusal?.message)
