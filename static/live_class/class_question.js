@@ -44,7 +44,7 @@ export class ClassQuestion {
     const isSame = earlier && nameOf(earlier) === nameOf(question) && isEqual(earlier.card, question.card)
     const isTakenBack = earlier?.lesson && !question.lesson
     if (!question.step) this.#leave()
-    else if (!isSame || isTakenBack || !this.card) await this.#lay()
+    else if (!isSame || isTakenBack || this.card?.page !== this.following.page) await this.#lay()
     else this.#resend()
     this.#showStatus()
     if (this.card && question.lesson) await this.#teach(question.lesson)

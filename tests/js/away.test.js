@@ -184,6 +184,18 @@ for (const [when, again] of Object.entries({
     assert.ok(last.isSent(QUESTION))
   })
 
+test("an answer that is changed on its way does not overtake, and is sent next", async () => {
+  away = take => new Promise(done => setTimeout(() => done(take()), 2000))
+  delivering().give(QUESTION, ANSWER)
+  await pass(500)
+  last.give(QUESTION, OTHER)
+  await pass(1000)
+  assert.equal(server.asked.length, 1)
+  await pass(3000)
+  assert.deepEqual([...room.answers.values(), mine("ABCD").answers[QUESTION]], [OTHER, OTHER])
+  assert.ok(server.asked.length === 2 && last.isSent(QUESTION))
+})
+
 test("an answer that is refused for good is not sent again, and the reason is kept", async () => {
   away = refusing(409, "This question is closed.")
   delivering().give(QUESTION, ANSWER)
