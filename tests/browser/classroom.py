@@ -12,13 +12,16 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
 from tests.browser.tabs import calm_context
+from tests.browser.waiting import clicked
 from tests.serving.server import Server, serving
 
 CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 LED = "globalThis.oscillations?.classes?.led"
-PAD = """(() => { const {plot} = oscillations.asked.card.question.pad
+FILLED = ".card .foot .filled"
+FRAME = """(() => { const {plot} = (oscillations.walks?.walk ?? oscillations.asked).card.question.pad
   const b = plot.host.getBoundingClientRect(), f = plot.frame
   return [b.left + f.left, b.top + f.top, f.width, f.height] })()"""
+"""The frame in which a sketch is drawn, on a phone or on a visitor's own page."""
 
 Open = Callable[[str, int, int], Page]
 
@@ -36,7 +39,7 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
 @pytest.fixture
 def failing(server: Server, browser: Browser) -> Iterator[Open]:
     """Pages for a class in which requests fail on purpose; browsers log these as errors."""
-    with _opened(browser, server) as go:
+    with opening(browser, server.url) as go:
         yield go
 
 
@@ -44,19 +47,20 @@ def failing(server: Server, browser: Browser) -> Iterator[Open]:
 def walked(browser: Browser, folder: Path, name: str, walk: str) -> Iterator[Open]:
     """Pages of a server that has a walk from a file."""
     (folder / f"{name}.toml").write_text(walk, encoding="utf-8")
-    with serving(folder / "log", environment={"WALKS": str(folder)}) as server, _opened(browser, server) as go:
+    environment = {"WALKS": str(folder)}
+    with serving(folder / "log", environment=environment) as server, opening(browser, server.url) as go:
         yield go
 
 
 @contextmanager
-def _opened(browser: Browser, server: Server) -> Iterator[Open]:
-    """Pages of a server, each in its own context."""
+def opening(browser: Browser, url: str) -> Iterator[Open]:
+    """Pages below an address, each in its own context, so that errors in their consoles are allowed."""
     contexts = []
 
     def go(query: str, width: int, height: int) -> Page:
         contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
         page = contexts[-1].new_page()
-        page.goto(f"{server.url}?{query}")
+        page.goto(f"{url}?{query}")
         return page
 
     yield go
@@ -64,9 +68,9 @@ def _opened(browser: Browser, server: Server) -> Iterator[Open]:
         context.close()
 
 
-def taught(window: Open, query: str) -> tuple[Page, str]:
+def taught(window: Open, query: str, width: int = 1920, height: int = 1080) -> tuple[Page, str]:
     """An instructor's window with an open class, and its code."""
-    page = window(query, 1920, 1080)
+    page = window(query, width, height)
     page.wait_for_function(CONNECTED)
     page.keyboard.press("t")
     page.wait_for_function(LED)
@@ -80,29 +84,47 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
     return page
 
 
-def put(lecture: Page, phone: Page, step: str) -> None:
-    """Wait until hall and phone ask a step."""
+def put(step: str, lecture: Page, *phones: Page) -> None:
+    """Wait until hall and phones ask a step."""
     lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
-    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
+    for phone in phones:
+        phone.wait_for_function(
+            "step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step
+        )
+
+
+def sent(phone: Page) -> None:
+    """Wait until the class has the answer of a phone."""
+    expect(phone.get_by_text("You can change it until the")).to_be_visible()
+
+
+def tap(phone: Page, option: int) -> None:
+    phone.locator(f".answers [data-option='{option}']").click()
+
+
+def ticket(lecture: Page, button: str, answer: str) -> str:
+    """The address that the instructor's dialog shows."""
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile(f"/{answer}$")) as response:
+        lecture.get_by_role("button", name=button).click()
+    return str(response.value.json()["address"])
 
 
 def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) -> Page:
     """A phone that is accepted as the remote control."""
-    lecture.keyboard.press("j")
-    with lecture.expect_response(re.compile("/tickets$")) as answer:
-        lecture.get_by_role("button", name="Remote control").click()
-    remote = window(answer.value.json()["address"].partition("?")[2], width, height)
+    remote = window(ticket(lecture, "Remote control", "tickets").partition("?")[2], width, height)
     lecture.get_by_role("button", name="Yes, connect it").click()
     remote.get_by_role("button", name="Close").click()
     expect(lecture.get_by_role("dialog")).to_have_count(0)
     return remote
 
 
-def draw(page: Page, height: Callable[[float], float]) -> None:
+def draw(page: Page, height: Callable[[float], float], count: int = 40) -> None:
+    """Draw a curve: heights and positions as shares of the frame."""
     page.locator(".drawing").scroll_into_view_if_needed()
-    left, top, width, tall = page.evaluate(PAD)
-    for i in range(41):
-        page.mouse.move(left + i / 40 * width, top + (1 - height(i / 40)) * tall)
+    left, top, width, tall = page.evaluate(FRAME)
+    for i in range(count + 1):
+        page.mouse.move(left + i / count * width, top + (1 - height(i / count)) * tall)
         if not i:
             page.mouse.down()
     page.mouse.up()
@@ -112,3 +134,14 @@ def counted(lecture: Page, *counts: str) -> None:
     """Return the votes for each answer, in the order of the walk's file."""
     for i, count in enumerate(counts):
         expect(lecture.locator(f".answers [data-option='{i}'] .vote-count")).to_have_text(count)
+
+
+def explained(lecture: Page, *phones: Page) -> None:
+    """A clicker shows the votes, then the answer, to hall and phones."""
+    clicked(lecture)
+    expect(lecture.locator(FILLED)).to_have_text("Show the answer")
+    assert not lecture.evaluate("oscillations.walks.walk.lesson")
+    clicked(lecture)
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    for phone in phones:
+        expect(phone.locator(".card .after > *").first).to_be_attached()  # with the reply to the phone's own answer

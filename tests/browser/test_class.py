@@ -1,227 +1,299 @@
-"""A lecture with an instructor, a remote control and two phones, each a browser window."""
+"""A class of three phones in a lecture of six steps from a file: a clicker leads it, a remote control looks on."""
 
 from __future__ import annotations
 
+import csv
 import re
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import CONNECTED, LED, Open, counted, joined, remote_of, taught
+from tests.browser.classroom import (
+    CONNECTED,
+    FILLED,
+    LED,
+    Open,
+    counted,
+    draw,
+    joined,
+    put,
+    remote_of,
+    sent,
+    tap,
+    taught,
+)  # fmt: skip
+from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
+from tests.browser.halls import seen
 from tests.browser.waiting import clicked
-from tests.live_class.caller import call
-from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 
-
-def by_another_window(lecture: Page) -> None:
-    """An answer that one window of the instructor shows is visible in the others."""
-    second = lecture.context.new_page()
-    second.goto(lecture.url)
-    second.wait_for_function(CONNECTED)
-    second.keyboard.press("t")
-    second.wait_for_function(f"{LED}?.news.question && oscillations.walks.walk.lesson")
-    for page in (lecture, second):
-        page.evaluate("oscillations.walks.walk.go(12)")
-        page.wait_for_function("oscillations.walks.walk.place === 12 && oscillations.classes.led.votes.isUnopened")
-    second.evaluate("oscillations.walks.walk.show(true)")
-    lecture.wait_for_function("oscillations.walks.walk.lesson")
-
-
-def voted_again(lecture: Page, phones: list[Page]) -> None:
-    """The class votes again after a discussion, until the vote is closed; the first result is hidden meanwhile."""
-    lecture.get_by_role("button", name="Vote again").click()
-    expect(lecture.locator(".votes")).to_contain_text("0 of 2 have answered")
-    expect(lecture.locator(".votes")).to_contain_text("Vote 2:")
-    assert lecture.locator(".vote-bar").count() == 0  # a student who votes again does not see the others' votes
-    for phone in phones:
-        phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
-        expect(phone.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
-        phone.locator(".answers [data-option='1']").click()
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
-    lecture.get_by_role("button", name="Close the vote").click()
-    expect(phones[0].get_by_text("The vote is closed.")).to_be_visible()
-    assert phones[0].evaluate("oscillations.asked.card.question.element.inert")
-    clicked(lecture)
-    counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
+STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14"}
+POLL = """[[step]]
+id = "speed"
+poll = true
+question = "How fast is this?"
+options = [{ text = "Too fast" }, { text = "Right" }, { text = "Too slow" }]
+"""
+LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
+STATUS = ".card-body > .hint[role=status]"
+QUESTION = "(({walk, step, vote, closed, answered, lesson}) => [walk, step, vote, closed, answered, Boolean(lesson)])"
+TAKEN = """oscillations.asked?.card && oscillations.asked.given &&
+  oscillations.asked.delivery.isTaken(oscillations.asked.name)"""
+"""True if the server has the answer that the phone kept and sends again after a while."""
+KEPT = "Object.keys(localStorage).filter(key => key.startsWith('class-')).length"
 
 
-def test_a_question_is_asked_answered_twice_and_shown(window: Open) -> None:
-    lecture, code = taught(window, "walk=d34&step=d34-12")
-    phones = [joined(window, code) for _ in range(2)]
-    for i, phone in enumerate(phones):
-        phone.locator(f".answers [data-option='{i}']").click()
-        expect(phone.get_by_text("You can change it")).to_be_visible()
+def look(lecture: Page, name: str) -> None:
+    """The screen in front, as the last row sees it."""
+    assert list(seen(lecture, 1080, f"{name}, after")) == []
+
+
+def reloaded(phone: Page, given: str) -> None:
+    """A phone that is loaded again has its answer, and so has the server."""
+    before = phone.evaluate(given)
+    phone.reload()
+    phone.wait_for_function(f"globalThis.oscillations && {READY} && {TAKEN}")
+    assert before and phone.evaluate(given) == before
+    sent(phone)
+
+
+def back_again(lecture: Page, phone: Page) -> None:
+    """The answer is taken back for all, also after a reload, and shown again without a new vote."""
+    clicked(lecture, "PageUp")
+    for _ in range(2):
+        expect(lecture.locator(FILLED)).to_have_text("Vote again")
+        expect(lecture.locator(".votes")).to_contain_text("have answered. The answer has been shown.")
+        expect(phone.get_by_text("This question has been answered. It takes no more answers.")).to_be_visible()
+        alike(lecture, phone, is_answered=True)
+        lecture.reload()
+        lecture.wait_for_function(f"{CONNECTED} && {LED}")
+    assert phone.evaluate("oscillations.asked.card.question.element.inert && Boolean(oscillations.asked.given)")
+    lecture.get_by_role("button", name="Show the answer").click()
+    expect(phone.locator(".card .after > *").first).to_be_attached()
+    alike(lecture, phone, is_answered=False)
+
+
+def alike(lecture: Page, phone: Page, *, is_answered: bool) -> None:
+    """Hall and phone have the same information on the question, and no number on the phone is missing."""
+    pages = ((lecture, f"{LED}?.news"), (phone, "oscillations.news"))
+    for page, news in pages:
+        page.wait_for_function(f"is => {news}.question && {QUESTION}({news}.question)[4] === is", arg=is_answered)
+    assert [page.evaluate(f"{QUESTION}({news}.question)") for page, news in pages[:1]] == [
+        page.evaluate(f"{QUESTION}({news}.question)") for page, news in pages[1:]
+    ]
+    told = "[...document.querySelectorAll('.card .after, .findings')].map(part => part.textContent).join()"
+    assert "?" not in phone.evaluate(told)
+
+
+def choice(lecture: Page, code: str, phone: Page, other: Page) -> None:
+    """Two votes with a discussion between them; nobody sees the first while the second is open."""
+    put("pull", lecture, phone, other)
+    for i, one in enumerate((other, phone)):
+        tap(one, i)
+        sent(one)
+    expect(phone.locator(STATUS)).to_contain_text("Sent: Longer: the distance is longer. You can change it until")
+    expect(phone.locator(STATUS)).to_contain_text("2 of 2 have answered.")
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     assert lecture.locator(".vote-bar").count() == 0  # first the number of answers is visible, then the answers
     clicked(lecture)
-    counted(lecture, "1", "1", "0", "0")
-    voted_again(lecture, phones)
+    counted(lecture, "1", "1", "0")
+    lecture.get_by_role("button", name="Vote again").click()
+    expect(lecture.locator(".votes")).to_contain_text("Vote 2: 0 of 2 have answered")
+    assert lecture.locator(".vote-bar").count() == 0
+    for one in (phone, other):
+        expect(one.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
+        tap(one, 0)
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
+    lecture.get_by_role("button", name="Close the vote").click()
+    expect(phone.get_by_text("The vote is closed.")).to_be_visible()
+    assert phone.evaluate("oscillations.asked.card.question.element.inert")
     lecture.reload()
-    lecture.wait_for_function(f"{CONNECTED} && {LED}")
-    assert lecture.evaluate(f"{LED}.room.code") == code
+    lecture.wait_for_function(f"{CONNECTED} && {LED}?.room.code === '{code}'")
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     clicked(lecture)
+    counted(lecture, "1 → 2", "1 → 0", "0 → 0")
+    expect(lecture.locator(".vote-bar .before")).to_have_count(2)  # the first vote stays outlined
+    shown = [[row.inner_text() for row in page.locator(".answers .name").all()] for page in (lecture, phone)]
+    assert shown[0] == shown[1], "one order for all"
     clicked(lecture)
-    for phone in phones:
-        expect(phone.locator("h1")).to_have_text("Undamped motion never becomes steady")
-        expect(phone.locator(".answers [data-option='1']")).to_contain_text("your answer")
-    lecture.wait_for_function("oscillations.clock.playing")
-    phones[0].wait_for_function("oscillations.clock.playing")
-    lecture.keyboard.press("Space")
-    at = lecture.evaluate("oscillations.clock.t")
-    for phone in phones:
-        phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
-        assert phone.evaluate("oscillations.timing.bound") < 1000
+    judged(lecture, phone, other)
+
+
+def judged(lecture: Page, phone: Page, other: Page) -> None:
+    """The answer on all pages, with the counts of the class; then the explanation in the hall."""
+    for page in (lecture, phone, other):
+        expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    expect(phone.locator(".answers [data-option='0']").get_by_role("img", name="right")).to_be_visible()
+    expect(phone.locator(".answers [data-option='0']")).to_contain_text("your answer")
+    expect(phone.locator(STATUS)).to_have_text("2 of 2 are right.")
+    assert phone.locator(".answers .vote-count").all_inner_texts().count("2") == 1
+    expect(phone.locator(".card .try")).to_have_count(0)  # there is no slider
+    look(lecture, "choice")
     lecture.reload()
     lecture.wait_for_function("oscillations.walks.walk?.lesson")  # a question whose answer was shown is not asked again
-    counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
-    phones[0].wait_for_function(
-        "oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null"
-    )
-    by_another_window(lecture)
+    counted(lecture, "1 → 2", "1 → 0", "0 → 0")
+    clicked(lecture)
+    expect(lecture.locator(".card .why")).to_be_visible()
+    clicked(lecture)
 
 
-def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Open) -> None:
-    lecture, code = taught(window, "walk=d34&step=d34-12")
-    own = joined(window, code)
-    own.get_by_role("button", name="Only the drive's, in the end").click()
-    expect(own.get_by_text("You can change it")).to_be_visible()
+def number(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
+    """With the question of how sure the class is; led by the remote control."""
+    put("mass", lecture, phone, other)
+    expect(phone.get_by_role("group", name="How sure are you?")).to_be_hidden()
+    lecture.keyboard.press("s")
+    phone.get_by_role("button", name="Fairly sure").click()
+    for one, text in ((phone, "2"), (other, "1")):
+        one.get_by_role("textbox", name="Your answer").fill(text)
+        sent(one)
+    expect(remote.get_by_text("How sure: 0 guessed, 1 fairly sure (1 right), 0 certain")).to_be_visible()
+    expect(remote.get_by_role("button", name="How sure?")).to_have_count(0)  # it is asked
     clicked(lecture)
-    clicked(lecture)
-    own.locator(".replied").get_by_text(
-        "Show such a case"
-    ).click()  # the case that a reply mentions opens on the student's own page
-    own.wait_for_function(f"{CONNECTED} && oscillations.shown.state.scene === 'forced' && oscillations.walks")
-    own.wait_for_function("oscillations.shown.state.parameters.c1 === 0.4")
-    expect(own.locator(".class-bar")).to_contain_text("On your own")
-    assert own.evaluate("!oscillations.shown.state.step && !oscillations.shown.state.covered.length")
-    own.get_by_text("Back to the lecture").click()
-    own.wait_for_function(f"{READY} && oscillations.asked?.card")
-    own.get_by_text("Try it on your own").click()  # and it is not searched again
-    own.wait_for_function(f"{CONNECTED} && !globalThis.sessionStorage['class-sought']")
-    lecture.evaluate("oscillations.walks.walk.go(4)")
-    own.goto(f"{own.url.partition('?')[0]}?walk=d34&step=d34-05")
-    own.wait_for_function(f"{CONNECTED} && oscillations.classes.askedStep === 'd34/d34-05'")
-    own.locator(".answers button").first.click()
-    own.get_by_role("button", name="Show the answer").click()
-    expect(own.get_by_role("alert").filter(has_text="The lecture is at this step now.")).to_be_visible()
-    clicked(lecture)
-    clicked(lecture)
-    own.wait_for_function("oscillations.classes.askedStep === ''")
-    own.get_by_role("button", name="Show the answer").click()
-    own.wait_for_function("Boolean(oscillations.walks.walk.lesson)")
-
-
-def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
-    lecture, _ = taught(window, "walk=d31&step=d31-01")
-    lecture.keyboard.press("j")
-    with lecture.expect_response(re.compile("/tickets$")) as answer:
-        lecture.get_by_role("button", name="Remote control").click()
-    query = answer.value.json()["address"].partition("?")[2]
-    lecture.keyboard.press("j")
-    dialog = lecture.get_by_role("dialog")
-    expect(dialog).to_have_count(0)
-    remote = window(query, 390, 844)
-    expect(remote.locator("h1")).to_have_text(re.compile(r"^\d\d$"))
-    asked = f"show {remote.locator('h1').inner_text()}?"
-    expect(dialog).to_contain_text(asked)  # it opens on its own, and asks while the phone waits
-    lecture.keyboard.press("j")
-    lecture.keyboard.press("j")
-    expect(dialog).to_contain_text(asked)
-    lecture.reload()
-    expect(dialog).to_contain_text(asked)
-    lecture.get_by_role("button", name="Yes, connect it").click()
-    remote.get_by_role("button", name="Close").click()
-    expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)
+    expect(lecture.locator(".vote-line circle")).to_have_count(2)
+    expect(lecture.locator(".votes .sure")).to_have_text("How sure: 0 guessed, 1 fairly sure, 0 certain")
     remote.get_by_role("button", name="Show the answer").click()
-    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    expect(lecture.locator(".votes .all")).to_have_text("1 of 2 is right")
+    expect(lecture.locator(".votes .sure")).to_contain_text("1 fairly sure (1 right)")
+    expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
+    look(lecture, "number")
+    back_again(lecture, phone)
     remote.get_by_role("button", name="How it follows").click()
     expect(lecture.locator(".card .follows .lines")).to_be_visible()
-    expect(lecture.locator(".card .why")).to_be_visible()
     remote.get_by_role("button", name="Next").click()
-    lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-02'")
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("2 of 16")
-    remote.get_by_role("button", name="Contents").click()
-    remote.get_by_role("button", name="Where energy goes back and forth").click()
-    lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-11'")
-    expect(remote.get_by_role("button", name="Show the votes")).to_be_visible()
 
 
-def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open) -> None:
-    """An open step shows nothing by itself. A class without a walk votes too."""
-    lecture, code = taught(window, "walk=d34&step=d34-04&projector")
-    phone = joined(window, code)
-    phone.wait_for_function("oscillations.asked.question?.step === 'd34-04'")
-    covered = lecture.evaluate("oscillations.shown.state.covered")
-    lecture.keyboard.press("v")
-    phone.wait_for_function("oscillations.asked.question?.step === 'vote-1' && oscillations.asked.card")
-    assert covered and lecture.evaluate("oscillations.shown.state.covered") == covered
-    phone.get_by_role("button", name="B", exact=False).and_(phone.locator("[data-option='1']")).click()
-    expect(phone.get_by_text("You can change it until the vote is closed.")).to_be_visible()
-    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
+def point(lecture: Page, *phones: Page) -> None:
+    put("place", lecture, *phones)
+    for phone in phones:
+        phone.locator(".pill-mark").press("ArrowRight")
+        sent(phone)
+    reloaded(phones[0], "oscillations.asked.card.question.marker.value")
     clicked(lecture)
-    counted(lecture, "0", "1", "0", "0")
-    expect(lecture.locator(".card .foot .filled")).to_have_text("Go on")
+    lecture.wait_for_function("""() => {
+      const parts = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part))
+      const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
+      return Math.abs(dot - mark) < 20
+    }""")  # the answers are on the axis itself, next to where the mark begins
+    look(lecture, "point")
     clicked(lecture)
-    lecture.wait_for_function("oscillations.walks.walk?.step?.id === 'd34-04'")
-    phone.wait_for_function("oscillations.asked.question?.step === 'd34-04'")
-    lecture.keyboard.press("w")
-    lecture.wait_for_function("!oscillations.walks.walk")
-    lecture.keyboard.press("v")
-    phone.wait_for_function("oscillations.asked.question?.step === 'vote-2' && oscillations.asked.card")
-    expect(phone.locator(".card .given")).to_have_text("Vote 2.")
+    expect(lecture.locator(".votes .all")).to_have_text("0 of 3 are right")
+    clicked(lecture)
+    expect(lecture.locator(".card .why")).to_be_visible()
+    clicked(lecture)
 
 
-BUZZES = """() => { globalThis.buzzes = 0
-  Object.defineProperty(navigator, "vibrate", {value: () => { globalThis.buzzes += 1; return true }}) }"""
-PRESSES = ("Show the votes", "Show the answer", "Show the explanation", "How it follows", "Next")
-CLOSES = "Close the QR code"
+def sketch(lecture: Page, *phones: Page) -> None:
+    """The sketches take the whole screen."""
+    put("curve", lecture, *phones)
+    for phone in phones:
+        draw(phone, lambda x: 0.9 - 0.88 * x)
+        sent(phone)
+    reloaded(phones[0], "oscillations.asked.card.question.pad.sent.Xp1")
+    clicked(lecture)
+    ink = lecture.get_by_role("img", name="3 sketches of the class")
+    expect(ink).to_be_visible()
+    clicked(lecture)
+    expect(lecture.locator("h1")).to_have_text(re.compile("^“.*” is right in 3 of 3 sketches, “.*” in 0$"))
+    box = ink.bounding_box()
+    assert box and box["width"] > 1700 and box["height"] > 500
+    look(lecture, "sketch")
+    for phone in phones:
+        expect(phone.locator(".findings li")).to_have_count(5)
+    back_again(lecture, phones[0])
+    clicked(lecture)
+    expect(lecture.locator("h1")).to_have_text("Two poles, and a zero between them")
+    expect(ink).to_have_count(0)
+    clicked(lecture)
+    expect(lecture.locator(".card .follows .lines")).to_be_visible()
+    clicked(lecture)
 
 
-def offered(remote: Page) -> list[str]:
-    """The texts of its buttons, the next action last."""
-    return remote.locator(".remote-deeds .act:visible").all_inner_texts()
+def poll(lecture: Page, phone: Page, other: Page) -> None:
+    """A poll has no answer. Then back to the step before, whose answer stays, and to another vote on it."""
+    put("speed", lecture, phone, other)
+    expect(lecture.locator(FILLED)).to_have_text("Show the votes")
+    phone.get_by_role("button", name="Right").click()
+    expect(phone.get_by_text("Sent: Right. You can change it until the vote is closed.")).to_be_visible()
+    clicked(lecture)
+    counted(lecture, "0", "1", "0")
+    clicked(lecture, "PageUp")
+    put("curve", lecture, phone, other)
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    for one in (phone, other):
+        expect(one.locator(".findings li")).to_have_count(5)
+        assert (
+            len(one.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101
+        )  # it is still theirs
+    clicked(lecture, "PageUp")
+    expect(lecture.locator(FILLED)).to_have_text("Vote again")
+    clicked(lecture)
+    expect(phone.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
+    draw(phone, lambda x: 0.2 + 0.6 * x)
+    expect(lecture.locator(".votes")).to_contain_text("Vote 2: 1 of 3 have answered")
+    assert lecture.evaluate(f"{LED}.votes.tally.before.answered") == 3, "the first vote is kept"
 
 
-def answered(server: Server, code: str, options: list[int]) -> None:
-    for option in options:
-        token = call(server.url, f"/class/{code}/token", "POST").json["token"]
-        call(server.url, f"/class/{code}/now", word=token)
-        given = {"walk": "d34", "step": "d34-04", "option": option}
-        assert call(server.url, f"/class/{code}/answer", "PUT", given, token).status == 204
-
-
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (844, 390)])
-def test_it_says_what_the_class_answers_and_what_the_next_press_does(
-    width: int, height: int, server: Server, window: Open
-) -> None:
-    lecture, code = taught(window, "walk=d34&step=d34-04&projector")
-    phone = joined(window, code)
-    remote = remote_of(lecture, window, width, height)
-    remote.evaluate(BUZZES)
-    body = remote.locator(".remote-body")
-    expect(body).to_contain_text("0 of 1 have answered")
-    answered(server, code, [0, 0, 1, 2, 3])
-    expect(body).to_contain_text("5 of 6 have answered")
-    expect(body).to_contain_text("40 % are right: let them talk, then vote again.")
-    expect(body.locator(".right-vote")).to_contain_text("Neither: there are always exactly two")
-    expect(body.locator(".right-vote b")).to_have_text("2")
-    phone.wait_for_function("oscillations.asked.card")
-    phone.locator(".answers button").first.click()
-    remote.wait_for_function("globalThis.buzzes > 0")  # all have answered
-    for words in PRESSES:
-        expect(remote.locator(".remote-deeds .filled")).to_have_text(words)
-        assert CLOSES not in offered(remote)
-        assert ("Vote again" in offered(remote)) == (words == "Show the answer")
-        remote.locator(".remote-deeds .filled").click()
-    lecture.wait_for_function("oscillations.walks.walk.step.id === 'd34-05'")
+def ended(lecture: Page, phone: Page, folder: Path) -> list[list[str]]:
+    """The page says what the end of a class deletes, and offers the CSV; a clicker does not end a class."""
     lecture.keyboard.press("j")
-    remote.get_by_role("button", name=CLOSES).click()
-    expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)
-    remote.get_by_role("button", name="Blank the screen").click()
-    remote.get_by_role("button", name="Show the screen").click()
-    expect(lecture.locator(".blank")).to_have_count(0)
-    assert not remote.evaluate("document.documentElement.scrollWidth > innerWidth")
+    lecture.get_by_role("button", name="Summary").click()
+    summary = lecture.get_by_role("dialog", name="Summary of the class")
+    expect(summary.get_by_role("heading")).to_have_text(re.compile(r"^Wrong most: step 3, step 4 \(100 %"))
+    expect(summary.locator("tbody tr")).to_have_count(4)
+    summary.get_by_role("button", name="Close").click()
+    dialog = lecture.get_by_role("dialog", name="End the class")
+    for cancel in ("Escape", "Cancel", ""):
+        lecture.get_by_role("button", name="End the class").press("Enter")
+        expect(dialog).to_contain_text("This deletes 14 answers to 5 questions. The code stops working, and phones")
+        for key in ("PageDown", "PageUp"):
+            lecture.keyboard.press(key)
+        assert lecture.evaluate(f"{LED} && !{LED}.isOver")
+        if cancel == "Cancel":
+            dialog.get_by_role("button", name=cancel).click()
+        elif cancel:
+            lecture.keyboard.press(cancel)
+        expect(dialog).to_have_count(0 if cancel else 1)
+    with lecture.expect_download() as download:
+        lecture.keyboard.press("Enter")  # the filled button saves
+    assert re.fullmatch(r"class-\w{4}\.csv", download.value.suggested_filename)
+    expect(lecture.get_by_text("Saved as class-")).to_be_visible()
+    assert phone.evaluate(KEPT) == 1
+    lecture.keyboard.press("Enter")  # the next press ends the class
+    expect(lecture.get_by_text("The class is over.")).to_be_visible()
+    expect(lecture.get_by_role("dialog")).to_have_count(0)
+    download.value.save_as(folder / "answers.csv")
+    with (folder / "answers.csv").open(newline="") as file:
+        return list(csv.reader(file))
+
+
+@pytest.mark.timeout(600)  # five windows on a busy machine
+def test_a_lecture(window: Open, tmp_path: Path) -> None:
+    lecture, code = taught(window, "scene=oscillator&projector")
+    remote = remote_of(lecture, window)
+    phone, other = joined(window, code), joined(window, code, 844, 390)
+    expect(lecture.locator(".class-corner")).to_contain_text(f"{code}2 here")
+    drop(lecture, "five.toml", LECTURE + POLL)
+    choice(lecture, code, phone, other)
+    number(lecture, phone, other, remote)
+    late = joined(window, code)
+    expect(lecture.locator(".class-corner")).to_contain_text("3 here")
+    point(lecture, phone, other, late)
+    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("4 of 5")
+    sketch(lecture, phone, other, late)
+    poll(lecture, phone, other)
+    remote.close()  # it would continue to poll, and get the answer that there is no such class
+    rows = ended(lecture, phone, tmp_path)
+    for one in (phone, other, late):
+        expect(one.get_by_role("heading", name="The class is over.")).to_be_visible()
+        assert one.evaluate(KEPT) == 0
+    own = next(row[0] for row in rows if row[4:8:3] == ["mass", "2"])
+    answers = [row for row in rows[1:] if row[0] == own]
+    assert [[*row[3:6], row[9]] for row in [rows[0], *answers[:4]]] == [
+        ["walk", "step", "vote", "right"], ["five", "pull", "1", "no"], ["five", "pull", "2", "yes"],
+        ["five", "mass", "1", "yes"], ["five", "place", "1", "no"],
+    ]  # fmt: skip
+    assert all(row[1].endswith("Z") for row in rows[1:]) and {row[2] for row in answers[:3]} == {"2"}
+    assert len(answers[4][7].split(";")) == 101 and answers[4][8] == "SI"

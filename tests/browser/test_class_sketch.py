@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
-from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
-from components.walks.subject import Subject
-from tests.browser.classroom import Open, joined, taught
-from tests.browser.waiting import clicked
+from tests.browser.classroom import Open, explained, joined, put, sent, taught
+from tests.browser.hands import stroke
 from tests.grids import spread
 from tests.walks.strokes import strokes
 
 pytestmark = pytest.mark.browser
-TOLD = "asked => oscillations.asked.question?.step === asked && oscillations.asked.card?.question.pad"
 PLACES = """points => { const {plot} = oscillations.asked.card.question.pad
   const b = plot.host.getBoundingClientRect(), f = plot.frame
   return points.filter(([x]) => x >= plot.x.start && x <= plot.x.end).map(([x, y]) => [
     b.left + plot.px(x), b.top + Math.min(Math.max(plot.py(y), f.top - 10), f.top + f.height + 10)]) }"""
 ABOVE = """() => document.querySelector(".drawing").getBoundingClientRect().bottom
   <= document.querySelector(".class-bar").getBoundingClientRect().top"""
+NUMBERED = "card.question.plot.figure.numbered"
 INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.layer
   const ink = canvas.getContext("2d"), scale = devicePixelRatio * plot.unit, f = plot.frame
   const places = points.map(([x, y]) => [plot.px(x), plot.py(y)])
@@ -32,32 +30,21 @@ INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.lay
 SKETCHED = [(walk, step) for walk in load_walks(()).values() for step in walk.steps if isinstance(step, SketchStep)]
 
 
-def drawn(phone: Page, points: list[tuple[float, float]]) -> None:
-    phone.locator(".drawing").scroll_into_view_if_needed()
-    places = phone.evaluate(PLACES, points)
-    phone.mouse.move(*places[0])
-    phone.mouse.down()
-    for place in places:
-        phone.mouse.move(*place)
-    phone.mouse.up()
-
-
 @pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 4))
 def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
     walk, asked = next(one for one in SKETCHED if one[1].id == step)
     lecture, code = taught(window, f"walk={walk.name}&step={step}")
     phone = joined(window, code)
-    phone.wait_for_function(TOLD, arg=step)
+    put(step, lecture, phone)
     curves = strokes(asked)
     for name, points in curves.items():
         if len(curves) > 1:
             phone.get_by_role("button", name=f"Draw {name}", exact=True).click()
-        drawn(phone, points)
-    expect(phone.get_by_text("You can change it")).to_be_visible()
+        phone.locator(".drawing").scroll_into_view_if_needed()
+        stroke(phone, phone.evaluate(PLACES, points))
+    sent(phone)
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
-    clicked(lecture)
-    clicked(lecture)
-    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    explained(lecture, phone)
     lecture.wait_for_function(f"oscillations.classes.led.votes.tally?.step === '{step}'")
     tally = lecture.evaluate("oscillations.classes.led.votes.tally.now.sketches")
     assert [one["has"] for one in tally] == [[True] * len(asked.must)]
@@ -72,18 +59,6 @@ def test_the_pad_is_above_the_bar_of_the_class(window: Open) -> None:
     """A drawing does not cover the bar. A plot that the step lists has the numbers of the time."""
     lecture, code = taught(window, "walk=d34&step=d34-10&projector")
     phone = joined(window, code, 844, 390)
-    phone.wait_for_function(TOLD, arg="d34-10")
+    put("d34-10", lecture, phone)
     phone.wait_for_function(ABOVE)
-    assert phone.evaluate("oscillations.asked.card.question.plot.figure.numbered")
-    assert lecture.evaluate("oscillations.walks.walk.card.question.plot.figure.numbered")
-
-
-def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
-    """So the check above does not rely on equal frames."""
-    wide = []
-    for _, step in SKETCHED:
-        subject = Subject("", step, SCENES)
-        pad, shown = subject.pad(step.plot).y, subject.page_state.shown.axes
-        if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
-            wide.append(step.id)
-    assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15"} <= set(wide)
+    assert phone.evaluate(f"oscillations.asked.{NUMBERED}") and lecture.evaluate(f"oscillations.walks.walk.{NUMBERED}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -19,8 +18,11 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
+from components.walks.walk import Walk
+from tests.browser.classroom import tap
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
+from tests.browser.hands import stroke
 from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
@@ -38,6 +40,12 @@ PLACES = """drawn => {
   const places = drawn.map(([x, y]) => [left + frame.left + x * frame.width, top + frame.top + (1 - y) * frame.height])
   return places.filter((_, i) => i % Math.ceil(places.length / 120) === 0)
 }"""
+REFUSED = {
+    "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
+    "latin.toml": (b'title = "\xe9"', "latin.toml: this is not UTF-8 text."),
+    "My notes.toml": (b"hello", "My notes.toml: my-notes: this is not TOML"),
+    "cover.toml": (MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” is not possible: choose from"),
+}
 
 
 def chosen(page: Page, name: str, content: bytes) -> None:
@@ -50,19 +58,9 @@ def chosen(page: Page, name: str, content: bytes) -> None:
 
 def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="energy")
-    notice = page.locator(".notice span")
-    for name, content, said in (
-        ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
-        ("latin.toml", b'title = "\xe9"', "latin.toml: this is not UTF-8 text."),
-        ("My notes.toml", b"hello", "My notes.toml: my-notes: this is not TOML"),
-        (
-            "cover.toml",
-            MINE.encode() + b'cover = ["plot:z"]',
-            "step 1 (one), cover: “plot:z” is not possible: choose from",
-        ),
-    ):
+    for name, (content, said) in REFUSED.items():
         chosen(page, name, content)
-        expect(notice).to_contain_text(said)
+        expect(page.locator(".notice span")).to_contain_text(said)
     chosen(page, "here.toml", MINE.replace("d31-03", "d31-07").encode())  # a step of the visible scene
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'here' && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
@@ -73,7 +71,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     page.reload()  # a clicker's start key
     page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
-    page.locator(".answers [data-option='0']").click()
+    tap(page, 0)
     clicked(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     page.reload()  # a question that has been answered is not asked again
@@ -192,7 +190,18 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert [step.notes for step in walk.steps] == ["Show the real springs first.", "", "", ""]
     dialog.get_by_role("button", name="Close").click()
     drop(page, file.name, file.read_text(encoding="utf-8"))
-    for place, answer in enumerate((choose, number, partial(sketch, drawn), point)):
+    answered(page, walk, drawn)
+
+
+def answered(page: Page, walk: Walk, drawn: list[list[float]]) -> None:
+    """Every step is asked in the picture on which it was written, and the right answer is right."""
+    answers: tuple[Callable[[Page], None], ...] = (
+        lambda page: tap(page, 0),
+        lambda page: page.get_by_label("Your answer").fill("2.45"),
+        lambda page: stroke(page, page.evaluate(PLACES, drawn)),
+        point,
+    )
+    for place, answer in enumerate(answers):
         page.wait_for_function(f"place => oscillations.walks.walk?.place === place && {READY}", arg=place)
         page.wait_for_function("oscillations.walks.walk.card?.page === oscillations.page")
         expect(page.locator("h1")).to_have_text(walk.steps[place].question)
@@ -205,22 +214,6 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
         page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
         assert page.evaluate("oscillations.walks.walk.lesson.right") is True
         clicked(page)
-
-
-def choose(page: Page) -> None:
-    page.locator(".answers [data-option='0']").click()
-
-
-def number(page: Page) -> None:
-    page.get_by_label("Your answer").fill("2.45")
-
-
-def sketch(drawn: list[list[float]], page: Page) -> None:
-    for i, place in enumerate(page.evaluate(PLACES, drawn)):
-        page.mouse.move(*place)
-        if not i:
-            page.mouse.down()
-    page.mouse.up()
 
 
 def point(page: Page) -> None:

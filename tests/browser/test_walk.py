@@ -1,30 +1,36 @@
-"""A guided walk in a browser: questions, answers by mouse and keys, sketches, contents, and stored answers."""
+"""A guided walk in a browser: questions, answers by mouse, finger and keys, contents, and stored answers."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import pairwise
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
+from tests.browser.classroom import FRAME, draw
 from tests.browser.halls import TAUGHT
+from tests.browser.touch import Finger
 from tests.browser.waiting import QUIET, passed, played
-from tests.grids import spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
 BLOCKED = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('blocked') }})"
+PHONE = (390, 844)
+TOPS = """names => names.map(name => [...document.querySelectorAll(name)].find(one => one.checkVisibility())
+  .getBoundingClientRect()).map(({top, bottom}) => [top, bottom])"""
+
+Walk = Callable[..., Page]
 
 
 @pytest.fixture
-def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
-    def open_step(step: str, init: str = "", **options: int | bool) -> Page:
-        page = new_page(fresh=bool(init), **options)
+def walk(server: Server, new_page: Callable[..., Page]) -> Walk:
+    def open_step(step: str, *size: int, init: str = "", **options: bool) -> Page:
+        page = new_page(*size, fresh=bool(init), **options)
         if init:
             page.add_init_script(init)
         page.goto(f"{server.url}?walk={step.rpartition('-')[0]}&step={step}")
@@ -50,48 +56,38 @@ def doubled(page: Page) -> float:
     return 4 * math.pi / math.sqrt(page.evaluate("oscillations.shown.settings.k.value"))
 
 
-def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> None:
+def test_a_choice_is_asked_answered_and_explained(walk: Walk) -> None:
     page = walk("d31-03")
     expect(page.locator("h1")).to_have_text("How long does one swing take?")
-
     assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
     expect(page.locator(".transport")).to_have_attribute("inert", "")
-    assert page.locator(".panel [name=k]").is_hidden()
     page.get_by_role("button", name="Show the answer", exact=True).click()
     expect(page.locator(".card .problem")).to_have_text("Answer first: a guess is fine.")
     page.get_by_role("button", name=re.compile("Longer: the distance is longer")).click()
     expect(page.locator(".card .problem")).to_have_text("")
-    show(page)
+    page.evaluate("""oscillations.walks.walk.show(false)
+      oscillations.messages.send({type: "set", values: {}})""")  # a picture on its way does not take the answer back
+    page.wait_for_function(f"{QUIET} && {TAUGHT}")
+    passed(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     expect(page.locator(".answers [data-option='1']")).to_contain_text("That would be right at the same speed")
     expect(page.locator(".card .why")).to_contain_text("the same 1.00 s")
     assert page.locator(".card input[name=x_0]").input_value() == "0.200"
     assert page.locator(".panel [name=k]").is_hidden()
-    assert page.evaluate("location.search") == "?walk=d31&step=d31-03"
     page.get_by_role("button", name="Next", exact=True).click()
     arrived(page, "d31-04")
     assert page.evaluate("location.search") == "?walk=d31&step=d31-04"
     page.go_back()
     arrived(page, "d31-03")
+    assert page.evaluate("location.search") == "?walk=d31&step=d31-03"
 
 
-def test_a_picture_that_was_on_its_way_does_not_take_the_answer_back(walk: Callable[..., Page]) -> None:
-    page = walk("d31-03")
-    page.locator(".answers button").first.click()
-    page.evaluate("""oscillations.walks.walk.show(false)
-      oscillations.messages.send({type: "set", values: {}})""")
-    page.wait_for_function(f"{QUIET} && !oscillations.shown.state.covered.length")
-    passed(page)
-    assert page.evaluate("oscillations.walks.walk.lesson !== null")
-
-
-def test_leaving_keeps_the_state_that_was_reached(walk: Callable[..., Page]) -> None:
+def test_leaving_keeps_the_state_that_was_reached(walk: Walk) -> None:
     page = walk("d31-02")
     page.get_by_label("Your answer").fill(f"{2 * doubled(page):.2f}")
     page.get_by_label("Your answer").press("Enter")
-    page.wait_for_function("oscillations.walks.walk.lesson")
+    page.wait_for_function("oscillations.walks.walk.lesson && oscillations.shown.settings.m.value === 4")
     expect(page.locator(".card .reply")).to_contain_text("it goes with the root of m")
-    page.wait_for_function("oscillations.shown.settings.m.value === 4")
     page.locator(".walks summary").click()
     page.get_by_role("button", name="Leave the walk").click()
     expect(page.locator(".card")).to_have_count(0)
@@ -101,8 +97,8 @@ def test_leaving_keeps_the_state_that_was_reached(walk: Callable[..., Page]) -> 
 
 
 @pytest.mark.parametrize("init", ["", BLOCKED], ids=["kept", "storage blocked"])
-def test_answers_stay_in_the_browser(walk: Callable[..., Page], init: str) -> None:
-    page = walk("d31-02", init)
+def test_answers_stay_in_the_browser(walk: Walk, init: str) -> None:
+    page = walk("d31-02", init=init)
     answer = f"{doubled(page):.2f}"
     page.get_by_label("Your answer").fill(answer)
     show(page)
@@ -118,17 +114,17 @@ def test_answers_stay_in_the_browser(walk: Callable[..., Page], init: str) -> No
     text = download.value.path().read_text(encoding="utf-8")
     assert f"Your answer: {answer} s, right" in text and "How long does one swing take now?" in text
     page.get_by_role("button", name="Delete my answers").click()
-    expect(row).not_to_contain_text("you:")
+    expect(row).not_to_contain_text("your answer")
     row.locator("+ li").get_by_role("button").click()
     arrived(page, "d31-03")
 
 
-def test_a_point_is_marked_by_mouse_and_keys(walk: Callable[..., Page]) -> None:
+def test_a_point_is_marked_by_mouse_and_keys(walk: Walk) -> None:
     page = walk("d34-16")
-    box = page.evaluate(
-        "(() => { const p = oscillations.plots.find(p => p.block.name === 'swing');"
-        " const b = p.host.getBoundingClientRect(); return [b.left + p.px(50), b.top + p.py(0)] })()"
-    )
+    box = page.evaluate("""[oscillations.plots.find(({block}) => block.name === "swing")].map(plot => {
+      const {left, top} = plot.host.getBoundingClientRect()
+      return [left + plot.px(50), top + plot.py(0)]
+    })[0]""")
     page.mouse.click(*box)
     expect(page.get_by_text(re.compile("Your mark: (50|49.9|50.1|50.0|49.[89]|50.[12]) "))).to_be_visible()
     mark = page.get_by_role("slider", name="Your mark")
@@ -148,8 +144,6 @@ CLEAR = """() => {
     left < own.right - 1 && own.left < right - 1 && top < own.bottom - 1 && own.top < bottom - 1)
 }"""
 """True if the visitor's mark covers no text of the plot."""
-
-
 RARE = """() => {
   const real = requestAnimationFrame
   globalThis.requestAnimationFrame = act => setTimeout(() => real(act), 150)
@@ -157,7 +151,7 @@ RARE = """() => {
 """A busy machine, which draws seven times a second."""
 
 
-def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) -> None:
+def test_a_mark_moves_off_what_comes_with_the_answer(walk: Walk) -> None:
     page = walk("d31-12")
     page.evaluate(RARE)
     page.evaluate("oscillations.walks.walk.card.question.marker.setTo(24)")
@@ -168,68 +162,66 @@ def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) 
 
 
 @pytest.mark.parametrize("step", ["d31-12", "d34-08", "d34-16"])
-def test_a_point_and_its_question_share_the_first_screen_of_a_phone(walk: Callable[..., Page], step: str) -> None:
-    page = walk(step, width=360, height=740)
-    for width, height in ((360, 740), (390, 844)):
+def test_a_point_and_its_question_share_the_first_screen_of_a_phone(walk: Walk, step: str) -> None:
+    page = walk(step, 360, 740)
+    for width, height in ((360, 740), PHONE):
         page.set_viewport_size({"width": width, "height": height})
         passed(page)
-        expect(page.locator(".pill-mark")).to_be_visible()
-        places = page.evaluate(
-            "['.nav', '.block.stage', '.pill-mark', '.card .asks', '.card .foot'].map(name => {"
-            " const part = [...document.querySelectorAll(name)].find(part => part.checkVisibility());"
-            " const {top, bottom} = part.getBoundingClientRect(); return [top, bottom] })"
-        )
+        places = page.evaluate(TOPS, [".nav", ".block.stage", ".pill-mark", ".card .asks", ".card .foot"])
         assert all(above[1] <= below[0] + 1 for above, below in pairwise(places)), places
         assert places[-1][1] <= height
 
 
-def sketch(page: Page, height: Callable[[float], float], count: int = 120) -> None:
-    """Draws over the pad: heights and positions as shares of the frame."""
-    frame = page.evaluate(
-        "(() => { const {plot} = oscillations.walks.walk.card.question.pad;"
-        " const b = plot.host.getBoundingClientRect(), f = plot.frame;"
-        " return [b.left + f.left, b.top + f.top, f.width, f.height] })()"
-    )
-    left, top, width, tall = frame
-    for i in range(count + 1):
-        share = i / count
-        page.mouse.move(left + share * width, top + (1 - height(share)) * tall)
-        if not i:
-            page.mouse.down()
-    page.mouse.up()
+def test_on_a_phone_an_answer_without_a_stage_on_top_begins_with_its_picture(walk: Walk) -> None:
+    page = walk("d34-19", *PHONE)
+    for step in ("d34-19", "d34-20", "d34-21"):
+        arrived(page, step)
+        page.evaluate("oscillations.walks.walk.show(true)")
+        page.wait_for_function(TAUGHT)
+        are_ordered = f"names => ({TOPS})(names).every(([top], i, all) => !i || top > all[i - 1][0])"
+        page.wait_for_function(are_ordered, arg=[".block.plot", ".block.stage", ".transport", ".card"])
+        page.evaluate("oscillations.walks.walk.next()")
 
 
-def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
+def saddle(share: float) -> float:
+    """Two resonances and a minimum between them that stays above zero."""
+    s = 2.5 * share
+    swing = abs((1 - s * s) / (s**4 - 3 * s * s + 1 + 1e-9))
+    return min(max(swing, 0.9 if 0.7 < s < 1.6 else 0.0) / 5, 1.02)
+
+
+def test_a_sketch_is_judged_by_its_features(walk: Walk) -> None:
     page = walk("d34-14")
-
-    def saddle(share: float) -> float:
-        """Two resonances and a minimum between them that stays above zero."""
-        s = 2.5 * share
-        swing = abs((1 - s * s) / (s**4 - 3 * s * s + 1 + 1e-9))
-        return min(max(swing, 0.9 if 0.7 < s < 1.6 else 0.0) / 5, 1.02)
-
-    sketch(page, saddle)
+    draw(page, saddle, 120)
     show(page)
-    rows = page.locator(".findings li")
-    expect(rows).to_have_count(5)
-    assert [row.get_attribute("aria-label") for row in page.locator(".findings .judged").all()] == [
-        "right", "right", "wrong", "right", "right"
-    ]  # fmt: skip
-    expect(rows.nth(2)).to_contain_text("missed")
-    expect(page.locator(".card .reply")).to_contain_text("with friction")
-    expect(page.locator(".strokes .judged")).to_have_count(5)
-    page.reload()  # a question that was drawn is not asked again
-    expect(rows).to_have_count(5)
-    expect(rows.nth(2)).to_contain_text("missed")
+    rows, judged = page.locator(".findings li"), page.locator(".findings .judged")
+    verdicts = ["right", "right", "wrong", "right", "right"]
+    for _ in range(2):
+        expect(rows).to_have_count(5)
+        assert [row.get_attribute("aria-label") for row in judged.all()] == verdicts
+        expect(rows.nth(2)).to_contain_text("missed")
+        expect(page.locator(".card .reply")).to_contain_text("with friction")
+        expect(page.locator(".strokes .judged")).to_have_count(5)
+        page.reload()  # a question that was drawn is not asked again
     page.get_by_role("button", name="Draw again").click()
     page.wait_for_function("oscillations.shown.state.covered.length")
     expect(page.locator(".strokes .old")).to_have_count(1)
 
 
-def test_a_finger_draws_and_nothing_scrolls(server: Server, new_page: Callable[..., Page]) -> None:
-    page = new_page(width=390, height=844, has_touch=True, is_mobile=True)
-    page.goto(f"{server.url}?walk=d34&step=d34-14")
-    page.wait_for_function(CARD)
+def test_a_sketch_stays_in_its_plot_and_two_curves_are_drawn_one_after_the_other(walk: Walk) -> None:
+    page = walk("d31-09")
+    draw(page, lambda x: 0.5 + 2 * math.sin(9 * x), 120)
+    heights = page.evaluate("oscillations.walks.walk.card.question.pad.sent.V")
+    assert min(heights) >= 0 and max(heights) <= 1000
+    for name, sign in (("V", 1), ("T", -1)):
+        page.get_by_role("button", name=f"Draw {name}", exact=True).click()
+        draw(page, lambda x, sign=sign: 0.45 * (1 + sign * math.cos(12 * math.pi * x)), 120)
+    show(page)
+    assert page.evaluate("oscillations.walks.walk.lesson.right") is True
+
+
+def test_a_finger_draws_and_nothing_scrolls(walk: Walk) -> None:
+    page = walk("d34-14", *PHONE, has_touch=True, is_mobile=True)
     page.evaluate("oscillations.walks.walk.card.question.plot.host.scrollIntoView({block: 'center'})")
     page.get_by_role("button", name="Show the answer", exact=True).tap()
     assert page.evaluate("""(problem => {
@@ -237,22 +229,18 @@ def test_a_finger_draws_and_nothing_scrolls(server: Server, new_page: Callable[.
       return document.elementFromPoint(left + 20, top + height / 2) === problem
     })(document.querySelector(".card .problem"))"""), "why it is not shown yet is out of sight"
     scrolled = page.evaluate("scrollY")
-    left, top, wide, high = page.evaluate(
-        "(() => { const {layer} = oscillations.walks.walk.card.question.pad;"
-        " const b = layer.getBoundingClientRect(); return [b.left, b.top, b.width, b.height] })()"
-    )
-    finger = page.context.new_cdp_session(page)
-    for i in range(21):
-        point = {"x": left + wide * (0.1 + 0.04 * i), "y": top + high * (0.9 - 0.035 * i)}
-        kind = "touchMove" if i else "touchStart"
-        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [point]})
-    finger.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    left, top, wide, high = page.evaluate(FRAME)
+    finger = Finger(page)
+    finger.down(left + 0.1 * wide, top + 0.9 * high)
+    for i in range(1, 21):
+        finger.move(left + wide * (0.1 + 0.04 * i), top + high * (0.9 - 0.035 * i))
+    finger.up()
     drawn = page.evaluate("oscillations.walks.walk.card.question.given().curves.Xp1.filter(height => height !== null)")
     assert len(drawn) > 70 and drawn[-1] > drawn[0]
     assert page.evaluate("scrollY") == scrolled
 
 
-def test_a_sketch_can_be_drawn_by_keys(walk: Callable[..., Page]) -> None:
+def test_a_sketch_can_be_drawn_by_keys(walk: Walk) -> None:
     page = walk("d31-15")
     pad = page.get_by_role("application")
     pad.press("Enter")
@@ -265,23 +253,28 @@ def test_a_sketch_can_be_drawn_by_keys(walk: Callable[..., Page]) -> None:
     expect(page.locator(".findings li")).to_have_count(4)
 
 
-def test_two_curves_are_drawn_one_after_the_other(walk: Callable[..., Page]) -> None:
-    page = walk("d31-09")
-    sketch(page, lambda share: 0.45 * (1 + math.cos(12 * math.pi * share)))
-    page.get_by_role("button", name="Draw T").click()
-    sketch(page, lambda share: 0.45 * (1 - math.cos(12 * math.pi * share)))
-    show(page)
-    assert page.evaluate("oscillations.walks.walk.lesson.right") is True
+def test_names_over_a_plot_are_above_the_own_curve(walk: Walk) -> None:
+    page = walk("d34-14", *PHONE)
+    draw(page, lambda _: 0.9)
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function(TAUGHT)
+    page.add_style_tag(content="* { pointer-events: auto !important }")
+    assert page.evaluate("""() => {
+      const flag = [...document.querySelectorAll(".plot-area .flag")].find(flag => flag.checkVisibility())
+      flag.scrollIntoView({block: "center"})
+      const {left, top, width, height} = flag.getBoundingClientRect()
+      const found = document.elementsFromPoint(left + width / 2, top + height - 3)
+      return found.findIndex(one => flag.contains(one)) < found.findIndex(one => one.closest(".drawing"))
+    }""")
 
 
-def test_the_core_of_a_walk_is_a_shorter_one(walk: Callable[..., Page]) -> None:
+def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
     page = walk("d34-02")
     page.get_by_role("button", name="Contents", exact=True).click()
     core = page.get_by_role("button", name="Core steps only: 6, 16 minutes")
     core.click()
     expect(core).to_have_attribute("aria-pressed", "true")
-    row = page.locator(".contents li:has([aria-current])")
-    expect(row).to_contain_text("2")
+    expect(page.locator(".contents li:has([aria-current])")).to_contain_text("2")
     page.get_by_role("dialog").get_by_role("button", name="Close").click()
     page.evaluate("oscillations.walks.walk.next()")
     arrived(page, "d34-08")
@@ -292,66 +285,14 @@ def test_the_core_of_a_walk_is_a_shorter_one(walk: Callable[..., Page]) -> None:
     expect(page.locator(".contents .end li")).to_have_count(5)
 
 
-def test_a_phone_has_a_key_for_the_sign(walk: Callable[..., Page]) -> None:
-    page = walk("d34-01", width=390, height=844, has_touch=True, is_mobile=True)
+def test_a_phone_has_a_key_for_the_sign(walk: Walk) -> None:
+    page = walk("d34-01", *PHONE, has_touch=True, is_mobile=True)
     field = page.get_by_label("Your answer")
     field.fill("4")
-    sign = page.get_by_role("button", name="Change the sign")
-    sign.click()
+    page.get_by_role("button", name="Change the sign").click()
     expect(field).to_have_value("−4")
     show(page)
     expect(page.get_by_role("img", name="right")).to_be_visible()
-
-
-def test_a_sketch_stays_in_its_plot(walk: Callable[..., Page]) -> None:
-    page = walk("d31-15")
-    sketch(page, lambda x: 0.5 + 2 * math.sin(9 * x))
-    heights = page.evaluate("oscillations.walks.walk.card.question.pad.sent.h")
-    assert min(heights) >= 0 and max(heights) <= 1000
-
-
-NAMED = """oscillations.walks.walk.step.controls.filter(name => {
-  const part = document.querySelector(`.card .borrowed :is([name="${name}"], [data-name="${name}"])`)
-  return !part?.checkVisibility()
-})"""
-"""The controls that a step names and that are not on its card."""
-FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].filter(part => {
-  const sets = part.getAttribute("data-grab")?.split(" ") ?? []
-  return part.checkVisibility() && !part.inert && !oscillations.walks.walk.step.controls.some(one => sets.includes(one))
-}).map(part => part.outerHTML)"""
-"""Controls that set values outside the step."""
-
-
-def looked_at(page: Page) -> Iterator[str]:
-    """On a desk and on a phone, where it stays."""
-    for width, height in ((1280, 720), (390, 844)):
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        if page.evaluate("document.documentElement.scrollWidth > innerWidth"):
-            yield f"{width}: the page scrolls sideways"
-        yield from page.evaluate(NAMED) + page.evaluate(FREE)
-
-
-def go(page: Page, place: int) -> None:
-    """Opens a step of the current walk."""
-    page.evaluate("place => oscillations.walks.walk.go(place)", place)
-    page.wait_for_function(f"place => oscillations.walks.walk.place === place && {CARD}", arg=place)
-    page.wait_for_function("oscillations.walks.walk.card.page === oscillations.page")
-
-
-@pytest.mark.parametrize("name", spread(["tour", "d31", "d32-33", "d34", "waves"], 5))
-def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
-    page = walk(f"{name}-01")
-    for i in range(page.evaluate("oscillations.walks.walk.sheet.steps.length")):
-        go(page, i)
-        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), i
-        page.evaluate("oscillations.walks.walk.show(true)")
-        page.wait_for_function(TAUGHT)
-        assert page.locator(".card .why").inner_text().strip()
-        assert "?" not in page.locator(".card .why").inner_text()
-        numbers = page.locator(".card .why [data-value]").all_inner_texts()
-        assert all(numbers), numbers
-        assert [*looked_at(page)] == [], i
 
 
 def test_the_first_visit_offers_the_tour_and_names_the_lectures(page: Page, open_scene: Callable[..., Page]) -> None:
@@ -370,7 +311,7 @@ def test_the_first_visit_offers_the_tour_and_names_the_lectures(page: Page, open
     expect(offer).to_be_hidden()
 
 
-def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -> None:
+def test_a_covered_curve_has_no_dot_where_it_begins(walk: Walk) -> None:
     """Its motion on the stage is at rest."""
     page = walk("d31-09")
     page.evaluate("oscillations.change(() => ({show: ['stage', 'plot:energy', 'plot:well']}))")
@@ -378,46 +319,40 @@ def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -
     expect(page.locator(".cover > :visible")).to_have_count(0)  # the wash alone
     bar = page.locator(".block.stage .body:visible")
     expect(bar).to_have_count(0)  # it would show which of both begins at its maximum
-    plot = "oscillations.page.plots.find(plot => plot.block.name === 'energy')"
-    energies = f"{plot}.dots.filter(one => 'TV'.includes(one.curve.y))"
-    shown = f"{energies}.map(({{dot}}) => dot.style.display !== 'none')"
+    shown = """oscillations.page.plots.find(plot => plot.block.name === "energy")
+      .dots.filter(({curve}) => "TV".includes(curve.y)).map(({dot}) => dot.style.display !== "none")"""
     assert page.evaluate(shown) == [False, False]
     page.evaluate("oscillations.change(() => ({covered: []}))")
-    page.wait_for_function("!oscillations.shown.state.covered.length")
-    page.wait_for_function(f"{shown}.every(Boolean)")
+    page.wait_for_function(f"!oscillations.shown.state.covered.length && {shown}.every(Boolean)")
     expect(bar).not_to_have_count(0)
 
 
-def test_a_walk_that_is_left_leaves_no_dialog_and_no_listener(walk: Callable[..., Page]) -> None:
+def test_a_walk_that_is_left_leaves_no_dialog_and_no_listener(walk: Walk) -> None:
     page = walk("d31-03")
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable")
-
-    def left() -> tuple[float, int]:
+    listeners = []
+    for _ in range(6):
         page.evaluate("oscillations.walks.walk.open()")
         expect(page.locator("dialog.contents")).to_be_visible()
         page.evaluate("oscillations.walks.leave()")
         page.wait_for_function("!oscillations.walks.walk")
-        dialogs = page.locator("dialog.contents").count()
+        assert page.locator("dialog.contents").count() == 0
         session.send("HeapProfiler.collectGarbage")
-        metrics = session.send("Performance.getMetrics")["metrics"]
+        metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
+        listeners.append(metrics["JSEventListeners"])
         page.evaluate("oscillations.walks.comeBack()")
         page.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
-        return next(one["value"] for one in metrics if one["name"] == "JSEventListeners"), dialogs
-
-    found = [left() for _ in range(6)]
     session.detach()
-    assert [dialogs for _, dialogs in found] == [0] * len(found)
-    assert found[-1][0] - found[1][0] < len(found), "no listener for each walk"
+    assert listeners[-1] - listeners[1] < len(listeners), "no listener for each walk"
 
 
 SEEN = """globalThis.frames_seen = []
 const look = () => {
-  const [stage, presets] = [".paper .mass", ".panel .chips button"].map(one => document.querySelector(one))
-  const isThere = one => Boolean(one?.checkVisibility())
+  const isThere = name => Boolean(document.querySelector(name)?.checkVisibility())
   const headline = document.querySelector("h1")?.textContent ?? ""
-  const card = isThere(document.querySelector(".card"))
-  frames_seen.push({headline, stage: isThere(stage), presets: isThere(presets), card})
+  const [stage, presets, card] = [".paper .mass", ".panel .chips button", ".card"].map(isThere)
+  frames_seen.push({headline, stage, presets, card})
   requestAnimationFrame(look)
 }
 requestAnimationFrame(look)"""
@@ -425,53 +360,12 @@ requestAnimationFrame(look)"""
 
 
 @pytest.mark.parametrize("step", ["d34-02", "d31-02"])
-def test_a_link_to_a_step_never_shows_the_scene_alone(new_page: Callable[..., Page], server: Server, step: str) -> None:
+def test_a_link_to_a_step_never_shows_the_scene_alone(walk: Walk, step: str) -> None:
     """The second one waits for the visitor's own numbers: its stage is visible before its card."""
-    page = new_page(fresh=True)
-    page.add_init_script(SEEN)
-    page.goto(f"{server.url}?walk={step[:3]}&step={step}")
+    page = walk(step, init=SEEN)
     page.wait_for_function("oscillations.walks.walk?.card && oscillations.connection.wire")
     seen = page.evaluate("frames_seen")
-    assert any(one["card"] for one in seen)
-    assert not [one for one in seen if one["presets"]]
-    assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
     headlines = {scene.headline for scene in SCENES.values()}
-    assert not [one for one in seen if one["headline"] in headlines]
-
-
-@pytest.mark.parametrize("step", ["d34-19", "d34-20", "d34-21"])
-def test_on_a_phone_an_answer_without_a_stage_on_top_begins_with_its_picture(
-    step: str, walk: Callable[..., Page]
-) -> None:
-    page = walk(step, width=390, height=844)
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function(TAUGHT)
-    page.wait_for_function(
-        """() => [".block.plot", ".block.stage", ".transport", ".card"]
-          .map(kind => [...document.querySelectorAll(kind)].find(one => one.checkVisibility()))
-          .map(one => one.getBoundingClientRect().top)
-          .every((top, i, all) => !i || top > all[i - 1])"""
-    )
-
-
-def test_names_over_a_plot_are_above_the_own_curve(walk: Callable[..., Page]) -> None:
-    page = walk("d34-14", width=390, height=844)
-    pad = page.locator(".drawing")
-    pad.scroll_into_view_if_needed()
-    box = pad.bounding_box()
-    assert box
-    page.mouse.move(box["x"] + 15, box["y"] + 20)
-    page.mouse.down()
-    page.mouse.move(box["x"] + box["width"] - 15, box["y"] + 20, steps=20)
-    page.mouse.up()
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function(TAUGHT)
-    page.add_style_tag(content="* { pointer-events: auto !important }")
-    uppermost = """() => {
-      const flag = [...document.querySelectorAll(".plot-area .flag")].find(flag => flag.checkVisibility())
-      flag.scrollIntoView({block: "center"})
-      const {left, top, width, height} = flag.getBoundingClientRect()
-      const found = document.elementsFromPoint(left + width / 2, top + height - 3)
-      return found.findIndex(one => flag.contains(one)) < found.findIndex(one => one.closest(".drawing"))
-    }"""
-    assert page.evaluate(uppermost)
+    assert any(one["card"] for one in seen)
+    assert not [one for one in seen if one["presets"] or one["headline"] in headlines]
+    assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
