@@ -72,7 +72,7 @@ def _answer(process: Connection) -> list[str]:
     except EOFError:
         return ["the process ends"]
     if names is None:
-        raise ValueError("pytest does not know one of the tests.")
+        raise ValueError("pytest does not know one of the files.")
     return names
 
 
@@ -88,24 +88,36 @@ def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
     sys.path[:] = [str(folder), *(name for name in sys.path if name and Path(name) != ROOT)]
     for name in [name for name in sys.modules if name.partition(".")[0] in OURS]:
         del sys.modules[name]
-    failed = _Failed()
-    code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests], plugins=[failed])
+    trial = _Trial(tests)
+    files = [*dict.fromkeys(test.partition("::")[0] for test in tests)]
+    code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *files], plugins=[trial])
     is_unknown = code == pytest.ExitCode.USAGE_ERROR
-    answer.send(None if is_unknown else failed.names or ([f"exit {int(code)}"] if code not in (0, 5) else []))
+    answer.send(None if is_unknown else trial.failed or ([f"exit {int(code)}"] if code not in (0, 5) else []))
 
 
-class _Failed:
-    """A plugin of pytest that notes which tests fail."""
+class _Trial:
+    """A plugin of pytest that runs some tests in their order, where a file has all of its tests, and notes which fail.
 
-    def __init__(self) -> None:
-        self.names = list[str]()
+    The names of measured tests are those of a report, which writes some characters in another way: such a test is left
+    out.
+    """
+
+    def __init__(self, tests: Sequence[str]) -> None:
+        self.order = {test: place for place, test in enumerate(tests)}
+        self.failed = list[str]()
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """Select the tests."""
+        places = [(self.order.get(item.nodeid, self.order.get(item.nodeid.partition("::")[0])), item) for item in items]
+        chosen = [(place, item) for place, item in places if place is not None]
+        items[:] = [item for _, item in sorted(chosen, key=lambda one: one[0])]
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Note a test that fails."""
         if report.failed:
-            self.names.append(report.nodeid)
+            self.failed.append(report.nodeid)
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         """Note a module that cannot be collected."""
         if report.failed:
-            self.names.append(report.nodeid)
+            self.failed.append(report.nodeid)
