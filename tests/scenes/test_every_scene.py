@@ -1,29 +1,122 @@
-"""The contract of every scene: one solve a change, presets, links, refusals, and pictures that stay finite."""
+"""The contract of every scene: any state can be drawn or is refused in words; one solve a change, presets, refusals,
+small messages; in one frame a larger motion is drawn larger; and its use as a library.
+"""
 
 from __future__ import annotations
 
+import copy
+import doctest
+import pickle
+import re
+from typing import Any
+
 import numpy as np
 import pytest
+from hypothesis import assume, given, settings
 
+from components.panel_face.face import PanelFace
 from components.quantities.axes import TIME_AXIS
+from components.quantities.instant import instant
+from components.quantities.parameters import Quantity
+from components.quantities.refusals import SORRY
 from components.scene import Scene
+from components.scene.face import SceneFace
 from components.scenes import SCENES
+from components.session.links import page_state_of
 from components.state.encoding import COARSE, span
+from components.state.link import Link
+from components.state.page_state import PageState, with_values
 from components.state.scene_sheet import column_axes
+from tests.grids import tries
 from tests.page.headless_page import Page, apply_message, take_preset
 from tests.scenes.checks import check_picture, choices, quantities, solves
+from tests.states import links, state_of
 
+ALL_DOUBLES = 60.0
+"""Decades beyond the sliders: from nothing to far more than a square can hold."""
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
+FRAMES = 340
+"""Bytes of the frames that Bokeh sends with a change."""
+pytestmark = pytest.mark.timeout(600)
 scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys())
 
 
 @scenes
-def test_one_solve_a_change(scene_class: type[Scene]) -> None:
+def test_a_picture_of_any_state_is_finite_or_refused_in_words(scene_class: type[Scene]) -> None:
+    @settings(max_examples=tries(80))
+    @given(links(scene_class) | links(scene_class, ALL_DOUBLES))
+    def holds(link: Link) -> None:
+        now, refused = page_state_of(scene_class, link)
+        check_picture(now)
+        for sentence in refused:
+            assert sentence.endswith((".", "…")) and SORRY not in sentence, sentence
+
+    holds()
+
+
+STARTS_OF_TWO = ("x1_0", "x2_0", "v1_0", "v2_0")
+LINEAR = {
+    "oscillator": (("x_0", "v_0"), {"x": 1, "v": 1, "a": 1}),
+    "energy": (("x_0", "v_0"), {"x": 1, "T": 2}),
+    "damped": (("x_0", "v_0"), {"x": 1, "E": 2, "T": 2, "V": 2, "P": 2}),
+    "driven": (("x_0", "v_0", "F_0", "Y", "moment"), {"x": 1, "x_p": 1, "x_c": 1}),
+    "coupled": (STARTS_OF_TWO, {"x1": 1, "x2_fast": 1, "T1": 2, "V2": 2}),
+    "forced": ((*STARTS_OF_TWO, "F_0"), {"x1": 1, "x2": 1, "x2_p": 1}),
+    "absorber": ((*STARTS_OF_TWO, "F_0"), {"x1": 1}),
+}
+"""Initial conditions and drives of a scene; and the power of all of them together that a motion is proportional to."""
+
+
+@pytest.mark.parametrize("slug", LINEAR)
+def test_in_one_frame_twice_the_motion_is_drawn_twice_as_large(slug: str) -> None:
+    @settings(max_examples=tries(40))
+    @given(links(SCENES[slug], 2.0))
+    def holds(link: Link) -> None:
+        now = state_of(link)
+        scaled, powers = LINEAR[slug]
+        twice = {name: 2 * now.scene.values[name] for name in scaled if name in now.scene.values}
+        try:
+            after = with_values(now, twice, holding=True)
+        except ValueError:
+            assume(False)
+        assume(powers_of_ten(now) == powers_of_ten(after))  # a signal is in the unit of its axis, which may become kW
+        for name, power in powers.items():
+            one, two = drawn_heights(now, name), drawn_heights(after, name)
+            if one.size and one.size == two.size:
+                np.testing.assert_allclose(two, 2**power * one, rtol=1e-9, atol=1e-9 * np.abs(two).max())
+
+    holds()
+
+
+def powers_of_ten(now: PageState) -> dict[str, int]:
+    """The power of ten in the unit of each axis."""
+    return {name: axis.exponent for name, axis in now.shown.axes.items()}
+
+
+def drawn_heights(now: PageState, name: str) -> np.ndarray:
+    """A motion at seven instants of the window, as the browser draws it over time; empty if it is not."""
+    shown = now.shown
+    for trace in shown.traces.values():
+        if name in trace.names:
+            signal = dict(trace.signals).get(name, name)
+            end = shown.axes["t"].place(trace.end)
+            return np.array([instant(shown.signals, shown.scalars, end * i / 7)[signal] for i in range(7)])
+    return np.array([])
+
+
+@scenes
+def test_each_change_is_one_solve_and_a_refused_one_none(scene_class: type[Scene]) -> None:
     scene = scene_class()
-    name, quantity = next(iter(quantities(scene_class).items()))
     counted = solves(scene)
-    setattr(scene, name, quantity.softbounds[1])
+    first, *_, last = quantities(scene_class)
+    high = quantities(scene_class)[first].softbounds[1]
+    before = scene.param.values(), scene.shown
+    for refused in ({first: high, last: float("nan")}, {first: high, "nothing": 1.0}):
+        with pytest.raises(ValueError, match=r"not possible|nothing: not a parameter"):
+            scene.set(refused)
+    assert (scene.param.values(), scene.shown, counted) == (*before, [])
+    setattr(scene, first, high)
     assert len(counted) == 1
     for choice in choices(scene_class):
         counted.clear()
@@ -46,38 +139,18 @@ def test_every_preset_is_one_solve_and_is_recognised(scene_class: type[Scene]) -
 
 
 @scenes
-def test_a_refused_batch_changes_nothing(scene_class: type[Scene]) -> None:
-    scene = scene_class()
-    names = list(quantities(scene_class))
-    before = scene.param.values(), scene.shown
-    with pytest.raises(ValueError, match=r"not possible|finite"):
-        scene.param.update({names[0]: quantities(scene_class)[names[0]].softbounds[1], names[-1]: float("nan")})
-    assert (scene.param.values(), scene.shown) == before
-    counted = solves(scene)
-    scene.set({names[0]: quantities(scene_class)[names[0]].softbounds[0]})
-    assert len(counted) == 1
-
-
-@scenes
-def test_the_result_is_described_only_for_a_single_change(
+def test_what_follows_from_a_change_is_asked_for_what_differs_alone(
     scene_class: type[Scene], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    scene = scene_class()
+    scene, told = scene_class(), list[frozenset[str]]()
     first, *_, last = quantities(scene_class)
-    low = quantities(scene_class)[first].softbounds[0]
-    before = scene.shown
-    for refused in ({first: low, last: float("nan")}, {first: low, "nothing": 1.0}):
-        with pytest.raises(ValueError, match=r"not possible|nothing: not a parameter"):
-            scene.set(refused)
-    assert scene.shown is before
-    told: list[frozenset[str]] = []
     following = scene.following
     monkeypatch.setattr(
         scene_class,
         "following",
         lambda _, changed, *rest, **more: told.append(changed) or following(changed, *rest, **more),
     )
-    scene.set({last: scene.values[last], first: low})
+    scene.set({last: scene.values[last], first: quantities(scene_class)[first].softbounds[0]})
     assert told == [{first}]
 
 
@@ -131,5 +204,88 @@ def test_a_change_is_small(scene_class: type[Scene]) -> None:
         value = 1.1 * (quantity.default or 0.1 * high)
         page.send({"type": "set", "values": {name: min(max(value, low), high)}, "number": 2 * number})
         page.send({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
-    around = 340  # bytes of the frames that Bokeh sends with it
-    assert max(len(packet["data"]) for packet in page.packets) + around <= MOST_BYTES.get(scene_class.slug, 3000)
+    assert max(len(packet["data"]) for packet in page.packets) + FRAMES <= MOST_BYTES.get(scene_class.slug, 3000)
+
+
+@scenes
+def test_the_docstring_lists_all_parameters_with_their_units(scene_class: type[Scene]) -> None:
+    text = scene_class.__doc__ or ""
+    assert text == type(scene_class()).__doc__
+    for name, one in scene_class.linked().items():
+        (line,) = re.findall(rf"^{name} : (.+)$", text, re.M)
+        assert isinstance(one, Quantity) == line.startswith("float")
+        assert not isinstance(one, Quantity) or (one.unit or "a pure number") in line
+    assert "None" not in re.findall(r"^    (.+?\.) ", text, re.M)
+
+
+@pytest.mark.parametrize(
+    "documented",
+    [Scene, Scene.frame, Scene.numbers, SceneFace, PanelFace, *SCENES.values()],
+    ids=lambda one: getattr(one, "__name__", "numbers"),
+)
+def test_the_examples_of_docstrings_run(documented: Any) -> None:
+    name = getattr(documented, "__name__", "numbers")
+    examples = doctest.DocTestParser().get_doctest(documented.__doc__ or "", {}, name, None, 0)
+    assert doctest.DocTestRunner().run(examples).failed == 0
+    assert examples.examples
+
+
+@pytest.mark.parametrize("c", [0.0, 2.0])
+def test_the_response_has_one_column_for_each_quantity(c: float) -> None:
+    scene = SCENES["driven"](m=2.0, c=c, k=50.0, F_0=3.0)
+    columns = scene.frame("response")
+    assert {"omega [rad/s]", "M [1]", "lag [rad]"} <= columns.keys()
+    omega = columns["omega [rad/s]"]
+    assert np.all(np.diff(omega) > 0) and omega[0] < 5.0 < omega[-1]
+    away = np.abs(omega - 5.0) > 0.05
+    X = 1 / np.hypot(1 - (omega / 5.0) ** 2, c * omega / 50.0)[away]
+    np.testing.assert_allclose(columns["M [1]"][away], X, rtol=1e-9)
+
+
+def test_a_wrong_name_or_word_is_refused_with_those_that_there_are() -> None:
+    scene: Any = SCENES["coupled"]()
+    with pytest.raises(AttributeError, match=r"k3 is not a parameter of Coupled: it has .*m1, m2, k1, k2"):
+        scene.k3 = 2.0
+    with pytest.raises(ValueError, match=r"^view = 'plan' is not possible: choose one of motion, energy, plane"):
+        scene.view = "plan"
+    with pytest.raises(ValueError, match=r"^m1 = '2' is not possible: a mass is a finite number above 0"):
+        scene.m1 = "2"
+    assert scene.value.key == SCENES["coupled"]().value.key
+
+
+ODD: tuple[object, ...] = (
+    None, "", "2", True, [], ["x"], [1], {}, {"k": 1}, (), 3, b"2", 1j, object(),
+    float("nan"), float("inf"), -float("inf"), 10**400,
+)  # fmt: skip
+"""Values of all types, most of them wrong for any parameter."""
+
+
+@scenes
+def test_an_odd_value_is_taken_or_refused_in_words(scene_class: type[Scene]) -> None:
+    scene: Any = scene_class()
+    before, taken = scene.value, 0
+    for name in scene_class.linked():
+        for odd in ODD:
+            try:
+                setattr(scene, name, odd)
+            except ValueError as error:
+                assert re.match(r"[^'].* .*\w", str(error)), (name, odd, error)
+                if not isinstance(odd, (int, float)):
+                    assert str(error).startswith(f"{name} = "), (name, odd, error)
+                    with pytest.raises(ValueError, match=re.escape(str(error))):
+                        scene_class(**{name: odd})
+            else:
+                taken += 1
+                assert type(scene.values[name]) in (type(odd), float) and scene.shown, (name, odd)
+                scene.show(before)
+            assert scene.value.key == before.key, (name, odd)
+    assert taken
+
+
+@scenes
+def test_numbers_outlive_copies(scene_class: type[Scene]) -> None:
+    scene = scene_class(window=12.5)
+    for twin in (copy.copy(scene), copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+        assert twin.numbers == scene.numbers and twin.numbers is not scene.numbers
+        twin.window = 20.0
+        assert scene.window == 12.5

@@ -1,72 +1,126 @@
-"""Every file has every motion of its scene in any state: resolved and finite or refused, and equal to the physics."""
+"""Files: every motion of any state, resolved and finite or refused, equal to the physics; spreadsheets and pandas read
+them to the last digit, and their comments bring the picture back.
+"""
 
 from __future__ import annotations
 
+import csv
 import io
 import math
+import re
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from typing import Any
+from urllib.parse import parse_qs, urlsplit
 
 import numpy as np
 import pandas as pd
 import pytest
 from hypothesis import given, settings
 
-from components.chain import damping_of, of_scene, start_of
-from components.language.messages import File
+from components.chain import of_scene
 from components.layout.sheet import in_force
 from components.quantities.refusals import in_words
+from components.scene import Scene
 from components.scene.traces import BAND, band_columns
 from components.scenes import SCENES
 from components.session.links import page_state_of
 from components.state.csv_export import as_csv, as_file, tables
-from components.state.link import Link
+from components.state.link import Link, read_query
 from components.state.page_state import PageState, fitted
 from components.state.scene_sheet import plots
 from physics.absorber import damped_solution
-from physics.coupled import free_motion
 from physics.damped import DampedOscillator
-from physics.driven import DrivenOscillator
-from physics.forced import forced_motion
-from physics.oscillator import Oscillator
-from physics.particular import particular_solution
-from physics.transient import DampedModes
 from tests.grids import tries
+from tests.scenes.checks import as_arguments, choices
 from tests.states import links, state_of
 
+HERE = "http://lectures.example/oscillations/"
 scenes = pytest.mark.parametrize("slug", SCENES)
 Tables = dict[str, pd.DataFrame]
 PER_PERIOD, PERIODS = 20, 10
 
 
-def taken(now: PageState) -> Tables:
-    """The tables that a page takes away, by name, with columns as they are called without units."""
+def contents(now: PageState, page: str = HERE) -> dict[str, bytes]:
+    """The files that a page takes away, by the name of their table; "" for the only one."""
     with in_words():
-        file = as_file(now.asked, now.to_send[0], "http://here/")
-    return {name: read(content) for name, content in unpacked(file, now.kind.slug)}
-
-
-def unpacked(file: File, slug: str) -> Iterator[tuple[str, bytes]]:
+        file = as_file(now.asked, now.to_send[0], page)
+    slug = now.kind.slug
     if file.kind == "text/csv":
-        yield "", file.content
-        return
+        assert file.name == f"{slug}.csv"
+        return {"": file.content}
+    assert (file.name, file.kind) == (f"{slug}.zip", "application/zip")
     with zipfile.ZipFile(io.BytesIO(file.content)) as packed:
-        for name in packed.namelist():
-            yield name.removeprefix(f"{slug}-").removesuffix(".csv"), packed.read(name)
+        return {name.removeprefix(f"{slug}-").removesuffix(".csv"): packed.read(name) for name in packed.namelist()}
+
+
+def taken(now: PageState) -> Tables:
+    """The tables of these files, with columns as they are called without units."""
+    return {name: without_units(read(content)) for name, content in contents(now).items()}
+
+
+def covering(slug: str, *covered: str, **values: Any) -> PageState:
+    return page_state_of(SCENES[slug], Link(slug, values, covered=covered))[0]
 
 
 def read(content: bytes) -> pd.DataFrame:
-    """The numbers; of names alone where a file has comments and nothing else."""
+    """The numbers as pandas reads them; an empty table where a file has comments and nothing else."""
     lines = [line for line in content.decode("ascii").splitlines() if not line.startswith("#")]
     if not lines:
         return pd.DataFrame()
     heads = lines[0].split(",")
     assert len(set(heads)) == len(heads), "no name twice"
-    table = pd.read_csv(io.StringIO("\n".join(lines)))
-    names = [head.split(" [")[0] for head in heads]
+    return pd.read_csv(io.BytesIO(content), comment="#")
+
+
+def without_units(table: pd.DataFrame) -> pd.DataFrame:
+    names = [head.split(" [")[0] for head in table]
     assert len(set(names)) == len(names) and "none" not in names
     return table.set_axis(names, axis=1)
+
+
+def comments(content: bytes) -> list[str]:
+    return [line.removeprefix("# ") for line in content.decode("ascii").splitlines() if line.startswith("#")]
+
+
+@scenes
+def test_a_file_has_the_drawn_numbers_to_the_last_digit_and_says_what_they_are(slug: str) -> None:
+    """In each way of showing things."""
+    for values in ({"window": 12.5, "hidden": ["x1", "x2"]}, *choices(SCENES[slug])):
+        scene = SCENES[slug].at(values)
+        for name, content in contents(fitted(scene)).items():
+            check_comments(content, scene)
+            check_numbers(name, read(content), scene, {} if "window" in values else scene.shown.sources)
+    for source in ("nothing", 3):
+        with pytest.raises(ValueError, match=rf"“{source}” has no numbers here: choose one of \w+"):
+            scene.frame(source)  # type: ignore[arg-type]
+
+
+def check_comments(content: bytes, scene: Scene) -> None:
+    """A spreadsheet shows each comment in one cell over the table; the link in them opens the same picture."""
+    assert b"$" not in content, "no formula's source"
+    rows = list(csv.reader(io.StringIO(content.decode("ascii"), newline="")))
+    notes = [row for row in rows if row[0].startswith("#")]
+    assert all(len(row) == 1 for row in notes) and rows[: len(notes)] == notes
+    assert {len(row) for row in rows[len(notes) :]} == {len(rows[len(notes)])}
+    _, address, *said = comments(content)
+    assert address.startswith(HERE) and "," not in address
+    link = read_query(as_arguments(urlsplit(address).query), SCENES)
+    assert (link.problems, fitted(SCENES[link.slug].at(link.values)).state) == ([], fitted(scene).state)
+    assert set(scene.equations) <= set(said) and scene.equations
+    assert scene.values.get("window") != 12.5 or "window = 12.5 s" in said
+
+
+def check_numbers(name: str, table: pd.DataFrame, scene: Scene, drawn: Mapping[str, Any]) -> None:
+    """They are those of `Scene.frame`, and in a window whose motions are drawn as curves those of the curves."""
+    for source, rows in table.groupby("curve") if "curve" in table else [(name, table)]:
+        numbers, own = scene.frame(source), rows.drop(columns="curve", errors="ignore")
+        assert list(numbers) == list(own)
+        for column, plain in zip(numbers, without_units(own), strict=True):
+            found = own[column].to_numpy()
+            assert np.array_equal(found, numbers[column], equal_nan=True), (source, column)
+            if source in drawn and {"t", plain} <= drawn[source].keys():
+                assert np.array_equal(found, drawn[source][plain])
 
 
 @scenes
@@ -83,7 +137,7 @@ def test_a_file_has_every_motion_in_any_state(slug: str) -> None:
         check_finite(files)
         for name in shown_motions(now):
             assert any(name in table for table in files.values()), f"no column {name} in {list(files)}"
-        check_motion(now.asked.scene, now, files)
+        check_motion(now, files)
 
     holds()
 
@@ -109,24 +163,23 @@ def shown_motions(now: PageState) -> set[str]:
     return drawn
 
 
-def check_motion(scene: Any, now: PageState, files: Tables) -> None:
-    """It is resolved over ten periods of its fastest part, and sampled rows agree with the physics."""
-    if scene.slug not in TRUE:
-        return
-    table = next((one for name, one in files.items() if name in ("", "time", "rest") and "t" in one), None)
-    if table is None or "curve" in table:
-        return
-    t, end = table["t"].to_numpy(), now.asked.shown.axes["t"].end
-    if fastest := FASTEST[scene.slug](scene):
-        period = 2 * math.pi / fastest
-        assert t[-1] >= min(end, PERIODS * period) * (1 - 1e-9)
+def check_motion(now: PageState, files: Tables) -> None:
+    """Rows resolve the window, or ten periods of its fastest motion, and have the exact motions at their times."""
+    for source, trace in now.to_send[0].traces.items():
+        table = files.get(source, files.get("", pd.DataFrame()))
+        if "t" not in table or "curve" in table:
+            continue
+        t, rows = table["t"].to_numpy(), np.linspace(0, len(table) - 1, 5).astype(int)
+        slug = now.kind.slug
+        fastest = FASTEST[slug](now.asked.scene) if slug in FASTEST else trace.fastest
+        period = 2 * math.pi / fastest if fastest else math.inf
+        assert t[-1] >= min(trace.end, PERIODS * period) * (1 - 1e-9)
         early = t[t <= PERIODS * period]
         assert len(early) < 2 or np.diff(early).max() <= period / PER_PERIOD * (1 + 1e-9)
-    rows = np.linspace(0, len(t) - 1, 5).astype(int)
-    for name, true in TRUE[scene.slug](scene, t[rows]).items():
-        if name in table:
-            parts = [np.abs(table[one]).max() for one in table if one.split("_")[0] == name]
-            np.testing.assert_allclose(table[name][rows], true, rtol=1e-9, atol=1e-9 * max(parts))
+        true = trace.exact(t[rows])
+        for name in true.keys() & set(table):
+            parts = [np.abs(table[one]).max() for one in table if one.split("_")[0] == name.split("_")[0]]
+            np.testing.assert_allclose(table[name][rows], true[name], rtol=1e-9, atol=1e-9 * max(parts))
 
 
 def chain_fastest(scene: Any) -> float:
@@ -134,62 +187,20 @@ def chain_fastest(scene: Any) -> float:
     return max(fast, scene.omega if scene.slug == "forced" and scene.F_0 else 0.0)
 
 
-def swinging(one: DampedOscillator) -> float:
-    return one.omega_d
-
-
 def driven_fastest(scene: Any) -> float:
     size = {"force": scene.F_0, "base": scene.Y, "unbalance": scene.moment}[scene.kind]
     repeats = size and not (scene.kind == "force" and scene.push in ("step", "impulse"))
-    return max(swinging(DampedOscillator(m=scene.m, c=scene.c, k=scene.k)), scene.omega if repeats else 0.0)
+    own = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).omega_d
+    return max(own, scene.omega if repeats else 0.0)
 
 
 FASTEST: dict[str, Callable[[Any], float]] = {
     "oscillator": lambda s: math.sqrt(s.k) / math.sqrt(s.m),
     "energy": lambda s: math.sqrt(s.k) / math.sqrt(s.m),
-    "damped": lambda s: swinging(DampedOscillator(m=s.m, c=s.c, k=s.k)),
+    "damped": lambda s: DampedOscillator(m=s.m, c=s.c, k=s.k).omega_d,
     "driven": driven_fastest,
     "coupled": chain_fastest,
     "forced": chain_fastest,
-}
-
-
-def driven_true(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
-    if scene.kind == "force" and scene.push != "sine":  # see test_driven_pushes
-        return {}
-    one = DrivenOscillator(m=scene.m, c=scene.c, k=scene.k)
-    size = {"force": scene.F_0, "base": scene.Y, "unbalance": scene.moment}[scene.kind]
-    return {"x": one.motion(scene.omega, size, scene.x_0, scene.v_0, t, scene.kind).x}
-
-
-def forced_true(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
-    (c1, c2), (x_0, v_0) = damping_of(scene), start_of(scene)
-    if c1 or c2:
-        drive = {"F_0": scene.F_0, "omega": scene.omega}
-        x = DampedModes(chain=of_scene(scene), c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive).motion(t).x
-    else:
-        x = forced_motion(of_scene(scene), F_0=scene.F_0, omega=scene.omega, t=t, x_0=x_0, v_0=v_0).x
-    return {"x1": x[0], "x2": x[1]}
-
-
-def coupled_true(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
-    if scene.given_by == "modes":
-        return {}
-    motion = free_motion(of_scene(scene), *start_of(scene), t=t)
-    return {"x1": motion.x[0], "x2": motion.x[1], "T1": scene.m1 * motion.v[0] ** 2 / 2}
-
-
-def rows_of(motion: Any, *names: str) -> dict[str, np.ndarray]:
-    return {name: getattr(motion, name) for name in names}
-
-
-TRUE: dict[str, Callable[[Any, np.ndarray], dict[str, np.ndarray]]] = {
-    "oscillator": lambda s, t: rows_of(Oscillator(m=s.m, k=s.k).motion(s.x_0, s.v_0, t), "x", "v", "a"),
-    "energy": lambda s, t: rows_of(Oscillator(m=s.m, k=s.k).motion(s.x_0, s.v_0, t), "x"),
-    "damped": lambda s, t: rows_of(DampedOscillator(m=s.m, c=s.c, k=s.k).motion(s.x_0, s.v_0, t), "x"),
-    "driven": driven_true,
-    "coupled": coupled_true,
-    "forced": forced_true,
 }
 
 
@@ -215,29 +226,17 @@ def test_a_band_holds_the_motion_and_is_hardly_wider(slug: str) -> None:
     assert held or slug in ("modes", "absorber", "chain", "accuracy"), "scenes without such bands"
 
 
-@pytest.mark.parametrize("curve", ["size", "signed", "log"])
-def test_an_amplitude_of_forced_is_one_column_and_no_number_at_resonance(curve: str) -> None:
-    scene = SCENES["forced"](curve=curve)
+@pytest.mark.parametrize("values", [{"curve": "size"}, {"curve": "signed"}, {"curve": "log"}, {"c1": 0.5, "c2": 0.2}])
+def test_an_amplitude_of_forced_is_one_column_and_no_number_at_resonance(values: dict[str, Any]) -> None:
+    scene = SCENES["forced"](**values)
     table, natural = taken(fitted(scene.value))["response"], of_scene(scene).modes().omega
-    assert list(table) == ["omega", "Xp1", "Xp2"] and table["omega"].is_monotonic_increasing
-    gaps = table[table["Xp1"].isna()]
-    assert gaps["omega"].to_list() == natural.tolist() and gaps["Xp2"].isna().all()
-    rest = table.dropna()
-    np.testing.assert_allclose(
-        rest[["Xp1", "Xp2"]].to_numpy().T, particular_solution(of_scene(scene), scene.F_0, rest["omega"]), rtol=1e-14
-    )
-    assert (rest["Xp1"] < 0).any() and (rest["Xp1"] > 0).any()
-
-
-def test_with_dashpots_it_has_sizes_and_lags() -> None:
-    scene = SCENES["forced"](c1=0.5, c2=0.2)
-    table = taken(fitted(scene.value))["response"]
-    assert list(table) == ["omega", "Xp1", "Xp2", "phi1", "phi2"] and not table.isna().any(axis=None)
-    for _, row in table.iloc[::40].iterrows():
-        X = damped_solution(of_scene(scene), 0.2, scene.F_0, row["omega"], 0.5)
-        assert row[["Xp1", "Xp2"]].to_list() == pytest.approx(np.abs(X).tolist(), rel=1e-14)
-        turned = np.exp(-1j * row[["phi1", "phi2"]].to_numpy(float)) * np.abs(X)
-        np.testing.assert_allclose(turned, X, atol=1e-14 * np.abs(X).max())
+    lags = ["phi1", "phi2"] if scene.c1 else []
+    assert list(table) == ["omega", "Xp1", "Xp2", *lags] and table["omega"].is_monotonic_increasing
+    gaps, rest = table[table["Xp1"].isna()], table.dropna().iloc[::40]
+    assert gaps["omega"].to_list() == ([] if lags else natural.tolist()) and gaps["Xp2"].isna().all()
+    X = np.array([damped_solution(of_scene(scene), scene.c2, scene.F_0, omega, scene.c1) for omega in rest["omega"]])
+    found = rest[["Xp1", "Xp2"]].to_numpy() * (np.exp(-1j * rest[lags].to_numpy()) if lags else 1.0)
+    np.testing.assert_allclose(found, X, atol=1e-14 * np.abs(X).max())
 
 
 @pytest.mark.parametrize(
@@ -249,7 +248,7 @@ def test_with_dashpots_it_has_sizes_and_lags() -> None:
     ],
 )
 def test_a_covered_amplitude_is_in_no_file_nor_its_lag(cover: str, left: list[str]) -> None:
-    files = taken(page_state_of(SCENES["forced"], Link("forced", {"c1": 0.5}, covered=(cover,)))[0])
+    files = taken(covering("forced", cover, c1=0.5))
     assert list(files.get("response", [])) == left
 
 
@@ -274,3 +273,86 @@ def test_the_rows_of_a_file_are_bounded(seconds: float) -> None:
     scene = SCENES["oscillator"](window=seconds, k=(2 * math.pi) ** 2)
     for table in tables(SCENES["oscillator"], scene.shown):
         assert len(table.rows) <= 1134
+
+
+CHAIN = "t x1 x1_slow x1_fast x2 x2_slow x2_fast"
+COLUMNS: list[tuple[str, dict[str, Any], str]] = [
+    ("oscillator", {}, "time: t x v a, loop: t x v a"),
+    ("energy", {}, "time: t x T V total, well: x V"),
+    ("analogues", {}, "time: t x q, excess: curve angle excess"),
+    ("damped", {}, "time: t x upper lower V T E E_0 heat P, locus: re im"),
+    ("damped", {"zeta": 1.5}, "time: t x slow fast V T E E_0 heat P, locus: re im"),
+    ("damped", {"c": 0.0}, "time: t x V T E E_0"),
+    ("damped", {"c": 1e-3, "window": 1e4},
+     "band: t upper lower x_lo x_hi V_mean T_mean E_mean E_0_mean heat_mean P_mean"),
+    ("driven", {}, "time: t x x_c x_p, below: omega M lag power, power: t P_in P_lost"),
+    ("modes", {}, "path: t x1 x2"),
+    ("coupled", {}, f"time: {CHAIN} T1 V1 V2 T2, modes: slow1 slow2 fast1 fast2"),
+    ("coupled", {"energy": "modes"}, f"time: {CHAIN} E_slow E_fast E_total"),
+    ("forced", {}, "time: t x1 x1_p x1_c x2 x2_p x2_c, energy: t gain work, response: omega Xp1 Xp2, "
+     "nyquist: omega re1 re2 im1 im2"),
+    ("absorber", {}, "rest: t x1 x1_p x1_c, sweep: w swing stroke alone, helped: w helped_lo helped_hi"),
+]  # fmt: skip
+"""Tables of files and the columns that they begin with: programs read them by these names."""
+
+
+@pytest.mark.parametrize(("slug", "values", "text"), COLUMNS)
+def test_a_file_keeps_its_columns(slug: str, values: dict[str, Any], text: str) -> None:
+    scene = SCENES[slug](**values)
+    found = {table.name: [name.split(" [")[0] for name in table.head] for table in tables(SCENES[slug], scene.shown)}
+    for part in text.split(", "):
+        name, _, columns = part.partition(": ")
+        assert found[name][: len(columns.split())] == columns.split()
+
+
+@pytest.mark.parametrize(
+    ("slug", "values", "name", "heads"),
+    [
+        ("phugoid", {"unit": "knots"}, "time", "t [s],h_lin [m],v_lin [m/s]"),
+        ("absorber", {}, "sweep", "w [rad/s],swing [m]"),
+        ("analogues", {}, "time", "t [s],x [rad],q [rad]"),
+        ("analogues", {}, "excess", "curve,angle [deg],excess [1]"),
+        ("modes", {"view": "guess"}, "det", "w [rad/s],D [N^2/m^2]"),
+        ("modes", {"view": "guess", "m1": 5e-324}, "det", "w [rad/s],D [10^324 N^2/m^2]"),
+        ("modes", {"view": "guess", "k2": 1e300}, "det", "w [rad/s],D [10^600 N^2/m^2]"),
+        ("driven", {}, "below", "omega [rad/s],M [1],lag [rad]"),
+        ("driven", {"k": 1.0}, "below", "omega [rad/s],M [1],lag [rad]"),  # drawn over omega/omega_n
+    ],
+)
+def test_units_are_si_whatever_the_axes_count_in(slug: str, values: dict[str, Any], name: str, heads: str) -> None:
+    (found,) = (one.head for one in tables(SCENES[slug], SCENES[slug].at(values).shown) if one.name == name)
+    assert ",".join(found).startswith(heads)
+
+
+def test_what_is_covered_is_not_in_the_files_and_without_a_plot_they_have_the_readouts() -> None:
+    assert not any(
+        "x2" in name for table in taken(covering("coupled", "plot:x2", "plot:plane")).values() for name in table
+    )
+    table = taken(covering("modes", "plot:det", view="solve"))[""]
+    modes = of_scene(SCENES["modes"]()).modes()
+    assert (table["omega_slow"].tolist(), table["ratio_fast"].tolist()) == ([modes.omega[0]], [modes.ratio[1]])
+    assert taken(covering("modes", "plot:det", "value:slow_omega", view="solve"))[""].empty
+
+
+@pytest.mark.parametrize(
+    ("slug", "values", "listed", "idle"),
+    [
+        ("coupled", {"given_by": "modes"}, {"X_slow", "phi_fast"}, set()),
+        ("coupled", {}, {"m1"}, {"X_slow", "phi_fast"}),
+        ("analogues", {"system": "pipe"}, {"pipe_L", "pipe_start"}, {"pendulum_l"}),
+        ("absorber", {}, {"m1", "k1", "F_0"}, set()),
+    ],
+)
+def test_the_parameters_are_those_that_count(
+    slug: str, values: dict[str, Any], listed: set[str], idle: set[str]
+) -> None:
+    content = next(iter(contents(fitted(SCENES[slug].at(values))).values()))
+    named = {note.split(" = ")[0] for note in comments(content) if re.fullmatch(r"\w+ = .*", note)}
+    assert listed <= named and not idle & named
+
+
+def test_an_address_cannot_add_lines() -> None:
+    for content in contents(fitted(SCENES["oscillator"].at()), "http://a.example/\r\nx,y\n=1+1,2").values():
+        _, line, *_ = comments(content)
+        assert line.startswith("http://a.example/%0D%0Ax%2Cy%0A=1+1%2C2?scene=oscillator")
+        assert parse_qs(urlsplit(line).query)["scene"] == ["oscillator"]

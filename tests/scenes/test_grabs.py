@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
 
 from components.chain import START
 from components.language.shapes import Along, Grab
-from components.scene.picture import frame_of
 from components.scenes import SCENES
 from components.scenes.coupled import BY_MODES
 from components.state.page_state import fitted
@@ -45,19 +42,13 @@ FOLLOWS = {
 def test_each_grab_sets_what_it_names_and_its_handle_is_where_the_hand_was(slug: str) -> None:
     """In each preset and each way of showing things, on a wide page and on a phone."""
     taken = set()
-    for values, wide in itertools.chain([({}, False)], ((values, True) for values in shown_ways(slug))):
+    ways = (*SCENES[slug].presets.values(), *ALSO.get(slug, ()), *choices(SCENES[slug]))
+    for values, wide in (({}, False), *((values, True) for values in ways)):
         now = fitted(SCENES[slug].at(values))
         for shape, grab in grabs(now.kind, now.shown.forms):
             if dragged(Hand(now, shape, wide=wide, t=AT), grab):
                 taken.add(shape)
     assert taken == {shape for shape, _ in grabs(SCENES[slug])}, f"not taken in hand: {slug}"
-
-
-def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
-    """The presets of a scene, and each word of each of its choices."""
-    scene = SCENES[slug]
-    yield from (*scene.presets.values(), *ALSO.get(slug, ()))
-    yield from choices(scene)
 
 
 def dragged(hand: Hand, grab: Grab) -> bool:
@@ -119,14 +110,3 @@ def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() 
         assert not page.shown.scalars.get(seen)
         page.send({"type": "set", "values": {}, "holding": False, "number": 2})
         assert page.shown.scalars[seen], "in the frame that has grown"
-
-
-def test_a_frame_is_fixed_during_a_drag_and_grows_after_it() -> None:
-    page = Page(SCENES["oscillator"]())
-    before = frame_of(page.shown)
-    page.send({"type": "set", "values": {"x_0": 0.5}, "holding": True, "number": 1})
-    assert frame_of(page.shown) == before
-    page.send({"type": "set", "values": {}, "holding": False, "number": 2})
-    grown = frame_of(page.shown)
-    assert grown.ranges["x"][1] >= 0.5 > before.ranges["x"][1]
-    assert (grown.window, grown.speed) == (before.window, before.speed)

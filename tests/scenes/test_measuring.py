@@ -88,44 +88,38 @@ def test_a_measurement_comes_run_by_run_and_is_remembered(two: None) -> None:
     assert again is job
 
 
-def test_one_at_a_time_with_the_place_in_the_queue(two: None) -> None:
+def test_one_at_a_time_shared_by_all_and_one_for_each_visitor(two: None) -> None:
     queue = Measuring(budget=60.0)
     first = queue.ask(BENIGN, 30.0, nothing)
+    assert queue.ask(BENIGN, 30.0, nothing) is first and first.listeners == [nothing]
     other, heard = visitors(2)
     second = queue.ask(SYSTEMS["beats"], 30.0, heard)
-    shared = queue.ask(SYSTEMS["beats"], 30.0, other)
-    assert shared is second
+    assert queue.ask(SYSTEMS["beats"], 30.0, other) is second
     assert (queue.place(first), queue.place(second)) == (0, 1)
     assert (first.state, second.state) == ("running", "waiting")
     queue.leave(second, heard)
     assert queue.place(second) == 1
     queue.leave(second, other)
-    queue.leave(first, nothing)
-    wait(lambda: first.state == "done")
-    assert first.reason == "cancelled"
-    assert second.state == "waiting" and queue.place(second) == 0
-    third = queue.ask(replace(BENIGN, slug="own"), 0.01, nothing)
+    third = queue.ask(replace(BENIGN, slug="own"), 0.01, nothing)  # in place of the first, which is cancelled
     wait(lambda: third.state == "done")
+    assert (first.state, first.reason) == ("done", "cancelled")
+    assert second.state == "waiting" and queue.place(second) == 0
     assert {run.method for run in third.runs} == set(TWO)
 
 
-def test_a_full_queue_says_so_and_stays_as_it_is(full: Full) -> None:
+def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting(full: Full) -> None:
     queue, jobs, people = full
-    (late,) = visitors(1)
-    with pytest.raises(ValueError, match="8 measurements wait already"):
-        queue.ask(SYSTEMS["wide"], 30.0, late)
-    with pytest.raises(ValueError, match="8 measurements wait already"):
-        queue.ask(SYSTEMS["wide"], 30.0, people[0])
+    late, ours, other, again = visitors(4)
+    for one in (late, people[0]):
+        with pytest.raises(ValueError, match="8 measurements wait already"):
+            queue.ask(SYSTEMS["wide"], 30.0, one)
     assert [queue.place(job) for job in jobs] == list(range(WAITING + 1))
     assert queue.ask(jobs[5].system, 30.0, late) is jobs[5]
     queue.leave(jobs[5], late)
-
-
-def test_a_network_has_one_measurement_waiting(full: Full) -> None:
-    queue, jobs, people = full
+    gone, jobs[3] = jobs[3], queue.ask(SYSTEMS["wide"], 30.0, people[3])  # a visitor who waits changes the system
+    assert queue.place(gone) == 0 and gone.listeners == [] and queue.place(jobs[3]) == WAITING
     for job, one in list(zip(jobs, people, strict=True))[4:]:
         queue.leave(job, one)
-    ours, other, again = visitors(3)
     systems = [replace(BENIGN, slug=name) for name in ("a", "b", "c")]
     job = queue.ask(systems[0], 30.0, ours, "192.0.2.0/24")
     with pytest.raises(ValueError, match="from this network waits already"):
@@ -138,35 +132,26 @@ def test_a_network_has_one_measurement_waiting(full: Full) -> None:
         queue.leave(each, one)
 
 
-def test_who_waits_may_ask_for_something_else(full: Full) -> None:
-    queue, jobs, people = full
-    gone, jobs[3] = jobs[3], queue.ask(SYSTEMS["wide"], 30.0, people[3])
-    assert queue.place(gone) == 0 and gone.listeners == []
-    assert queue.place(jobs[3]) == WAITING
-
-
-def test_a_visitor_has_one_measurement_at_a_time() -> None:
-    queue = Measuring(budget=60.0)
-    first = queue.ask(BENIGN, 30.0, nothing)
-    assert queue.ask(BENIGN, 30.0, nothing) is first
-    assert first.listeners == [nothing]
-    second = queue.ask(SYSTEMS["beats"], 30.0, nothing)
-    wait(lambda: first.state == "done" and second.state == "running")
-    assert first.reason == "cancelled"
-    queue.leave(second, nothing)
-    wait(lambda: second.state == "done")
-
-
-def test_a_worker_that_does_not_end_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("script", "budget", "reason"),
+    [
+        ("exec sleep 600", 0.1, "stopped after 0.1 s"),
+        ("""read order\nprintf '{"method": "verl'""", 60.0, "the measuring process stopped"),
+    ],
+    ids=["does not end", "dies while it writes"],
+)
+def test_a_faulty_worker_does_not_stop_the_queue(
+    script: str, budget: float, reason: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     worker = tmp_path / "worker"
-    worker.write_text("#!/bin/sh\nexec sleep 600\n")
+    worker.write_text(f"#!/bin/sh\n{script}\n")
     worker.chmod(0o755)
     monkeypatch.setattr("components.processes.sys.executable", str(worker))
     monkeypatch.setattr("components.scenes.accuracy.measuring.GRACE", 0.2)
-    queue = Measuring(budget=0.1)
-    job = queue.ask(BENIGN, 1.0, nothing)
-    wait(lambda: job.state == "done")
-    assert job.reason == "stopped after 0.1 s"
+    queue = Measuring(budget)
+    jobs = [queue.ask(SYSTEMS[slug], 1.0, one) for slug, one in zip(("benign", "beats"), visitors(2), strict=True)]
+    wait(lambda: all(job.state == "done" for job in jobs))
+    assert [job.reason for job in jobs] == [reason] * 2
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of memory are the operating system's")
@@ -176,55 +161,22 @@ def test_a_worker_has_little_memory() -> None:
     assert told.returncode == 1 and "MemoryError" in told.stderr
 
 
-def test_a_method_can_be_skipped() -> None:
-    queue = Measuring(budget=60.0)
-    job = queue.ask(replace(BENIGN, slug="skipped"), 20.0, nothing)
-    wait(lambda: job.method == "verlet")
-    queue.skip(job)
-    wait(lambda: job.method not in ("", "verlet"))
-    skipped = len([run for run in job.runs if run.method == "verlet"])
-    wait(lambda: len([run for run in job.runs if run.method == "rk4"]) > skipped + 2)
-    assert len([run for run in job.runs if run.method == "verlet"]) <= skipped + 1
-    queue.leave(job, nothing)
-    wait(lambda: job.state == "done")
-
-
-def test_nobody_skips_what_others_wait_for() -> None:
-    queue = Measuring(budget=60.0)
-    job = queue.ask(replace(BENIGN, slug="shared"), 20.0, nothing)
-    queue.ask(replace(BENIGN, slug="shared"), 20.0, other := (lambda: None))
-    with pytest.raises(ValueError, match="Others wait"):
-        queue.skip(job)
-    queue.leave(job, nothing)
-    queue.leave(job, other)
-    wait(lambda: job.state == "done")
-
-
-def test_what_lacks_a_method_is_not_kept_for_others(two: None) -> None:
-    queue = Measuring(budget=60.0)
+def test_a_method_can_be_skipped_unless_others_wait_for_it(two: None) -> None:
+    queue, (other,) = Measuring(budget=300.0), visitors(1)
     job: Job | None = None
 
     def heard() -> None:
-        if job and job.method == "verlet":
+        if job and job.method == "verlet" and len(job.listeners) == 1:
             queue.skip(job)
 
-    job = queue.ask(replace(BENIGN, slug="lacking"), 0.01, heard)
+    job = queue.ask(replace(BENIGN, slug="skipped"), 20.0, heard)
+    queue.ask(job.system, 20.0, other)
+    with pytest.raises(ValueError, match="Others wait"):
+        queue.skip(job)
+    queue.leave(job, other)
     wait(lambda: job.state == "done")
     assert (job.reason, job.skipped) == ("", {"verlet"})
-    assert queue.remembered(job.system, job.seconds) is None
-
-
-def test_a_worker_that_dies_while_it_writes_does_not_stop_the_queue(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    worker = tmp_path / "worker"
-    worker.write_text("""#!/bin/sh\nread order\nprintf '{"method": "verl'\n""")
-    worker.chmod(0o755)
-    monkeypatch.setattr("components.processes.sys.executable", str(worker))
-    queue = Measuring()
-    jobs = [queue.ask(SYSTEMS[slug], 1.0, one) for slug, one in zip(("benign", "beats"), visitors(2), strict=True)]
-    wait(lambda: all(job.state == "done" for job in jobs))
-    assert [job.reason for job in jobs] == ["the measuring process stopped"] * 2
+    assert queue.remembered(job.system, job.seconds) is None, "a measurement without a method is not kept for others"
 
 
 def test_the_limit_for_a_visitor() -> None:

@@ -69,21 +69,6 @@ def test_every_refusal_of_the_physics_says_what_was_given_and_what_is_allowed() 
 
 
 @pytest.mark.parametrize(
-    "bare",
-    [
-        "x_0=",
-        "k1 = k2 = 0: two free masses have no period to measure",
-        "name = 'q': one of m1, m2 is swept",
-        "largest displacement 0 m, energy 0 J: no scale",
-        "omega = … rad/s is a natural frequency: no particular solution exists",
-        "the acceleration is invalid",
-    ],
-)
-def test_a_refusal_without_its_words_is_found(bare: str) -> None:
-    assert faults(bare)
-
-
-@pytest.mark.parametrize(
     ("said", "shown"),
     [
         ("the amplitude B = v_0/omega_n = -2.668e+331 leaves", "The amplitude B = v₀/ωₙ = −2.668e331 leaves."),

@@ -16,6 +16,7 @@ from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from physics.sampling import drawable
 from tests.page.headless_page import picture_wire
+from tests.scenes.checks import choices
 from tests.scenes.hard import HARD
 
 pytestmark = pytest.mark.timeout(600)
@@ -27,18 +28,11 @@ TOLD, CLOSED = 1e-6, 1e-9
 """Error of a motion sent as a table of one period, and of one sent as a formula."""
 
 
-def views(slug: str) -> Iterator[dict[str, Any]]:
-    """The presets of a scene, each shown in all ways, and its hard states where these are not drawn from tables."""
+def states(slug: str) -> Iterator[dict[str, Any]]:
+    """Presets and ways of showing things, and hard states where these are not drawn from tables."""
     scene = SCENES[slug]
-    choices = [
-        {name: value}
-        for name, one in scene.linked().items()
-        if hasattr(one, "objects") and one not in scene.physical
-        for value in one.objects
-    ]
-    for preset in ({}, *scene.presets.values()):
-        for choice in ({}, *choices):
-            yield {**preset, **choice}
+    ways = (way for way in choices(scene) if not any(scene.linked()[name] in scene.physical for name in way))
+    yield from ({}, *scene.presets.values(), *ways)
     yield from () if slug in ("driven", "absorber") else HARD.get(slug, [])
 
 
@@ -52,23 +46,39 @@ def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axi
 
 
 @pytest.mark.parametrize("slug", SCENES)
-def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
+def test_what_is_drawn_is_the_motion_of_the_physics_with_enough_points(slug: str) -> None:
     scene, checked = SCENES[slug], 0
-    for values in views(slug):
-        shown = scene.at(values).shown
-        wire = picture_wire(scene.at(values))["columns"]
-        by_table = any(isinstance(one, Sampled) for one in shown.signals.values())
-        near = TOLD if by_table else NEAR.get(slug, CLOSED)
-        for (source, name), exact in traced(shown).items():
-            axis = axis_of(scene, shown, source, name)
-            off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(
-                axis.place(axis.end) - axis.place(axis.start)
-            )
-            assert off < CORNERS.get(name, near), (values, source, name, off)
-            checked += 1
-        for source, one in shown.traces.items():
-            np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
+    for values in states(slug):
+        one = scene.at(values)
+        checked += check_drawn(one, values)
+        if values.get("N") != 500:  # so many masses are drawn by colour, with fewer instants
+            check_points(one, values)
     assert checked or not any(plot.time for plot in plots(scene))
+
+
+def check_drawn(scene: Scene, values: dict[str, Any]) -> int:
+    """Compare each curve that the browser draws with the physics, and return how many there are."""
+    shown, wire = scene.shown, picture_wire(scene)["columns"]
+    by_table = any(isinstance(one, Sampled) for one in shown.signals.values())
+    near, curves = TOLD if by_table else NEAR.get(scene.slug, CLOSED), traced(shown)
+    for (source, name), exact in curves.items():
+        axis = axis_of(type(scene), shown, source, name)
+        off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(axis.place(axis.end) - axis.place(axis.start))
+        assert off < CORNERS.get(name, near), (values, source, name, off)
+    for source, one in shown.traces.items():
+        np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
+    return len(curves)
+
+
+def check_points(scene: Scene, values: dict[str, Any]) -> None:
+    """With eight times as many instants a curve reaches as far, apart from what twelve points per cycle miss."""
+    for source, one in scene.shown.traces.items():
+        dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
+        for name in one.names:
+            axis, drawn = axis_of(type(scene), scene.shown, source, name), one.columns[name]
+            reached = dense[name].max() - drawn.max(), drawn.min() - dense[name].min()
+            roundings = 1e-12 * abs(axis.end - axis.start)
+            assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (values, source, name)
 
 
 @pytest.mark.parametrize("cycles", [0.0, 1e-300, 3.0, 56.6, 56.7, 1e4, 1e300])
@@ -76,19 +86,3 @@ def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
 def test_a_line_is_drawn_for_what_its_samples_resolve(end: float, cycles: float) -> None:
     fastest = 2 * np.pi * cycles / end
     assert resolved(end, fastest) == drawable(fastest, np.linspace(0.0, end, samples(end, fastest)))
-
-
-@pytest.mark.parametrize("slug", SCENES)
-def test_no_curve_is_too_sparse_for_its_motion(slug: str) -> None:
-    """With eight times as many instants it reaches as far, apart from what twelve points per cycle miss."""
-    for values in views(slug):
-        shown = SCENES[slug].at(values).shown
-        if values.get("N") == 500:
-            continue  # so many masses are drawn by colour, with fewer instants
-        for source, one in shown.traces.items():
-            dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
-            for name in one.names:
-                axis, drawn = axis_of(SCENES[slug], shown, source, name), one.columns[name]
-                reached = dense[name].max() - drawn.max(), drawn.min() - dense[name].min()
-                roundings = 1e-12 * abs(axis.end - axis.start)
-                assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (values, source, name)

@@ -14,7 +14,7 @@ from components.language.blocks import PlotBlock
 from components.language.messages import Choose, Open
 from components.language.state import State
 from components.layout.sheet import in_force
-from components.layout.views import KEYS, shown_blocks
+from components.layout.views import KEYS, View, shown_blocks
 from components.quantities.motion import derived
 from components.quantities.parameters import Quantity
 from components.scene import Scene
@@ -35,13 +35,6 @@ def opened(query: str) -> PageState:
     link = read_query(args, SCENES)
     assert not link.problems
     return page_state_in(SCENES[link.slug], state_in(link))
-
-
-@views
-def test_a_link_names_its_view(slug: str, view: str) -> None:
-    now = fitted(SCENES[slug](view=view).value)
-    assert f"view={view}" in now.query
-    assert opened(now.query).scene.key == now.scene.key
 
 
 OLD = [
@@ -92,56 +85,19 @@ def test_an_old_link_opens_the_matching_view(query: str, view: str) -> None:
     assert now.show == ()
 
 
-@views
-def test_every_view_has_something_of_its_own(slug: str, view: str) -> None:
-    sheet = SCENES[slug].sheet()
-    shown = {one.slug: frozenset(map(id, shown_blocks(sheet, one.slug))) for one in SCENES[slug].views}
-    texts = {one.slug: one.task for one in SCENES[slug].views}
-    assert shown[view]
-    assert all(texts[view] != text for name, text in texts.items() if name != view)
-
-
 OTHER_MOTIONS = {"modes"}
 """Scenes whose views show different motions, each with a separate file."""
 
 
 @views
-def test_a_view_sends_its_own_curves_and_a_file_has_all(slug: str, view: str) -> None:
-    now = fitted(SCENES[slug](view=view).value)
-    first = now if slug in OTHER_MOTIONS else fitted(SCENES[slug]().value)
-    assert now.shown.sources.keys() == first.shown.sources.keys()
-    for source, columns in first.shown.sources.items():
-        assert list(now.shown.sources[source]) == list(columns)
-    sent = sent_picture(now, now.shown)
-    for source, traces in sent.traces.items():
-        assert set(traces.names) <= drawn_on(now).get(source, {}).keys()
-        assert traces.needed <= sent.signals.keys()
-
-
-@views
-def test_a_view_sends_the_forms_that_show_the_parts_it_names(slug: str, view: str) -> None:
-    now = replace(page_state_in(SCENES[slug], State(scene=slug, parameters={"view": view})), in_view=True)
-    sent = sent_picture(now, now.drawn.picture)
-    drawn = {block.part for block in in_force(type(now.scene).sheet(), sent.forms)}
-    named = {name for one in SCENES[slug].views if one.slug == view for name in one.names}
-    assert named - {KEYS} <= drawn
-
-
-@views
-def test_a_view_sends_the_numbers_that_are_read_aloud(slug: str, view: str) -> None:
-    whole = page_state_in(SCENES[slug], State(scene=slug, parameters={"view": view}))
-    whole, now = (with_values(one, _moved(SCENES[slug])) for one in (whole, replace(whole, in_view=True)))
-    plots = [one.says for one in shown_blocks(SCENES[slug].sheet(), view) if isinstance(one, PlotBlock)]
-    texts = " ".join(text for spoken in (scene_sheet(SCENES[slug]).spoken, *plots) for text in spoken.values())
-    aloud = whole.shown.values.keys() & set(re.findall(r"{(\w+)}", texts))
-    assert {name: whole.shown.values[name] for name in aloud}.items() <= now.drawn.picture.values.items()
-
-
-@views
-def test_a_picture_of_one_view_shows_what_the_whole_picture_shows_there(slug: str, view: str) -> None:
-    whole = fitted(SCENES[slug].at({"view": view}))
-    page = replace(page_state_in(SCENES[slug], whole.state), in_view=True)
-    for name, value in _moved(SCENES[slug]).items():
+def test_a_page_of_one_view_shows_what_the_whole_picture_shows_there(slug: str, view: str) -> None:
+    kind = SCENES[slug]
+    whole = fitted(kind.at({"view": view}))
+    assert f"view={view}" in whole.query and opened(whole.query).scene.key == whole.scene.key
+    check_file(whole, whole if slug in OTHER_MOTIONS else fitted(kind.at()))
+    page = replace(page_state_in(kind, whole.state), in_view=True)
+    check_parts(page, next(one for one in kind.views if one.slug == view))
+    for name, value in _moved(kind).items():
         whole, page = (with_values(now, {name: value}) for now in (whole, page))
     part = page.drawn.picture
     one, other = sent_picture(page, part), sent_picture(replace(page, drawn=whole.drawn), whole.shown)
@@ -151,8 +107,34 @@ def test_a_picture_of_one_view_shows_what_the_whole_picture_shows_there(slug: st
     for source, columns in drawn_on(page).items():
         for name in columns.keys() & other.sources.get(source, {}).keys():
             assert np.array_equal(one.sources[source][name], other.sources[source][name])
+    assert read_aloud(whole, view).items() <= part.values.items()
     covered = changed(page, Open(state=replace_in(page.state, covered=("next",)), keeps=True), SCENES)
     assert covered.drawn.picture.values == whole.shown.values, "what depends on a change is looked up in all views"
+
+
+def check_file(now: PageState, first: PageState) -> None:
+    """A view sends only its curves, with what they need; a file has those of all views."""
+    columns = {source: list(found) for source, found in now.shown.sources.items()}
+    assert columns == {source: list(found) for source, found in first.shown.sources.items()}
+    sent = sent_picture(now, now.shown)
+    for source, traces in sent.traces.items():
+        assert set(traces.names) <= drawn_on(now).get(source, {}).keys()
+        assert traces.needed <= sent.signals.keys()
+
+
+def check_parts(page: PageState, view: View) -> None:
+    """A view has a task and parts that no other view of its scene has, and the forms that show these parts."""
+    shown = {one.slug: frozenset(map(id, shown_blocks(page.kind.sheet(), one.slug))) for one in page.kind.views}
+    assert shown[view.slug] and [one.task for one in page.kind.views].count(view.task) == 1
+    sent = sent_picture(page, page.drawn.picture)
+    assert set(view.names) - {KEYS} <= {block.part for block in in_force(page.kind.sheet(), sent.forms)}
+
+
+def read_aloud(now: PageState, view: str) -> dict[str, str]:
+    """The texts of the numbers that descriptions of a view read aloud."""
+    plots = [one.says for one in shown_blocks(now.kind.sheet(), view) if isinstance(one, PlotBlock)]
+    sentences = " ".join(text for spoken in (scene_sheet(now.kind).spoken, *plots) for text in spoken.values())
+    return {name: now.shown.values[name] for name in re.findall(r"{(\w+)}", sentences) if name in now.shown.values}
 
 
 def _moved(kind: type[Scene]) -> dict[str, float]:

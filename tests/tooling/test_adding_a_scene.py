@@ -76,7 +76,7 @@ def test_the_code_is_clean_and_typed(project: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.timeout(300)
 def test_the_scene_passes_its_own_tests_and_those_of_every_scene(project: Path) -> None:
-    every = ("friction", "every_scene", "presets", "watch", "grabs", "traces")
+    every = ("friction", "every_scene", "presets", "grabs", "traces")
     files = [f"tests/scenes/test_{name}.py" for name in every]
     files += [f"tests/page/test_{name}.py" for name in ("names", "session", "opening", "predict")]
     files += ["tests/components/test_frames.py"]
