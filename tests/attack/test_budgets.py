@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
-from types import FrameType
-from typing import Any, TypeVar
-
 import pytest
 from hypothesis import given, settings
 
@@ -18,18 +13,12 @@ from components.session.exports import AboutExport, LinkExport, PageExport
 from components.session.opening import opened
 from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
+from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.grids import sample, spread, tries
 from tests.scenes.checks import as_arguments, quantities
 from tests.states import links
 from tools.attack.extremes import EXTREMES, ExtremeValues, values
 
-Result = TypeVar("Result")
-
-PICTURE = 200_000
-"""Function calls for a picture, which blocks the event loop: about 50 ms of CPU. Unlike a time, their number is the
-same on every machine."""
-FILE, ABOUT = 1_800_000, 3_000_000
-"""Calls for a file of numbers and for "About these numbers" in the worker process: about 1 s at most."""
 HERE = "http://here/"
 WORST = (
     "scene=driven&push=pulses&width=0.95&Y=0.1408&omega=0.9875&m=3414&k=37.616&zeta=1.000000000000001&keep=zeta"
@@ -53,22 +42,6 @@ scenes = pytest.mark.parametrize("slug", spread(list(SCENES), 2))
 def started() -> None:
     """Build what a server computes once, before its first visitor arrives."""
     assert len(SHEETS) == len(SCENES)
-
-
-def counted(work: Callable[[], Result]) -> tuple[Result, int]:
-    """Return a function's result and how many functions it called, in Python and in C."""
-    calls = 0
-
-    def count(frame: FrameType, event: str, argument: Any) -> None:
-        nonlocal calls
-        calls += event in ("call", "c_call")
-
-    before = sys.getprofile()
-    sys.setprofile(count)
-    try:
-        return work(), calls
-    finally:
-        sys.setprofile(before)
 
 
 def check(link: Link) -> None:

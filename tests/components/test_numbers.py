@@ -1,29 +1,43 @@
-"""Numbers as a person reads and types them."""
+"""Numbers as a person reads and types them, with expressions and units, and the numbers of axes."""
+
+from __future__ import annotations
 
 import json
 import math
 from decimal import Decimal
+from fractions import Fraction
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from components.layout.sheet import axes_of_columns
+from components.quantities import formatting
+from components.quantities.axes import Axis, log_axis
 from components.quantities.formatting import (
     at_tick,
     excerpt,
     parse_number,
     power_unit,
-    short,
     shortest,
-    signed,
     three,
     tidy,
     with_error,
 )
+from components.quantities.instant import instant
+from components.quantities.measures import measure
+from components.quantities.parameters import Quantity
+from components.quantities.typed import typed_number
+from components.scene import Scene
+from components.scenes import SCENES
+from tests.page.scripts import played
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
 """Texts that both languages write: tests/page/test_scripts.py reads them too."""
+UNITS = sorted({q.unit for scene in SCENES.values() for q in scene.param.objects().values() if isinstance(q, Quantity)})
+OWN_UNITS = {"v₀"}
+"""Units that a scene sets itself, from its parameters."""
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
 
@@ -31,69 +45,121 @@ finite = st.floats(allow_nan=False, allow_infinity=False)
 def test_three_digits_are_within_half_a_unit_of_the_third(value: float) -> None:
     shown = three(value).replace("−", "-").replace("·10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     assert abs(Decimal(shown) - Decimal(value)) <= abs(Decimal(value)) * Decimal("0.005")
+    if 1e-307 < abs(value) < 1e307:
+        assert parse_number(three(value)) == pytest.approx(value, rel=5e-3), "it can be typed again"
 
 
 @pytest.mark.parametrize("case", TEXTS, ids=lambda case: repr(case["value"]))
 def test_both_languages_write_the_same(case: dict[str, object]) -> None:
-    written = {function.__name__: function(case["value"]) for function in (three, signed, short, tidy)}
+    written = {name: getattr(formatting, name)(case["value"]) for name in ("three", "signed", "short", "tidy")}
     assert {"value": case["value"], **written} == case
 
 
-@given(finite)
-def test_field_and_shortest_text_read_back_exactly(value: float) -> None:
-    for text in (tidy(value), shortest(value)):
-        assert text.isascii()
-        assert float(text) == value
+@given(finite, st.sampled_from(UNITS))
+def test_field_and_shortest_text_read_back_exactly_with_a_unit_and_without(value: float, unit: str) -> None:
+    for text in (tidy(value), shortest(value), repr(value)):
+        assert text.isascii() and float(text) == value
+        assert parse_number(text) == typed_number(text, unit) == typed_number(f"{text} {unit}", unit) == value
+
+
+@given(st.integers(-(10**9), 10**9), st.integers(1, 10**9))
+def test_a_fraction_is_rounded_once(above: int, below: int) -> None:
+    assert typed_number(f"{above}/{below}", "m") == float(Fraction(above, below))
+    assert typed_number(f"{above}/{below} km", "m") == float(Fraction(1000 * above, below))
+
+
+@given(
+    st.text(alphabet="0123456789.,+-−*/^()e πpisqrtNmkg°²⁻", max_size=70) | st.text(max_size=70), st.sampled_from(UNITS)
+)
+def test_whatever_is_typed_is_a_double_or_refused_in_words(text: str, unit: str) -> None:
+    try:
+        value = typed_number(text, unit)
+    except ValueError as error:
+        assert str(error).endswith(".")
+    else:
+        assert math.isfinite(value)
+
+
+NUMBERS = {
+    **{"1e-3": 1e-3, "2e3": 2e3, "1,5": 1.5, "−3": -3.0, "1.5·10^-3": 1.5e-3, "1.5 × 10^−3": 1.5e-3, "3·10⁴": 3e4},
+    **{"1.23·10⁻⁷": 1.23e-7, "10⁻³": 1e-3, "-10^3": -1e3, "  2.5 ": 2.5, "12 000": 12e3, ".5": 0.5, "+5.": 5.0},
+    **{"0e-999": 0.0, "１．５": 1.5, "－3": -3.0},
+}
+"""Numbers as people type them, in a field or a link."""
+EXPRESSIONS = {
+    **{"pi": math.pi, "2π": math.tau, "2 pi/3": 2.0943951023931957, "1/3": 1 / 3, "sqrt(2)": math.sqrt(2)},
+    **{"√2": math.sqrt(2), "2 sqrt(3)/(1+1)": math.sqrt(3), "2^0.5": math.sqrt(2), "-2^2": -4.0, "1e400/1e399": 10.0},
+    **{"007/2": 3.5, "１／３": 1 / 3, "２ｍ": 2.0, "−3 m": -3.0, "5 mm": 5e-3, "1。5": 1.5},
+}
+"""What only a field in m reads."""
+MEASURED = [
+    *(("12 000 N", "N", 12e3), ("2.5N/m", "N/m", 2.5), ("2.5 N/m", "kN/m", 2.5e-3), ("36 km/h", "m/s", 10.0)),
+    *(("150 ft/s", "m/s", 45.72), ("5 µF", "F", 5e-6), ("1/2 g", "kg", 5e-4), ("7 g/cm³", "kg/m³", 7e3)),
+    *(("9.81 m/s^2", "m/s²", 9.81), ("9.81 m s⁻²", "m/s²", 9.81), ("9.81 m/s/s", "m/s²", 9.81)),
+    *(("3 N·s/m", "N s/m", 3.0), ("100 kg m/s²", "N", 100.0), ("30°", "rad", 0.5235987755982989)),
+    *(("pi/6 rad", "°", 30.0), ("2 Hz", "rad/s", 4 * math.pi), ("3 1/s", "rad/s", 3.0), ("3 /s", "rad/s", 3.0)),
+    *(("2 N m", "N m/rad", 2.0), ("0.5 v₀", "v₀", 0.5)),
+]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"), [*((text, "m", value) for text, value in (NUMBERS | EXPRESSIONS).items()), *MEASURED]
+)
+def test_a_number_as_people_type_it(text: str, unit: str, value: float) -> None:
+    assert typed_number(text, unit) == value
+    if text in NUMBERS:
         assert parse_number(text) == value
 
 
+NO_NUMBERS = (
+    *("abc", "nan", "inf", "1 2", "1.2.3", "٣", "()", "1+", "pi pi", "sqrt()", "sqrt(1)(2", "pi(2)("),
+    *("__import__('os')", "1" * 61, "1e", "0x10", "1_0", "1.5·105", "3 N/m"),
+)
+"""Texts that are refused with an example of a number; in a field, the last five for another reason."""
+
+
+@pytest.mark.parametrize("text", NO_NUMBERS)
+def test_what_is_no_number_is_refused_with_an_example(text: str) -> None:
+    for read in (parse_number, *([lambda text: typed_number(text, "m")] if text in NO_NUMBERS[:-5] else [])):
+        with pytest.raises(ValueError, match=r"is not a number: type one such as 2\.5 or 1e-3"):
+            read(text)
+
+
 @pytest.mark.parametrize(
-    ("text", "value"),
+    ("text", "unit", "reason"),
     [
-        ("1e-3", 1e-3),
-        ("1,5", 1.5),
-        ("−3", -3.0),
-        ("1.5·10^-3", 1.5e-3),
-        ("1.5 × 10^−3", 1.5e-3),
-        ("1.23·10⁻⁷", 1.23e-7),
-        ("10⁻³", 1e-3),
-        ("-10^3", -1e3),
-        ("  2.5 ", 2.5),
-        ("12 000", 12000.0),
-        ("１．５", 1.5),
-        (".5", 0.5),
-        ("+5.", 5.0),
-        ("0e-999", 0.0),
+        ("3 kg", "N/m", "“3 kg” is in kg, and this is in N/m: type a number in N/m."),
+        ("2 s", "m/s", "“2 s” is in s, and this is in m/s: type a number in m/s."),
+        ("3 m", "", "“3 m” is in m, and this has no unit: type a number without a unit."),
+        ("3 m", "v₀", "“3 m” is in m, and this is in v₀: type a number in v₀."),
+        ("3 rad", "m", "“3 rad” is in rad, and this is in m: type a number in m."),
+        ("3 foo", "m", "“foo” is not a unit known here: type a number in m."),
+        ("1e", "m", "“e” is not a unit known here: type a number in m."),
+        ("3 m/", "m", "“m/” is not a unit known here: type a number in m."),
+        ("1/0", "m", "“1/0” divides by zero."),
+        ("1/0 km", "m", "“1/0 km” divides by zero."),
+        ("sqrt(-1)", "m", "“sqrt(-1)” is not a real number."),
+        ("9^9^9", "m", "“9^9^9” takes more digits than a field has room for."),
+        ("1e999 km", "m", "1e999 km is too large: the largest number that can be held is about 1.8e308."),
+        ("-1e999", "m", "-1e999 is too large: the largest number that can be held is about 1.8e308."),
+        ("10^-400", "m", "10^-400 is too small: the smallest number that can be held is about 5e-324."),
+        ("1/2π", "m", "“1/2π” has two meanings: write every multiplication sign ·, and use brackets."),
+        ("", "m", "Nothing is typed here: type a number such as 2.5 or 1e-3."),
+        (" ", "m", "Nothing is typed here: type a number such as 2.5 or 1e-3."),
     ],
 )
-def test_number_as_people_type_it(text: str, value: float) -> None:
-    assert parse_number(text) == value
+def test_what_is_refused_says_why(text: str, unit: str, reason: str) -> None:
+    with pytest.raises(ValueError) as refused:
+        typed_number(text, unit)
+    assert str(refused.value) == reason
+    if unit == "m" and not reason.startswith("“") and "km" not in text:
+        with pytest.raises(ValueError, match=reason.partition(":")[0].replace("^", r"\^")):
+            parse_number(text)
 
 
-@given(finite)
-def test_what_is_shown_can_be_typed_again(value: float) -> None:
-    if 1e-307 < abs(value) < 1e307:
-        assert parse_number(three(value)) == pytest.approx(value, rel=5e-3)
-
-
-@pytest.mark.parametrize(
-    "text", ["abc", "nan", "inf", "1e", "1 2", "0x10", "1_0", "1.5·105", "٣", "1.2.3", "1" * 61, "3 N/m"]
-)
-def test_text_that_is_no_number_is_refused_with_an_example(text: str) -> None:
-    with pytest.raises(ValueError, match=r"is not a number: type one such as 2\.5 or 1e-3"):
-        parse_number(text)
-
-
-@pytest.mark.parametrize("text", ["", "  "])
-def test_an_empty_field_is_not_quoted(text: str) -> None:
-    with pytest.raises(ValueError, match=r"^Nothing is typed here: type a number such as 2\.5 or 1e-3\.$"):
-        parse_number(text)
-
-
-@pytest.mark.parametrize(("text", "reason"), [("1e999", "too large"), ("-1e999", "too large"), ("1e-999", "too small")])
-def test_number_that_no_double_holds_is_refused(text: str, reason: str) -> None:
-    with pytest.raises(ValueError, match=reason):
-        parse_number(text)
+def test_every_unit_of_a_scene_is_known() -> None:
+    for unit in set(UNITS) - OWN_UNITS:
+        assert measure(unit).size == (measure("deg").size if unit == "°" else 1)
 
 
 @given(finite)
@@ -134,3 +200,44 @@ def test_a_tick_has_the_digits_that_it_takes(value: float, text: str) -> None:
 )
 def test_a_number_ends_at_the_place_of_its_error(value: float, error: float, texts: tuple[str, str]) -> None:
     assert with_error(value, error) == texts
+
+
+@given(st.floats(-300, 300), st.floats(0.05, 20), st.integers(3, 6))
+def test_a_log_axis_has_two_numbers_at_least_each_where_it_says(power: float, span: float, count: int) -> None:
+    axis = log_axis(10.0**power, 10.0 ** min(power + span, 307), "s", count)
+    labels = [label.removesuffix(" s") for label in axis.ruler.labels]
+    assert len(set(labels)) == len(axis.ticks) >= 2
+    for label, tick in zip(labels, axis.ticks, strict=True):
+        assert math.log10(parse_number(label)) == pytest.approx(tick, abs=0.003)
+
+
+def test_powers_of_ten_go_before_other_round_numbers() -> None:
+    assert log_axis(0.2, 30.0, "s").ruler.labels == ("1", "10¹ s")
+    assert log_axis(2.0, 80.0, "s").ruler.labels == ("2", "5", "10", "20", "50 s")
+    assert log_axis(3.0, 4.5).ruler.labels == ("3.2", "3.6", "4", "4.4")
+
+
+@pytest.mark.parametrize("size", [0.0, 5e-324, 1e-300, 1e-9, 2.5e-3, 1.0, 40.0, 1e300])
+@pytest.mark.parametrize("exponent", [-3, 0, 3])
+def test_a_moving_number_has_three_digits_and_no_more_decimals_than_can_be_shown(size: float, exponent: int) -> None:
+    decimals = Axis(0.0, 1.0, "J", exponent, own=(0.0, size)).digits().decimals
+    shown = size / 10.0**exponent
+    assert decimals == (12 if shown < 1e-10 else max(0, 2 - math.floor(math.log10(shown) + 1e-12)))
+
+
+@pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
+def test_a_signal_has_the_values_of_its_curve_and_begins_as_it_is_played(kind: type[Scene]) -> None:
+    axes = axes_of_columns(kind.sheet())
+    for values in ({}, *kind.presets.values()):
+        picture = kind.at(values).shown
+        for source, traces in picture.traces.items():
+            for name in axes.get(source, {}).keys() & set(traces.names):
+                axis = picture.axes[axes[source][name]]
+                exact = axis.places(traces.columns[name])
+                for i in (0, len(exact) // 3, -1):
+                    now = instant(picture.signals, picture.scalars, picture.axes["t"].place(traces.t[i]))
+                    size = axis.ruler.end - axis.ruler.start
+                    assert now[traces.signals.get(name, name)] == pytest.approx(exact[i], abs=1e-6 * abs(size)), name
+    first, now = played(picture, 0.0), instant(picture.signals, picture.scalars)
+    for name in now.keys() & first.keys():
+        assert math.isclose(now[name], first[name], rel_tol=1e-12, abs_tol=1e-12), name

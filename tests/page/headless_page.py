@@ -66,9 +66,11 @@ def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:
 class Page:
     """A session and all packets that it has sent."""
 
-    def __init__(self, shown: Scene | SceneFace, problems: tuple[str, ...] = ()) -> None:
-        scene = value_of(shown)
-        self.session = Session(fitted(scene), problems, scenes={**SCENES, scene.slug: type(scene)})
+    def __init__(self, shown: Scene | SceneFace | Session) -> None:
+        if not isinstance(shown, Session):
+            scene = value_of(shown)
+            shown = Session(fitted(scene), scenes={**SCENES, scene.slug: type(scene)})
+        self.session = shown
         self.packets: list[Packet] = []
         self.session.send = self.packets.append
 
@@ -114,11 +116,15 @@ def _preset_dictionary(sheet: str) -> bytes:
     return next((preset_dictionary(scene) for scene in named if sheet_address(scene) == sheet), b"")
 
 
+def say(page: Page, kind: str, **message: Any) -> dict[str, Any]:
+    """Send a message of a kind under the next number, and return the answer."""
+    return page.send({"type": kind, **message, "number": len(page.packets) + 1})
+
+
 def change(page: Page, **to: Any) -> dict[str, Any]:
-    """Open another state of the current scene, and return the answer."""
-    state = msgspec.to_builtins(page.now.state) | to
-    return page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
+    """Open another state of the current scene."""
+    return say(page, "open", state=msgspec.to_builtins(page.now.state) | to)
 
 
-def set_values(page: Page, **values: float) -> dict[str, Any]:
-    return page.send({"type": "set", "values": values, "number": len(page.packets) + 1})
+def set_values(page: Page, **values: float | None) -> dict[str, Any]:
+    return say(page, "set", values=values)

@@ -1,59 +1,67 @@
-"""Hidden parts are not sent: neither the curves nor their motions nor anything derived from them."""
+"""Hidden parts are not sent, nor anything derived from them: covers of a question, and everything that follows from a
+change that is to be predicted.
+"""
 
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
 
+from components.language.blocks import StageBlock
+from components.language.shapes import Begin
+from components.language.signals import Derived
+from components.layout.sheet import blocks
+from components.quantities.axes import round_ticks
+from components.quantities.formatting import three
+from components.quantities.motion import derived
+from components.scene import Scene
 from components.scenes import SCENES
-from components.state.covers import PLOT, VALUE
+from components.state.covers import NEXT, PLOT, STAGE, VALUE, without
+from components.state.csv_export import tables
+from components.state.page_state import PageState
 from components.state.scene_sheet import plots
-from tests.page.headless_page import Page
+from components.state.wire import as_json
+from components.walks.links import page_state_at
+from components.walks.loading import load_walks, steps_of
+from components.walks.walk import Step
+from tests.page.headless_page import Page, change, say, set_values
+from tests.page.scripts import played
+from tests.scenes.checks import quantities
 
+NUMBER = re.compile(r"[0-9][0-9.]*")
+"""Digits of a number in a text."""
 scenes = pytest.mark.parametrize("slug", SCENES)
-
-
-def covering(page: Page, *covered: str) -> dict[str, Any]:
-    state = {"scene": page.scene.slug, "covered": list(covered)}
-    return page.send({"type": "open", "state": state, "number": len(page.packets) + 1})
+STAGED = [step for step in steps_of(load_walks(()).values()).values() if STAGE in step.cover]
 
 
 def test_a_covered_plot_takes_its_motion_along() -> None:
     page = Page(SCENES["coupled"]())
-    before = page.opening()
-    told = covering(page, "plot:x2")
+    before = page.opening()["view"]
+    told = change(page, covered=["plot:x2", "value:omega_minus", "value:omega_minus"])
     view = told["view"]
-    assert told["errors"] == {} and told["state"]["covered"] == ["plot:x2"]
-    left = set(before["view"]["signals"]) - set(view["signals"])
-    assert {"x2_slow", "x2_fast"} <= left <= set(view["left_out"])
-    assert view["signals"]["x2"] == {"kind": "derived", "value": {"terms": [[0.0, []]]}}, (
-        "the mass rests where it starts"
-    )
-    assert {"x1", "x1_slow"} <= set(view["signals"])
-    assert "x2" not in view["live"]
-    assert "x2_slow" in before["view"]["columns"]["time"] and "x2_slow" not in view["columns"]["time"]
+    assert told["state"]["covered"] == ["plot:x2", "value:omega_minus"]
+    assert {"x2_slow", "x2_fast"} <= before["signals"].keys() - view["signals"].keys() <= set(view["left_out"])
+    assert view["signals"]["x2"] == {"kind": "derived", "value": {"terms": [[0.0, []]]}}, "it rests where it starts"
+    assert {"x1", "x1_slow"} <= view["signals"].keys()
+    assert "x2" not in view["live"] and "omega_minus" not in view["values"]
+    assert "x2_slow" in before["columns"]["time"] and "x2_slow" not in view["columns"]["time"]
     assert view["columns"]["time"].keys() >= {"t", "x1", "x1_slow"}
-    told = page.send({"type": "set", "values": {"k2": 3.0}, "number": 70})
-    assert told["state"]["covered"] == ["plot:x2"] and "x2" in told["view"]["left_out"]
-    assert "hidden parts" in page.send({"type": "about", "number": 72})["notes"][0]
-    told = covering(page)
-    assert told["view"]["signals"].keys() == before["view"]["signals"].keys() and told["view"]["left_out"] == []
-
-
-def test_a_covered_number_is_not_sent() -> None:
-    page = Page(SCENES["coupled"]())
-    told = covering(page, "value:omega_minus", "value:omega_minus")
-    view = told["view"]
-    assert told["state"]["covered"] == ["value:omega_minus"]
-    assert "omega_minus" not in view["values"] and view["left_out"] == ["omega_minus"]
+    assert "x2" in set_values(page, k2=3.0)["view"]["left_out"]
+    assert "hidden parts" in say(page, "about")["notes"][0]
+    told = change(page, covered=[])
+    assert told["view"]["signals"].keys() == before["signals"].keys() and told["view"]["left_out"] == []
 
 
 def test_a_covered_plot_takes_the_numbers_of_its_heading_along() -> None:
     page = Page(SCENES["damped"]())
     assert {"C", "phi"} <= page.shown.values.keys()
-    view = covering(page, PLOT + "x")["view"]
+    view = change(page, covered=["plot:x"])["view"]
     assert {"C", "phi"} <= set(view["left_out"]) and not {"C", "phi"} & view["values"].keys()
     assert "omega_d" in view["values"]  # which the equation shows too
 
@@ -63,15 +71,158 @@ def test_every_plot_and_number_can_be_covered(slug: str) -> None:
     page = Page(SCENES[slug]())
     picture = page.shown
     for cover in (*(PLOT + plot.name for plot in plots(SCENES[slug])), *(VALUE + name for name in picture.values)):
-        told = covering(page, cover)
+        told = change(page, covered=[cover])
         assert (told["errors"], told["state"]["covered"]) == ({}, [cover])
         spoken = json.dumps([signal for signal in told["view"]["signals"].values() if signal["kind"] == "derived"])
         lost = set(told["view"]["left_out"]) - told["view"]["signals"].keys()  # a text may be sent, but not its motion
         assert not any(f'"{name}"' in spoken for name in lost)
 
 
-def test_what_is_nothing_to_cover_is_refused() -> None:
+def begun(scene: PageState) -> Iterator[tuple[str, float]]:
+    """The bodies of the stage and their initial positions from the parameters, in the unit of their axis."""
+    for block in blocks(scene.kind.sheet()):
+        for shape in block.shapes if isinstance(block, StageBlock) else ():
+            for begin in shape.grab.start if shape.grab else ():
+                if isinstance(begin, Begin) and begin.of in scene.shown.signals:
+                    axis = scene.shown.axes.get(begin.axis)
+                    if axis:
+                        yield begin.of, axis.place(float(scene.scene.values[begin.parameter])) * begin.size
+
+
+@pytest.mark.parametrize("step", STAGED, ids=lambda step: step.id)
+def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
+    """Not the parts of a motion either, whose start is an amplitude."""
+    scene = page_state_at(step.state, SCENES)
+    left, _ = without(scene.kind, scene.shown, step.cover)
+    starts = dict(begun(scene))
+    for name, place in starts.items():
+        if left.signals[name] != scene.shown.signals[name]:
+            rests = [played(left, t)[name] for t in (0.0, 0.3)]
+            assert rests == pytest.approx([place, place], rel=1e-12, abs=1e-12), name
+    for plot in plots(scene.kind):
+        drawn = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & left.signals.keys()
+        for name in drawn - starts.keys():
+            signal = left.signals[name]
+            assert isinstance(signal, Derived), name
+            assert signal == derived(0.0) or any(term.names for term in signal.value.terms), name
+        hides = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & starts.keys()
+        assert all(left.signals[name] != scene.shown.signals[name] for name in hides), hides
+
+
+def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
+    """Its motion begins at its amplitude, which would reveal the shape."""
+    (step,) = (step for step in STAGED if step.id == "d34-07")
+    scene = page_state_at(step.state, SCENES)
+    left, _ = without(scene.kind, scene.shown, step.cover)
+    bodies = {f"x{i}_{mode}" for i in (1, 2) for mode in ("slow", "fast")}
+    assert {scene.shown.signals[name] for name in bodies}.isdisjoint({derived(0.0)})
+    assert {name: left.signals[name] for name in bodies} == dict.fromkeys(bodies, derived(0.0))
+
+
+@scenes
+def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
+    for values in changes(SCENES[slug]):
+        page = Page(SCENES[slug]())
+        seen = numbers([change(page, covered=[NEXT], held={}), csv_of(page), round_numbers(page)])
+        told = set_values(page, **values)
+        assert told["errors"] == {} and told["state"]["before"] == {}, values
+        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], _ratio(SCENES[slug], values)])
+        outcome = numbers(told_of_scene(page)) - seen - given
+        assert outcome, f"nothing follows from {values}"
+        assert outcome & numbers([told, csv_of(page)]) == set(), values
+
+
+def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
+    """Return the ratio of the set value to its default, as the comparison writes it."""
+    ((name, value),) = values.items()
+    default = scene.param[name].default
+    return three(value / default) if default else ""
+
+
+def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
+    """Yield every quantity of the panel, each alone at another value."""
+    first = scene()
+    for group in first.groups:
+        for name in group.names:
+            quantity = scene.param[name]
+            if name in quantities(scene) and group.is_shown(first.shown.forms):
+                value = 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]
+                yield {name: round(value) if quantity.scale == "count" else value}
+
+
+def round_numbers(page: Page) -> list[Any]:
+    """Return the numbers of each axis that do not depend on curves; they replace those of the total."""
+    axes = (replace(axis, ticks=round_ticks(axis), labels=()) for axis in page.shown.axes.values())
+    return [json.loads(as_json(axis.ruler)) for axis in axes]
+
+
+def set_by_hand(told: dict[str, Any]) -> list[Any]:
+    """Return the values of the controls as they are sent, and rounded to three digits as in the comparison."""
+    ones = [one for one in told["settings"].values() if isinstance(one["value"], float)]
+    return [(one["value"], one["text"], three(one["value"] / one["size"])) for one in ones]
+
+
+def csv_of(page: Page) -> list[list[Any]]:
+    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.now.to_send[0])]
+
+
+def told_of_scene(page: Page) -> list[Any]:
+    """Return the complete current picture as it would be sent."""
+    picture = page.shown
+    columns = {name: column.tolist() for given in picture.sources.values() for name, column in given.items()}
+    axes = {name: axis.ruler for name, axis in picture.axes.items()}
+    parts = (picture.signals, picture.scalars, picture.values, picture.notes, picture.pace, picture.spans, axes)
+    return [columns, *(json.loads(as_json(part)) for part in parts)]
+
+
+def numbers(told: Any) -> set[float | str]:
+    """Return all sent numbers, and those in texts by their digits; without one-digit numbers, which round axes have."""
+    if isinstance(told, dict):
+        return numbers(list(told.values()))
+    if isinstance(told, np.ndarray):
+        return set(told.tolist())
+    if isinstance(told, (list, tuple)):
+        return set().union(*map(numbers, told))
+    if isinstance(told, str):
+        return {digits for digits in NUMBER.findall(told) if len(digits.strip("0.")) > 1}
+    return {told, abs(told)} if isinstance(told, float) and len(f"{told:g}".strip("-0.")) > 1 else set()
+
+
+@pytest.mark.parametrize("x_0", [0.05, 0.002])
+def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> None:
+    """The axis of the energies ends at their total. When hidden, it has round numbers of the frame, which stays."""
+    pages = [Page(SCENES["damped"](view="energy")) for _ in range(2)]
+    for page in pages:
+        change(page, covered=[NEXT])
+    told, other = (set_values(page, x_0=x) for page, x in zip(pages, (x_0, 0.07), strict=True))
+    assert "numbers:E" in told["state"]["covered"]
+    assert pages[0].shown.axes["E"].seen != pages[1].shown.axes["E"].seen
+    assert told["view"]["axes"]["E"] == other["view"]["axes"]["E"]
+
+
+def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
     page = Page(SCENES["coupled"]())
-    told = covering(page, "plot:x9")
-    assert told["errors"]["state"] == "“plot:x9” cannot be covered here. Still drawn as before."
-    assert told["state"]["covered"] == []
+    change(page, covered=[NEXT])
+    assert say(page, "choose", name="view", value="forces")["state"]["covered"] == [NEXT]
+    told = set_values(page, k2=5.0)
+    assert {"plot:x1", "plot:x2", "value:omega_minus", "stage"} <= set(told["state"]["covered"])
+    told = say(page, "choose", name="view", value="formulas")
+    assert told["state"]["parameters"]["view"] == "formulas" and told["state"]["before"] == {}
+    assert told["view"]["scalars"] == Page(SCENES["coupled"](view="formulas")).opening()["view"]["scalars"]
+    left = [name for name in told["state"]["covered"] if name not in (NEXT, "plot:x1")]
+    assert change(page, covered=left)["state"]["covered"] == left
+    assert set_values(page, k2=6.0)["state"]["covered"] == left
+
+
+def test_a_preset_is_a_change_too_and_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
+    page = Page(SCENES["oscillator"]())
+    change(page, covered=[NEXT])
+    told = change(page, parameters={"m": 4.0}, frame=None)
+    assert {"plot:x", "value:tau"} <= set(told["state"]["covered"])
+    change(page, covered=[])
+    before = change(page, covered=[NEXT])["view"]["axes"]["x"]
+    told = set_values(page, v_0=-0.7)
+    axis = told["view"]["axes"]["x"]
+    assert "numbers:x" in told["state"]["covered"]
+    assert (axis["start"], axis["end"]) == (before["start"], before["end"])
+    assert page.shown.values["C"] not in "".join(axis["labels"])

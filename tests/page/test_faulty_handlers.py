@@ -1,72 +1,102 @@
-"""Every message of the browser while its handler fails: the visitor gets an error, and the page is unchanged."""
+"""Every message of the browser while a function fails that its handler calls: the visitor gets an error, and the page
+is unchanged and continues.
+"""
 
 from __future__ import annotations
 
+import sys
+from types import CodeType, FrameType
 from typing import Any, get_args
 
 import pytest
+from msgspec import inspect
 
 from components.language.messages import BrowserMessage
 from components.quantities.refusals import SORRY
 from components.scenes import SCENES
-from tests.page.headless_page import Page
+from components.session import session
+from components.state.commands import RefusalError
+from components.state.wire import packed
+from tests.grids import WHOLE
+from tests.page.headless_page import Page, set_values
 
-TIMES = [0.1 * i for i in range(40)]
-STATE = "components.session.session.changed"
-ANSWER = {"walk": "d31", "step": "d31-03", "option": 0}
-HANDLERS: dict[str, tuple[dict[str, Any], str]] = {
-    "set": ({"values": {"k": 50.0}}, STATE),
-    "typed": ({"name": "k", "text": "50"}, STATE),
-    "act": ({"name": "fit"}, STATE),
-    "choose": ({"name": "view", "value": "roots"}, STATE),
-    "open": ({"state": {"scene": "damped", "parameters": {"k": 50.0}}}, STATE),
-    "run": ({"order": "start"}, "tests.page.test_faulty_handlers.Working.obey"),
-    "given": ({"answer": ANSWER}, "components.session.session.taught"),
-    "walk": ({"name": "mine.toml", "text": "title = 1"}, "components.session.worker.read_own"),
-    "lead": ({"code": "ABCD", "key": "key"}, "tests.page.test_faulty_handlers.Working.lead"),
-    "csv": ({"page": "http://here/"}, "components.session.worker.page_file"),
-    "about": ({}, "components.session.worker.about_page"),
-    "rows": ({"piece": 0, "of": 1, "t": TIMES, "columns": [TIMES]}, "components.session.worker.fitted"),
+KINDS = {str(kind.__struct_config__.tag): kind for kind in get_args(BrowserMessage)}
+MORE: dict[str, dict[str, Any]] = {
+    "set": {"values": {"k": 50.0}},
+    "typed": {"name": "k", "text": "50"},
+    "choose": {"name": "view", "value": "roots"},
+    "open": {"state": {"scene": "damped", "parameters": {"k": 50.0}}},
 }
-"""For each kind of message: an example, and the function that fails when it arrives."""
+"""Values that lead a handler further than the shortest message of its kind."""
 NOTHING_FAILS = {"cancel_fit"}
-"""Its handler calls no function of another module."""
+"""Its handler calls no function of another module but the one that packs the answer."""
+ANSWERS = (RefusalError.__init__.__code__, packed.__code__)
+"""The handler has done its work when these are called."""
+BROKEN = 40 if WHOLE else 6
+"""Functions that fail, of each kind of message."""
 
 
-class Working:
-    """Background work and a class that can be led, in place of those of the session."""
+class Functions:
+    """The functions that a handler calls until its answer is known. The one in `broken` fails."""
 
-    def obey(self, order: str, scene: object) -> None:
-        """Fail only if a test says so."""
+    def __init__(self, broken: CodeType | None) -> None:
+        self.called: dict[CodeType, None] = {}
+        self.broken, self.has_failed = broken, False
 
-    def lead(self, code: str, key: str) -> None:
-        """Fail only if a test says so."""
-
-    def close(self) -> None:
-        """There is nothing to close."""
-
-
-def fail(*given: object, **named: object) -> None:
-    raise RuntimeError("The handler is broken")
-
-
-def test_every_message_has_a_handler_that_can_fail() -> None:
-    assert HANDLERS.keys() | NOTHING_FAILS == {kind.__struct_config__.tag for kind in get_args(BrowserMessage)}
+    def watch(self, frame: FrameType, event: str, argument: object) -> None:
+        code = frame.f_code
+        if code in ANSWERS:
+            sys.setprofile(None)
+        elif event == "call" and "/components/" in code.co_filename and code.co_filename != session.__file__:
+            self.called[code] = None
+            if code is self.broken:
+                self.has_failed = True
+                raise RuntimeError(f"{code.co_name} is broken")
 
 
-@pytest.mark.parametrize("kind", HANDLERS)
-def test_a_failing_handler_is_reported_and_the_page_continues(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    page = Page(SCENES["damped"]())
-    if kind == "run":
-        monkeypatch.setattr(page.session, "running", Working())
-    if kind == "lead":
-        monkeypatch.setattr(page.session, "lead", lambda code, key: Working().lead(code, key))
-    stood, (said, broken) = page.now, HANDLERS[kind]
-    with monkeypatch.context() as patch:
-        patch.setattr(broken, fail)
-        answer = page.send({"type": kind, **said, "number": 4})
-    assert (answer["answer"], SORRY in str(answer)) == (4, True), answer
-    assert page.now == stood
-    monkeypatch.setattr(page.session, "running", None)
-    told = page.send({"type": "set", "values": {"k": 77.0}, "number": 5})
-    assert (told["answer"], told["settings"]["k"]["value"]) == (5, 77.0)
+def shortest(of: inspect.Type) -> Any:
+    """The shortest value of a type, as the browser writes it."""
+    match of:
+        case inspect.StructType(fields=fields, tag_field=field, tag=tag):
+            kind = {field: tag} if field else {}
+            return kind | {one.encode_name: shortest(one.type) for one in fields if one.required}
+        case inspect.ListType(item_type=item, min_length=length):
+            return [shortest(item)] * (length or 0)
+        case inspect.LiteralType(values=values):
+            return values[0]
+        case inspect.UnionType(types=types):
+            return shortest(types[0])
+        case inspect.DictType():
+            return {}
+        case inspect.IntType(ge=least):
+            return least or 0
+        case inspect.FloatType():
+            return 0.0
+        case inspect.StrType():
+            return ""
+    raise TypeError(f"Add the shortest {of}.")
+
+
+def handled(page: Page, kind: str, broken: CodeType | None = None) -> tuple[Functions, dict[str, Any]]:
+    functions = Functions(broken)
+    sys.setprofile(functions.watch)
+    try:
+        return functions, page.send({**shortest(inspect.type_info(KINDS[kind])), **MORE.get(kind, {}), "number": 4})
+    finally:
+        sys.setprofile(None)
+
+
+@pytest.mark.parametrize("kind", sorted(KINDS.keys() - NOTHING_FAILS))
+def test_a_failing_handler_is_reported_and_the_page_continues(kind: str) -> None:
+    handled(Page(SCENES["damped"]()), kind)  # fills the caches
+    functions, _ = handled(Page(SCENES["damped"]()), kind)
+    called = list(functions.called)
+    for broken in called[:: max(1, len(called) // BROKEN)]:
+        page = Page(SCENES["damped"]())
+        before = page.now
+        functions, answer = handled(page, kind, broken)
+        assert functions.has_failed, broken
+        assert (answer["answer"], SORRY in str(answer)) == (4, True), (broken, answer)
+        assert page.now == before, broken
+        told = set_values(page, k=77.0)
+        assert (told["answer"], told["settings"]["k"]["value"]) == (2, 77.0)

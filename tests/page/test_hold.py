@@ -107,10 +107,7 @@ def test_a_number_shown_under_several_names_is_hidden_by_each() -> None:
     assert sorted(hidden) == [("fast", "rad/s"), ("slow", "")]
 
 
-def test_what_cannot_be_held_is_refused() -> None:
-    page = Page(SCENES["coupled"]())
-    told = change(page, held={"m1": -1.0})
-    assert told["errors"]["state"].startswith("m1: −1 kg is not possible") and told["state"]["held"] is None
+def test_a_link_names_what_it_cannot_hold() -> None:
     link = read_query(as_arguments("scene=coupled&held.view=forces&held.k2=x&held=here"), SCENES)
     assert [problem.partition(":")[0] for problem in link.problems] == [
         "“view” is not a parameter of this scene.", "k2", "held",

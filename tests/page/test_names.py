@@ -174,35 +174,22 @@ def test_each_form_has_its_words(slug: str) -> None:
 
 
 @scenes
-def test_what_a_sheet_sets_is_a_parameter(slug: str) -> None:
+def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
+    """Sliders, marks, buttons and drags set parameters; the term of a heading has the group of a curve that it
+    switches; what is read aloud is in some picture."""
     scene = SCENES[slug]
-    marks = [mark for plot in plots(scene) for mark in plot.marks]
-    named = [handle.parameter for plot in plots(scene) for handle in plot.handles]
-    named += [mark.set for mark in marks if mark.set]
-    named += [block.name for block in blocks(scene.sheet()) if isinstance(block, ChoiceBlock)]
+    named = [block.name for block in blocks(scene.sheet()) if isinstance(block, ChoiceBlock)]
     named += [name for _, grab in grabs(scene) for name in (*sets(grab), *(begin.parameter for begin in grab.start))]
-    assert set(named) <= scene.parameters().keys()
-    assert {mark.act for mark in marks if mark.act} <= {name for group in scene.groups for name, _ in group.actions}
-
-
-@scenes
-def test_a_term_has_the_name_of_a_curve(slug: str) -> None:
-    """The switch of another group would have no effect."""
-    for plot in plots(SCENES[slug]):
+    for plot in plots(scene):
+        named += [handle.parameter for handle in plot.handles] + [mark.set for mark in plot.marks if mark.set]
+        actions = {mark.act for mark in plot.marks if mark.act}
+        assert actions <= {name for group in scene.groups for name, _ in group.actions}
         assert {term.curve for term in plot.heading} <= {"", *(one.group for one in (*plot.curves, *plot.regions))}
-
-
-@scenes
-def test_spans_units_and_what_follows_are_of_parameters(slug: str) -> None:
-    for values in SCENES[slug].presets.values():
-        scene = SCENES[slug](**values)
-        assert {*scene.shown.spans, *scene.units()} <= scene.quantities()
-        assert scene.derived() <= scene.parameters().keys()
-
-
-@scenes
-def test_what_is_read_aloud_is_there(slug: str) -> None:
-    given = [scene.shown.values for scene in every(slug)]
-    for text in scene_sheet(SCENES[slug]).spoken.values():
+    assert set(named) <= scene.parameters().keys()
+    for values in scene.presets.values():
+        one = scene(**values)
+        assert {*one.shown.spans, *one.units()} <= scene.quantities()
+        assert one.derived() <= scene.parameters().keys()
+    for text in scene_sheet(scene).spoken.values():
         wanted = _spoken(text)
-        assert wanted and any(all(values.get(name) for name in wanted) for values in given), text
+        assert wanted and any(all(one.shown.values.get(name) for name in wanted) for one in every(slug)), text

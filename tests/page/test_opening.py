@@ -1,57 +1,146 @@
-"""A page opened without parameters shows the scene's defaults and names the scene in its address."""
+"""Where a page begins: an address, a click in the navigation, a state of any scene, and the system that goes along."""
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
+from hypothesis import given, settings
+from msgspec.structs import replace
 
 from app import visited
 from components.scenes import SCENES
+from components.session.links import page_state_of
+from components.session.opening import opened
+from components.state.link import Link, read_query
 from components.state.page_state import fitted
-from tests.page.headless_page import Page
+from components.state.scene_sheet import sheet_address
+from tests.grids import tries
+from tests.page.headless_page import Page, change, say, set_values, unpacked
 from tests.scenes.checks import as_arguments
+from tests.states import links, state_of
 
 PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}
+"""The presets with which scenes open; other scenes open with their first."""
+scenes = pytest.mark.parametrize("slug", SCENES)
 
 
-@pytest.mark.parametrize("slug", SCENES)
-def test_a_page_without_parameters_opens_as_its_scene_declares(slug: str) -> None:
-    page = visited({"scene": [slug.encode()], "projector": [b""]}, {})
-    scene = page.now.scene
+@scenes
+def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
+    @settings(max_examples=tries(60))
+    @given(links(SCENES[slug]))
+    def leads_back(link: Link) -> None:
+        now = state_of(link)
+        read = read_query(as_arguments(now.query), SCENES)
+        assert read.problems == []
+        again, refused = page_state_of(SCENES[slug], read)
+        assert (refused, again.query) == ([], now.query)
+        assert replace(again.state, frame=None) == replace(now.state, frame=None)
+
+    leads_back()
+
+
+@scenes
+def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: str) -> None:
+    scene = visited({"scene": [slug.encode()], "projector": [b""]}, {}).now.scene
     assert {name: scene.values[name] for name in scene.opens} == scene.opens
     assert scene.preset() == PRESETS.get(slug, next(iter(scene.presets)))
-    query = fitted(scene).query
-    assert visited(as_arguments(query), {}).now.scene.values == scene.values, "its address brings it back"
+    page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
+    told = say(page, "open", state={"scene": slug}, carried=True)
+    assert page.scene.values == scene.values
+    assert (told["scene"], told["sheet"], told["state"]["hidden"]) == (slug, sheet_address(SCENES[slug]), None)
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@scenes
 def test_the_defaults_have_an_address_of_their_own(slug: str) -> None:
+    """Whoever names a parameter has the others at their defaults."""
     defaults = SCENES[slug].at()
-    assert visited(as_arguments(fitted(defaults).query), {}).now.scene.values == defaults.values
     one = next(iter(defaults.linked()))
-    linked = visited({"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}, {}).now.scene
-    assert linked.values == defaults.values, "whoever names a parameter has the others at their defaults"
+    named = {"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}
+    for query in (as_arguments(fitted(defaults).query), named):
+        assert visited(query, {}).now.scene.values == defaults.values
 
 
 def test_the_first_page_of_all_is_the_pulled_oscillator() -> None:
     scene = visited({}, {}).now.scene
-    assert (scene.slug, scene.preset(), scene.view) == ("oscillator", "Pulled", "motion")  # type: ignore[attr-defined]
+    assert (scene.slug, scene.preset(), scene.values["view"]) == ("oscillator", "Pulled", "motion")
 
 
-@pytest.mark.parametrize("slug", SCENES)
-def test_a_click_in_the_navigation_opens_the_same(slug: str) -> None:
-    page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
-    told = page.send({"type": "open", "state": {"scene": slug}, "carried": True, "number": 1})
-    assert told["state"]["parameters"].items() >= SCENES[slug].opens.items()
-    assert page.scene.values == visited({"scene": [slug.encode()]}, {}).now.scene.values
-    assert told["state"]["hidden"] is None
-    assert page.send({"type": "open", "state": {"scene": slug}, "number": 2})["state"]["parameters"] == {}, "undo"
+def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:
+    link = read_query(as_arguments("scene=coupled&k2=3&frame.fruit=1,2&cover=plot:x2,plot:pear"), SCENES)
+    session = opened(SCENES, link)
+    assert session.now.state == replace(session.now.state, covered=("plot:x2",), parameters={"k2": 3.0})
+    assert unpacked(session.opening())["problems"] == [
+        "frame.fruit: “fruit” is not an axis of this picture.",
+        "“plot:pear” cannot be covered here.",
+    ]
 
 
-@pytest.mark.parametrize("switched", [[], ["convergence"]])
-def test_other_curves_than_the_usual_ones_are_kept_and_undone(switched: list[str]) -> None:
+def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
+    """The number belongs to another view than that of the state, as in a new session after a reconnection."""
+    page = Page(SCENES["modes"]())
+    say(page, "open", state={"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]})
+    told = say(page, "choose", name="view", value="hunt")
+    again = say(Page(SCENES["modes"]()), "open", state=told["state"])
+    assert (again["errors"], again["state"]) == ({}, told["state"])
+
+
+def test_a_scene_that_was_left_is_closed_and_silent() -> None:
     page = Page(SCENES["accuracy"]())
-    usual = page.scene.hidden
-    told = page.send({"type": "choose", "name": "hidden", "value": switched, "number": 1})
-    assert told["state"]["hidden"] == switched
-    back = page.send({"type": "open", "state": told["state"] | {"hidden": None}, "number": 2})
-    assert (back["state"]["hidden"], page.scene.hidden) == (None, usual)
+    left, ended = page.session.running, list[bool]()
+    assert left
+    left.close = lambda: ended.append(True)  # type: ignore[method-assign]
+    say(page, "open", state={"scene": "forced"})
+    told = len(page.packets)
+    left.notify()
+    assert (ended, len(page.packets)) == ([True], told)
+
+
+CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}
+ROUTES: list[tuple[str, dict[str, Any], list[tuple[str, dict[str, Any]]]]] = [
+    (
+        "coupled",
+        {**CHAIN, "x1_0": 0.3},
+        [("modes", CHAIN), ("forced", CHAIN), ("accuracy", {**CHAIN, "system": "own"}), ("coupled", CHAIN)],
+    ),
+    ("forced", CHAIN, [("absorber", {}), ("absorber", {"m2": 30.0}), ("modes", CHAIN)]),
+    (
+        "oscillator",
+        {"m": 3.0},
+        [
+            ("energy", {"m": 3.0}),
+            ("energy", {"m": 3.0, "k": 20.0}),
+            ("analogues", {"system": "spring", "spring_m": 3.0, "spring_k": 20.0}),
+            ("coupled", {}),
+            ("oscillator", {"m": 3.0, "k": 20.0}),
+        ],
+    ),
+    ("analogues", {"system": "circuit", "spring_m": 5.0}, [("oscillator", {})]),
+    ("coupled", {"k1": 0.0, "k2": 1e-300}, [("forced", {}), ("modes", {})]),
+]
+"""A scene with its values, and what is in each scene to which its visitor goes. In the same scene again, it is set."""
+
+
+@pytest.mark.parametrize(("slug", "values", "route"), ROUTES)
+def test_a_system_goes_along_to_every_scene_that_shows_it(slug: str, values: dict[str, Any], route: Any) -> None:
+    page = Page(SCENES[slug](**values))
+    for scene, has in route:
+        if scene == page.scene.slug:
+            set_values(page, **has)
+            continue
+        told = say(page, "open", state={"scene": scene}, carried=True)
+        opens, parameters = SCENES[scene].opens, told["state"]["parameters"]
+        assert told["errors"] == {} and opens.items() <= parameters.items(), "it opens as a page of it does"
+        assert {name: value for name, value in parameters.items() if name not in opens} == has
+    link = read_query(as_arguments(page.now.query), SCENES)
+    assert opened(SCENES, link).now.state.parameters == page.now.state.parameters, "the link says all of it"
+
+
+def test_a_state_or_a_scene_as_it_opens_gives_up_what_was_taken_along() -> None:
+    page = Page(SCENES["coupled"](**CHAIN))
+    assert say(page, "open", state={"scene": "modes"})["state"]["parameters"] == {}
+    set_values(page, **CHAIN)
+    told = say(page, "open", state={"scene": "coupled", "parameters": {"k2": 9.0}}, carried=True)
+    assert told["state"]["parameters"] == {**CHAIN, "k2": 9.0}
+    assert change(page, parameters={})["state"]["parameters"] == {}
+    assert say(page, "open", state={"scene": "forced"}, carried=True)["state"]["parameters"] == SCENES["forced"].opens

@@ -11,7 +11,7 @@ import pytest
 
 import components.language
 from tools import page_types
-from tools.notation import limit, notation
+from tools.notation import notation
 from tools.protocol import FILES
 
 
@@ -37,29 +37,6 @@ def test_every_name_of_a_definition_is_defined() -> None:
     assert set(re.findall(r"\b[A-Z]\w+", code)) - {"Record"} == defined
 
 
-@pytest.mark.parametrize(
-    ("annotation", "written"),
-    [
-        ("tuple[Curve, ...]", "Curve[]"),
-        ("tuple[tuple[Html, ...], ...]", "Html[][]"),
-        ("tuple[float, float] | None", "[number, number] | null"),
-        ("list[str | None]", "(string | null)[]"),
-        ("dict[Name, float | None]", "Record<Name, number | null>"),
-        ('Literal["x", "y"]', '"x" | "y"'),
-        ("Annotated[str, Meta(max_length=7)]", "string"),
-    ],
-)
-def test_notation(annotation: str, written: str) -> None:
-    assert notation(ast.parse(annotation, mode="eval").body) == written
-
-
 def test_a_type_without_notation_is_refused() -> None:
     with pytest.raises(ValueError, match="set"):
         notation(ast.parse("set[str]", mode="eval").body)
-
-
-def test_limits() -> None:
-    assert limit(ast.parse("Annotated[str, Meta(max_length=7)]", mode="eval").body) == "at most 7 characters"
-    assert limit(ast.parse("Annotated[list[Name], Meta(max_length=5)]", mode="eval").body) == "at most 5"
-    assert limit(ast.parse("Annotated[str, Meta(pattern='^[0-9]$')]", mode="eval").body) == "of the form `^[0-9]$`"
-    assert limit(ast.parse("str", mode="eval").body) == ""

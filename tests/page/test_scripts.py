@@ -106,6 +106,11 @@ def test_a_driven_mass(zeta: float, omega: float, kind: Drive) -> None:
 
 
 def test_sines_with_a_line_and_a_decay() -> None:
+    """A decayed sine is small, but it is not rounded to zero."""
+    (decayed,) = evaluated({"x": Sines(sines=(Sine(1.0, 1.0, 1.0, 1.0),))}, [650.0])["x"]
+    with mp.workdps(60):
+        true = mp.exp(-mpf(650)) * mp.sin(mpf(651))
+        assert abs(decayed - true) <= 1e-12 * abs(true)
     sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
     found = evaluated({"x": Sines(sines=sines, line=(0.5, -0.01))}, INSTANTS)["x"]
 
@@ -117,15 +122,6 @@ def test_sines_with_a_line_and_a_decay() -> None:
         return mpf(0.5) - mpf(0.01) * t + sum(waves)
 
     assert_near(found, exact, INSTANTS)
-
-
-def test_what_has_decayed_is_small_and_not_rounded_away() -> None:
-    times = [0.0, 1.0, 100.0, 650.0]
-    found = evaluated({"x": Sines(sines=(Sine(1.0, 1.0, 1.0, 1.0),))}, times)["x"]
-    with mp.workdps(60):
-        for t, value in zip(times, found, strict=True):
-            true = mp.exp(-mpf(t)) * mp.sin(mpf(t) + 1)
-            assert abs(value - true) <= 1e-12 * abs(true)
 
 
 SAMPLED = Sampled(period=2.5, y=(1.0, -0.4, 0.3, 1.2), dy=(0.5, -2.0, 1.0, 0.5), drift=0.2)
@@ -151,15 +147,6 @@ def test_hermite_pieces_at_their_ends_between_and_in_later_periods() -> None:
         assert abs(value - float(piece(Fraction(t)))) <= NEAR * (2 + abs(value)), t
 
 
-def test_a_sampled_motion_has_no_step_and_no_kink() -> None:
-    smooth = Sampled(period=2.5, y=(1.0, -0.4, 1.0), dy=(0.5, -2.0, 0.5), drift=0.0)
-    h = 1e-6
-    for node in (1.25, 2.5, 3.75, 5.0):
-        before, at, after = evaluated({"x": smooth}, [node - h, node, node + h])["x"]
-        assert abs(after - before) < 5 * h
-        assert abs((at - before) - (after - at)) < 1e-9
-
-
 def test_what_is_derived_builds_on_what_comes_before() -> None:
     signals: dict[str, AnySignal] = {
         "x": Sines(sines=(Sine(1.0, 2.0, 0.5),)),
@@ -175,51 +162,30 @@ def test_what_is_derived_builds_on_what_comes_before() -> None:
         assert found["c"][i] == pytest.approx(math.cos(p), abs=1e-12)
 
 
-@pytest.mark.parametrize("kind", ["three", "signed", "short", "tidy"])
-def test_numbers_read_as_python_writes_them(kind: str) -> None:
-    found = each(f"static/core/numbers.{kind}", ([case["value"]] for case in TEXTS))
-    assert {case["value"]: text for case, text in zip(TEXTS, found, strict=True)} == {
-        case["value"]: case[kind] for case in TEXTS
-    }
-
-
-@pytest.mark.parametrize(
-    ("value", "decimals", "signed", "text"),
-    [
-        (1.25, 1, False, "1.3"),
-        (-1.25, 1, False, "−1.3"),
-        (-0.001, 2, False, "0.00"),
-        (-0.001, 2, True, "+0.00"),
-        (0.5, 2, True, "+0.50"),
-        (-12.0, 0, True, "−12"),
+STEP = 30 / COARSE  # 0.00046
+KINDS = ("three", "signed", "short", "tidy")
+WRITTEN: dict[str, list[tuple[Any, ...]]] = {
+    **{f"core/numbers.{kind}": [(case["value"], case[kind]) for case in TEXTS] for kind in KINDS},
+    "core/numbers.fixed": [
+        *((1.25, 1, False, "1.3"), (-1.25, 1, False, "−1.3"), (-0.001, 2, False, "0.00"), (-0.001, 2, True, "+0.00")),
+        *((0.5, 2, True, "+0.50"), (-12.0, 0, True, "−12")),
     ],
-)
-def test_a_number_that_moves_keeps_its_places(value: float, decimals: int, signed: bool, text: str) -> None:
-    assert call("static/core/numbers.fixed", value, decimals, signed) == text
+    "core/numbers.grouped": [
+        *((2.0, "2"), (12345.6, "12\u202f300"), (0.5, "0.5"), (999400.0, "999\u202f000"), (1.23e7, "1.23·10⁷")),
+    ],
+    "scene/reading.honest": [
+        *((12.3456, STEP, "12.3"), (-0.123456, STEP, "−0.123"), (0.0123456, STEP, "0.012"), (-0.00234, STEP, "−0.002")),
+        *((0.0003, STEP, "0"), (0.0, STEP, "0"), (2.3456, 0.03, "2.3"), (2.3456, 0.0, "2.35")),
+        *((0.000123456, 0.0, "1.23·10⁻⁴"),),
+    ],
+}
+"""Functions that write numbers: as Python does, with fixed places, how many times, and without unknown digits."""
 
 
-@pytest.mark.parametrize(
-    ("count", "text"),
-    [(2.0, "2"), (12345.6, "12\u202f300"), (0.5, "0.5"), (999400.0, "999\u202f000"), (1.23e7, "1.23·10⁷")],
-)
-def test_how_many_times_in_words(count: float, text: str) -> None:
-    assert call("static/core/numbers.grouped", count) == text
-
-
-def test_no_digit_is_shown_that_is_not_known() -> None:
-    step = 30 / COARSE  # 0.00046
-    cases = [
-        (12.3456, step, "12.3"),
-        (-0.123456, step, "−0.123"),
-        (0.0123456, step, "0.012"),
-        (-0.00234, step, "−0.002"),
-        (0.0003, step, "0"),
-        (0.0, step, "0"),
-        (2.3456, 0.03, "2.3"),
-        (2.3456, 0.0, "2.35"),
-        (0.000123456, 0.0, "1.23·10⁻⁴"),
-    ]
-    assert each("static/scene/reading.honest", (case[:2] for case in cases)) == [text for *_, text in cases]
+@pytest.mark.parametrize("function", WRITTEN)
+def test_a_number_is_written(function: str) -> None:
+    cases = WRITTEN[function]
+    assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
 
 
 RULERS: list[dict[str, Any]] = [

@@ -78,8 +78,7 @@ def test_the_code_is_clean_and_typed(project: Path) -> None:
 def test_the_scene_passes_its_own_tests_and_those_of_every_scene(project: Path) -> None:
     every = ("friction", "every_scene", "presets", "grabs", "traces")
     files = [f"tests/scenes/test_{name}.py" for name in every]
-    files += [f"tests/page/test_{name}.py" for name in ("names", "session", "opening", "predict")]
-    files += ["tests/components/test_frames.py"]
+    files += [f"tests/page/test_{name}.py" for name in ("names", "covers", "opening", "frames")]
     told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction", *files)
     passed = re.search(r"(\d+) passed", told)
     assert passed and int(passed[1]) >= 12, told

@@ -7,22 +7,26 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from app import SCENES
 from components.language.messages import Open
+from components.scenes import SCENES
 from components.state.page_state import PageState, changed
 from components.state.scene_sheet import plots
-from components.walks.loading import load_walks
+from components.walks.loading import load_walks, steps_of
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 
 CHANGED = 0.05
 """Relative change that can be seen."""
-COMPARED = {
-    step.id: Subject(walk.name, step, SCENES)
-    for walk in load_walks(()).values()
-    for step in walk.steps
-    if step.reveal and step.reveal != step.state
-}
+STEPS = steps_of(load_walks(()).values())
+COMPARED = [name for name, step in STEPS.items() if step.reveal and step.reveal != step.state]
+TICKS = {name: [cover[6:] for cover in step.cover if cover.startswith("ticks:")] for name, step in STEPS.items()}
+SKETCHED = [name for name, step in STEPS.items() if isinstance(step, SketchStep) and TICKS[name]]
+
+
+def asked_and_answered(step: str) -> tuple[PageState, PageState]:
+    subject = Subject("", STEPS[step], SCENES)
+    asked = changed(subject.page_state, Open(state=subject.opening), SCENES)
+    return asked, changed(asked, Open(state=subject.answer, keeps=True), SCENES)
 
 
 def spans(page: PageState, shown: tuple[str, ...]) -> Iterator[tuple[str, float, float]]:
@@ -38,21 +42,11 @@ def spans(page: PageState, shown: tuple[str, ...]) -> Iterator[tuple[str, float,
                 yield f"{plot.name}.{curve.y}", float(np.ptp(y)), float(share)
 
 
-SKETCHED = {
-    step.id: Subject(walk.name, step, SCENES)
-    for walk in load_walks(()).values()
-    for step in walk.steps
-    if isinstance(step, SketchStep) and any(cover.startswith("ticks:") for cover in step.cover)
-}
-
-
 @pytest.mark.parametrize("step", SKETCHED)
 def test_what_a_class_has_sketched_stays_in_the_frame(step: str) -> None:
     """An axis with hidden numbers is wider than its curve; the answer keeps it."""
-    subject = SKETCHED[step]
-    asked = changed(subject.page_state, Open(state=subject.opening), SCENES)
-    answered = changed(asked, Open(state=subject.answer, keeps=True), SCENES)
-    for name in [cover.removeprefix("ticks:") for cover in asked.covered if cover.startswith("ticks:")]:
+    asked, answered = asked_and_answered(step)
+    for name in TICKS[step]:
         before, after = asked.to_send[0].axes[name], answered.to_send[0].axes[name]
         assert (before.start, before.end) == (after.start, after.end)
         assert after.ticks
@@ -60,13 +54,12 @@ def test_what_a_class_has_sketched_stays_in_the_frame(step: str) -> None:
 
 @pytest.mark.parametrize("step", COMPARED)
 def test_what_grows_is_drawn_larger(step: str) -> None:
-    subject = COMPARED[step]
-    asked = changed(subject.page_state, Open(state=subject.opening), SCENES)
-    answered = changed(asked, Open(state=subject.answer, keeps=True), SCENES)
+    asked, answered = asked_and_answered(step)
     if asked.kind is not answered.kind:
         return
-    before = {name: (span, share) for name, span, share in spans(asked, subject.opening.show)}
-    for name, span, share in spans(answered, subject.opening.show):
+    show = STEPS[step].show
+    before = {name: (span, share) for name, span, share in spans(asked, show)}
+    for name, span, share in spans(answered, show):
         if name in before:
             grows, drawn = span / before[name][0], share / before[name][1]
             if grows > 1 - CHANGED:

@@ -1,4 +1,4 @@
-"""The page of a walk's file has only words and MathML, whatever the file contains."""
+"""The page of a walk's file has only words and MathML, whatever the file contains; its formulas may end in pieces."""
 
 from __future__ import annotations
 
@@ -9,33 +9,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from components.layout.markup import CLASSES, LENGTHS, MATH, NAMES, check_markup
-from components.layout.text import rich
+from components.layout.text import mathml, rich
 from components.scenes import SCENES
-from components.walks.cards import parted, walk_sheet
+from components.walks.cards import walk_sheet
 from components.walks.checking import problems
-from components.walks.loading import load_walks, read_walk
-from components.walks.texts import line
+from components.walks.loading import load_walks, read_walk, steps_of
+from components.walks.texts import line, pieces
 
+KNOWN = steps_of(load_walks(()).values())
 REFRESH = r"\text{<meta http-equiv=refresh content='0;//a.example'>}"
 LINKED = r"\href{https://a.example}{x}"
 PIECES = (
     *("$", "$$", "*", "**", "_", "{x}", "[m1|", "[notice|", "[scene:modes|", "]", "%", "?", ". Is it", ": ", " ", "a"),
     *(REFRESH, LINKED, r"\class{notice}{x}", r"\style{position:fixed}{x}", r"\text{", "}", "{", r"\frac", r"\quad "),
-    *(
-        "<!--",
-        "-->",
-        "<![CDATA[",
-        "]]>",
-        "<?a",
-        "&lt;",
-        "&",
-        "'",
-        '"',
-        r"\val{x}",
-        r"\tint{k}",
-        r"\hspace{-900em}",
-        "=",
-    ),
+    *("<!--", "-->", "<![CDATA[", "]]>", "<?a", "&lt;", "&", "'", '"', "="),
+    *(r"\val{x}", r"\tint{k}", r"\hspace{-900em}"),
 )
 texts = st.lists(st.sampled_from(PIECES), min_size=1, max_size=9).map("".join)
 
@@ -89,8 +77,7 @@ def test_whatever_is_written_becomes_words_and_formulas(one: str, two: str) -> N
 )
 def test_what_is_set_is_checked_not_its_source(field: str, text: str) -> None:
     step = f'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-03"\n{field} = """{text}"""\n'.replace("\\", "\\\\")
-    known = {step.id: step for walk in load_walks(()).values() for step in walk.steps}
-    walk = read_walk(step, "mine", known)
+    walk = read_walk(step, "mine", KNOWN)
     told = list(problems(walk, SCENES))
     if told:
         assert told[0].startswith(f"mine, step 1 (one), {field}") and "“" in told[0]
@@ -100,10 +87,6 @@ def test_what_is_set_is_checked_not_its_source(field: str, text: str) -> None:
     assert all(not Found(line(latex)).strange for latex in walk.steps[0].equations)
 
 
-def test_a_question_is_not_split_inside_a_formula() -> None:
-    assert parted("Given: $a. Is b$ so. Is it?") == ("Given: $a. Is b$ so.", "Is it?")
-
-
 HOSTILE = ("<b>", "a<!--", "<p><![CDATA[<img>]]></p>", "<?a?>", "<b onclick='a()'>x</b>", "<i/>")
 
 
@@ -111,3 +94,33 @@ HOSTILE = ("<b>", "a<!--", "<p><![CDATA[<img>]]></p>", "<?a?>", "<b onclick='a()
 def test_markup_that_is_not_ours_is_refused(html: str) -> None:
     with pytest.raises(ValueError, match="“"):
         check_markup(html)
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"F = -k x, \quad k > 0", [r"F = -k x, \quad ", "k > 0"]),
+        (r"T = V,\; V = 2", [r"T = V,\; ", "V = 2"]),
+        (r"a = b \;\Rightarrow\; c = d = e", [r"a = b \;", r"\Rightarrow\; c = d ", "= e"]),
+        (r"x = 0 \text{ at } t = 0", ["x = 0 ", r"\text{ at } t = 0"]),
+        (r"p = x_1 \text{'s slow part}", [r"p = x_1 \text{'s slow part}"]),
+        (r"(a = b = c) = \frac{a = b}{c}", [r"(a = b = c) = \frac{a = b}{c}"]),
+        (r"\left\{a = b = c\right. \quad d", [r"\left\{a = b = c\right. \quad d"]),
+        (
+            r"\begin{matrix} a = b = c & d \end{matrix} = e = f",
+            [r"\begin{matrix} a = b = c & d \end{matrix} = e ", "= f"],
+        ),
+        (r"a = b = c \over d", [r"a = b = c \over d"]),
+        ("", [""]),
+    ],
+)
+def test_a_line_ends_between_its_pieces(latex: str, expected: list[str]) -> None:
+    assert pieces(latex) == expected
+
+
+@pytest.mark.parametrize("latex", [equation for step in KNOWN.values() for equation in step.equations])
+def test_the_pieces_are_formulas_that_make_the_whole(latex: str) -> None:
+    assert "".join(pieces(latex)) == latex
+    for piece in pieces(latex):
+        mathml(piece)
+    assert line(latex).count("<math") == len(pieces(latex))

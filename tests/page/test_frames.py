@@ -1,0 +1,347 @@
+"""The frame of a picture: it stays or grows while values change, and is fitted again by Fit, presets and letting go."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from components.language.state import Frame
+from components.layout.choices import stated
+from components.quantities.axes import TIME_AXIS, Axis, nice_axis, ordered, widest
+from components.scene import Picture
+from components.scene.frames import FITTED, grown, loosened, unfitted
+from components.scene.picture import draw, frame_of
+from components.scenes import SCENES
+from components.state.link import read_query
+from tests.page.hand import grabs
+from tests.page.headless_page import Page, change, say, set_values
+from tests.page.scripts import played
+from tests.scenes.checks import as_arguments, check_picture, quantities
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+MOVING = [slug for slug in SCENES if slug != "accuracy"]
+SINES = ("oscillator", "energy", "coupled")
+"""Scenes whose curves over time are exactly the motion that the clock plays."""
+spans = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
+
+
+def page_of(slug: str, **values: Any) -> Page:
+    return Page(SCENES[slug](**values))
+
+
+def frame(page: Page) -> Frame:
+    return page.now.drawn.frame
+
+
+def let_go(page: Page, **more: Any) -> dict[str, Any]:
+    told = say(page, "set", values={}, holding=False, **more)
+    assert told["type"] == "kept" or told["errors"] == {}
+    return told
+
+
+def same(one: Picture, other: Picture) -> None:
+    parts = ((shown.axes, shown.signals, shown.scalars, shown.values, shown.pace) for shown in (one, other))
+    assert next(parts) == next(parts)
+    np.testing.assert_equal(one.sources, other.sources)
+
+
+@scenes
+def test_a_picture_keeps_to_its_frame(slug: str) -> None:
+    """In the fitted frame it is what it is without one. In a wider one the axes have the requested ranges."""
+    for scene in (SCENES[slug](), *(SCENES[slug](**values) for values in SCENES[slug].presets.values())):
+        fitted = draw(scene.value).frame
+        same(scene.picture(fitted), scene.shown)
+        assert frame_of(scene.picture(FITTED)) == fitted
+        wide = wider(fitted)
+        picture = scene.picture(wide)
+        for name, axis in picture.axes.items():
+            assert (axis.start, axis.end) == pytest.approx(wide.ranges[name], rel=1e-12), name
+            low, high = sorted((axis.place(axis.start), axis.place(axis.end)))
+            assert all(low - 1e-9 <= tick <= high + 1e-9 for tick in axis.ticks)
+        if slug in SINES:
+            check_played(picture, wide)
+
+
+def wider(of: Frame) -> Frame:
+    """Every range half as wide again to the right, and twice the window."""
+    ranges = {name: (start, end + 0.5 * (end - start)) for name, (start, end) in of.ranges.items()}
+    window = of.window and 2 * of.window
+    return replace(of, ranges=ranges | ({TIME_AXIS: (0.0, window)} if window else {}), window=window)
+
+
+def check_played(picture: Picture, wide: Frame) -> None:
+    """The played motion is on the curves, to the end of the window."""
+    columns = picture.sources["time"]
+    assert columns["t"][-1] == pytest.approx(wide.window)
+    motion = played(picture, picture.axes["t"].places(columns["t"]))
+    for name in columns.keys() & motion.keys() & picture.axes.keys():
+        axis = picture.axes[name]
+        reach = abs(axis.place(axis.end)) + abs(axis.place(axis.start))
+        np.testing.assert_allclose(motion[name], axis.places(columns[name]), atol=1e-9 * reach)
+
+
+@given(spans, spans)
+def test_a_frame_grows_in_round_steps_and_never_shrinks(has: tuple[float, float], needs: tuple[float, float]) -> None:
+    axes = {"x": nice_axis(*needs)}
+    larger = grown(Frame(ranges={"x": has}), axes)
+    low, high = larger.ranges["x"]
+    assert low <= min(has[0], needs[0] + 1e-9 * abs(needs[0]))
+    assert high >= max(has[1], needs[1] - 1e-9 * abs(needs[1]))
+    for value, old in ((low, has[0]), (high, has[1])):
+        if value != old and value:
+            assert round(abs(value) / 10.0 ** math.floor(math.log10(abs(value)) + 1e-9), 9) in (1, 2, 5, 10)
+    if has[0] <= needs[0] and needs[1] <= has[1]:
+        assert (low, high) == has, "what is still in the frame moves nothing"
+    assert grown(larger, axes) == larger
+
+
+def test_what_fits_its_frame_is_drawn_once_though_its_own_window_is_longer() -> None:
+    scene, pictures = SCENES["coupled"](), list[Frame]()
+    fitted = draw(scene.value).frame
+
+    class Counted:
+        key = object()
+
+        def picture(self, frame: Frame) -> Picture:
+            pictures.append(frame)
+            return scene.picture(frame)
+
+    assert fitted.window
+    narrow = replace(wider(fitted), window=fitted.window / 2)
+    assert draw(Counted(), None, "grown", narrow).frame.window == fitted.window / 2
+    assert len(pictures) == 1
+
+
+def check_grown(page: Page, before: Frame) -> None:
+    """After a change: every axis has room for all of its old range, and nothing is outside."""
+    after = frame(page)
+    for name, span in before.ranges.items():
+        (low, high), (least, most) = ordered(after.ranges[name]), ordered(span)
+        assert low <= least and most <= high, name
+    assert (after.window, after.speed) == (before.window, before.speed)
+    assert (after.scale or 0) <= (before.scale or 0)
+    for name, axis in page.shown.axes.items():
+        (low, high), (least, most) = ordered((axis.start, axis.end)), axis.seen
+        slack = 1e-9 * max(abs(low), abs(high))
+        assert low - slack <= least <= most <= high + slack or name == TIME_AXIS, (name, axis)
+
+
+def share(axis: Axis, seen: tuple[float, float]) -> float:
+    """The share of an axis that is used."""
+    low, high, start, end = (axis.place(one) for one in (*seen, axis.start, axis.end))
+    return abs(high - low) / abs(end - start)
+
+
+def check_used(page: Page) -> None:
+    """Every axis is used to a quarter, or is no longer than the one that would be chosen."""
+    held = page.now.drawn.beside
+    for name, axis in page.shown.axes.items():
+        used = share(axis, widest(axis.seen, *([held.axes[name].seen] if held and name in held.axes else [])))
+        assert name == TIME_AXIS or used >= 0.25 or share(axis, axis.chosen) >= 0.999, (name, axis)
+
+
+@pytest.mark.parametrize("slug", MOVING)
+def test_a_frame_grows_with_a_value_and_is_fitted_once_when_it_is_let_go(slug: str) -> None:
+    for name, quantity in quantities(SCENES[slug]).items():
+        page = page_of(slug)
+        low, high = page.shown.spans.get(name, quantity.softbounds)
+        window, value = frame(page).window, getattr(page.scene, name)
+        for part in (0.0, 1.0, 0.4):
+            before, to = frame(page), low + part * (high - low)
+            told = set_values(page, **{name: round(to) if quantity.scale == "count" else to})
+            if told["errors"]:
+                assert frame(page) == before
+                continue
+            check_grown(page, before)
+            after = frame(page)
+            set_values(page, **{name: getattr(page.scene, name)})
+            assert frame(page) == after, "the same change again has no effect"
+        set_values(page, **{name: value})
+        let_go(page)
+        check_used(page)
+        fitted = frame(page)
+        assert fitted.window == window, "curves fill the window"
+        let_go(page)
+        assert frame(page) == fitted, "once"
+        told = change(page, frame=None)
+        assert told["state"]["frame"] is None
+        assert frame(page) == frame_of(SCENES[slug](**page.scene.values).shown), "Fit is the frame of a fresh page"
+
+
+def essence(told: dict[str, Any]) -> str:
+    """A message without its number, for comparison."""
+    return json.dumps({**told, "answer": None}, default=lambda column: column.tolist())
+
+
+@pytest.mark.parametrize("slug", MOVING)
+def test_letting_go_sends_a_picture_only_where_it_is_another(slug: str) -> None:
+    """After any change, also during a drag, an answer that would repeat the last one is short."""
+    for name, quantity in quantities(SCENES[slug]).items():
+        page = page_of(slug)
+        low, high = page.shown.spans.get(name, quantity.softbounds)
+        for holding in (None, True):
+            for value in (low + 0.4 * (high - low), low + 0.6 * (high - low), low + 0.6001 * (high - low)):
+                last = say(page, "set", values={name: value}, holding=holding)
+                told = let_go(page)
+                again = page.send({"type": "set", "values": {}, "holding": False, "number": told["answer"]})
+                assert again["type"] == "shown", "a repeated message is answered in full: its answer may be lost"
+                is_same = essence(again) == essence(last)
+                assert told["type"] == ("kept" if is_same else "shown"), (name, value, holding)
+                assert is_same or essence(told) == essence(again)
+
+
+@pytest.mark.parametrize("slug", MOVING)
+def test_the_axes_that_a_hand_moves_along_stay_and_the_others_grow(slug: str) -> None:
+    """During a drag, by much and by little; at its end, by little."""
+    for grab in [one for _, one in grabs(SCENES[slug]) if one.ways[0].parameter]:
+        page, name = page_of(slug), grab.ways[0].parameter
+        along = sorted({way.axis for way in grab.ways if way.axis in page.shown.axes})
+        _, high = page.shown.spans.get(name, quantities(SCENES[slug])[name].softbounds)
+        before = frame(page)
+        for part in (1.0, 0.9, 0.03):
+            say(page, "set", values={name: part * high}, holding=True, along=along)
+            now = frame(page)
+            assert all(now.ranges[axis] == before.ranges[axis] for axis in along), grab.label
+            assert (now.scale, now.window) == (before.scale, before.window), grab.label
+            for axis in set(page.shown.axes) - {*along, TIME_AXIS} if along else ():
+                (low, top), (least, most) = sorted(now.ranges[axis]), page.shown.axes[axis].seen
+                assert low <= least and most <= top, (grab.label, axis)
+        let_go(page, along=along)
+        for axis in along:
+            assert abs(np.diff(frame(page).ranges[axis])) >= abs(np.diff(now.ranges[axis])), grab.label
+
+
+@scenes
+def test_a_preset_fits(slug: str) -> None:
+    page = page_of(slug)
+    for label, values in SCENES[slug].presets.items():
+        set_values(page, window=3.0)
+        parameters = {name: stated(value) for name, value in values.items()}
+        told = say(page, "open", state={"scene": slug, "parameters": parameters})
+        fresh = page_of(slug, **values).opening()
+        assert (told["errors"], told["state"]["frame"]) == ({}, None)
+        assert all(told["view"][part] == fresh["view"][part] for part in ("axes", "pace")), label
+
+
+def test_another_window_is_chosen_by_its_field() -> None:
+    page = page_of("coupled")
+    own = frame(page).window
+    for values, end in (({"k2": 3.0}, own), ({"window": 5.0}, 5.0), ({"k2": 2.0}, 5.0), ({"window": None}, own)):
+        assert set_values(page, **values)["view"]["axes"]["t"]["end"] == end
+
+
+def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
+    page = page_of("energy")
+    set_values(page, x_0=0.05)
+    small = frame(page)
+    say(page, "choose", name="datum", value="separate")
+    assert frame(page).ranges["x"] == small.ranges["x"]
+    assert frame(page).ranges["E"] == draw(page.scene).frame.ranges["E"]
+    page = page_of("analogues")
+    say(page, "choose", name="system", value="spring")
+    assert page.now.state.frame is None, "another system is another scene"
+
+
+def test_extreme_values_have_a_frame() -> None:
+    """A window of many years is no place for a quick motion of many digits, and an axis may be in units of 1e-306."""
+    page = page_of("coupled")
+    for x in (1.7e308, 1e300, 1e-3):
+        told = set_values(page, x1_0=x)
+        check_picture(page.now)
+    assert told["errors"] == {}
+    page = page_of("phugoid")
+    before = frame(page)
+    assert set_values(page, excess=5e-324)["errors"] == {} and frame(page).ranges["h"] == before.ranges["h"]
+
+
+def test_letting_go_after_a_refusal_takes_the_refusal_back() -> None:
+    page = page_of("coupled")
+    assert set_values(page, m1=0.0)["errors"]
+    assert let_go(page)["type"] == "shown" and page.last_message["errors"] == {}
+
+
+@pytest.mark.parametrize(
+    ("slug", "name", "state"),
+    [
+        ("modes", "x1_0", {"parameters": {"view": "hunt"}}),
+        ("oscillator", "x_0", {"step": "d31/d31-01"}),
+        ("oscillator", "x_0", {"covered": ["next"]}),
+        ("oscillator", "x_0", {"covered": ["plot:v"]}),
+        ("oscillator", "x_0", {"frame": {"ranges": {"x": [-9.0, 9.0]}, "given": True}}),
+    ],
+)
+def test_a_frame_that_is_not_the_pages_own_stays(slug: str, name: str, state: Mapping[str, Any]) -> None:
+    """In a plane of modes, a step of a walk, a prediction, and the frame of a link."""
+    page = page_of(slug)
+    say(page, "open", state={"scene": slug, **state})
+    for value in (2.0, 0.1):
+        set_values(page, **{name: value})
+    wide = frame(page)
+    let_go(page)
+    assert frame(page) == wide
+
+
+def test_curves_held_count_and_undo_restores_a_frame() -> None:
+    page = page_of("oscillator")
+    set_values(page, x_0=2.0)
+    change(page, held=msgspec.to_builtins(page.now.state)["parameters"])
+    set_values(page, x_0=0.1)
+    let_go(page)
+    assert frame(page).ranges["x"][1] >= 2.0
+    check_used(page)
+    say(page, "open", state={"scene": "oscillator", "parameters": {"v_0": 0.0}})
+    set_values(page, x_0=0.3)
+    let_go(page)
+    before = msgspec.to_builtins(page.now.state)
+    for _ in range(2):
+        set_values(page, x_0=0.01)
+        let_go(page)
+        assert frame(page).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
+        say(page, "open", state=before)  # as undo does
+        assert frame(page).ranges["x"][1] >= 0.3
+
+
+def test_a_compared_picture_keeps_the_current_frame() -> None:
+    """Twice as far is seen to be twice as far, and so is half; another way of showing is fitted."""
+    page = page_of("oscillator")
+    start: dict[str, Any] = {"scene": "oscillator", "parameters": {"x_0": 0.1, "v_0": 0.0}, "step": "d31/d31-03"}
+    say(page, "open", state=start)
+    before = frame(page)
+    say(page, "open", keeps=True, state={**start, "parameters": {"x_0": 0.2, "v_0": 0.0}})
+    after = frame(page)
+    assert after.window == before.window
+    assert (before.ranges["x"][1], after.ranges["x"][1]) == (0.125, 0.5), "in steps of 1, 2, 5"
+    for other in ({**start, "parameters": {"x_0": 0.1, "v_0": 0.0, "window": 9.0}}, {"scene": "coupled"}):
+        say(page, "open", keeps=True, state=other)
+        assert page.now.state.frame is None
+
+
+@given(st.floats(1e-6, 1e6), st.floats(0.01, 100.0))
+def test_loosening_is_pure_and_the_second_time_does_nothing(size: float, wide: float) -> None:
+    axis = nice_axis(-size, size)
+    stands, fitted = Frame(ranges={"x": (-wide * size, wide * size)}), Frame(ranges={"x": axis.chosen})
+    drawn = [{"x": replace(axis, start=-wide * size, end=wide * size, own=axis.chosen)}]
+    loose = loosened(stands, fitted, drawn)
+    assert loose == (fitted if wide > 4 else stands)
+    assert loosened(loose, fitted, drawn) == loose
+    assert loosened(replace(stands, given=True), fitted, drawn) == replace(stands, given=True)
+    assert loosened(stands, fitted, [*drawn, {"x": nice_axis(-wide * size, 0.0)}]) == stands
+
+
+def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
+    fitted = Frame(ranges={"x": (-1.0, 2.0), "w": (1e-4, 1e3)}, window=10.0)
+    assert unfitted(Frame(ranges={"x": (-1.0001, 2.0)}, window=10.001), fitted) is None
+    other = Frame(ranges={"w": (2e-4, 1e3)}, window=10.1, given=True)
+    assert unfitted(other, fitted) == other
+    assert unfitted(FITTED, fitted) is None
+    link = read_query(as_arguments("scene=oscillator&frame.x=-9,9"), SCENES)
+    assert link.frame and link.frame.given

@@ -1,0 +1,291 @@
+"""One page under any sequence of messages; its laws hold after each of them.
+
+The link and a new session give the state back, undo gives the previous one back, a refused message changes nothing and
+is worded, the picture is finite, hidden answers are in no message, and the work stays within its budget.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import (
+    RuleBasedStateMachine,
+    initialize,
+    invariant,
+    precondition,
+    rule,
+    run_state_machine_as_test,
+)
+from msgspec.structs import replace
+
+from app import visited
+from components.language.state import State
+from components.layout.choices import options, stated, word
+from components.layout.controls import Choice
+from components.quantities.refusals import SORRY
+from components.scene import Scene
+from components.scenes import SCENES
+from components.state.compared import HIDDEN
+from components.state.covers import NEXT, PLOT, VALUE
+from components.state.scene_sheet import plots
+from components.walks.cards import walk_sheet
+from components.walks.loading import load_walks
+from tests.attack.budgets import PICTURE, counted
+from tests.grids import tries
+from tests.page.headless_page import Page, unpacked
+from tests.scenes.checks import as_arguments, check_picture, quantities
+from tests.states import covers, number, value
+
+WALKS = load_walks(())
+CARDS = {card.opens.step: card for walk in WALKS.values() for card in walk_sheet(walk, SCENES).steps}
+ODD = (
+    "",
+    " ",
+    "many",
+    "nan",
+    "1e999",
+    "-1",
+    "0",
+    "1e-300",
+    "1/0",
+    "3 kg",
+    "2 s",
+    "1/3",
+    "pi",
+    "<b>",
+    "\ud800",
+    "x" * 99,
+)
+FOLLOWING = {"own"}
+"""Choices that follow from the other values."""
+STRANGE: tuple[dict[str, Any], ...] = (
+    {"type": "set", "values": {"nothing": 1.0}},
+    {"type": "set", "values": {"k2": math.nan}},
+    {"type": "set", "values": {"k2": "three"}},
+    {"type": "choose", "name": "view", "value": "loud"},
+    {"type": "choose", "name": "hidden", "value": ["<b>"]},
+    {"type": "act", "name": "nothing"},
+    {"type": "open", "state": {"scene": "nowhere"}},
+    {"type": "open", "state": {"scene": "forced", "parameters": {"omega": 1e300}}, "carried": True},
+    {"type": "open", "state": {"scene": "coupled", "frame": {"window": -1.0}}},
+    {"type": "open", "state": {"scene": "coupled", "covered": ["plot:nothing"]}},
+    {"type": "run", "order": "sideways"},
+    {"type": "unknown"},
+)
+
+
+def chosen(scene: type[Scene]) -> list[tuple[str, Any]]:
+    """Every option of every choice."""
+    known = scene.linked().items()
+    return [(name, one) for name, parameter in known if isinstance(parameter, Choice) for one in options(parameter)]
+
+
+class Visit(RuleBasedStateMachine):
+    """A visitor's page, without a browser."""
+
+    slug = "coupled"
+
+    @initialize()
+    def opens(self) -> None:
+        self.page = Page(SCENES[self.slug]())
+        self.page.session.walks = WALKS
+        self.number, self.past = 0, list[State]()
+        self.last: dict[str, Any] = {"type": "set", "values": {}}
+        self.told = self.page.opening()
+
+    @property
+    def scene(self) -> type[Scene]:
+        return self.page.now.kind
+
+    @property
+    def state(self) -> State:
+        return self.page.now.state
+
+    def say(self, **message: Any) -> dict[str, Any]:
+        """Send a message, after a hand has let go; a refusal changes nothing, any other answer shows the new state."""
+        if message["type"] != "set" and self.page.now.in_hand:
+            self.lets_go()
+        before, self.number, self.last = self.page.now, self.number + 1, message
+        told, calls = counted(lambda: self.page.send({**message, "number": self.number}))
+        now = self.page.now
+        pictures = sum(one is not None for one in (now, now.held, now.before))
+        assert calls <= 2 * PICTURE * pictures, message
+        assert told["answer"] == self.number and SORRY not in str(told.get("problems"))
+        if told["type"] == "kept":
+            assert now.sends_the_same_as(before)
+            return told
+        if told["errors"]:
+            assert now is before
+            assert all(one.endswith((".", "…")) and len(one) < 400 for one in told["errors"].values()), told["errors"]
+        elif now.state != before.state:
+            self.past.append(before.state)
+        self.told = told
+        return told
+
+    def open(self, state: State | None = None, **to: Any) -> dict[str, Any]:
+        more = {name: to.pop(name) for name in ("carried", "keeps") if name in to}
+        return self.say(type="open", state=msgspec.to_builtins(state or self.state) | to, **more)
+
+    @rule(data=st.data(), holding=st.sampled_from([None, True, False]))
+    def sets(self, data: st.DataObject, holding: bool | None) -> None:
+        name = data.draw(st.sampled_from(sorted(quantities(self.scene))))
+        to = data.draw(number(quantities(self.scene)[name], 2.0))
+        along = data.draw(st.lists(st.sampled_from(sorted(self.page.shown.axes)), max_size=2))
+        self.say(type="set", values={name: to}, holding=holding, along=along)
+
+    @rule()
+    def lets_go(self) -> None:
+        self.say(type="set", values={}, holding=False)
+
+    @rule(data=st.data(), text=st.sampled_from(ODD) | st.text(max_size=9))
+    def types_odd_text(self, data: st.DataObject, text: str) -> None:
+        self.say(type="typed", name=data.draw(st.sampled_from([*quantities(self.scene), "nothing"])), text=text)
+
+    @rule(data=st.data())
+    def chooses(self, data: st.DataObject) -> None:
+        name, option = data.draw(st.sampled_from(chosen(self.scene)))
+        assert not self.say(type="choose", name=name, value=word(option))["errors"]
+        assert self.page.scene.values[name] == option or name in FOLLOWING
+
+    @rule(data=st.data())
+    def switches_curves(self, data: st.DataObject) -> None:
+        names = data.draw(value(self.scene, HIDDEN))
+        assert not self.say(type="choose", name=HIDDEN, value=names)["errors"]
+        assert self.page.scene.values[HIDDEN] == names
+        if data.draw(st.booleans()):
+            assert not self.open(hidden=None)["errors"]
+            assert self.page.scene.values[HIDDEN] == self.scene.param[HIDDEN].default
+
+    @rule(data=st.data())
+    def presses_a_button(self, data: st.DataObject) -> None:
+        actions = [name for group in self.scene.groups for name, _ in group.actions]
+        self.say(type="act", name=data.draw(st.sampled_from([*actions, "nothing"])))
+
+    @rule(data=st.data())
+    def takes_a_preset(self, data: st.DataObject) -> None:
+        label = data.draw(st.sampled_from(list(self.scene.presets)))
+        sets = {name: stated(value) for name, value in self.scene.preset_all(label).items()}
+        told = self.open(parameters={**self.state.parameters, **sets}, frame=None)
+        assert not told["errors"] and self.page.scene.preset() == label
+
+    @rule()
+    def holds_or_releases(self) -> None:
+        held = self.state.parameters if self.state.held is None else None
+        assert not self.open(held=held)["errors"]
+
+    @rule(data=st.data())
+    def predicts_a_change(self, data: st.DataObject) -> None:
+        """Until the change is revealed, all is as before, also in a new session. Then every axis has room for both."""
+        assert not self.open(covered=[])["errors"]
+        old = self.open(covered=[NEXT])["view"]
+        assert old["left_out"] == [], "until something changes"
+        self.sets(data, None)
+        if self.state.before is None:
+            return
+        view = self.told["view"]
+        assert self.state.covered[0] == NEXT
+        assert view["values"].items() <= old["values"].items()
+        for source, columns in view["columns"].items():
+            for name, column in columns.items():
+                np.testing.assert_array_equal(column, old["columns"][source][name])
+        self.reconnects()
+        shown = self.open(covered=[])
+        assert (self.state.before, self.state.covered, shown["view"]["left_out"]) == (None, (), [])
+        for name, axis in shown["view"]["axes"].items():
+            (low, high), (least, most) = (sorted((one["start"], one["end"])) for one in (axis, old["axes"][name]))
+            assert low <= least and most <= high, name
+
+    @rule(data=st.data())
+    def covers(self, data: st.DataObject) -> None:
+        self.open(covered=list(data.draw(covers(self.scene))))
+
+    @rule(slug=st.sampled_from(list(SCENES)))
+    def goes_to_a_scene(self, slug: str) -> None:
+        assert not self.open(State(scene=slug), carried=True)["errors"]
+        assert self.scene.slug == slug and self.state.covered == ()
+
+    @rule(step=st.sampled_from(list(CARDS)))
+    def goes_to_a_step(self, step: str) -> None:
+        card = CARDS[step]
+        for state in (card.opens, card.reveals):
+            told = self.open(state, keeps=state is card.reveals)
+            assert not told["errors"] and self.state.covered == state.covered
+            assert not {one.removeprefix(VALUE) for one in state.covered} & told["view"]["values"].keys()
+
+    @precondition(lambda self: self.past)
+    @rule()
+    def undoes(self) -> None:
+        before = self.past[-1]
+        assert not self.open(before)["errors"]
+        assert self.state == before
+        self.past = self.past[:-1] if self.past[-1] == before else self.past[:-2]
+
+    @precondition(lambda self: self.page.now.number == self.number)
+    @rule()
+    def repeats_a_message(self) -> None:
+        """Send the last message again, to the session that has handled it."""
+        now = self.page.now
+        self.page.session.handle({**self.last, "number": self.number})
+        assert now.sends_the_same_as(self.page.now)
+
+    @rule(message=st.sampled_from(STRANGE))
+    def sends_something_strange(self, message: dict[str, Any]) -> None:
+        assert self.say(**message)["errors"]
+
+    @rule()
+    def reloads_the_link(self) -> None:
+        if not self.state.step:
+            self.page = Page(visited(as_arguments(self.page.now.query), WALKS))
+            self.told = self.page.opening()
+
+    @rule()
+    def reconnects(self) -> None:
+        if self.page.now.in_hand:
+            self.lets_go()
+        state, told, own = self.state, self.told, self.page.now
+        self.page = Page(SCENES["oscillator"]())
+        self.page.session.walks = WALKS
+        again = self.open(state)
+        assert (again["errors"], self.state, again["query"]) == ({}, state, own.query)
+        assert all(again["view"][part] == told["view"][part] for part in ("left_out", "scalars", "values"))
+
+    @invariant()
+    def the_link_restores_the_state(self) -> None:
+        now = self.page.now
+        session = visited(as_arguments(now.query), WALKS)
+        assert unpacked(session.opening())["problems"] == []
+        if now.step:
+            assert session.now.step == now.step
+            return
+        assert session.now.query == now.query or now.in_hand  # then an axis may be too short, and a link lets it grow
+        assert replace(session.now.state, frame=None) == replace(now.state, frame=None)
+
+    @invariant()
+    def the_picture_is_finite(self) -> None:
+        check_picture(self.page.now)
+
+    @invariant()
+    def hidden_parts_are_not_sent(self) -> None:
+        told, now = self.page.opening(), self.page.now
+        view = told["view"]
+        covered = set(now.covered)
+        assert not {one for one in view["values"] if VALUE + one in covered and not now.before}
+        open_plots = [plot for plot in plots(now.kind) if PLOT + plot.name not in covered]
+        drawn = {(curve.source, name) for plot in open_plots for curve in plot.curves for name in (curve.x, curve.y)}
+        for plot in plots(now.kind):
+            for curve in plot.curves if PLOT + plot.name in covered and not now.before else ():
+                sent = curve.y in view["columns"].get(curve.source, {})
+                assert not sent or (curve.source, curve.y) in drawn, curve
+        assert (told["held"] is None) == (now.held is None)
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_the_laws_of_a_page_hold_after_any_messages(slug: str) -> None:
+    machine = type(f"Visit{slug.title()}", (Visit,), {"slug": slug})
+    run_state_machine_as_test(machine, settings=settings(max_examples=tries(16), stateful_step_count=15))

@@ -1,0 +1,270 @@
+"""Refusals change nothing and give a reason; an unexpected error is answered, and the log has it once."""
+
+from __future__ import annotations
+
+import decimal
+import logging
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.sheet import column
+from components.quantities.parameters import mass, stiffness
+from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
+from components.scene import Picture, Scene
+from components.scene.frames import FITTED
+from components.scenes import SCENES
+from components.session.opening import opened
+from components.state.link import Link, read_query
+from components.state.page_state import with_values
+from tests.page.headless_page import Page, set_values, unpacked
+from tests.scenes.checks import EXTREME_LINKS, as_arguments
+
+LONG = "x" * 100_000
+NESTED: list[Any] = []
+for _ in range(200):
+    NESTED = [NESTED]
+MASS = "−1 kg is not possible: a mass is a finite number above 0."
+STILL = "Still drawn as before."
+Message = dict[str, Any]
+
+
+def put(**values: Any) -> Message:
+    return {"type": "set", "values": values}
+
+
+def typed(name: str, text: str) -> Message:
+    return {"type": "typed", "name": name, "text": text}
+
+
+def choose(name: str, value: Any) -> Message:
+    return {"type": "choose", "name": name, "value": value}
+
+
+def state(scene: str = "forced", *, carried: bool = False, **parts: Any) -> Message:
+    return {"type": "open", "state": {"scene": scene, **parts}, "carried": carried}
+
+
+WORDED: list[tuple[str, Message, str, str]] = [
+    ("coupled", put(k2=-1.0), "k2", "−1 N/m is not possible: a stiffness is a finite number, 0 or more. Still drawn"),
+    ("coupled", put(k2=3.0, m1=-1.0), "m1", f"{MASS} Still drawn with 2.00."),
+    ("coupled", {**put(m1=0.0), "holding": True}, "m1", "0 kg is not possible: a mass"),
+    ("coupled", {**put(m1=0.0), "holding": False}, "m1", "0 kg is not possible: a mass"),
+    ("coupled", put(presets=1.0), "presets", "“presets” is not a parameter of this scene."),
+    ("forced", put(omega=1e300), "omega", ""),
+    ("phugoid", put(v_0=-3.048), "v_0", "−10.0 ft/s is not possible"),
+    ("phugoid", put(v_0=math.nan), "v_0", "nan ft/s is not possible"),
+    ("coupled", typed("m1", "−1"), "m1", f"{MASS} Still drawn with 2.00."),
+    ("coupled", typed("k2", "two"), "k2", "“two” is not a number: type one such as 2.5 or 1e-3. Still drawn with"),
+    ("forced", typed("omega", "1e300"), "omega", ""),
+    ("coupled", typed("name", "1"), "name", "“name” is not a parameter of this scene."),
+    ("phugoid", typed("excess", "-200"), "excess", "−200 ft/s is not possible: an excess of speed is from −v₀"),
+    ("coupled", choose("view", "loud"), "view", "“loud” is not possible: choose one of "),
+    ("coupled", choose("k2", "1"), "k2", "“k2” is not a parameter of this scene."),
+    ("coupled", {"type": "act", "name": "nothing"}, "action", "“nothing” is not an action of this scene."),
+    ("coupled", {"type": "run", "order": "start"}, "run", "“start” is not possible: there is nothing to run here."),
+    ("coupled", state("nowhere"), "state", "“nowhere” is not a scene."),
+    ("coupled", state(parameters={"k9": 1.0}), "state", "“k9” is not a parameter of this scene."),
+    ("coupled", state(parameters={"m1": -1.0}), "state", f"m1: {MASS}"),
+    ("coupled", state(parameters={"m1": "heavy"}), "state", "m1: 'heavy' is not possible"),
+    ("coupled", state(parameters={"curve": "loud"}), "state", "curve: “loud” is not possible: choose one of"),
+    ("coupled", state(parameters={"omega": 1e300}), "state", ""),
+    ("coupled", state(parameters={"omega": 1e300}, carried=True), "state", ""),
+    ("coupled", state(parameters={"hidden": ["x1"]}), "state", "“hidden” is not a parameter"),
+    ("coupled", state(hidden=["<b>"]), "state", "“<b>” is not possible"),
+    ("coupled", state("coupled", held={"m1": -1.0}), "state", f"m1: {MASS}"),
+    ("coupled", state("coupled", covered=["plot:x9"]), "state", "“plot:x9” cannot be covered here."),
+    ("coupled", state("coupled", frame={"ranges": {"x": [1.0, 1.0]}}), "state", "The range of “x” is from 1.0 to 1.0"),
+    ("coupled", state("coupled", frame={"window": 0.0}), "state", "The window of a frame is 0.0"),
+    ("coupled", state("coupled", frame={"speed": -1.0}), "state", "The speed of a frame is −1.0"),
+    ("coupled", state("coupled", frame={"scale": 0.0}), "state", "The scale of a frame is 0.0"),
+]  # fmt: skip
+"""A scene, a message, and where and how it is refused; "" for a reason of the physics."""
+MALFORMED: list[Any] = [
+    *(None, [], "set", {}, {"type": ["set"]}, {"type": np.arange(3)}, {"type": "unknown"}),
+    *({"type": "set", "values": one} for one in (None, {5: 1.0}, {LONG: 1.0}, {f"k{i}": 1.0 for i in range(1000)})),
+    *(put(k2=value) for value in (LONG, NESTED, np.arange(3), math.nan, 10**4000, True, "three")),
+    *(typed(LONG, "1"), typed("k2", LONG), typed("k2", "\ud800"), {"type": "act", "name": LONG}),
+    *(choose(LONG, "1"), choose("hidden", LONG), choose("hidden", NESTED), choose("energy", math.inf)),
+    *({"type": "run", "order": order} for order in (LONG, "skip it")),
+    *({"type": "open", "state": one} for one in (None, 3, {}, {"scene": 3}, {"scene": "coupled", "hidden": [{}]})),
+]  # fmt: skip
+
+
+def check_unchanged(page: Page, message: Any) -> tuple[str, str]:
+    """Send a message that is refused; return where and how."""
+    before, now = page.opening(), page.now
+    told = page.send(message)
+    assert page.now is now
+    assert {**told, "errors": {}, "answer": None, "view": None} == {**before, "view": None}
+    ((where, says),) = told["errors"].items()
+    assert 0 < len((where + says).encode()) < 400
+    return where, says
+
+
+@pytest.mark.parametrize(("slug", "message", "name", "says"), WORDED)
+def test_a_refused_message_says_why_and_changes_nothing(slug: str, message: Message, name: str, says: str) -> None:
+    where, reason = check_unchanged(Page(SCENES[slug]()), {**message, "number": 7})
+    assert where == name and reason.startswith(says) and reason.endswith(".")
+    assert message["type"] != "open" or reason.endswith(STILL)
+
+
+@pytest.mark.parametrize("message", MALFORMED, ids=lambda message: str(message)[:40])
+def test_what_no_page_sends_is_refused_in_a_short_answer(message: Any) -> None:
+    check_unchanged(Page(SCENES["coupled"]()), message)
+
+
+@pytest.mark.parametrize("number", [None, math.nan, LONG, NESTED, np.arange(3), {"a": 1}, -1, 10**4000])
+def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -> None:
+    assert Page(SCENES["coupled"]()).send({**put(k2=-0.0), "number": number})["answer"] is None
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        {"type": "walk", "name": "mine", "text": "="},
+        {"type": "given", "answer": {"walk": "no", "step": "no"}},
+        {"type": "about"},
+        {"type": "csv"},
+    ],
+)
+def test_a_message_that_sets_nothing_leaves_the_page_alone(message: Message) -> None:
+    page = Page(SCENES["coupled"]())
+    before = page.now
+    assert page.send({**message, "number": 7})["answer"] == 7
+    assert page.now is before
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [
+        ("k2", -1e-300, "k2 = −1e−300 N/m is not possible: a stiffness is a finite number, 0 or more."),
+        ("k2", math.inf, "k2 = ∞ N/m is not possible: a stiffness is a finite number, 0 or more."),
+        ("x1_0", math.nan, "x1_0 = nan m is not possible: a displacement of mass 1 is any finite number."),
+        ("k2", "2", "k2 = '2' is not possible: a stiffness is a finite number, 0 or more."),
+        ("m1", None, "m1 = None is not possible: a mass is a finite number above 0."),
+        ("m1", True, "m1 = True is not possible: a mass is a finite number above 0."),
+    ],
+)
+def test_an_impossible_value_is_refused_in_python_too(name: str, value: object, reason: str) -> None:
+    scene = SCENES["coupled"]()
+    before, shown = getattr(scene, name), scene.shown
+    with pytest.raises(ValueError) as refusal:
+        setattr(scene, name, value)
+    assert (str(refusal.value), getattr(scene, name), scene.shown) == (reason, before, shown)
+    with pytest.raises(ValueError, match=r"−1 kg is not possible"):
+        mass(-1.0, symbol="m")
+
+
+LOST: dict[object, int] = {}
+REFUSED: dict[float, Callable[[], object]] = {
+    1.0: lambda: 2.0**1024,
+    2.0: lambda: 1 / 0,
+    3.0: lambda: np.array([1e300]) * 1e300,
+    4.0: lambda: decimal.Decimal("-1").sqrt(),
+}
+UNEXPECTED: dict[float, Callable[[], object]] = {5.0: lambda: LOST["nothing"], 6.0: lambda: [LOST][7]}
+
+
+class Faulty(Scene):
+    """A scene that fails if k is 1 to 6, and whose picture cannot be sent if k is 7 or 8."""
+
+    slug = title = headline = "faulty"
+    lecture = "none"
+    groups = ()
+    k = stiffness(0.5, symbol="k")
+    k2 = stiffness(0.5, symbol="k_2")
+
+    @classmethod
+    def sheet(cls) -> Block:
+        return column()
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        {**REFUSED, **UNEXPECTED}.get(self.k, int)()
+        endless = float("inf") if self.k == 7.0 else self.k
+        return Picture(columns={}, axes={}, scalars={"k": endless}, values={"k": object() if self.k == 8.0 else "k"})
+
+
+@pytest.mark.parametrize("value", [*REFUSED, 7.0])
+def test_arithmetic_beyond_doubles_is_refused_in_words(value: float) -> None:
+    scene = Faulty()
+    before, held = scene.shown, scene.param.values()
+    for change in (lambda: scene.set({"k2": 3.0, "k": value}), lambda: setattr(scene, "k", value)):
+        with pytest.raises(ValueError, match="range of doubles"):
+            change()
+        assert (scene.shown, scene.param.values()) == (before, held)
+    assert Page(scene).send(put(k2=3.0, k=value))["errors"]["k"] == f"{BEYOND} Still drawn with 0.500."
+    facts = unpacked(opened({"faulty": Faulty}, Link("faulty", {"k": value})).opening())
+    assert facts["problems"] == [f"{BEYOND} The link's parameters were not used."]
+
+
+@pytest.mark.parametrize("value", [*UNEXPECTED, 8.0])
+def test_an_unexpected_error_is_answered_and_changes_nothing(value: float) -> None:
+    page = Page(Faulty(k2=2.0))
+    before, now, parameters = page.opening(), page.now, {"k": value}
+    for said in (put(k=value), typed("k", str(value)), state("faulty", parameters=parameters)):
+        assert page.send({**said, "number": 4}) == {**before, "problems": [SORRY], "answer": 4}
+        assert page.now is now, said
+    assert set_values(page, k=9.0)["settings"]["k"]["value"] == 9.0
+    facts = unpacked(opened({"faulty": Faulty}, Link("faulty", {"k": value}, ["hum: unknown."])).opening())
+    assert (facts["problems"], facts["query"]) == (["hum: unknown.", LINK_LOST], "scene=faulty")
+
+
+def test_a_message_that_comes_again_is_answered_and_not_applied_again() -> None:
+    page = Page(Faulty())
+    message = {**put(k=9.0), "number": 3}
+    first = page.send(message)
+    page.session.now = with_values(page.now, {"k": 10.0})
+    assert [told["settings"]["k"]["value"] for told in (first, page.send(message))] == [9.0, 10.0]
+    page.send(message | {"number": 4})
+    assert page.scene.values["k"] == 9.0
+    refused, again = (page.send({**typed("k", "hum"), "number": 5}) for _ in range(2))
+    assert refused == again and "k" in again["errors"], "the first answer may be lost"
+
+
+def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(logging.getLogger("components.quantities.refusals"), "filters", [Once()])
+    page = Page(Faulty())
+    for number in range(6):
+        page.send({**put(k=(1.0, 5.0)[number % 2]), "number": number})
+    refused, unexpected = caplog.records
+    assert (refused.levelname, unexpected.levelname) == ("WARNING", "ERROR")
+    assert refused.exc_info is None and unexpected.exc_info is not None
+    assert "KeyError: 'nothing'" in caplog.text and f"{__file__}:" in refused.getMessage()
+
+
+def test_numpy_warns_of_nothing_while_a_picture_is_made() -> None:
+    with np.errstate(all="warn"), pytest.raises(ValueError, match="range of doubles"), in_words():
+        np.float64(1e300) * 1e300
+
+
+@pytest.mark.parametrize("query", EXTREME_LINKS)
+def test_a_link_to_numbers_beyond_doubles_opens_a_page_that_works(query: str) -> None:
+    link = read_query(as_arguments(query), SCENES)
+    session = opened(SCENES, link)
+    facts = unpacked(session.opening())
+    if facts["problems"]:
+        assert facts["query"] == unpacked(opened(SCENES, Link(link.slug)).opening())["query"]
+        assert "not used" in facts["problems"][0]
+    else:
+        assert {name: getattr(session.now.scene, name) for name in link.values} == link.values
+    assert set_values(Page(session), m1=3.0)["errors"] == {}
+
+
+@pytest.mark.parametrize(
+    ("slug", "values"),
+    [
+        ("driven", {"kind": "base", "Y": 5e7, "omega": 4.4e-300, "k": 3.948e-149, "c": 2513000.0}),
+        ("driven", {"kind": "base", "omega": 4.398, "m": 1e-06, "zeta": 2e299, "keep": "zeta"}),
+        ("absorber", {"own": True, "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "view": "rest"}),
+    ],
+)
+def test_an_axis_that_doubles_cannot_have_is_refused_in_a_sentence(slug: str, values: dict[str, Any]) -> None:
+    """Not in the words of Python, "cannot convert float NaN to integer"."""
+    with pytest.raises(ValueError, match="the range of doubles"):
+        SCENES[slug](**values)
