@@ -121,7 +121,7 @@ ABUSES: dict[str, tuple[Callable[[Attacked, str], Awaitable[list[Answered]]], li
     "another method": (sending(method="PATCH"), ROUTES, {405}),
     "no word": (no_word, [one for one in OF_A_CODE if one != "POST /class/CODE/token"], NOT_YOURS),
     "the word of another member": (other_member, OF_A_MEMBER, NOT_YOURS),
-    "a closed class": (sending(), OF_A_CODE, NOT_YOURS),
+    "a closed class": (sending(), OF_A_CODE, NOT_YOURS | {410}),
     "too large": (sending(body={"type": "x" * 64_000}), WITH_BODY, {413}),
     "no message": (sending(body=b""), WITH_BODY, {400}),
     "a list": (sending(body=[]), WITH_BODY, {400}),
