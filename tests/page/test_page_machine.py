@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import settings
+from hypothesis import Phase, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
     RuleBasedStateMachine,
@@ -202,7 +202,8 @@ class Visit(RuleBasedStateMachine):
         assert (self.state.before, self.state.covered, shown["view"]["left_out"]) == (None, (), [])
         for name, axis in shown["view"]["axes"].items():
             (low, high), (least, most) = (sorted((one["start"], one["end"])) for one in (axis, old["axes"][name]))
-            assert low <= least and most <= high, name
+            rounding = 1e-9 * (most - least)
+            assert low <= least + rounding and most - rounding <= high, name
 
     @rule(data=st.data())
     def covers(self, data: st.DataObject) -> None:
@@ -291,4 +292,6 @@ class Visit(RuleBasedStateMachine):
 @pytest.mark.parametrize("slug", SCENES)
 def test_the_laws_of_a_page_hold_after_any_messages(slug: str) -> None:
     machine = type(f"Visit{slug.title()}", (Visit,), {"slug": slug})
-    run_state_machine_as_test(machine, settings=settings(max_examples=tries(16), stateful_step_count=15))
+    # To shrink a failure takes minutes.
+    given = settings(max_examples=tries(16), stateful_step_count=15, phases=[Phase.generate])
+    run_state_machine_as_test(machine, settings=given)
