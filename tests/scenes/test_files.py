@@ -178,8 +178,14 @@ def check_motion(now: PageState, files: Tables) -> None:
         assert len(early) < 2 or np.diff(early).max() <= period / PER_PERIOD * (1 + 1e-9)
         true = trace.exact(t[rows])
         for name in true.keys() & set(table):
-            parts = [np.abs(table[one]).max() for one in table if one.split("_")[0] == name.split("_")[0]]
-            np.testing.assert_allclose(table[name][rows], true[name], rtol=1e-9, atol=1e-9 * max(parts))
+            # A mass of a chain that no wave has reached has only the rounding of the others.
+            alike = [one for one in table if one != "t" and (slug == "chain" or stem(one) == stem(name))]
+            size = max(np.abs(table[one]).max() for one in alike)
+            np.testing.assert_allclose(table[name][rows], true[name], rtol=1e-9, atol=1e-9 * size)
+
+
+def stem(name: str) -> str:
+    return name.split("_")[0]
 
 
 def chain_fastest(scene: Any) -> float:
