@@ -103,7 +103,7 @@ MUTANTS = (
     Mutant("twice told", "static/core/storage.js", "if (!wasReported) note(NOTHING)", "note(NOTHING)", "tests/js"),
     Mutant(
         "slider", "static/controls/scales.js", "Math.cbrt(value", "Math.sqrt(value",
-        "tests/browser/test_controls.py",
+        "tests/js",
     ),
     Mutant(
         "dead button", "static/controls/transport.js",

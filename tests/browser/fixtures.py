@@ -108,15 +108,30 @@ def page(new_page: Callable[..., Page]) -> Page:
     return new_page()
 
 
-@pytest.fixture(scope="module")
-def turning(browser: Browser, server: Server) -> Iterator[Page]:
+def _turning(browser: Browser, server: Server, width: int, height: int, **given: Any) -> Iterator[Page]:
     """A page for all tests of a module, which changes from scene to scene."""
-    tab = Tab(browser, {"width": 1280, "height": 720}, {"bypass_csp": True})
+    tab = Tab(browser, {"width": width, "height": height}, {"bypass_csp": True, **given})
+    tab.page.on("request", lambda request: tab.faults.extend(_foreign(request, server)))
     tab.page.goto(f"{server.url}?scene={next(iter(SCENES))}")
     tab.page.wait_for_function(READY)
     yield tab.page
     tab.close()
     assert not tab.faults, "\n".join(tab.faults)
+
+
+@pytest.fixture(scope="module")
+def desk(browser: Browser, server: Server) -> Iterator[Page]:
+    yield from _turning(browser, server, 1280, 720)
+
+
+@pytest.fixture(scope="module")
+def turning(browser: Browser, server: Server) -> Iterator[Page]:
+    yield from _turning(browser, server, 1280, 720)
+
+
+@pytest.fixture(scope="module")
+def phone(browser: Browser, server: Server) -> Iterator[Page]:
+    yield from _turning(browser, server, 390, 844, has_touch=True, is_mobile=True)
 
 
 @pytest.fixture

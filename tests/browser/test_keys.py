@@ -8,53 +8,45 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.waiting import clicked
-from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
+Open = Callable[..., Page]
+AT = "id => oscillations.shown.state.step === id && oscillations.walks.walk?.card"
+TAUGHT = "() => oscillations.walks.walk?.lesson"
+ASKED = (
+    "() => oscillations.walks.walk?.card && !oscillations.walks.walk.lesson && oscillations.shown.state.covered.length"
+)
+TWICE = """() => {
+  for (const type of ["keydown", "keyup", "keydown", "keyup"])
+    document.body.dispatchEvent(new KeyboardEvent(type, {key: "PageDown", bubbles: true, cancelable: true}))
+  globalThis.pressed = performance.now()
+}"""
+"""Two presses at once."""
+
+
+def at(page: Page, step: str) -> None:
+    page.wait_for_function(AT, arg=step)
 
 
 def playing(page: Page) -> bool:
     return bool(page.evaluate("oscillations.clock.playing"))
 
 
-def test_a_walk_goes_by_two_keys_of_a_clicker(server: Server, page: Page) -> None:
-    page.goto(f"{server.url}?walk=d31&step=3")
-    page.wait_for_function(CARD)
-    page.keyboard.press("2")
-    expect(page.locator(".answers button").nth(1)).to_have_attribute("aria-pressed", "true")
-    page.keyboard.press("Space")
-    assert not playing(page)  # nothing plays before the answer
-    clicked(page)
-    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
-    page.locator(".card input[name=x_0]").focus()
-    clicked(page)
-    page.wait_for_function("oscillations.walks.walk.place === 3")
-    clicked(page, "PageUp")
-    page.wait_for_function("oscillations.walks.walk.place === 2")
-    page.keyboard.press("Escape")
-    expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
-    page.locator(".walks summary").click()
-    expect(page.get_by_role("button", name="Leave the walk")).to_be_visible()
-    page.keyboard.press("Escape")
-    expect(page.get_by_role("button", name="Leave the walk")).to_be_hidden()
-    page.keyboard.press("w")
-    expect(page.locator(".card")).to_have_count(0)
-
-
-def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
+def test_keys_of_a_scene(page: Page, open_scene: Open) -> None:
+    """None acts while something is typed. The key that ends a blank screen does nothing else."""
+    now = "oscillations.clock.t"
     open_scene(page, scene="coupled")
     before = playing(page)
     page.keyboard.press("Space")
     assert playing(page) is not before
     page.keyboard.press("]")
-    later = page.evaluate("oscillations.clock.t")
+    later = page.evaluate(now)
     assert later > 0 and not playing(page)
     page.keyboard.press("[")
-    assert page.evaluate("oscillations.clock.t") < later
+    assert page.evaluate(now) < later
     page.keyboard.press("]")
     page.keyboard.press("Home")
-    assert page.evaluate("oscillations.clock.t") == 0
+    assert page.evaluate(now) == 0
     page.keyboard.press("2")
     page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].name")
     page.keyboard.press("b")
@@ -62,30 +54,10 @@ def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
     before = playing(page)
     page.keyboard.press("Space")
     expect(page.locator(".blank")).to_have_count(0)
-    assert playing(page) is before  # the key that unblanks the screen does nothing else
+    assert playing(page) is before
     for count in (1, 0):  # a clicker sends the same one again
         page.keyboard.press(".")
         expect(page.locator(".blank")).to_have_count(count)
-
-
-def test_a_number_typed_on_a_slider_goes_to_its_field(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="coupled")
-    before = page.evaluate("oscillations.shown.settings.m1.value")
-    typed = (("k2", "2.5", 2.5), ("k2", ".5", 0.5), ("k2", "0.3", 0.3), ("x1_0", "-1", -1), ("x1_0", "-0,4", -0.4))
-    for name, text, value in typed:
-        page.locator(f"input[name={name}-slider]").focus()
-        page.keyboard.type(text)
-        assert page.locator(".blank").count() == 0
-        expect(page.locator(f".panel input[name={name}]")).to_have_value(text)
-        page.keyboard.press("Enter")
-        page.wait_for_function(
-            "([name, value]) => oscillations.shown.settings[name].value === value", arg=[name, value]
-        )
-        assert page.evaluate("oscillations.shown.settings.m1.value") == before
-
-
-def test_none_acts_while_something_is_typed(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="coupled")
     state = page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]")
     field = page.locator(".panel input[name=k2]").last
     field.fill("")
@@ -95,9 +67,7 @@ def test_none_acts_while_something_is_typed(page: Page, open_scene: Callable[...
     assert page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]") == state
 
 
-def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
-    page: Page, open_scene: Callable[..., Page]
-) -> None:
+def test_the_list_names_each_key_and_single_letters_can_be_switched_off(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     page.keyboard.press("?")
     keys = page.get_by_role("dialog", name="Keys")
@@ -120,10 +90,10 @@ def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
 
 
 def test_lists_open_at_their_beginning_with_the_way_out_in_sight(
-    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+    new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = open_scene(new_page(844, 390), walk="d31", step=3)
-    page.wait_for_function(CARD)
+    page.wait_for_function("document.querySelector('.card')")
     for name, button in (("Keys", "Keys"), ("Steps of this lecture", "Contents")):
         page.get_by_role("button", name=button, exact=True).click()
         opened = page.get_by_role("dialog", name=name)
@@ -136,84 +106,19 @@ def test_lists_open_at_their_beginning_with_the_way_out_in_sight(
             expect(close).to_be_in_viewport(ratio=1)
         close.click()
         expect(opened).to_be_hidden()
-
-
-Open = Callable[..., Page]
-AT = "id => oscillations.shown.state.step === id && oscillations.walks.walk?.card"
-TAUGHT = "() => oscillations.walks.walk?.lesson"
-ASKED = (
-    "() => oscillations.walks.walk?.card && !oscillations.walks.walk.lesson && oscillations.shown.state.covered.length"
-)
-
-
-def at(page: Page, step: str) -> None:
-    page.wait_for_function(AT, arg=step)
-
-
-def test_it_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene: Open) -> None:
-    open_scene(page, walk="d34", step="d34-02")
-    at(page, "d34/d34-02")
+    menu, leave = page.locator(".walks summary"), page.get_by_role("button", name="Leave the walk")
+    menu.click()
+    expect(leave).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(leave).to_be_hidden()
     clicked(page)
     page.wait_for_function(TAUGHT)
-    clicked(page, "PageUp")
-    page.wait_for_function(ASKED)
-    at(page, "d34/d34-02")
-    clicked(page)
-    page.wait_for_function(TAUGHT)
-    formulas = page.locator(".card .follows .lines")
-    clicked(page)
-    expect(formulas).to_be_visible()
-    clicked(page, "PageUp")
-    expect(formulas).to_be_hidden()
-    clicked(page)
-    expect(formulas).to_be_visible()
-    clicked(page)
-    at(page, "d34/d34-03")
-    clicked(page, "PageUp")
-    at(page, "d34/d34-02")
+    page.locator(".card input[name=x_0]").focus()
+    clicked(page)  # a clicker also acts while a field has the focus
+    page.wait_for_function("oscillations.walks.walk.place === 3")
 
 
-def test_two_presses_at_once_are_one(page: Page, open_scene: Open) -> None:
-    open_scene(page, walk="d34", step="d34-02")
-    at(page, "d34/d34-02")
-    page.keyboard.press("PageDown")
-    page.keyboard.press("PageDown")
-    page.wait_for_function(TAUGHT)
-    assert page.evaluate("oscillations.shown.state.step") == "d34/d34-02"
-
-
-@pytest.mark.parametrize("taught", [True, False])
-@pytest.mark.parametrize("key", ["PageDown", "w"])
-def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(
-    key: str, taught: bool, page: Page, open_scene: Open
-) -> None:
-    open_scene(page, walk="d34", step="d34-08")
-    at(page, "d34/d34-08")
-    if taught:
-        clicked(page)
-        page.wait_for_function(TAUGHT)
-    page.evaluate("oscillations.open({scene: 'energy'}, true)")
-    page.wait_for_function("oscillations.shown.scene === 'energy' && !oscillations.walks.walk")
-    expect(page.locator("#back-to-walk")).to_have_text("Back to step 8 (W)")
-    clicked(page, key)
-    at(page, "d34/d34-08")
-    page.wait_for_function(TAUGHT if taught else ASKED)
-    expect(page.locator("#back-to-walk")).to_be_hidden()
-
-
-def test_leaving_uncovers_no_open_question(page: Page, open_scene: Open) -> None:
-    open_scene(page, walk="d34", step="d34-08")
-    at(page, "d34/d34-08")
-    covered = page.evaluate("oscillations.shown.state.covered")
-    page.keyboard.press("w")
-    page.wait_for_function("!oscillations.shown.state.step")
-    assert page.evaluate("oscillations.shown.state.covered") == covered
-    assert covered
-
-
-def test_it_closes_the_topmost_dialog_first(page: Page, open_scene: Open) -> None:
-    open_scene(page, walk="d34", step="d34-02")
-    at(page, "d34/d34-02")
+def closes_the_topmost_dialog(page: Page) -> None:
     for shut, show in (("dialog.keys", "?"), (".walks[open]", None)):
         if show:
             page.keyboard.press(show)
@@ -232,8 +137,8 @@ def test_it_closes_the_topmost_dialog_first(page: Page, open_scene: Open) -> Non
     assert not page.evaluate(TAUGHT)
 
 
-def test_after_the_last_step_it_stops_at_the_last_slide_and_goes_back(page: Page, open_scene: Open) -> None:
-    open_scene(page, walk="tour", step="1")
+def stops_at_the_last_slide(page: Page) -> None:
+    """Then it goes back."""
     page.wait_for_function("oscillations.walks.walk?.card")
     page.evaluate("oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.length - 1)")
     page.wait_for_function("oscillations.walks.walk.place === oscillations.walks.walk.sheet.steps.length - 1")
@@ -246,3 +151,59 @@ def test_after_the_last_step_it_stops_at_the_last_slide_and_goes_back(page: Page
         if page.locator("dialog.finish").is_visible():
             clicked(page, "PageUp")
     expect(page.locator("dialog.finish")).to_be_hidden()
+
+
+def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene: Open) -> None:
+    """Two presses at once are one. It closes the topmost dialog first, and stops at the last slide."""
+    open_scene(page, walk="d34", step="d34-02")
+    at(page, "d34/d34-02")
+    page.keyboard.press("Space")
+    assert not playing(page), "nothing plays before the answer"
+    page.keyboard.press("2")
+    expect(page.locator(".answers button").nth(1)).to_have_attribute("aria-pressed", "true")
+    closes_the_topmost_dialog(page)
+    page.wait_for_function("performance.now() > pressed + 420")
+    page.evaluate(TWICE)
+    page.wait_for_function(TAUGHT)
+    clicked(page, "PageUp")
+    page.wait_for_function(ASKED)
+    at(page, "d34/d34-02")
+    clicked(page)
+    page.wait_for_function(TAUGHT)
+    formulas = page.locator(".card .follows .lines")
+    expect(formulas).to_be_hidden()
+    for key, visible in (("PageDown", True), ("PageUp", False), ("PageDown", True)):
+        clicked(page, key)
+        expect(formulas).to_be_visible(visible=visible)
+    clicked(page)
+    at(page, "d34/d34-03")
+    clicked(page, "PageUp")
+    at(page, "d34/d34-02")
+    page.keyboard.press("Escape")
+    expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
+    open_scene(page, walk="tour", step="1")
+    stops_at_the_last_slide(page)
+
+
+@pytest.mark.parametrize(("key", "taught"), [("PageDown", True), ("w", False)])
+def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(
+    key: str, taught: bool, page: Page, open_scene: Open
+) -> None:
+    """Leaving the walk uncovers no open question."""
+    open_scene(page, walk="d34", step="d34-08")
+    at(page, "d34/d34-08")
+    if taught:
+        page.locator(".card").press("PageDown")
+        page.wait_for_function(TAUGHT)
+    page.evaluate("oscillations.open({scene: 'energy'}, true)")
+    page.wait_for_function("oscillations.shown.scene === 'energy' && !oscillations.walks.walk")
+    expect(page.locator("#back-to-walk")).to_have_text("Back to step 8 (W)")
+    clicked(page, key)
+    at(page, "d34/d34-08")
+    page.wait_for_function(TAUGHT if taught else ASKED)
+    expect(page.locator("#back-to-walk")).to_be_hidden()
+    covered = page.evaluate("oscillations.shown.state.covered")
+    page.keyboard.press("w")
+    page.wait_for_function("!oscillations.shown.state.step")
+    expect(page.locator(".card")).to_have_count(0)
+    assert page.evaluate("oscillations.shown.state.covered") == covered and bool(covered) is not taught

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Request, Route, expect
 
 from components.scenes import SCENES
-from tests.browser.waiting import type_in
+from tests.browser.waiting import QUIET, turned, type_in
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -17,37 +17,11 @@ Open = Callable[..., Page]
 
 def is_shown(page: Page, **values: float) -> None:
     for name, value in values.items():
-        page.wait_for_function(f"oscillations.shown.settings.{name}.value === {value}")
+        page.wait_for_function(f"oscillations.shown.settings.{name}?.value === {value}")
 
 
-def test_typed_values_and_presets_are_undone_one_by_one_and_done_again(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled", m1=3)
-    undo, redo = (page.get_by_role("button", name=name, exact=True) for name in ("Undo", "Redo"))
-    expect(undo).to_be_disabled()
-    type_in(page, "k2", "7")
-    is_shown(page, k2=7)
-    type_in(page, "x1_0", "0.5")
-    is_shown(page, x1_0=0.5)
-    page.get_by_role("button", name="All equal").click()
-    is_shown(page, m1=1)
-    undo.click()
-    is_shown(page, m1=3, k2=7, x1_0=0.5)
-    page.keyboard.press("Control+z")
-    is_shown(page, m1=3, k2=7, x1_0=1)
-    page.keyboard.press("Control+z")
-    is_shown(page, m1=3, k2=2, x1_0=1)
-    expect(undo).to_be_disabled()
-    page.keyboard.press("Control+Shift+z")
-    is_shown(page, k2=7, x1_0=1)
-    redo.click()
-    is_shown(page, k2=7, x1_0=0.5)
-    type_in(page, "m2", "4")
-    is_shown(page, m2=4)
-    expect(redo).to_be_disabled()
-
-
-def test_a_whole_drag_is_one_entry_and_a_refused_change_none(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
+def swept(page: Page) -> float:
+    """Sweep the slider of k1 by mouse; return the value at its end."""
     box = page.locator("input[name=k1-slider]").bounding_box()
     assert box
     y = box["y"] + box["height"] / 2
@@ -57,57 +31,70 @@ def test_a_whole_drag_is_one_entry_and_a_refused_change_none(page: Page, open_sc
         page.mouse.move(box["x"] + part * box["width"], y)
         page.wait_for_function("!oscillations.messages.asked")
     page.mouse.up()
-    dragged = page.evaluate("oscillations.messages.state.parameters.k1")
-    assert dragged > 4
-    type_in(page, "k2", "-3")
-    expect(page.get_by_role("alert").filter(has_text="−3 N/m is not possible")).to_be_visible()
-    page.keyboard.press("Control+z")
-    is_shown(page, k1=4)
-    expect(page.get_by_role("button", name="Undo", exact=True)).to_be_disabled()
-    page.keyboard.press("Control+Shift+z")
-    is_shown(page, k1=dragged)
+    page.wait_for_function(f"!oscillations.page.compare.undoGroup && {QUIET}")
+    return float(page.evaluate("oscillations.messages.state.parameters.k1"))
 
 
-def test_a_field_that_is_typed_in_undoes_its_own_text(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
+def test_changes_are_undone_one_by_one_and_done_again(page: Page, open_scene: Open) -> None:
+    """A drag is one entry, a refused change none; a field undoes its own text; each scene has its own past."""
+    open_scene(page, scene="coupled", m1=3)
+    undo, redo = (page.get_by_role("button", name=name, exact=True) for name in ("Undo", "Redo"))
+    expect(undo).to_be_disabled()
     type_in(page, "k2", "7")
     is_shown(page, k2=7)
+    type_in(page, "k2", "-3")
+    expect(page.get_by_role("alert").filter(has_text="−3 N/m is not possible")).to_be_visible()
+    dragged = swept(page)
+    assert dragged > 4
+    page.get_by_role("button", name="All equal").click()
+    is_shown(page, m1=1)
+    undo.click()
+    is_shown(page, m1=3, k2=7, k1=dragged)
+    page.keyboard.press("Control+z")
+    is_shown(page, m1=3, k2=7, k1=4)
     field = page.locator("input[name=m1]")
     field.focus()
     page.keyboard.type("5")
     page.keyboard.press("Control+z")
-    page.wait_for_function("!oscillations.messages.asked && !oscillations.page.compare.undoGroup")
-    assert page.evaluate("(({past, future}) => [past.length, future.length])(oscillations.undo.story)") == [1, 0]
-    expect(field).to_have_value("2.00")
-
-
-def test_each_scene_has_its_own_past(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    type_in(page, "k2", "7")
+    page.wait_for_function(f"!oscillations.page.compare.undoGroup && {QUIET}")
+    expect(field).to_have_value("3.00")
     is_shown(page, k2=7)
+    field.blur()
     page.get_by_role("link", name="Forced").click()
     page.wait_for_function("oscillations.shown.scene === 'forced'")
-    expect(page.get_by_role("button", name="Undo", exact=True)).to_be_disabled()
+    expect(undo).to_be_disabled()
     page.go_back()
     page.wait_for_function("oscillations.shown.scene === 'coupled'")
-    is_shown(page, k2=7)
-    page.get_by_role("button", name="Undo", exact=True).click()
-    is_shown(page, k2=2)
+    undo.click()
+    is_shown(page, m1=3, k2=2, k1=4)
+    expect(undo).to_be_disabled()
+    page.keyboard.press("Control+Shift+z")
+    is_shown(page, k2=7, k1=4)
+    redo.click()
+    is_shown(page, k2=7, k1=dragged)
+    type_in(page, "m2", "4")
+    is_shown(page, m2=4)
+    expect(redo).to_be_disabled()
 
 
-def test_a_preset_plays_from_the_start_and_keeps_what_it_does_not_name(page: Page, open_scene: Open) -> None:
+def test_a_preset_plays_from_the_start_says_what_to_watch_and_keeps_what_it_does_not_name(
+    page: Page, open_scene: Open
+) -> None:
     open_scene(page, scene="coupled", hidden="x1_slow", window=40)
+    note = page.locator(".transport .note")
     page.get_by_role("button", name="Pause").click()
     page.evaluate("oscillations.clock.seek(20)")
     page.get_by_role("button", name="Beats").click()
     page.wait_for_function("oscillations.shown.preset === 'beats'")
     assert page.evaluate("oscillations.clock.playing && oscillations.clock.t < 20")
-    assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
-    assert page.evaluate("oscillations.messages.state.parameters.window") == 40
-
-
-def test_a_preset_that_is_refused_says_why(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="forced", window=1e-3)
+    state = page.evaluate("oscillations.messages.state")
+    assert (state["hidden"], state["parameters"]["window"]) == (["x1_slow"], 40)
+    turned(page, "oscillator", {})
+    page.get_by_role("button", name="Heavy").click()
+    expect(note).to_contain_text("Four times the mass of the others: it swings half as fast.")
+    type_in(page, "m", "3")
+    expect(note).not_to_contain_text("half as fast")
+    turned(page, "forced", {"window": 1e-3})
     page.evaluate("oscillations.take({omega: 1e300})")
     expect(page.locator(".notice")).to_contain_text("Still drawn as before.")
     expect(page.get_by_role("button", name="Undo", exact=True)).to_be_disabled()
@@ -117,6 +104,7 @@ SAME_PLACES = """() => oscillations.plots.filter(plot => plot.figure.manager).ev
   const [view] = plot.figure.manager
   return ["left", "top", "width", "height"].every(side => view.frame.bbox[side] === plot.frame[side])
 })"""
+NAVIGATION = "[...document.querySelectorAll('.nav a, .nav button')].map(one => one.textContent || one.ariaLabel)"
 
 
 def turn(page: Page, slug: str) -> None:
@@ -134,11 +122,12 @@ def arrived(page: Page, slug: str) -> None:
 
 
 def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: Open) -> None:
-    """Each plot already has the size that Bokeh gives its figure."""
+    """Each has its own title and the same navigation. Each plot already has the size that Bokeh gives its figure."""
     asked: list[str] = []
     page.set_viewport_size({"width": 1001, "height": 611})
     open_scene(page, scene="coupled", k2=3)
     page.evaluate("document.documentElement.dataset.theme = 'dark', globalThis.mine = true")
+    navigation = page.evaluate(NAVIGATION)
 
     def note(request: Request) -> None:
         asked.append(request.url)
@@ -147,6 +136,9 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     for slug in (*SCENES, "coupled", "forced"):
         turn(page, slug)
         assert page.title() == f"{SCENES[slug].headline} – Oscillations"
+        assert page.evaluate("document.documentElement.lang") == "en"
+        assert page.evaluate(NAVIGATION) == navigation
+        expect(page.get_by_role("button", name="Keys")).to_be_visible()
         expect(page.locator(".nav nav [aria-current=page]")).to_have_text(SCENES[slug].title)
         assert page.evaluate("document.activeElement.tagName") == "H1"
         assert page.locator(".page").count() == 1
@@ -156,6 +148,59 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     assert page.evaluate("mine && document.documentElement.dataset.theme") == "dark"
     assert len(asked) == len(set(asked)), "a sheet is fetched once"
     assert not [url for url in asked if "/assets/" not in url]
+    find = "oscillations.plots.find(plot => plot.block.name === 'mode_energy').host.querySelector('.figure').firstChild"
+    turned(page, "coupled", {"view": "energy"})
+    assert not page.evaluate(find), "a plot gets its figure when it is first seen"
+    page.evaluate("oscillations.send({type: 'choose', name: 'energy', value: 'modes'})")
+    page.wait_for_function(find)
+
+
+def opens_another_tab(page: Page) -> None:
+    """A click for another tab is the browser's own."""
+    with page.context.expect_page() as other:
+        page.locator(".nav nav a[data-scene=coupled]").click(modifiers=["ControlOrMeta"])
+    expect(other.value.locator("h1")).to_have_text(SCENES["coupled"].headline, timeout=30_000)
+    assert page.evaluate("oscillations.shown.scene") == "forced"
+    other.value.close()
+
+
+def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    """Links between scenes take the chain along."""
+    page = open_scene(new_page(fresh=True), scene="coupled")
+    length = page.evaluate("history.length")
+    type_in(page, "k2", "3")
+    page.wait_for_function("location.search.startsWith('?scene=coupled&k2=3')")
+    page.get_by_role("button", name="Drift").click()
+    page.wait_for_function("location.search.includes('k1=0')")
+    turn(page, "forced")
+    assert page.evaluate("history.length") == length + 2
+    assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2&view=response"
+    page.go_back()
+    arrived(page, "coupled")
+    assert page.evaluate("oscillations.shown.preset") == "drift"
+    page.go_back()
+    is_shown(page, k2=3)
+    assert page.evaluate("location.search.startsWith('?scene=coupled&k2=3')")
+    page.go_forward()
+    page.wait_for_function("oscillations.shown.preset === 'drift'")
+    page.go_forward()
+    arrived(page, "forced")
+    opens_another_tab(page)
+    page.get_by_role("button", name="Reset").click()
+    is_shown(page, m1=1)
+    expect(page.get_by_role("button", name="Reset")).to_be_disabled()
+    page.get_by_role("button", name="Undo").click()
+    is_shown(page, k1=0, m1=2)
+    page.evaluate(
+        "oscillations.open({scene: 'chain', parameters: "
+        "{N: 2, ends: 'fixed-free', starts: 'mass', p: 1, m: 2, k: 3, h: 0.3}})"
+    )
+    page.get_by_role("link", name="Open in Coupled").click()
+    is_shown(page, m1=2, m2=2, k1=3, k2=3, x1_0=0.3, x2_0=0)
+    page.get_by_role("link", name="Open in Chain").click()
+    is_shown(page, h=0.3)
 
 
 def test_a_link_can_be_chosen_before_the_first_page_is_drawn(server: Server, page: Page) -> None:
@@ -169,57 +214,14 @@ def test_a_link_can_be_chosen_before_the_first_page_is_drawn(server: Server, pag
     assert page.locator(".page").count() == 1
 
 
-def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(
-    new_page: Callable[..., Page], open_scene: Open
-) -> None:
-    page = open_scene(new_page(fresh=True), scene="coupled")
-    length = page.evaluate("history.length")
-    page.locator("input[name=k2]").fill("3")
-    page.locator("input[name=k2]").press("Enter")
-    page.wait_for_function("location.search.startsWith('?scene=coupled&k2=3')")
-    page.get_by_role("button", name="Drift").click()
-    page.wait_for_function("location.search.includes('k1=0')")
-    turn(page, "forced")
-    assert page.evaluate("history.length") == length + 2
-    page.go_back()
-    arrived(page, "coupled")
-    assert page.evaluate("oscillations.shown.preset") == "drift"
-    page.go_back()
-    page.wait_for_function("oscillations.shown.settings.k2.value === 3")
-    assert page.evaluate("location.search.startsWith('?scene=coupled&k2=3')")
-    page.go_forward()
-    page.wait_for_function("oscillations.shown.preset === 'drift'")
-    page.go_forward()
-    arrived(page, "forced")
-    assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2&view=response"
-
-
-def test_a_click_for_another_tab_is_the_browsers_own(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    with page.context.expect_page() as opened:
-        page.locator(".nav nav a[data-scene=forced]").click(modifiers=["ControlOrMeta"])
-    other = opened.value
-    expect(other.get_by_role("heading", level=1)).to_have_text(SCENES["forced"].headline, timeout=30_000)
-    assert page.evaluate("oscillations.shown.scene") == "coupled"
-
-
 def test_a_sheet_that_could_not_be_fetched_is_asked_for_again(browser: Browser, open_scene: Open) -> None:
     page = browser.new_page(bypass_csp=True)  # the browser logs the file that could not be fetched
     open_scene(page, scene="coupled", k2=3)
     page.evaluate("globalThis.mine = true")
     page.route("**/sheets/forced.*", lambda route: route.abort(), times=2)  # it is requested twice
-    page.locator(".nav nav a[data-scene=forced]").evaluate("link => link.click()")
-    arrived(page, "forced")
+    turn(page, "forced")
     assert page.evaluate("globalThis.mine")
     page.go_back()
     arrived(page, "coupled")
-    page.wait_for_function("oscillations.shown.settings.k2.value === 3")
+    is_shown(page, k2=3)
     page.close()
-
-
-def test_a_plot_gets_its_figure_when_it_is_first_seen(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled", view="energy")
-    find = "oscillations.plots.find(plot => plot.block.name === 'mode_energy')"
-    assert not page.evaluate(f"{find}.host.querySelector('.figure').firstChild")
-    page.evaluate("oscillations.send({type: 'choose', name: 'energy', value: 'modes'})")
-    page.wait_for_function(f"{find}.host.querySelector('.figure').firstChild")

@@ -21,7 +21,7 @@ PASSED = """count => new Promise(passed => {
 QUIET = "!oscillations.messages.asked && !oscillations.messages.outbox.length"
 """All messages are answered."""
 TURNED = """([slug, given]) => document.documentElement.dataset.ready === "true"
-  && oscillations.page.spec.slug === slug
+  && oscillations.page.spec.slug === slug && !oscillations.messages.asked && !oscillations.messages.outbox.length
   && Object.entries(given).every(([name, value]) => oscillations.shown.settings[name].value === value)"""
 UNFOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = true })"
 
