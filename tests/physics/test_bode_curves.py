@@ -31,3 +31,11 @@ def test_curves_are_those_of_single_frequencies(
     assert np.all(np.abs(found.X - true)[:, finite] <= 9 * U * np.abs(true[:, finite]))
     still = (true == 0.0).any(axis=0)  # no swing, no lag
     assert np.all(np.abs(found.lags - lags)[:, finite & ~still] <= 16 * U)
+
+
+def test_at_a_pole_a_mass_without_a_link_stays_at_rest() -> None:
+    for k2 in (0.0, 2.0):
+        chain = DampedChain(m1=2.0, m2=1.0, k1=4.0 if k2 else 8.0, k2=k2)
+        X = bode_curves(chain, [2.0], 3.0).X
+        np.testing.assert_array_equal(X, chain.response([2.0], 3.0))
+        assert np.isinf(X[0]) and (X[1] == 0.0) == (k2 == 0.0)
