@@ -36,7 +36,9 @@ BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2, view="formulas").value).query
 """The longest equations."""
 REFUSED = f"{fitted(SCENES['absorber'](damping='added', c=40.0).value).query}&unknown=1"
 """The longest words next to a stage, under a notice."""
-CASES = [(link, GRID if WHOLE else SAMPLE) for link in (*LINKS, BRAKED, REFUSED)] + [
+BODE = fitted(SCENES["forced"](view="bode").value).query
+"""The only view with numbers at vertical axes that have no room beside each other."""
+CASES = [(link, GRID if WHOLE else SAMPLE) for link in dict.fromkeys((*LINKS, BRAKED, REFUSED, BODE))] + [
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
 ]
 """Links, and the sizes at which each is tested."""
