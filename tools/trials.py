@@ -96,7 +96,7 @@ def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
 
 
 class _Trial:
-    """A plugin of pytest that runs some tests in their order, where a file has all of its tests, and notes which fail.
+    """A plugin of pytest that runs tests in their order, and all of a file or folder, and notes which fail.
 
     The names of measured tests are those of a report, which writes some characters in another way: such a test is left
     out.
@@ -104,13 +104,13 @@ class _Trial:
 
     def __init__(self, tests: Sequence[str]) -> None:
         self.order = {test: place for place, test in enumerate(tests)}
+        self.whole = tuple(test for test in tests if "::" not in test)
         self.failed = list[str]()
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Select the tests."""
-        places = [(self.order.get(item.nodeid, self.order.get(item.nodeid.partition("::")[0])), item) for item in items]
-        chosen = [(place, item) for place, item in places if place is not None]
-        items[:] = [item for _, item in sorted(chosen, key=lambda one: one[0])]
+        chosen = [item for item in items if item.nodeid in self.order or item.nodeid.startswith(self.whole)]
+        items[:] = sorted(chosen, key=lambda item: self.order.get(item.nodeid, 0))
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Note a test that fails."""
