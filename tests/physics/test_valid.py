@@ -124,7 +124,7 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
 
 
 @pytest.mark.parametrize(("system", "numbers", "may_be_0"), SYSTEMS, ids=lambda one: getattr(one, "__name__", ""))
-def test_each_number_of_a_system_is_checked_by_its_name(
+def test_each_number_of_a_system_is_checked_by_its_name_and_kept_as_a_double(
     system: type[Any], numbers: dict[str, float], may_be_0: set[str]
 ) -> None:
     for name in numbers:
@@ -132,6 +132,8 @@ def test_each_number_of_a_system_is_checked_by_its_name(
             with pytest.raises(ValueError, match=rf"^{name} = {bad}\b|at least 1"):
                 system(**(numbers | {name: bad}))
         system(**(numbers | (dict.fromkeys([name], 0.0) if name in may_be_0 else {})))
+    kept = vars(system(**{name: Fraction(number) for name, number in numbers.items()}))
+    assert all(isinstance(kept[name], float) for name in numbers.keys() - {"N"})
 
 
 @pytest.mark.parametrize(("words", "call"), CALLS, ids=lambda one: one if isinstance(one, str) else "")
