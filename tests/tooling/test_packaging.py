@@ -39,6 +39,7 @@ def test_the_citation_has_the_version_and_licence_of_the_package() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(300)  # pip installs a package
 def test_an_installed_lecture_has_its_files_and_serves_its_first_page(tmp_path: Path) -> None:
     alone = ("--no-deps", "--no-index", "--no-build-isolation")
     subprocess.run([*PIP, "wheel", *alone, "--wheel-dir", tmp_path, ROOT], check=True)
