@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from time import time
+
 from playwright.sync_api import Page
 
 
 def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str = "touchEnd") -> None:
-    """A finger put down, moved and lifted, or taken away by the browser."""
-    browser = page.context.new_cdp_session(page)
-    for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), (end, None)):
+    """A finger put down, moved, and lifted after a rest, or taken away by the browser.
+
+    Without a rest, the browser takes it for a throw and ignores the next tap, as it does while a page rolls.
+    """
+    browser, now = page.context.new_cdp_session(page), time()
+    for kind, share, ago in (
+        ("touchStart", 0.0, 0.6),
+        ("touchMove", 0.5, 0.5),
+        ("touchMove", 1.0, 0.4),
+        (end, None, 0.0),
+    ):
         points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
-        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points, "timestamp": now - ago})
 
 
 class Finger:
