@@ -57,76 +57,63 @@ def drives(draw, parameters):
 
 
 @each_family
-def test_amplitudes_at_every_frequency(family):
-    @thorough
-    @given(st.data())
-    def check(data):
-        parameters = data.draw(drawn(family))
-        omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
-        check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
-
-    check()
+@thorough
+@given(data=st.data())
+def test_amplitudes_at_every_frequency(family, data):
+    parameters = data.draw(drawn(family))
+    omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
+    check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
 
 
 @each_family
-def test_detunings_are_rounded_once(family):
+@thorough
+@given(data=st.data())
+def test_detunings_are_rounded_once(family, data):
     """Differences of two rounded frequencies would have no digit next to a resonance."""
-
-    @thorough
-    @given(st.data())
-    def check(data):
-        parameters = data.draw(drawn(family))
-        omega, true = data.draw(drives(parameters)), Truth(*parameters)
-        assume(true.omega[1] < LARGEST)
-        found = driven_modes(chain_with(parameters), 1.0, omega).detuning
-        with mp.workprec(SETUP_BITS):
-            assert all(ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
-
-    check()
+    parameters = data.draw(drawn(family))
+    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    assume(true.omega[1] < LARGEST)
+    found = driven_modes(chain_with(parameters), 1.0, omega).detuning
+    with mp.workprec(SETUP_BITS):
+        assert all(ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
 
 
 @each_family
-def test_motion_from_rest_is_within_16_u_at_every_detuning(family):
-    @thorough
-    @given(st.data())
-    def check(data):
-        parameters = data.draw(drawn(family))
-        omega, true = data.draw(drives(parameters)), Truth(*parameters)
-        quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
-        turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
-        t = [float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST]
-        expected = [true.driven(2.0, omega, s) for s in t]
-        if max((abs(value) for values, _ in expected for value in values), default=0) > LARGEST:
-            with pytest.raises(ValueError, match="leaves the range of doubles"):
-                forced_motion(chain_with(parameters), 2.0, omega, t)
-            return
-        motion = forced_motion(chain_with(parameters), 2.0, omega, t)
-        for n, (values, scales) in enumerate(expected):
-            assert worst(motion, n, values, scales) <= 16
-
-    check()
+@thorough
+@given(data=st.data())
+def test_motion_from_rest_is_within_16_u_at_every_detuning(family, data):
+    parameters = data.draw(drawn(family))
+    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+    turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
+    t = [float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST]
+    expected = [true.driven(2.0, omega, s) for s in t]
+    if max((abs(value) for values, _ in expected for value in values), default=0) > LARGEST:
+        with pytest.raises(ValueError, match="leaves the range of doubles"):
+            forced_motion(chain_with(parameters), 2.0, omega, t)
+        return
+    motion = forced_motion(chain_with(parameters), 2.0, omega, t)
+    for n, (values, scales) in enumerate(expected):
+        assert worst(motion, n, values, scales) <= 16
 
 
 @each_family
-def test_motion_from_any_start_is_within_16_u(family):
-    @thorough
-    @given(st.data())
-    def check(data):
-        parameters = data.draw(drawn(family))
-        omega, true = data.draw(drives(parameters)), Truth(*parameters)
-        quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
-        assume(mp.mpf("1e-100") < quickest < mp.mpf("1e100"))
-        x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
-        v_0 = (data.draw(st.floats(-1.0, 1.0)) * float(quickest), 0.0)
-        t = float(mp.mpf(10) ** data.draw(st.floats(-3.0, 14.9)) / quickest)
-        F_0 = float(min(mp.mpf("1e200"), true.m1 * quickest**2))
-        parts = true.free(x_0, v_0, t), true.driven(F_0, omega, t)
-        values, scales = ([a + b for a, b in zip(*pair, strict=True)] for pair in zip(*parts, strict=True))
-        assume(max(abs(value) for value in values) < LARGEST)
-        motion = forced_motion(chain_with(parameters), F_0, omega, [t], x_0, v_0)
-        assert worst(motion, 0, values, scales) <= 16
-
-    check()
+@thorough
+@given(data=st.data())
+def test_motion_from_any_start_is_within_16_u(family, data):
+    parameters = data.draw(drawn(family))
+    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+    assume(mp.mpf("1e-100") < quickest < mp.mpf("1e100"))
+    x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
+    v_0 = (data.draw(st.floats(-1.0, 1.0)) * float(quickest), 0.0)
+    t = float(mp.mpf(10) ** data.draw(st.floats(-3.0, 14.9)) / quickest)
+    F_0 = float(min(mp.mpf("1e200"), true.m1 * quickest**2))
+    parts = true.free(x_0, v_0, t), true.driven(F_0, omega, t)
+    values, scales = ([a + b for a, b in zip(*pair, strict=True)] for pair in zip(*parts, strict=True))
+    assume(max(abs(value) for value in values) < LARGEST)
+    motion = forced_motion(chain_with(parameters), F_0, omega, [t], x_0, v_0)
+    assert worst(motion, 0, values, scales) <= 16
 
 
 @pytest.mark.parametrize("name", ["moderate", "1e+-8", "tuned weak coupling", "k2 to 0", "k1 = 0"])

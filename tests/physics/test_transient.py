@@ -68,22 +68,19 @@ def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0)):
 
 
 @pytest.mark.parametrize("family", WITHIN)
-def test_motion_is_rounded_once(family):
-    @settings(max_examples=tries(8))
-    @given(st.data())
-    def examine(data):
-        chain = chain_with(data.draw(drawn(FAMILIES[family])))
-        fast = float(chain.modes().omega[1]) or 1.0
-        c = math.sqrt(chain.m1 * chain.m2) * fast * 10.0 ** data.draw(st.floats(-6.0, 2.0))
-        omega = fast * 10.0 ** data.draw(st.floats(-3.0, 1.0))
-        x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
-        v_0 = data.draw(st.sampled_from([(0.0, 0.0), (fast, -fast)]))
-        times = [10.0 ** data.draw(st.floats(low, high)) / fast for low, high in ((-4.0, 0.0), (0.0, 2.0), (0.0, 4.0))]
-        F_0 = data.draw(st.sampled_from([0.0, 1.0])) * chain.m1 * fast**2
-        assume(max(abs(number) for number in (F_0, omega, c, *times)) < 1e100)
-        check(modes_of(chain, c, F_0, omega, x_0, v_0), [0.0, *times])
-
-    examine()
+@settings(max_examples=tries(8))
+@given(data=st.data())
+def test_motion_is_rounded_once(family, data):
+    chain = chain_with(data.draw(drawn(FAMILIES[family])))
+    fast = float(chain.modes().omega[1]) or 1.0
+    c = math.sqrt(chain.m1 * chain.m2) * fast * 10.0 ** data.draw(st.floats(-6.0, 2.0))
+    omega = fast * 10.0 ** data.draw(st.floats(-3.0, 1.0))
+    x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
+    v_0 = data.draw(st.sampled_from([(0.0, 0.0), (fast, -fast)]))
+    times = [10.0 ** data.draw(st.floats(low, high)) / fast for low, high in ((-4.0, 0.0), (0.0, 2.0), (0.0, 4.0))]
+    F_0 = data.draw(st.sampled_from([0.0, 1.0])) * chain.m1 * fast**2
+    assume(max(abs(number) for number in (F_0, omega, c, *times)) < 1e100)
+    check(modes_of(chain, c, F_0, omega, x_0, v_0), [0.0, *times])
 
 
 @pytest.mark.parametrize("size", [2.2250738585072014e-308, 3e-308, 1e-307, 5e-320])
