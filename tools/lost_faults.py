@@ -3,6 +3,7 @@
 BEFORE is another checkout, with the earlier tests, in which `make mutants` has measured which tests run a line. This
 checkout has the changed tests; both have the same product. Each random fault is in a line that earlier tests of the
 changed files run. If one of them finds it, some test of this checkout must find it too; otherwise it is printed.
+All tests must pass without a fault: one that fails counts as finding each.
 
     --count 60         so many random faults, of all areas in turn
     --seed 20261127    other faults
@@ -16,16 +17,14 @@ import subprocess
 import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Sequence
+from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from tools.random_faults import RandomFault, random_faults
+from tools.random_faults import RandomFault, Site, put, random_sites
 from tools.tests_by_line import TestsByLine
 from tools.trials import ROOT, copied, failures
-
-ENOUGH = 40
-"""So many times more faults are drawn than asked for, because most are in lines that changed tests do not run."""
 
 
 class Compared(NamedTuple):
@@ -39,9 +38,9 @@ class Compared(NamedTuple):
     after: Path
     seconds: float
 
-    def earlier(self, fault: RandomFault) -> list[str]:
+    def earlier(self, site: Site) -> list[str]:
         """Return the earlier tests of changed files that run the line of a fault."""
-        tests = self.measured.of_line(fault.site.file, fault.site.line)
+        tests = self.measured.of_line(site.file, site.line)
         return self.measured.within(self.seconds, {test for test in tests if _file(test) in self.changed})
 
     def found(self, fault: RandomFault) -> list[str]:
@@ -77,13 +76,9 @@ def compare(asked: Namespace) -> Iterator[tuple[str, bool]]:
         folders = copied(before, Path(top) / "before"), copied(ROOT, Path(top) / "after")
         measured = TestsByLine(folders[0], before / "build" / "tests-by-line")
         compared = Compared(changed, current, measured, *folders, asked.seconds)
-        tried = 0
-        for fault in random_faults(ROOT, asked.seed, asked.count * ENOUGH):
-            earlier = compared.earlier(fault)
-            if not earlier or tried == asked.count:
-                continue
-            tried += 1
-            if names := failures(folders[0], fault.site.file, fault.text, earlier):
+        sites = (site for site in random_sites(ROOT, asked.seed) if compared.earlier(site))
+        for fault in (put(ROOT, site) for site in islice(sites, asked.count)):
+            if names := failures(folders[0], fault.site.file, fault.text, compared.earlier(fault.site)):
                 place = f"{fault.site.file}:{fault.site.line}  {fault.old.splitlines()[0]} -> {fault.new}"
                 found = compared.found(fault)
                 yield (f"{place}\n    {names[0]} -> {found[0] if found else 'LOST'}", not found)

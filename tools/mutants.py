@@ -16,16 +16,16 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from itertools import islice
 from pathlib import Path
 from queue import Queue
 from tempfile import TemporaryDirectory
 
 from tools.faults import MUTANTS, Mutant, broken
-from tools.random_faults import AREAS, RandomFault, random_faults
+from tools.random_faults import AREAS, RandomFault, put, random_sites
 from tools.tests_by_line import TestsByLine
-from tools.trials import copied, failures
+from tools.trials import ROOT, copied, failures
 
-ROOT = Path(__file__).parents[1]
 SECONDS = 60.0
 """Measured duration of the tests that are tried for one random fault."""
 WORKERS = 2
@@ -84,7 +84,7 @@ def try_known(asked: Sequence[Mutant]) -> int:
 
 def try_random(seed: int, count: int, tests: Sequence[str]) -> None:
     """Print which random faults are found, and their share in each area."""
-    faults = random_faults(ROOT, seed, count)
+    faults = [put(ROOT, site) for site in islice(random_sites(ROOT, seed), count)]
     with TemporaryDirectory() as top:
         measured = TestsByLine(copied(ROOT, Path(top) / "sound"), ROOT / "build" / "tests-by-line")
         if not tests:

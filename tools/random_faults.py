@@ -45,9 +45,9 @@ class RandomFault(NamedTuple):
     new: str
 
 
-def random_faults(root: Path, seed: int, count: int) -> list[RandomFault]:
-    """Faults of all areas and kinds in turn."""
-    chance, found = Random(seed), list[RandomFault]()
+def random_sites(root: Path, seed: int) -> Iterator[Site]:
+    """Yield places of all areas and kinds in turn, until there is none left."""
+    chance = Random(seed)
     turns = [(area, kind) for kind in KINDS for area in AREAS]
     pools: dict[tuple[str, str], list[Site]] = {turn: [] for turn in turns}
     for area in AREAS:
@@ -55,11 +55,10 @@ def random_faults(root: Path, seed: int, count: int) -> list[RandomFault]:
             pools[area, site.kind].append(site)
     for pool in pools.values():
         chance.shuffle(pool)
-    while len(found) < count and any(pools.values()):
+    while any(pools.values()):
         for turn in turns:
-            if pools[turn] and len(found) < count:
-                found.append(put(root, pools[turn].pop()))
-    return found
+            if pools[turn]:
+                yield pools[turn].pop()
 
 
 def sites(root: Path, area: str) -> Iterator[Site]:

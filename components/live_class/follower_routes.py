@@ -261,11 +261,9 @@ class Answers(Follower):
         room, vote = await self.entered(code), self.body(Given)
         self.limit(f"vote {self.word}")
         put = room.question
-        if (put.walk, put.step) != (vote.walk, vote.step):
-            self.set_status(204)  # the class is at another question, so there is no lesson
+        if put.lesson is None or (put.walk, put.step) != (vote.walk, vote.step):
+            self.set_status(204)  # the answer is not shown, or not any more
             return
-        if put.lesson is None:
-            raise RefusedError(409, "The answer has not been shown yet.")
         try:
             lesson = self.classes.registry.bank_of(room).lesson(vote)
         except ValueError as reason:

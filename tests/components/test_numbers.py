@@ -91,7 +91,7 @@ EXPRESSIONS = {
     **{"√2": math.sqrt(2), "2 sqrt(3)/(1+1)": math.sqrt(3), "2^0.5": math.sqrt(2), "-2^2": -4.0, "1e400/1e399": 10.0},
     **{"007/2": 3.5, "１／３": 1 / 3, "２ｍ": 2.0, "−3 m": -3.0, "5 mm": 5e-3, "1。5": 1.5},
 }
-"""What only a field in m reads."""
+"""Expressions, and numbers with a unit, which only fields read; here in m."""
 MEASURED = [
     *(("12 000 N", "N", 12e3), ("2.5N/m", "N/m", 2.5), ("2.5 N/m", "kN/m", 2.5e-3), ("36 km/h", "m/s", 10.0)),
     *(("150 ft/s", "m/s", 45.72), ("5 µF", "F", 5e-6), ("1/2 g", "kg", 5e-4), ("7 g/cm³", "kg/m³", 7e3)),

@@ -53,6 +53,8 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -
         token, path = await lesson.token(), f"/class/{lesson.code}/answer"
         for option in (1, 0):
             assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
+        hidden = await called(url, path, "POST", {**CHOICE, "option": 1}, token)
+        assert (hidden.status, hidden.text) == (204, "")  # not shown yet, or taken back before the phone knows
         await lesson.order("show")
         gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
         assert gone.status == 204  # nothing is sent for another question
@@ -245,7 +247,7 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
             answer = await called(url, "/class", "POST", word=word)
             assert answer.status == 401 and answer.json["sentence"].startswith(sentence)
         assert (await called(url, "/class", "POST", word="wrong")).status == 429
-        for _ in range(3):  # failed guesses from this network do not block those who know it
+        for _ in range(3):  # wrong passphrases from the same network do not block the right one
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
         assert await server.classes.registry.store.rooms() == 3

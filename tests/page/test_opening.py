@@ -1,4 +1,4 @@
-"""Where a page begins: an address, a click in the navigation, a state of any scene, and the system that goes along."""
+"""A page opens the state of its address. A click in the navigation opens a scene alike, or with the same system."""
 
 from __future__ import annotations
 

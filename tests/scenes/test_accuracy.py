@@ -217,7 +217,7 @@ KINDS = {
     "wider": r"Stiff: step times fast rate may be 43900 for accuracy, 2\.83.*",
     "benign": r"Neither stiff nor highly oscillatory.*",
 }
-"""What limits the step, as it is said of some systems."""
+"""Sentences about the step that three systems allow."""
 VIEWS = [view.slug for view in Accuracy.views]
 
 
