@@ -38,7 +38,7 @@ test: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"
 	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) $(ONCE_MORE) -m "browser and not slow"
 
-# The slow tests: every scene instead of a sample, deployment, real timers.
+# The slow tests: deployment, real timers, other browsers, whole walks.
 rest: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow"
 	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) $(ONCE_MORE) -m "browser and slow"
@@ -51,10 +51,13 @@ browsers: $(VENV)/test.stamp
 test-all:
 	GRIDS=whole $(MAKE) test rest
 
-# All tests with examples of the day, then faults of the day: make nightly SEED=20261127 repeats a night.
+# All tests with every scene, view and walk, and with examples of the day; then faults of the day.
+# make nightly SEED=20261127 repeats a night.
 nightly: export SEED ?= $(shell date +%Y%m%d)
+nightly: export GRIDS = whole
 nightly: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser" --hypothesis-seed=$(SEED)
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) $(ONCE_MORE) -m browser
 	$(BROWSER) $(BIN)/python -m tools.mutants --seed $(SEED) $(ARGS)
 
 lint: $(VENV)/test.stamp

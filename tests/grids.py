@@ -1,12 +1,10 @@
-"""Grids of values: a sample for `make test`, the rest for `make rest`, all of them for `make test-all`."""
+"""Grids of values: a sample for `make test` and `make rest`, all of them for `make test-all` and `make nightly`."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Sequence
 from typing import TypeVar
-
-import pytest
 
 Value = TypeVar("Value")
 WHOLE = os.environ.get("GRIDS") == "whole"
@@ -22,6 +20,6 @@ def sample(values: Sequence[Value], every: int = 2) -> Sequence[Value]:
     return values if WHOLE else values[::every]
 
 
-def spread(values: Sequence[Value], every: int = 3) -> list[object]:
-    """Return parameters of a test: each `every`-th for `make test`; the others are slow, for `make rest`."""
-    return [pytest.param(value, marks=[pytest.mark.slow] if i % every else []) for i, value in enumerate(values)]
+def spread(values: Sequence[Value], every: int = 3) -> Sequence[Value]:
+    """Return every value, or the first and each `every`-th after it: for tests with a page."""
+    return sample(values, every)
