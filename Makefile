@@ -24,8 +24,8 @@ BROWSER = CHROMIUM="$$($(BIN)/python -m tools.browsers.chromium)"
 # Open a page only if there is a screen, because a text browser would take over the terminal.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test rest test-all browsers scene lint format types hooks fast coverage attack audit digests reconnect load course soak \
-	deploy-test class up upgrade accuracy mutants nightly pictures engines animation bench walk protocol readme lock docker clean
+.PHONY: run test rest test-all browsers scene lint python-types checks format types hooks fast coverage attack audit digests \
+	reconnect load course soak deploy-test class up upgrade accuracy mutants nightly pictures engines animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -60,10 +60,16 @@ nightly: $(VENV)/test.stamp
 	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) $(ONCE_MORE) -m browser
 	$(BROWSER) $(BIN)/python -m tools.mutants --seed $(SEED) $(ARGS)
 
+# The checks of types take as long as all others: both at once.
 lint: $(VENV)/test.stamp
+	$(MAKE) --jobs 2 python-types checks
+
+python-types: $(VENV)/test.stamp
+	$(BIN)/mypy
+
+checks: $(VENV)/test.stamp
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python -m tools.house_rules
 	$(BIN)/python -m tools.plain_english
