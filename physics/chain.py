@@ -18,7 +18,7 @@ Sines of all angles come from one table of 80 digits, with angles counted in who
 Source: lecture D31 names waves on a string; D34 superposes independent harmonic motions.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, lru_cache
@@ -27,11 +27,9 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from physics.motion import ExactMotion, Harmonic, harmonic_motion
 from physics.oscillator import phase_of
 from physics.precision.exact import NOISE, PI, Array, exact, precise, rounded
 from physics.precision.polynomials import context
-from physics.sampling import Sinusoid
 from physics.sinusoids import ExactSinusoid, added, combined, on_heads
 from physics.valid import check_positive, finite_array, is_number, keep_doubles, rows_in_range, shown
 
@@ -405,35 +403,6 @@ class ChainModes:
             return 0.0, 0.0
         with precise():
             return float(self.chain.rigid * self.coordinates[0]), float(self.chain.rigid * self.velocities[0])
-
-    def displacement(self, p: int) -> ExactMotion:
-        """Return the displacement of one mass as a motion that is played by its sinusoids.
-
-        Parameters
-        ----------
-        p : int
-            The number of the mass, from 1 to N.
-
-        Returns
-        -------
-        ExactMotion
-            Its displacement in m.
-
-        Raises
-        ------
-        ValueError
-            If there is no such mass.
-        """
-        self.chain.check_mass(p)
-        sizes, omega = self.amplitude * self.chain.shapes[:, p - 1], self.chain.omega
-        waves = zip(sizes.tolist(), omega.tolist(), self.phase.tolist(), strict=True)
-        harmonic = Harmonic(tuple(Sinusoid(*wave) for wave in waves if wave[0]), self.drift)
-        return harmonic_motion(f"x{p}", harmonic, lambda t: self._at(t.tobytes())[p - 1])
-
-    @cached_property
-    def _at(self) -> Callable[[bytes], Array]:
-        """The displacements at the times in a buffer: all masses share one computation."""
-        return lru_cache(1)(lambda times: self.x(np.frombuffer(times)))
 
     def motion(self, t: ArrayLike) -> ChainMotion:
         """Return displacements and velocities of all masses.
