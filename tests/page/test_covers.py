@@ -120,6 +120,16 @@ def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
 
 
 @scenes
+def test_a_covered_axis_is_wider_and_begins_at_0_where_it_did(slug: str) -> None:
+    page = page_state_at(f"?scene={slug}", SCENES)
+    for name, axis in page.shown.axes.items():
+        wide = without(page.kind, page.shown, (f"ticks:{name}",))[0].axes[name]
+        outwards = 1 if axis.end > axis.start else -1
+        assert outwards * (wide.end - axis.end) > 0, name
+        assert (outwards * (axis.start - wide.start) > 0) == (axis.start != 0), name
+
+
+@scenes
 def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
     for values in changes(SCENES[slug]):
         page = Page(SCENES[slug]())

@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from components.language.shapes import ChainRoot
+from components.quantities.formatting import three
 from components.scenes.modes import ModesScene
 from components.state.page_state import fitted
 from physics.damped_chain import DampedChain
@@ -41,10 +42,13 @@ def crosses(scene: ModesScene) -> list[complex]:
 def test_the_crosses_are_the_roots(case: dict[str, Any]) -> None:
     one = case_of(case)
     for grows in WAYS:
-        found, true = crosses(scene_of(one, grows)), one.damped.roots.tolist()
+        scene, true = scene_of(one, grows), one.damped.roots.tolist()
+        found, shown = crosses(scene), scene.shown
         largest = max(map(abs, true)) or 1.0
         assert max(min(abs(s - one) for one in found) for s in true) < 2e-3 * largest  # four roots that are one
         assert sorted(s.imag for s in found) == pytest.approx(sorted(-s.imag for s in found), abs=1e-9 * largest)
+        beyond = sorted((s.real for s in true if s.real < shown.axes["re"].start), reverse=True)
+        assert shown.values["out"] == ", ".join(map(three, beyond)), "the roots left of the plane, nearest first"
 
 
 @pytest.mark.parametrize("case", TIED, ids=lambda case: str(case["id"]))

@@ -52,6 +52,8 @@ def test_a_number_that_is_shown_under_another_name_is_found() -> None:
     shown = step("?scene=energy&view=motion", '["value:delta"]', "delta_st", "m", "How far does it hang down?")
     assert any("0.249" in one and "it is the answer" in one for one in walk(shown))
     assert walk(step("?scene=energy&view=motion&x_0=0.1", '["value:delta"]', "x_0", "m", "Where does it start?")) == []
+    mass_ratio = step("?scene=absorber", '["value:now_X1"]', "m2/m1", "", "How heavy is mass 2 against mass 1?")
+    assert any("0.160" in one for one in walk(mass_ratio)), "the controls show it"
     stated = step("?scene=oscillator", '["value:tau"]', question="ωₙ is 6.28 rad/s. How long is one swing?")
     assert not any("omega”" in one for one in walk(stated))
 

@@ -110,6 +110,7 @@ def response(w: Any) -> Any:
     [
         (response(W), [True, True]),
         (np.minimum(response(W - 0.04), 5), [True, True]),  # nearly right, cut at the frame
+        (np.where(np.abs(W - 0.65) < 0.35, 5.0, 1.0), [False, False]),  # out over a range, not at a place
         (np.minimum(response(W), 3.0), [False, False]),  # humps that stay within
         (1 / np.abs(1 - (W / 1.118) ** 2 + 1e-9), [False, False]),  # one resonance, between
         (np.full_like(W, 6.0), [False, False]),  # a line over the top
