@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from components.language.blocks import StageBlock
+from components.language.blocks import PlotBlock, StageBlock
 from components.language.shapes import Begin
 from components.language.signals import Derived
 from components.layout.sheet import blocks
@@ -40,42 +40,34 @@ scenes = pytest.mark.parametrize("slug", SCENES)
 STAGED = [step for step in steps_of(load_walks(()).values()).values() if STAGE in step.cover]
 
 
-def test_a_covered_plot_takes_its_motion_along() -> None:
-    page = Page(SCENES["coupled"]())
-    before = page.opening()["view"]
-    told = change(page, covered=["plot:x2", "value:omega_minus", "value:omega_minus"])
-    view = told["view"]
-    assert told["state"]["covered"] == ["plot:x2", "value:omega_minus"]
-    assert {"x2_slow", "x2_fast"} <= before["signals"].keys() - view["signals"].keys() <= set(view["left_out"])
-    assert view["signals"]["x2"] == {"kind": "derived", "value": {"terms": [[0.0, []]]}}, "it rests where it starts"
-    assert {"x1", "x1_slow"} <= view["signals"].keys()
-    assert "x2" not in view["live"] and "omega_minus" not in view["values"]
-    assert "x2_slow" in before["columns"]["time"] and "x2_slow" not in view["columns"]["time"]
-    assert view["columns"]["time"].keys() >= {"t", "x1", "x1_slow"}
-    assert "x2" in set_values(page, k2=3.0)["view"]["left_out"]
-    assert "hidden parts" in say(page, "about")["notes"][0]
-    told = change(page, covered=[])
-    assert told["view"]["signals"].keys() == before["signals"].keys() and told["view"]["left_out"] == []
-
-
-def test_a_covered_plot_takes_the_numbers_of_its_heading_along() -> None:
-    page = Page(SCENES["damped"]())
-    assert {"C", "phi"} <= page.shown.values.keys()
-    view = change(page, covered=["plot:x"])["view"]
-    assert {"C", "phi"} <= set(view["left_out"]) and not {"C", "phi"} & view["values"].keys()
-    assert "omega_d" in view["values"]  # which the equation shows too
-
-
 @scenes
-def test_every_plot_and_number_can_be_covered(slug: str) -> None:
-    page = Page(SCENES[slug]())
-    picture = page.shown
-    for cover in (*(PLOT + plot.name for plot in plots(SCENES[slug])), *(VALUE + name for name in picture.values)):
-        told = change(page, covered=[cover])
+def test_a_covered_plot_or_number_is_not_sent_and_all_others_are(slug: str) -> None:
+    page, kind = Page(SCENES[slug]()), SCENES[slug]
+    whole, picture = change(page, covered=[NEXT])["view"], page.shown
+    for cover in (*(PLOT + plot.name for plot in plots(kind)), *(VALUE + name for name in picture.values)):
+        told = change(page, covered=[cover, cover])
         assert (told["errors"], told["state"]["covered"]) == ({}, [cover])
-        spoken = json.dumps([signal for signal in told["view"]["signals"].values() if signal["kind"] == "derived"])
-        lost = set(told["view"]["left_out"]) - told["view"]["signals"].keys()  # a text may be sent, but not its motion
-        assert not any(f'"{name}"' in spoken for name in lost)
+        view, left_out = told["view"], set(told["view"]["left_out"])
+        assert view["values"].keys() == whole["values"].keys() - left_out
+        spoken = json.dumps([signal for signal in view["signals"].values() if signal["kind"] == "derived"])
+        assert not any(f'"{name}"' in spoken for name in left_out - view["signals"].keys())  # its motion may be sent
+        names = {cover, *(PLOT + name for name in kind.covered_with.get(cover.removeprefix(PLOT), ()))}
+        hidden, others = ([plot for plot in plots(kind) if (PLOT + plot.name in names) is has] for has in (True, False))
+        assert sent_of(view, hidden) <= drawn(others)[0] and sent_of(view, others) == sent_of(whole, others)
+        for name in drawn(hidden)[1] - drawn(others)[1]:
+            motion = whole["signals"].get(name)
+            assert motion is None or view["signals"].get(name) != motion, name
+
+
+def drawn(all_plots: list[PlotBlock]) -> tuple[set[tuple[str, str]], set[str]]:
+    """Return the columns and the motions of the curves of some plots."""
+    curves = [curve for plot in all_plots for curve in plot.curves]
+    motions = {name for one in curves for name in (one.signal, one.signal_x) if name}
+    return {(one.source, name) for one in curves for name in (one.x, one.y)}, motions
+
+
+def sent_of(view: dict[str, Any], all_plots: list[PlotBlock]) -> set[tuple[str, str]]:
+    return {(source, name) for source, name in drawn(all_plots)[0] if name in view["columns"].get(source, {})}
 
 
 def begun(scene: PageState) -> Iterator[tuple[str, float]]:
@@ -107,16 +99,6 @@ def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) 
             assert signal == derived(0.0) or any(term.names for term in signal.value.terms), name
         hides = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & starts.keys()
         assert all(left.signals[name] != scene.shown.signals[name] for name in hides), hides
-
-
-def test_a_mode_is_at_rest_where_its_shape_is_asked_for() -> None:
-    """Its motion begins at its amplitude, which would reveal the shape."""
-    (step,) = (step for step in STAGED if step.id == "d34-07")
-    scene = page_state_at(step.state, SCENES)
-    left, _ = without(scene.kind, scene.shown, step.cover)
-    bodies = {f"x{i}_{mode}" for i in (1, 2) for mode in ("slow", "fast")}
-    assert {scene.shown.signals[name] for name in bodies}.isdisjoint({derived(0.0)})
-    assert {name: left.signals[name] for name in bodies} == dict.fromkeys(bodies, derived(0.0))
 
 
 @scenes
@@ -198,41 +180,27 @@ def numbers(told: Any) -> set[float | str]:
     return {told, abs(told)} if isinstance(told, float) and len(f"{told:g}".strip("-0.")) > 1 else set()
 
 
-@pytest.mark.parametrize("x_0", [0.05, 0.002])
-def test_a_total_that_is_small_in_its_frame_is_not_given_away(x_0: float) -> None:
-    """The axis of the energies ends at their total. When hidden, it has round numbers of the frame, which stays."""
-    pages = [Page(SCENES["damped"](view="energy")) for _ in range(2)]
-    for page in pages:
-        change(page, covered=[NEXT])
-    told, other = (set_values(page, x_0=x) for page, x in zip(pages, (x_0, 0.07), strict=True))
-    assert "numbers:E" in told["state"]["covered"]
-    assert pages[0].shown.axes["E"].seen != pages[1].shown.axes["E"].seen
-    assert told["view"]["axes"]["E"] == other["view"]["axes"]["E"]
-
-
-def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
+def test_what_is_revealed_one_by_one_stays_so_a_view_is_no_change_and_a_preset_is_one() -> None:
     page = Page(SCENES["coupled"]())
     change(page, covered=[NEXT])
     assert say(page, "choose", name="view", value="forces")["state"]["covered"] == [NEXT]
     told = set_values(page, k2=5.0)
     assert {"plot:x1", "plot:x2", "value:omega_minus", "stage"} <= set(told["state"]["covered"])
-    told = say(page, "choose", name="view", value="formulas")
-    assert told["state"]["parameters"]["view"] == "formulas" and told["state"]["before"] == {}
-    assert told["view"]["scalars"] == Page(SCENES["coupled"](view="formulas")).opening()["view"]["scalars"]
     left = [name for name in told["state"]["covered"] if name not in (NEXT, "plot:x1")]
     assert change(page, covered=left)["state"]["covered"] == left
     assert set_values(page, k2=6.0)["state"]["covered"] == left
-
-
-def test_a_preset_is_a_change_too_and_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
     page = Page(SCENES["oscillator"]())
     change(page, covered=[NEXT])
-    told = change(page, parameters={"m": 4.0}, frame=None)
-    assert {"plot:x", "value:tau"} <= set(told["state"]["covered"])
-    change(page, covered=[])
-    before = change(page, covered=[NEXT])["view"]["axes"]["x"]
-    told = set_values(page, v_0=-0.7)
-    axis = told["view"]["axes"]["x"]
-    assert "numbers:x" in told["state"]["covered"]
-    assert (axis["start"], axis["end"]) == (before["start"], before["end"])
-    assert page.shown.values["C"] not in "".join(axis["labels"])
+    assert {"plot:x", "value:tau"} <= set(change(page, parameters={"m": 4.0}, frame=None)["state"]["covered"])
+
+
+def test_a_hidden_axis_keeps_its_range_and_its_own_numbers_give_nothing_away() -> None:
+    """The axis of the energies ends at their total. When hidden, it has round numbers of the frame, which stays."""
+    pages = [Page(SCENES["damped"](view="energy")) for _ in range(2)]
+    for page in pages:
+        before = change(page, covered=[NEXT])["view"]["axes"]["E"]
+    told, other = (set_values(page, x_0=x) for page, x in zip(pages, (0.002, 0.07), strict=True))
+    assert "numbers:E" in told["state"]["covered"]
+    assert pages[0].shown.axes["E"].seen != pages[1].shown.axes["E"].seen
+    axis = told["view"]["axes"]["E"]
+    assert axis == other["view"]["axes"]["E"] and (axis["start"], axis["end"]) == (before["start"], before["end"])

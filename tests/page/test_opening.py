@@ -13,10 +13,9 @@ from components.scenes import SCENES
 from components.session.links import page_state_of
 from components.session.opening import opened
 from components.state.link import Link, read_query
-from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
 from tests.grids import tries
-from tests.page.headless_page import Page, change, say, set_values, unpacked
+from tests.page.headless_page import Page, say, set_values, unpacked
 from tests.scenes.checks import as_arguments
 from tests.states import links, state_of
 
@@ -45,25 +44,11 @@ def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: 
     scene = visited({"scene": [slug.encode()], "projector": [b""]}, {}).now.scene
     assert {name: scene.values[name] for name in scene.opens} == scene.opens
     assert scene.preset() == PRESETS.get(slug, next(iter(scene.presets)))
+    assert slug != "oscillator" or visited({}, {}).now.scene.values == scene.values, "the first page of all"
     page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
     told = say(page, "open", state={"scene": slug}, carried=True)
     assert page.scene.values == scene.values
     assert (told["scene"], told["sheet"], told["state"]["hidden"]) == (slug, sheet_address(SCENES[slug]), None)
-
-
-@scenes
-def test_the_defaults_have_an_address_of_their_own(slug: str) -> None:
-    """Whoever names a parameter has the others at their defaults."""
-    defaults = SCENES[slug].at()
-    one = next(iter(defaults.linked()))
-    named = {"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}
-    for query in (as_arguments(fitted(defaults).query), named):
-        assert visited(query, {}).now.scene.values == defaults.values
-
-
-def test_the_first_page_of_all_is_the_pulled_oscillator() -> None:
-    scene = visited({}, {}).now.scene
-    assert (scene.slug, scene.preset(), scene.values["view"]) == ("oscillator", "Pulled", "motion")
 
 
 def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:
@@ -74,15 +59,6 @@ def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> 
         "frame.fruit: “fruit” is not an axis of this picture.",
         "“plot:pear” cannot be covered here.",
     ]
-
-
-def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
-    """The number belongs to another view than that of the state, as in a new session after a reconnection."""
-    page = Page(SCENES["modes"]())
-    say(page, "open", state={"scene": "modes", "parameters": {"view": "solve"}, "covered": ["value:Delta"]})
-    told = say(page, "choose", name="view", value="hunt")
-    again = say(Page(SCENES["modes"]()), "open", state=told["state"])
-    assert (again["errors"], again["state"]) == ({}, told["state"])
 
 
 def test_a_scene_that_was_left_is_closed_and_silent() -> None:
@@ -101,18 +77,15 @@ ROUTES: list[tuple[str, dict[str, Any], list[tuple[str, dict[str, Any]]]]] = [
     (
         "coupled",
         {**CHAIN, "x1_0": 0.3},
-        [("modes", CHAIN), ("forced", CHAIN), ("accuracy", {**CHAIN, "system": "own"}), ("coupled", CHAIN)],
+        [("modes", CHAIN), ("forced", CHAIN), ("accuracy", {**CHAIN, "system": "own"})],
     ),
     ("forced", CHAIN, [("absorber", {}), ("absorber", {"m2": 30.0}), ("modes", CHAIN)]),
     (
-        "oscillator",
-        {"m": 3.0},
+        *("oscillator", {"m": 3.0}),
         [
-            ("energy", {"m": 3.0}),
-            ("energy", {"m": 3.0, "k": 20.0}),
+            *(("energy", {"m": 3.0}), ("energy", {"m": 3.0, "k": 20.0})),
             ("analogues", {"system": "spring", "spring_m": 3.0, "spring_k": 20.0}),
-            ("coupled", {}),
-            ("oscillator", {"m": 3.0, "k": 20.0}),
+            *(("coupled", {}), ("oscillator", {"m": 3.0, "k": 20.0})),
         ],
     ),
     ("analogues", {"system": "circuit", "spring_m": 5.0}, [("oscillator", {})]),
@@ -134,13 +107,5 @@ def test_a_system_goes_along_to_every_scene_that_shows_it(slug: str, values: dic
         assert {name: value for name, value in parameters.items() if name not in opens} == has
     link = read_query(as_arguments(page.now.query), SCENES)
     assert opened(SCENES, link).now.state.parameters == page.now.state.parameters, "the link says all of it"
-
-
-def test_a_state_or_a_scene_as_it_opens_gives_up_what_was_taken_along() -> None:
-    page = Page(SCENES["coupled"](**CHAIN))
-    assert say(page, "open", state={"scene": "modes"})["state"]["parameters"] == {}
-    set_values(page, **CHAIN)
-    told = say(page, "open", state={"scene": "coupled", "parameters": {"k2": 9.0}}, carried=True)
-    assert told["state"]["parameters"] == {**CHAIN, "k2": 9.0}
-    assert change(page, parameters={})["state"]["parameters"] == {}
-    assert say(page, "open", state={"scene": "forced"}, carried=True)["state"]["parameters"] == SCENES["forced"].opens
+    own = say(page, "open", state={"scene": "modes", "parameters": {"k2": 9.0}})
+    assert own["state"]["parameters"] == {"k2": 9.0}, "a state has its own system"

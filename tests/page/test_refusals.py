@@ -14,16 +14,14 @@ import pytest
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.sheet import column
-from components.quantities.parameters import mass, stiffness
+from components.quantities.parameters import stiffness
 from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.scenes import SCENES
 from components.session.opening import opened
-from components.state.link import Link, read_query
-from components.state.page_state import with_values
+from components.state.link import Link
 from tests.page.headless_page import Page, set_values, unpacked
-from tests.scenes.checks import EXTREME_LINKS, as_arguments
 
 LONG = "x" * 100_000
 NESTED: list[Any] = []
@@ -50,22 +48,20 @@ def state(scene: str = "forced", *, carried: bool = False, **parts: Any) -> Mess
     return {"type": "open", "state": {"scene": scene, **parts}, "carried": carried}
 
 
+NO_AXIS = {"kind": "base", "omega": 4.398, "m": 1e-06, "zeta": 2e299, "keep": "zeta"}
+NO_TICKS = {"own": "true", "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "view": "rest"}
+"""Once refused in the words of Python, "cannot convert float NaN to integer"."""
 WORDED: list[tuple[str, Message, str, str]] = [
     ("coupled", put(k2=-1.0), "k2", "−1 N/m is not possible: a stiffness is a finite number, 0 or more. Still drawn"),
     ("coupled", put(k2=3.0, m1=-1.0), "m1", f"{MASS} Still drawn with 2.00."),
     ("coupled", {**put(m1=0.0), "holding": True}, "m1", "0 kg is not possible: a mass"),
-    ("coupled", {**put(m1=0.0), "holding": False}, "m1", "0 kg is not possible: a mass"),
-    ("coupled", put(presets=1.0), "presets", "“presets” is not a parameter of this scene."),
     ("forced", put(omega=1e300), "omega", ""),
     ("phugoid", put(v_0=-3.048), "v_0", "−10.0 ft/s is not possible"),
     ("phugoid", put(v_0=math.nan), "v_0", "nan ft/s is not possible"),
-    ("coupled", typed("m1", "−1"), "m1", f"{MASS} Still drawn with 2.00."),
     ("coupled", typed("k2", "two"), "k2", "“two” is not a number: type one such as 2.5 or 1e-3. Still drawn with"),
-    ("forced", typed("omega", "1e300"), "omega", ""),
     ("coupled", typed("name", "1"), "name", "“name” is not a parameter of this scene."),
     ("phugoid", typed("excess", "-200"), "excess", "−200 ft/s is not possible: an excess of speed is from −v₀"),
     ("coupled", choose("view", "loud"), "view", "“loud” is not possible: choose one of "),
-    ("coupled", choose("k2", "1"), "k2", "“k2” is not a parameter of this scene."),
     ("coupled", {"type": "act", "name": "nothing"}, "action", "“nothing” is not an action of this scene."),
     ("coupled", {"type": "run", "order": "start"}, "run", "“start” is not possible: there is nothing to run here."),
     ("coupled", state("nowhere"), "state", "“nowhere” is not a scene."),
@@ -73,7 +69,6 @@ WORDED: list[tuple[str, Message, str, str]] = [
     ("coupled", state(parameters={"m1": -1.0}), "state", f"m1: {MASS}"),
     ("coupled", state(parameters={"m1": "heavy"}), "state", "m1: 'heavy' is not possible"),
     ("coupled", state(parameters={"curve": "loud"}), "state", "curve: “loud” is not possible: choose one of"),
-    ("coupled", state(parameters={"omega": 1e300}), "state", ""),
     ("coupled", state(parameters={"omega": 1e300}, carried=True), "state", ""),
     ("coupled", state(parameters={"hidden": ["x1"]}), "state", "“hidden” is not a parameter"),
     ("coupled", state(hidden=["<b>"]), "state", "“<b>” is not possible"),
@@ -82,7 +77,8 @@ WORDED: list[tuple[str, Message, str, str]] = [
     ("coupled", state("coupled", frame={"ranges": {"x": [1.0, 1.0]}}), "state", "The range of “x” is from 1.0 to 1.0"),
     ("coupled", state("coupled", frame={"window": 0.0}), "state", "The window of a frame is 0.0"),
     ("coupled", state("coupled", frame={"speed": -1.0}), "state", "The speed of a frame is −1.0"),
-    ("coupled", state("coupled", frame={"scale": 0.0}), "state", "The scale of a frame is 0.0"),
+    ("coupled", state("driven", parameters=NO_AXIS), "state", BEYOND),
+    ("coupled", state("absorber", parameters=NO_TICKS), "state", BEYOND),
 ]  # fmt: skip
 """A scene, a message, and where and how it is refused; "" for a reason of the physics."""
 MALFORMED: list[Any] = [
@@ -125,29 +121,11 @@ def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -
 
 
 @pytest.mark.parametrize(
-    "message",
-    [
-        {"type": "walk", "name": "mine", "text": "="},
-        {"type": "given", "answer": {"walk": "no", "step": "no"}},
-        {"type": "about"},
-        {"type": "csv"},
-    ],
-)
-def test_a_message_that_sets_nothing_leaves_the_page_alone(message: Message) -> None:
-    page = Page(SCENES["coupled"]())
-    before = page.now
-    assert page.send({**message, "number": 7})["answer"] == 7
-    assert page.now is before
-
-
-@pytest.mark.parametrize(
     ("name", "value", "reason"),
     [
         ("k2", -1e-300, "k2 = −1e−300 N/m is not possible: a stiffness is a finite number, 0 or more."),
-        ("k2", math.inf, "k2 = ∞ N/m is not possible: a stiffness is a finite number, 0 or more."),
         ("x1_0", math.nan, "x1_0 = nan m is not possible: a displacement of mass 1 is any finite number."),
         ("k2", "2", "k2 = '2' is not possible: a stiffness is a finite number, 0 or more."),
-        ("m1", None, "m1 = None is not possible: a mass is a finite number above 0."),
         ("m1", True, "m1 = True is not possible: a mass is a finite number above 0."),
     ],
 )
@@ -157,8 +135,6 @@ def test_an_impossible_value_is_refused_in_python_too(name: str, value: object, 
     with pytest.raises(ValueError) as refusal:
         setattr(scene, name, value)
     assert (str(refusal.value), getattr(scene, name), scene.shown) == (reason, before, shown)
-    with pytest.raises(ValueError, match=r"−1 kg is not possible"):
-        mass(-1.0, symbol="m")
 
 
 LOST: dict[object, int] = {}
@@ -215,18 +191,6 @@ def test_an_unexpected_error_is_answered_and_changes_nothing(value: float) -> No
     assert (facts["problems"], facts["query"]) == (["hum: unknown.", LINK_LOST], "scene=faulty")
 
 
-def test_a_message_that_comes_again_is_answered_and_not_applied_again() -> None:
-    page = Page(Faulty())
-    message = {**put(k=9.0), "number": 3}
-    first = page.send(message)
-    page.session.now = with_values(page.now, {"k": 10.0})
-    assert [told["settings"]["k"]["value"] for told in (first, page.send(message))] == [9.0, 10.0]
-    page.send(message | {"number": 4})
-    assert page.scene.values["k"] == 9.0
-    refused, again = (page.send({**typed("k", "hum"), "number": 5}) for _ in range(2))
-    assert refused == again and "k" in again["errors"], "the first answer may be lost"
-
-
 def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(logging.getLogger("components.quantities.refusals"), "filters", [Once()])
     page = Page(Faulty())
@@ -241,30 +205,3 @@ def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypat
 def test_numpy_warns_of_nothing_while_a_picture_is_made() -> None:
     with np.errstate(all="warn"), pytest.raises(ValueError, match="range of doubles"), in_words():
         np.float64(1e300) * 1e300
-
-
-@pytest.mark.parametrize("query", EXTREME_LINKS)
-def test_a_link_to_numbers_beyond_doubles_opens_a_page_that_works(query: str) -> None:
-    link = read_query(as_arguments(query), SCENES)
-    session = opened(SCENES, link)
-    facts = unpacked(session.opening())
-    if facts["problems"]:
-        assert facts["query"] == unpacked(opened(SCENES, Link(link.slug)).opening())["query"]
-        assert "not used" in facts["problems"][0]
-    else:
-        assert {name: getattr(session.now.scene, name) for name in link.values} == link.values
-    assert set_values(Page(session), m1=3.0)["errors"] == {}
-
-
-@pytest.mark.parametrize(
-    ("slug", "values"),
-    [
-        ("driven", {"kind": "base", "Y": 5e7, "omega": 4.4e-300, "k": 3.948e-149, "c": 2513000.0}),
-        ("driven", {"kind": "base", "omega": 4.398, "m": 1e-06, "zeta": 2e299, "keep": "zeta"}),
-        ("absorber", {"own": True, "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "view": "rest"}),
-    ],
-)
-def test_an_axis_that_doubles_cannot_have_is_refused_in_a_sentence(slug: str, values: dict[str, Any]) -> None:
-    """Not in the words of Python, "cannot convert float NaN to integer"."""
-    with pytest.raises(ValueError, match="the range of doubles"):
-        SCENES[slug](**values)
