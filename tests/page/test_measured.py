@@ -87,44 +87,30 @@ def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: 
     assert column["C"] == pytest.approx([C], rel=1e-2) and abs(column["S"][0]) < 0.02 * C
 
 
-@pytest.mark.parametrize(
-    ("rows", "reason"),
-    [
-        (piece(0, 1, [0.0, 1.0], [1.0]), "as many times as displacements"),
-        (piece(0, 1, [0.0, 1.0], [1.0, 2.0], [1.0]), "as many times as displacements"),
-        (piece(0, 1, [0.0, 2.0, 1.0], [1.0, 1.0, 1.0]), "never decrease"),
-        (piece(0, 1, [0.0], [1.0]), "8 or more are needed"),
-        (piece(0, 1, [], []), "8 or more are needed"),
-        (piece(0, 1, T, np.zeros(T.size)), "never changes"),
-        (piece(0, 1, T[:8], motion(4, 0.01)[:8]), "a longer or a quieter record is needed"),
-    ],
-)
+NO_MESSAGE = "not a message that this page sends"
+REFUSED: list[tuple[dict[str, Any], str]] = [
+    (piece(0, 1, [0.0, 1.0], [1.0]), "as many times as displacements"),
+    (piece(0, 1, [0.0, 1.0], [1.0, 2.0], [1.0]), "as many times as displacements"),
+    (piece(0, 1, [0.0, 2.0, 1.0], [1.0, 1.0, 1.0]), "never decrease"),
+    (piece(0, 1, [], []), "8 or more are needed"),
+    (piece(0, 1, T, np.zeros(T.size)), "never changes"),
+    (piece(0, 1, T[:8], motion(4, 0.01)[:8]), "a longer or a quieter record is needed"),
+    (piece(0, 1, np.arange(1251), np.zeros(1251)), NO_MESSAGE),
+    *((piece(*number, T, T), NO_MESSAGE) for number in ((16, 16), (0, 17))),
+    *((piece(0, 1, T, T, **more), NO_MESSAGE) for more in ({"size": 11}, {"derivative": 3}, {"name": "my file"})),
+    *((piece(0, 1, T, 1e300 * T), NO_MESSAGE), (piece(0, 1, [0.0, 1.0], [math.nan, 1.0]), NO_MESSAGE)),
+    *((piece(0, 1, T), NO_MESSAGE), (piece(0, 1, T, T, T, T), NO_MESSAGE)),
+    ({**piece(0, 1, T, T), "columns": [["1"]]}, NO_MESSAGE),
+]
+
+
+@pytest.mark.parametrize(("rows", "reason"), REFUSED)
 def test_rows_without_a_motion_are_refused_in_words(page: Page, rows: dict[str, Any], reason: str) -> None:
     told = page.send(rows)
-    assert told["motion"] is None and reason in told["refused"]
+    assert told["type"] == ("shown" if reason == NO_MESSAGE else "fitted") and told.get("motion") is None
+    assert reason in (told["errors"]["message"] if reason == NO_MESSAGE else told["refused"])
     page.send(piece(0, 2, T, T))
     assert "in the same columns" in page.send(piece(1, 2, T, T, T))["refused"]
-
-
-@pytest.mark.parametrize(
-    "rows",
-    [
-        piece(0, 1, np.arange(1251), np.zeros(1251)),
-        piece(16, 16, T, T),
-        piece(0, 17, T, T),
-        piece(0, 1, T, T, size=11),
-        piece(0, 1, T, T, derivative=3),
-        piece(0, 1, T, 1e300 * T),
-        piece(0, 1, [0.0, 1.0], [math.nan, 1.0]),
-        piece(0, 1, T),
-        piece(0, 1, T, T, T, T),
-        {**piece(0, 1, T, T), "columns": [["1"]]},
-        {**piece(0, 1, T, T), "name": "my file"},
-    ],
-)
-def test_rows_that_no_page_sends_are_refused(page: Page, rows: dict[str, Any]) -> None:
-    told = page.send(rows)
-    assert told["type"] == "shown" and "not a message that this page sends" in told["errors"]["message"]
 
 
 def test_two_columns_give_two_frequencies_and_the_ratios_of_a_chain(page: Page) -> None:

@@ -90,7 +90,7 @@ def essence(told: dict[str, Any]) -> str:
 
 def sizes(now: PageState) -> dict[str, float]:
     """The ends of all axes, and the other sizes of the frame."""
-    frame = now.drawn.frame
+    frame = now.asked.drawn.frame
     ends = {f"{name}{i}": end for name, span in frame.ranges.items() for i, end in enumerate(span)}
     return {**ends, "window": frame.window or 0.0, "scale": frame.scale or 0.0, "speed": frame.speed or 0.0}
 

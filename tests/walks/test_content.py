@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -17,12 +16,10 @@ from components.quantities.formatting import three
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.scene_sheet import plots
-from components.state.sent_picture import sent_picture
 from components.walks.checking import problems, shortcomings
 from components.walks.features import Period
 from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
-from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject, place_of
@@ -35,7 +32,6 @@ from tests.walks.strokes import heights
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
 SLIDES = {*(f"D31-{i}" for i in range(1, 11)), *(f"D34-{i}" for i in range(1, 9)), "D34-N1", "D34-N2"}
-MOST_WORDS = {"title": 8, "question": 30, "explain": 45}
 NUMBER = re.compile(r"(?<![\w.{_^])[−-]?\d+(?:\.\d+)?(?![\w.]*[}])")
 NAME = re.compile(r"(?:(?:[Ss]lides?|[Mm]ass|[Ss]pring|[Rr]ows?) |√)$")
 INDEX = re.compile(r"_(?:\{[^}]*\}|\w)|\{\w+\}|\*")
@@ -64,47 +60,11 @@ def test_no_step_draws_the_curve_that_a_later_one_asks_for(name: str) -> None:
         earlier.append((scene, step))
 
 
-@every_step
-def test_a_step_states_the_scale_of_a_stage_only_with_a_stage(step: Step) -> None:
-    page = replace(page_state_at(step.state, SCENES), show=step.show)
-    said = page.shown.to_scale in sent_picture(page, page.shown).notes
-    has_stage = any(name.partition(":")[0] == "stage" for name in step.show)
-    assert said == bool(has_stage and page.shown.to_scale)
-
-
 def test_every_slide_has_its_step_and_a_lecture_ends_in_five_sentences() -> None:
     assert {slide for step in STEPS.values() for slide in step.slides} == SLIDES
-    for name in WALKS:
-        steps = WALKS[name].steps
-        assert [step.id for step in steps] == [f"{name}-{i:02}" for i in range(1, len(steps) + 1)]
-    assert sum(step.planned for step in WALKS["tour"].steps) == 10
-    for name in ("d34", "d32-33"):
-        assert 0 < sum(step.core for step in WALKS[name].steps) <= len(WALKS[name].steps) / 2, "a shorter walk"
-    for name in WALKS.keys() - {"tour"}:
-        assert len(WALKS[name].end) == 5 and all(words(sentence) <= 30 for sentence in WALKS[name].end)
-
-
-def words(text: str) -> int:
-    return sum(any(sign.isalnum() or sign in "{}½²" for sign in word) for word in text.split())
-
-
-@every_step
-def test_a_step_is_short(step: Step) -> None:
-    assert all(words(getattr(step, field)) <= most for field, most in MOST_WORDS.items())
-    if not step.id.startswith("tour"):
-        assert 3 <= len(step.equations) <= 6
-    if isinstance(step, ChoiceStep):
-        assert all(words(option.text) <= 12 for option in step.options)
-        lengths = {right: [len(one.text) for one in step.options if one.right is right] for right in (True, False)}
-        assert 0.6 * max(lengths[False]) <= lengths[True][0] <= 1.2 * max(lengths[False]) + 3
-
-
-@every_step
-def test_a_state_keeps_the_values_of_its_link(step: Step) -> None:
-    for link in (step.state, step.shown):
-        page = page_state_at(link, SCENES)
-        for name, value in re.findall(r"[?&](\w+)=([-\d.e]+)(?=&|$)", link):
-            assert page.scene.values[name] == float(value)
+    for name, walk in WALKS.items():
+        assert [step.id for step in walk.steps] == [f"{name}-{i:02}" for i in range(1, len(walk.steps) + 1)]
+        assert len(walk.end) == 5 or name == "tour"
 
 
 @pytest.mark.parametrize(

@@ -17,34 +17,11 @@ from tests.serving.server import ROOT
 
 KINDS = {str(kind.__struct_config__.tag): kind for kind in get_args(Step)}
 SCRIPTS = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in ROOT.glob("static/**/*.js")}
-MODULES = {
-    path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8")
-    for folder in ("components", "tools")
-    for path in (ROOT / folder).rglob("*.py")
-}
 
 
 def test_both_sides_have_the_same_kinds() -> None:
     (found,) = re.findall(r"export const KINDS = \{(.*)\}", SCRIPTS["static/questions/kinds.js"])
     assert [entry.partition(":")[0].strip() for entry in found.split(",")] == list(KINDS)
-
-
-@pytest.mark.parametrize("name", KINDS)
-def test_a_kind_is_named_in_its_own_modules_and_in_the_lists_alone(name: str) -> None:
-    kind = KINDS[name].__name__
-    python = {path for path, text in MODULES.items() if re.search(rf"\b{kind}\b", text)}
-    assert python == {f"components/walks/questions/{name}.py", "components/walks/walk.py"}
-    imported = re.compile(rf'"(\./|.*questions/){name}\.js"')  # another room may have a module of that name
-    rooms = {path for path in SCRIPTS if path.startswith("static/questions/")}
-    found = {path for path, text in SCRIPTS.items() for way in imported.findall(text) if way != "./" or path in rooms}
-    assert found == {"static/questions/kinds.js"}
-
-
-def test_nothing_asks_which_kind_a_question_is() -> None:
-    asks = re.compile(rf'\bkind [!=]==? "(?:{"|".join(KINDS)})"')
-    walked = {path: text for path, text in SCRIPTS.items() if re.match("static/(walks|questions|live_class)/", path)}
-    assert len(walked) > 30
-    assert [path for path, text in {**walked, **MODULES}.items() if asks.search(text)] == []
 
 
 @pytest.mark.parametrize(

@@ -41,58 +41,50 @@ def has(y: Any, x: Any = T) -> list[bool]:
     return [one.seen(drawn(y, x)).has for one in ALL]
 
 
-def test_the_right_curve_has_every_feature() -> None:
-    assert all(has(SWING))
-    found = TROUGH.seen(drawn(SWING))
-    assert (found.x, found.y) == pytest.approx((0.25, -0.16), abs=0.02)
-    assert PERIOD.seen(drawn(SWING)).number == pytest.approx(1.0, abs=1e-3)
-    assert ZERO.seen(drawn(SWING)).number == pytest.approx(0.5, abs=1e-3)
-
-
-def test_style_does_not_count() -> None:
+def angular() -> Any:
     """A trembling, rather angular hand that is a little late and a little low."""
-    hand = np.random.default_rng(1)
-    angular = -0.15 * np.interp((T - 0.02) % 1, [0, 0.25, 0.75, 1], [0, 1, -1, 0])
-    assert all(has(angular + hand.uniform(-0.004, 0.004, len(T))))
+    hand = -0.15 * np.interp((T - 0.02) % 1, [0, 0.25, 0.75, 1], [0, 1, -1, 0])
+    return hand + np.random.default_rng(1).uniform(-0.004, 0.004, len(T))
+
+
+FIRST, NONE = T <= 0.6, [False] * 5
 
 
 @pytest.mark.parametrize(
-    ("y", "expected"),
+    ("y", "x", "expected"),
     [
-        (0.16 * np.sin(2 * np.pi * T), [False, False, True, False, True]),  # upside down
-        (-0.16 * np.sin(np.pi * T), [False, False, False, True, False]),  # half as fast
-        (-0.08 * np.sin(2 * np.pi * T), [False, False, True, True, True]),  # half as high
-        (np.abs(SWING), [False, True, False, False, False]),  # never below zero
-        (0 * T, [False, False, False, False, False]),  # a line
-        (-0.1 * T, [False, False, False, False, False]),  # downhill for ever, too flat for a slope
-        (0.19 * np.sin(2 * np.pi * 14 * T), [False, False, True, False, False]),  # a scribble
+        (SWING, T, [True] * 5),
+        (SWING[::-1], T[::-1], [True] * 5),
+        (angular(), T, [True] * 5),
+        (SWING[FIRST], T[FIRST], [True, False, True, True, False]),  # the rest is not made up
+        (-SWING, T, [False, False, True, False, True]),  # upside down
+        (-0.16 * np.sin(np.pi * T), T, [False, False, False, True, False]),  # half as fast
+        (SWING / 2, T, [False, False, True, True, True]),  # half as high
+        (np.abs(SWING), T, [False, True, False, False, False]),  # never below zero
+        (0 * T, T, NONE),
+        (-0.1 * T, T, NONE),  # downhill for ever, too flat for a slope
+        (0.19 * np.sin(2 * np.pi * 14 * T), T, [False, False, True, False, False]),  # a scribble
+        ([], [], NONE),
+        ([-0.16], [0.25], NONE),
+        ([1.0], [np.nan], NONE),
     ],
 )
-def test_what_is_wrong_is_missed(y: Any, expected: list[bool]) -> None:
-    assert has(y) == expected
+def test_a_sketch_has_its_features_in_any_style(y: Any, x: Any, expected: list[bool]) -> None:
+    assert has(y, x) == expected
 
 
-def test_a_dot_or_nothing_has_no_feature() -> None:
-    for points in (np.empty((0, 2)), [[0.25, -0.16]], [[np.nan, 1.0]]):
-        assert not any(one.seen(sketch(points, FRAME)).has for one in ALL)
-
-
-def test_a_part_that_was_not_drawn_is_missed_and_not_made_up() -> None:
-    first = T <= 0.6
-    assert has(SWING[first], T[first]) == [True, False, True, True, False]
+def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
+    found = TROUGH.seen(drawn(SWING))
+    assert (found.x, found.y) == pytest.approx((0.25, -0.16), abs=0.02)
+    assert [one.seen(drawn(SWING)).number for one in (PERIOD, ZERO)] == pytest.approx([1.0, 0.5], abs=1e-3)
     gap = (T < 0.3) | (T > 0.9)
     across = drawn(SWING[gap], T[gap])
     assert across.at(0.6) is None and across.at(0.2) is not None
     assert across.at(2.04) == pytest.approx(SWING[-1])  # a hand that stops at the edge
-
-
-def test_the_order_of_drawing_does_not_count() -> None:
-    assert all(has(SWING[::-1], T[::-1]))
-
-
-def test_an_edge_is_no_turning_point() -> None:
     edge = feature(f="peak", at=0.0, tol=0.1, **{"is": 0.16}, tol_y=0.03)
     assert not edge.seen(drawn(0.16 - 0.1 * T)).has
+    t = np.linspace(0, 1, 20)
+    assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []
 
 
 RESPONSE = Ranges((0.0, 2.5), (0.0, 5.0))
@@ -171,8 +163,3 @@ def test_a_curve_turns_where_its_motion_does(phase: float) -> None:
     found = [(x, y) for x, y in turns(t, np.exp(-0.05 * t) * np.cos(t + phase)) if t[2] < x < t[-3]]
     assert [x for x, _ in found] == pytest.approx(inside, abs=1e-6)
     assert [y for _, y in found] == pytest.approx(np.exp(-0.05 * inside) * np.cos(inside + phase), abs=1e-7)
-
-
-def test_what_never_turns_or_keeps_its_height_has_no_turn() -> None:
-    t = np.linspace(0, 1, 20)
-    assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []

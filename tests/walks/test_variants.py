@@ -10,8 +10,6 @@ from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
 from components.quantities.formatting import three
 from components.scenes import SCENES
-from components.session.session import Session
-from components.state.page_state import fitted
 from components.walks.cards import walk_sheet
 from components.walks.judging import reply_to
 from components.walks.loading import load_walks, read_walk
@@ -52,6 +50,15 @@ def test_every_seed_has_its_numbers_question_and_answer() -> None:
     assert len({one.given for one in card.variants}) == VARIANTS
 
 
+def test_a_link_has_the_seed_and_a_class_the_numbers_of_the_file() -> None:
+    now = visited({"walk": [b"d31"], "step": [b"2"], "seed": [b"5"]}, WALKS).now
+    assert now.state.step == "d31/d31-02/5" and now.query == "walk=d31&step=d31-02&seed=5"
+    assert now.scene.values["k"] == numbers_drawn(WALKS["d31"].steps[1], 5)["k"] != 39.4
+    assert visited({"walk": [b"d31"], "step": [b"2"]}, WALKS).now.scene.values["k"] == 39.4
+    card = QuestionBank(WALKS, SCENES).put("d31", "d31-02", 1).card
+    assert card and not card.variants and "k" not in card.opens.parameters and "1.00\xa0s" in card.given
+
+
 def test_numbers_are_round_and_fill_the_range() -> None:
     (step,) = mine("k = [20, 80]", "m = [0.5, 2], k = [20, 80], x_0 = [-0.3, 0.1], v_0 = [1, 1e300]").steps
     drawn = [numbers_drawn(step, seed) for seed in range(1, VARIANTS + 1)]
@@ -69,14 +76,6 @@ def test_the_lecture_asks_for_another_number_of_each(step: NumericStep) -> None:
     assert len(right) > VARIANTS / 3
 
 
-def test_a_link_has_the_seed() -> None:
-    session = visited({"walk": [b"d31"], "step": [b"2"], "seed": [b"5"]}, WALKS)
-    now = session.now
-    assert now.state.step == "d31/d31-02/5" and now.query == "walk=d31&step=d31-02&seed=5"
-    assert now.scene.values["k"] == numbers_drawn(WALKS["d31"].steps[1], 5)["k"] != 39.4
-    assert visited({"walk": [b"d31"], "step": [b"2"]}, WALKS).now.scene.values["k"] == 39.4
-
-
 @pytest.mark.parametrize(
     ("step", "seed", "says"),
     [
@@ -92,20 +91,3 @@ def test_a_seed_that_is_none_is_refused(step: str, seed: str, says: str) -> None
         (found,) = (one for one in WALKS["d31"].steps if one.id == step)
         told = reply_to(Given(walk="d31", step=step, seed=int(seed)), found, SCENES)
         assert (told.lesson, told.refused) == (None, says)
-
-
-def test_a_walk_of_one_s_own_is_answered_with_its_seed() -> None:
-    session, said = Session(fitted(SCENES["oscillator"]().value), scenes=SCENES), []
-    session.send = said.append
-    session.handle({"type": "walk", "number": 1, "name": "mine", "text": SWING})
-    true = Oscillator(m=4, k=numbers_drawn(mine().steps[0], 3)["k"]).period
-    answer = {"walk": "mine", "step": "swing", "seed": 3, "text": f"{true:.3f}"}
-    session.handle({"type": "given", "number": 2, "answer": answer})
-    assert unpacked(said[-1])["lesson"]["right"]
-
-
-def test_a_class_has_the_numbers_of_the_file() -> None:
-    bank = QuestionBank(WALKS, SCENES)
-    card = bank.put("d31", "d31-02", 1).card
-    assert card and not card.variants and "k" not in card.opens.parameters and "1.00\xa0s" in card.given
-    assert bank.judge(Given(walk="d31", step="d31-02", text="2.00")).right

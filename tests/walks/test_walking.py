@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import msgspec
-import numpy as np
 import pytest
 
 from app import visited
-from components.language.messages import Given
-from components.live_class.question_bank import QuestionBank
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
 from components.state.scene_sheet import plots
 from components.walks.cards import walk_sheet
-from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.sketch import SketchStep
-from components.walks.subject import Subject
-from tests.page.headless_page import Page, say, unpacked
+from tests.page.headless_page import Page, say
 from tests.walks.strokes import heights
 
 WALKS = load_walks(())
@@ -53,6 +47,7 @@ def test_every_step_opens_covered_and_opens_up(page: Page, name: str) -> None:
     told = opened(page, card.opens)
     assert told["state"]["covered"] == list(step.cover)
     assert told["query"] == f"walk={walk}&step={name}"
+    assert visited({"walk": [walk.encode()], "step": [name.encode()]}, WALKS).now.state == page.now.state
     view, whole = told["view"], page.shown
     covered = {one.removeprefix(VALUE) for one in step.cover}
     assert not covered & {*view["values"], *view["live"]}
@@ -118,20 +113,6 @@ def test_what_is_no_answer_is_refused_in_words(page: Page, step: str, answer: di
     assert told["lesson"] is None and says in told["refused"]
 
 
-def test_a_class_reads_a_number_as_its_page_does() -> None:
-    bank = QuestionBank(WALKS, SCENES)
-
-    def vote(text: str) -> Given:
-        return Given(walk="d34", step="d34-01", vote=1, text=text)
-
-    for text in ("-4 N", "−12/3", "-4000 mN"):
-        assert bank.judge(vote(text)).right and bank.lesson(vote(text)).right
-    with pytest.raises(ValueError, match="this is in N"):
-        bank.judge(vote("-4 m"))
-    judged = [bank.judge(vote(text)) for text in ("-6 N", "1/2", "2,5")]
-    assert bank.counted("d34", "d34-01", judged).numbers == (-6.0, 0.5, 2.5)
-
-
 @pytest.mark.parametrize("step", [s for s in STEPS.values() if isinstance(s, SketchStep)], ids=lambda step: step.id)
 def test_a_sketch_gets_a_reply_on_its_features(page: Page, step: SketchStep) -> None:
     lesson = given(page, step.id, curves=heights(step))["lesson"]
@@ -152,13 +133,6 @@ def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     assert opened(page, there)["settings"]["omega"]["value"] == there["parameters"]["omega"] == 0.77
     friction = given(page, "d34-02", option=2)["lesson"]["verdicts"][2]
     assert opened(page, friction["where"])["state"]["covered"] == []
-    step = STEPS["d34-15"]
-    assert isinstance(step, SketchStep)
-    even = [(float(t), -2.0 * math.cos(t)) for t in np.linspace(0, 25, 201)]
-    lesson = given(page, step.id, curves=heights(step, {"x1": even}))["lesson"]
-    assert "with friction" in lesson["reply"]
-    state = opened(page, lesson["where"])["state"]
-    assert (state["step"], state["scene"]) == ("d34/d34-15", lesson["where"]["scene"])
 
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
@@ -192,27 +166,3 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
     lessons = [given(page, "one", walk=f"mine-{i}", option=0)["lesson"] for i in range(6)]
     assert [lesson and lesson["right"] for lesson in lessons] == [True] * 5 + [None]
     assert "mine-0" not in WALKS
-
-
-def test_a_page_can_open_at_a_step() -> None:
-    session = visited({"walk": [b"d34"], "step": [b"7"]}, WALKS)
-    card = CARDS["d34-07"][1]
-    assert (session.now.state.step, session.now.state.covered) == ("d34/d34-07", card.opens.covered)
-    (problem,) = unpacked(visited({"walk": [b"d34"], "step": [b"99"]}, WALKS).opening())["problems"]
-    assert problem.startswith("step: the walk d34 has no step “99”")
-
-
-@pytest.mark.parametrize(("name", "of", "turns"), [("d31-04", "x", (0.5, 1.0)), ("d31-06", "v", (0.25, 0.75))])
-def test_a_turning_point_of_a_sketch_is_the_motions(name: str, of: str, turns: tuple[float, float]) -> None:
-    """Not the nearest point that is drawn: to a millionth of the period."""
-    step = STEPS[name]
-    assert isinstance(step, SketchStep)
-    has = page_state_at(step.state, SCENES).scene.values
-    omega_n = math.sqrt(has["k"] / has["m"])
-    phase, period = math.atan2(has["v_0"] / omega_n, has["x_0"]), 2 * math.pi / omega_n  # x = C cos(omega_n t - phase)
-    (curve,) = Subject("", step, SCENES).true(step.plot, step.curves).values()
-    low, high = np.argmin(curve.y), np.argmax(curve.y)
-    found = sorted(float(curve.x[i]) % period for i in (low, high))
-    np.testing.assert_allclose(found, sorted((turn * period + phase / omega_n) % period for turn in turns), rtol=1e-6)
-    C = math.hypot(has["x_0"], has["v_0"] / omega_n) * (omega_n if of == "v" else 1.0)
-    np.testing.assert_allclose([curve.y[low], curve.y[high]], [-C, C], rtol=1e-7)
