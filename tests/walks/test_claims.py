@@ -12,7 +12,6 @@ import pytest
 from components.scene import Scene
 from components.scene.traces import Floats
 from components.scenes import SCENES
-from components.state.page_state import PageState
 from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
@@ -48,12 +47,6 @@ def crosses_again(scene: Scene) -> bool:
 
 def lag(scene: Scene) -> float:
     return next(one.value for one in scene.readouts() if one.name == "phi")
-
-
-def sooner_than_before(page: PageState) -> bool:
-    assert page.held
-    now, before = page.scene.values["zeta"], page.held.values["zeta"]
-    return bool(now == 1.0 and home(before) > home(now) < home(3.0) and home(0.83) < home(now))
 
 
 def becomes_even(scene: Scene, name: str, starts: tuple[int, int, int], length: int, early: float) -> bool:
@@ -108,10 +101,46 @@ def swings_with_phase(text: str) -> Callable[[Scene], bool]:
     return lambda scene: {scene.shown.values["phi_minus"], scene.shown.values["phi_plus"]} == {text}
 
 
-REPLIES: list[tuple[str, int, str, Callable[[Scene], Any]]] = [
+def against_the_displacement(scene: Scene) -> bool:
+    values, swing = scene.shown.values, Oscillator(m=1, k=39.4)
+    motion = swing.motion(x_0=0.0, v_0=0.94, t=np.array([swing.period / 4]))
+    told = f"{motion.x[0]:.3f}", f"{motion.a[0]:.2f}".replace("-", "−")
+    return (values["top_x"], f"−{values['top_a']}") == told
+
+
+def stretched_from_the_start_on(scene: Scene) -> bool:
+    has = scene.values
+    return bool(has["x_0"] < 0 < has["m"] * has["g"] / has["k"] + has["x_0"])
+
+
+def pulse_comes_back(scene: Scene, sign: int) -> bool:
+    """Upright from a free end, which swings almost twice as far as the pulse, and upside down from a wall."""
+    case = scene.of()
+    chain = UniformChain(N=50, m=case.m, k=case.k, ends=case.ends)
+    x = chain.motion(*case.started, np.linspace(0.0, case.lasting / 2, 400)).x
+    back = x[:, 300]
+    return bool((sign < 0 or 1.7 * 0.4 < x[-1].max() < 2 * 0.4) and sign * back[np.abs(back).argmax()] > 0.25)
+
+
+def only_speed_counts(_: Scene) -> bool:
+    for v_0 in (5.0, 60.0, 300.0):
+        taus = [SCENES["phugoid"](v_0=v_0, m=m, excess=0.01).shown.values["tau"] for m in (1.0, 1e5)]
+        assert taus[0] == taus[1]
+        assert float(taus[0]) == pytest.approx(math.sqrt(2) * math.pi * v_0 / 9.80665, rel=6e-3)
+    return True
+
+
+CLAIMS: list[tuple[str, int | None, str, Callable[[Scene], Any]]] = [
+    ("d31-01", None, "x = +{top_x} m the acceleration is −{top_a}", against_the_displacement),
+    ("d31-10", None, "the spring pulls up all the way", stretched_from_the_start_on),
+    ("d34-13", None, "", lambda scene: scene.shown.values["Xp2"] == "+1.00"),  # as far as spring 1 gives way
+    ("waves-02", None, "", lambda scene: pulse_comes_back(scene, -1)),
+    ("waves-03", None, "", lambda scene: pulse_comes_back(scene, 1)),
+    ("tour-02", None, "Without drag only speed counts", only_speed_counts),
     ("d31-15", 1, "", climbs_and_stays),
     ("d32-33-05", 0, "", never_crosses),
     ("d32-33-05", 1, "", crosses_again),
+    ("d32-33-04", 1, "", lambda scene: home(0.83) < home(scene.values["zeta"]) < home(3.0)),
     ("d32-33-06", 1, "", lambda scene: scene.shown.forms["holds"] == "spring"),
     ("d32-33-06", 2, "", lambda scene: scene.shown.forms["holds"] == "inertia"),
     ("d32-33-07", 1, "", lambda scene: lag(scene) < 0.1),
@@ -129,62 +158,15 @@ REPLIES: list[tuple[str, int, str, Callable[[Scene], Any]]] = [
     ("d34-14", 1, "", has_two_humps),
     ("waves-01", 2, "", lambda scene: {2.0, 4.0, 6.0} <= {*scene.shown.columns["silent"]["silent_j"].tolist()}),
 ]
-"""A step, one of its replies, words of it, and what is true of the picture to which it leads."""
+"""A step, one of its replies or none, words of them, and what is true of the picture of the reply or the step."""
 
 
-def reply_of(step: str, i: int) -> Any:
-    one = STEPS[step]
-    assert isinstance(one, (ChoiceStep, SketchStep))
-    return (one.options if isinstance(one, ChoiceStep) else one.wrong)[i]
-
-
-@pytest.mark.parametrize(("step", "i", "words", "is_true"), REPLIES)
-def test_a_reply_leads_to_a_picture_of_which_it_is_true(
-    step: str, i: int, words: str, is_true: Callable[[Scene], Any]
+@pytest.mark.parametrize(("step", "i", "words", "is_true"), CLAIMS)
+def test_what_a_step_says_is_true_of_its_picture(
+    step: str, i: int | None, words: str, is_true: Callable[[Scene], Any]
 ) -> None:
-    reply = reply_of(step, i)
-    assert words in reply.reply and is_true(page_state_at(reply.where, SCENES).scene)
-
-
-def test_more_damping_is_sooner_up_to_critical_and_later_beyond() -> None:
-    assert sooner_than_before(page_state_at(reply_of("d32-33-04", 1).where, SCENES))
-
-
-def test_the_acceleration_is_against_the_displacement() -> None:
-    values = page_state_at(STEPS["d31-01"].state, SCENES).shown.values
-    swing = Oscillator(m=1, k=39.4)
-    motion = swing.motion(x_0=0.0, v_0=0.94, t=np.array([swing.period / 4]))
-    told = f"{motion.x[0]:.3f}", f"{motion.a[0]:.2f}".replace("-", "−")
-    assert (values["top_x"], f"−{values['top_a']}") == told
-    assert "x = +{top_x} m the acceleration is −{top_a}" in STEPS["d31-01"].explain
-
-
-def test_the_spring_pulls_up_all_the_way() -> None:
-    step = STEPS["d31-10"]
-    assert isinstance(step, ChoiceStep)
-    assert any("the spring pulls up all the way" in one.reply for one in step.options)
-    has = page_state_at(step.state, SCENES).scene.values
-    assert has["x_0"] < 0 < has["m"] * has["g"] / has["k"] + has["x_0"], "stretched from the start on"
-
-
-def test_pushed_slowly_both_masses_go_as_far_as_spring_1_gives_way() -> None:
-    assert page_state_at(STEPS["d34-13"].state, SCENES).shown.values["Xp2"] == "+1.00"
-
-
-@pytest.mark.parametrize(("step", "sign"), [("waves-02", -1), ("waves-03", 1)])
-def test_a_free_end_sends_a_pulse_back_upright_and_a_wall_upside_down(step: str, sign: int) -> None:
-    """The free end swings almost twice as far as the pulse."""
-    case = page_state_at(STEPS[step].state, SCENES).scene.of()
-    chain = UniformChain(N=50, m=case.m, k=case.k, ends=case.ends)
-    x = chain.motion(*case.started, np.linspace(0.0, case.lasting / 2, 400)).x
-    assert sign < 0 or 1.7 * 0.4 < x[-1].max() < 2 * 0.4
-    back = x[:, 300]
-    assert sign * back[np.abs(back).argmax()] > 0.25
-
-
-@pytest.mark.parametrize("v_0", [5.0, 60.0, 300.0])
-def test_without_drag_only_the_speed_counts(v_0: float) -> None:
-    assert STEPS["tour-02"].explain.startswith("Without drag only speed counts")
-    taus = [SCENES["phugoid"](v_0=v_0, m=m, excess=0.01).shown.values["tau"] for m in (1.0, 1e5)]
-    assert taus[0] == taus[1]
-    assert float(taus[0]) == pytest.approx(math.sqrt(2) * math.pi * v_0 / 9.80665, rel=6e-3)
+    one = STEPS[step]
+    replies = one.options if isinstance(one, ChoiceStep) else one.wrong if isinstance(one, SketchStep) else ()
+    texts = [one.explain, *(reply.reply for reply in replies)] if i is None else [replies[i].reply]
+    link = one.state if i is None else replies[i].where
+    assert any(words in text for text in texts) and is_true(page_state_at(link, SCENES).scene)
