@@ -5,23 +5,28 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from components.language.expressions import Expression, Product
-from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.language.signals import AnySignal, Response, Responses, Sine, Sines
 from components.quantities.axes import ONE, Axis
+from components.quantities.instant import instant
 from components.quantities.motion import damped, driven
+from components.scenes import SCENES
 from components.state.encoding import COARSE
+from components.state.link import Link
 from physics.damped import DampedOscillator
 from physics.driven import Drive, DrivenOscillator
-from tests.page.scripts import call, each
+from tests.grids import tries
+from tests.page.scripts import call, each, played
 from tests.serving.server import ROOT
+from tests.states import links, state_of
 
 NEAR = 1e-12
 """Relative to the largest size so far: angles to 1000 rad, a few roundings each."""
@@ -119,42 +124,18 @@ def test_sines_with_a_line_and_a_decay() -> None:
     assert_near(found, exact, INSTANTS)
 
 
-SAMPLED = Sampled(period=2.5, y=(1.0, -0.4, 0.3, 1.2), dy=(0.5, -2.0, 1.0, 0.5), drift=0.2)
+@pytest.mark.parametrize("slug", SCENES)
+def test_signals_of_any_state_have_the_values_of_python(slug: str) -> None:
+    @settings(max_examples=tries(20))
+    @given(links(SCENES[slug]), st.sampled_from([0.0, 1e-3, 0.02, 0.31, 0.77, 1.0]))
+    def agree(link: Link, share: float) -> None:
+        shown = state_of(link).shown
+        t = share * shown.axes["t"].place(shown.axes["t"].end) if "t" in shown.axes else share
+        wanted = instant(shown.signals, shown.scalars, t)
+        for name, value in played(shown, t).items():
+            assert float(value) == pytest.approx(wanted[name], rel=1e-9, abs=1e-9), name
 
-
-def piece(t: Fraction) -> Fraction:
-    """SAMPLED at a fraction of time, as the cubic through two values with two slopes."""
-    period, count = Fraction(SAMPLED.period), len(SAMPLED.y) - 1
-    turns = math.floor(t / period)
-    h = period / count
-    i = min(math.floor((t - turns * period) / h), count - 1)
-    u = (t - turns * period) / h - i
-    y0, y1, d0, d1 = (Fraction(v) for v in (SAMPLED.y[i], SAMPLED.y[i + 1], SAMPLED.dy[i], SAMPLED.dy[i + 1]))
-    third = y0 * (1 + 2 * u) * (1 - u) ** 2 + y1 * u * u * (3 - 2 * u)
-    return turns * Fraction(SAMPLED.drift) + third + h * (d0 * u * (1 - u) ** 2 + d1 * u * u * (u - 1))
-
-
-def test_hermite_pieces_at_their_ends_between_and_in_later_periods() -> None:
-    ends = [k * SAMPLED.period / 3 for k in range(7)]
-    times = [*ends, 0.1, 0.83, 1.7, 2.4999999, 2.5, 2.5000001, 11.3, 250.1]
-    found = evaluated({"x": SAMPLED}, times)["x"]
-    for t, value in zip(times, found, strict=True):
-        assert abs(value - float(piece(Fraction(t)))) <= NEAR * (2 + abs(value)), t
-
-
-def test_what_is_derived_builds_on_what_comes_before() -> None:
-    signals: dict[str, AnySignal] = {
-        "x": Sines(sines=(Sine(1.0, 2.0, 0.5),)),
-        "p": Derived(value=Expression((Product(3.0, ("x", "x", "k")), Product(-1.0, ()), Product(0.5, ("t",))))),
-        "s": SineOf(of="p"),
-        "c": CosineOf(of="p"),
-    }
-    found = evaluated(signals, INSTANTS, {"k": 0.25})
-    for i, t in enumerate(INSTANTS):
-        p = 0.75 * math.sin(2 * t + 0.5) ** 2 - 1 + 0.5 * t
-        assert found["p"][i] == pytest.approx(p, rel=1e-12, abs=1e-12)
-        assert found["s"][i] == pytest.approx(math.sin(p), abs=1e-12)
-        assert found["c"][i] == pytest.approx(math.cos(p), abs=1e-12)
+    agree()
 
 
 STEP = 30 / COARSE  # 0.00046
