@@ -178,18 +178,16 @@ class Events(Follower):
         self._known = self._room.number
         return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
 
-    def receive(self, event: bytes) -> bool:
-        """Send a chunk, encoded once for all followers, straight to the connection."""
+    def receive(self, event: bytes) -> None:
+        """Send a chunk, encoded once for all followers, straight to the connection, unless earlier ones are unread."""
         if self._behind:
             if monotonic() - self._behind > GIVEN_UP:
                 self._pipe.close()
-            return False
-        if self._pipe.writing():
+        elif self._pipe.writing():
             self._behind = monotonic()
-            return False
-        self._known = self._room.number
-        self._send(event if self.request.version == "HTTP/1.0" else chunk(event))
-        return True
+        else:
+            self._known = self._room.number
+            self._send(event if self.request.version == "HTTP/1.0" else chunk(event))
 
     def _send(self, data: bytes) -> None:
         """Send an event straight to the socket if Tornado's buffer is empty; its bookkeeping takes 80 % of the time."""

@@ -45,8 +45,8 @@ class RoomListener(Protocol):
     def name(self) -> str:
         """The name of a follower; two tabs of one browser share it."""
 
-    def receive(self, event: bytes) -> bool:
-        """Take an event; return False if it was left out because earlier ones are still being sent."""
+    def receive(self, event: bytes) -> None:
+        """Take an event, or leave it out because earlier ones are still being sent."""
 
     def end(self) -> None: ...
 

@@ -12,9 +12,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
 
+import numpy as np
+
 from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from physics.precision.exact import Array
+from physics.valid import in_range
 
 MotionState = tuple[float, float, float, float]  # x1, x2, v1, v2
 
@@ -41,7 +44,8 @@ class Problem:
     Raises
     ------
     ValueError
-        If there is a dashpot and mass 2 is not at rest without a spring.
+        If there is a dashpot and mass 2 is not at rest without a spring, or if omega t of a drive leaves the
+        range of doubles.
     """
 
     chain: TwoMassChain
@@ -58,6 +62,9 @@ class Problem:
             raise ValueError(
                 f"the damping c = {self.c:g} N s/m is not possible here: k2 = 0 and mass 2 at rest are needed"
             )
+        if self.F_0:
+            with np.errstate(over="ignore"):
+                in_range("omega t", self.omega * self.t[-1:])
 
     @property
     def start(self) -> MotionState:

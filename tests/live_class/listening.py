@@ -29,9 +29,8 @@ class Listener:
         self.news: list[News] = []
         self.ended = False
 
-    def receive(self, event: bytes) -> bool:
+    def receive(self, event: bytes) -> None:
         self.news.append(msgspec.json.decode(event.removeprefix(b"data: "), type=News))
-        return True
 
     def end(self) -> None:
         self.ended = True

@@ -1,5 +1,7 @@
 """Motions in steps over a few periods."""
 
+from dataclasses import replace
+from itertools import pairwise
 from math import inf, isinf
 
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.drift import PERIODS, drifts, exact
 from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.solvers import METHODS, Method
 from physics.integrators.stability import stable_count
 
 THREE = ("euler", "verlet", "rk4")
@@ -30,3 +33,17 @@ def test_a_method_explodes_below_its_least_steps_and_ends_there(slug: str) -> No
                 assert isinf(drift.error) == (steps < least), (method, steps)
             assert (drift.t.size == PERIODS * steps + 1) or drift.error == inf
             assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
+
+
+def test_a_drive_whose_phase_no_double_can_hold_is_refused_in_words() -> None:
+    beyond = replace(SYSTEMS["near"], F_0=1.0, omega=1e308)
+    with pytest.raises(ValueError, match="omega t leaves the range of doubles"):
+        beyond.problem()
+    assert replace(beyond, F_0=0.0).problem().omega == 1e308
+
+
+@pytest.mark.parametrize("method", [one for one in METHODS.values() if one.family == "fixed"], ids=lambda one: one.name)
+def test_each_setting_has_one_step_more_or_a_tenth_of_the_error(method: Method) -> None:
+    steps = method.settings()
+    for few, more in pairwise(steps):
+        assert few < more <= max(few + 1, 1.25 * 10 ** (1 / method.order) * few)

@@ -127,9 +127,7 @@ class Accuracy(Scene):
             return SYSTEMS[self.system]
         x_0, v_0 = chain.start_of(self)
         own = {"chain": chain.of_scene(self), "x_0": x_0, "v_0": v_0, "F_0": self.F_0, "omega": self.omega}
-        system = System(slug=OWN, name="Own", **own)
-        system.problem()
-        return system
+        return System(slug=OWN, name="Own", **own)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case()
