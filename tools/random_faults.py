@@ -3,6 +3,9 @@
 Each fault has a kind: another comparison, another operator, another number, `return None`, or a call that is left out.
 The same seed gives the same faults while the code is the same. Faults are spread evenly over the areas and kinds, so
 that the many numbers of the scenes do not outweigh everything else.
+
+Some numbers are choices, which a test should not repeat: places and sizes in drawings, limits and other constants of
+`components`, and options of a class such as `frozen=True`. There are no faults in these.
 """
 
 from __future__ import annotations
@@ -17,6 +20,8 @@ AREAS = ("physics", "components/scenes", "components/state", "components/walks",
 SKIPPED = ("physics/reference/", "__main__.py", "_worker.py")
 """Files without random faults: solutions that only tests use, and programs that run in separate processes."""
 NOT_CODE = ("annotation", "returns", "decorator_list", "type_comment")
+DRAWINGS = ("paper.py", "pictures.py", "places.py", "plots.py", "sheet.py", "stage.py")
+"""Modules of scenes whose numbers are places and sizes."""
 NEGATED: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.GtE, ast.GtE: ast.Lt, ast.Gt: ast.LtE, ast.LtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
     ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
@@ -66,10 +71,20 @@ def sites(root: Path, area: str) -> Iterator[Site]:
     for path in sorted((root / area).rglob("*.py")):
         name = path.relative_to(root).as_posix()
         if not any(part in name for part in SKIPPED):
-            for number, node in enumerate(nodes(ast.parse(path.read_text(encoding="utf-8")))):
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            chosen = set(_choices(name, tree))
+            for number, node in enumerate(nodes(tree)):
                 for kind, changed in KINDS.items():
-                    if changed(node) is not None:
+                    if changed(node) is not None and node not in chosen:
                         yield Site(name, kind, getattr(node, "lineno", 0), number)
+
+
+def _choices(file: str, tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield the numbers of a module that are choices."""
+    if file.startswith("components"):
+        constants = (one for one in tree.body if isinstance(one, ast.Assign | ast.AnnAssign))
+        for part in [tree] if file.endswith(DRAWINGS) else constants:
+            yield from (node for node in ast.walk(part) if isinstance(node, ast.Constant))
 
 
 def put(root: Path, site: Site) -> RandomFault:
@@ -85,9 +100,10 @@ def put(root: Path, site: Site) -> RandomFault:
 
 
 def nodes(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes that are executed, in the order of the text, without annotations, decorators and f-strings."""
+    """Yield the nodes that are executed, in the order of the text: without annotations, decorators, options of classes
+    and f-strings."""
     for field, value in ast.iter_fields(tree):
-        if field not in NOT_CODE:
+        if field not in NOT_CODE and not (field == "keywords" and isinstance(tree, ast.ClassDef)):
             for node in value if isinstance(value, list) else [value]:
                 if isinstance(node, ast.AST) and not isinstance(node, ast.JoinedStr):
                     yield node
@@ -121,7 +137,7 @@ def _number(node: ast.AST) -> ast.AST | None:
 
 
 def _nothing(node: ast.AST) -> ast.AST | None:
-    is_value = isinstance(node, ast.Return) and node.value and ast.unparse(node.value) != "None"
+    is_value = isinstance(node, ast.Return) and node.value and ast.unparse(node.value) not in ("None", "False")
     return ast.Return(ast.Constant(None)) if is_value else None
 
 

@@ -61,6 +61,7 @@ FIRST, NONE = T <= 0.6, [False] * 5
         (-0.16 * np.sin(np.pi * T), T, [False, False, False, True, False]),  # half as fast
         (SWING / 2, T, [False, False, True, True, True]),  # half as high
         (np.abs(SWING), T, [False, True, False, False, False]),  # never below zero
+        (0.15 + 0.25 * SWING, T, [False, True, False, False, True]),  # far from zero
         (0 * T, T, NONE),
         (-0.1 * T, T, NONE),  # downhill for ever, too flat for a slope
         (0.19 * np.sin(2 * np.pi * 14 * T), T, [False, False, True, False, False]),  # a scribble
