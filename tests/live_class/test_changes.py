@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
-from time import monotonic, time
+from time import time
+from typing import Any
 
 import msgspec
 import pytest
@@ -13,7 +14,7 @@ import pytest
 from components.language.class_messages import PutQuestion, RunClock, SentPicture
 from components.language.messages import Given
 from components.live_class import publisher
-from components.live_class import room as room_of
+from components.live_class import upkeep as upkeeps
 from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
@@ -53,18 +54,40 @@ class Wayward(MemoryStore):
 
 
 @asynccontextmanager
-async def rooms() -> AsyncIterator[tuple[Wayward, Registry, Upkeep, str, str]]:
+async def rooms() -> AsyncIterator[tuple[Wayward, Registry, str, str]]:
     """A registry that listens to its store, and an open class."""
     store = Wayward()
     registry = Registry(store, BANK)
     listening = asyncio.create_task(store.listen(registry.receive, lambda: None))
     await asyncio.sleep(0)
-    yield store, registry, Upkeep(registry), *await registry.open()
+    yield store, registry, *await registry.open()
     listening.cancel()
 
 
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Upkeep that looks at rooms and its store all the time."""
+    for name, seconds in (("COUNTING", 0.005), ("SILENCE", 0.01), ("AGAIN", 0.001)):
+        monkeypatch.setattr(upkeeps, name, seconds)
+
+
+@asynccontextmanager
+async def kept(store: Wayward) -> AsyncIterator[tuple[Registry, Upkeep, ClassRoom, Listener]]:
+    """A registry with its upkeep, and a class that is led."""
+    registry = Registry(store, BANK)
+    upkeep, listener = Upkeep(registry), Listener(leads=True)
+    upkeep.start()
+    await until(lambda: upkeep.listening)
+    room = await registry.led(*await registry.open())
+    room.listeners.add(listener)
+    try:
+        yield registry, upkeep, room, listener
+    finally:
+        await upkeep.end()
+
+
 async def test_news_during_the_look_up_of_a_class_is_received() -> None:
-    async with rooms() as (store, registry, _, code, key):
+    async with rooms() as (store, registry, code, key):
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
         room = await registry.room(code)
         assert room.whole().clock == CLOCK and await registry.led(code, key) is room
@@ -75,34 +98,26 @@ async def test_news_during_the_look_up_of_a_class_is_received() -> None:
         assert not registry.rooms
 
 
-async def test_a_look_at_the_store_brings_nothing_older_back() -> None:
-    async with rooms() as (store, registry, upkeep, code, key):
-        room = await registry.led(code, key)
-        listener = Listener()
-        room.listeners.add(listener)
+async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_what_it_has_missed(quick: None) -> None:
+    store = Wayward()
+    async with kept(store) as (registry, _, room, listener):
         await registry.show(room, SentPicture(sheet="s", data=b"1"))
         store.meanwhile = lambda: registry.show(room, SentPicture(sheet="s", data=b"2"))
-        await upkeep._restore(room)
-        assert [news.picture and news.picture.data for news in listener.news] == [b"1", b"2"]
-
-
-async def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows() -> None:
-    async with rooms() as (store, registry, upkeep, code, key):
-        room = await registry.led(code, key)
+        await until(lambda: store.meanwhile is None and room.whole().picture == SentPicture(sheet="s", data=b"2"))
+        assert [news.picture.data for news in listener.news if news.picture] == [b"1", b"2"]
         await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
         await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
         assert room.used and room.question.step == CHOICE[1]  # followers who are connected receive it at once
         store.away = False
-        await upkeep._restore(room)
-        assert room.question.step == CHOICE[1] and not room.unsaved
-        assert b'"d31-03"' in (await store.parts(code))["question"]
+        await until(lambda: not room.unsaved)
+        assert room.question.step == CHOICE[1] and b'"d31-03"' in (await store.parts(room.code))["question"]
 
 
 async def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.01)
 
-    async with rooms() as (store, registry, _, code, key):
+    async with rooms() as (store, registry, code, key):
         store.away = True  # this replica does not know the class, because its instructor's stream is at another
         Publisher(registry, code, key)(lambda: {"sheet": "s", "data": b"1"})
         await asyncio.sleep(0.05)
@@ -113,7 +128,7 @@ async def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.Monk
 async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.001)
 
-    async with rooms() as (store, registry, _, code, key):
+    async with rooms() as (store, registry, code, key):
         store.away = True
         session, asked = Session(fitted(SCENES["coupled"]().value)), 0
         session.lead = lambda *given: Publisher(registry, *given)
@@ -139,88 +154,38 @@ async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monk
         assert not registry.rooms
 
 
-async def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
-    async with rooms() as (_, registry, upkeep, code, _):
-        room = await registry.room(code)
-        upkeep._receive(code, {"clock": b'{"type":"another version"}'})
-        upkeep._receive(code, {"clock": CLOCK_PART})
-        assert room.whole().clock == CLOCK and "could not be read" in caplog.text
-
-
-async def test_who_has_no_stream_is_counted_as_long_as_it_asks_and_its_replica_goes_on(
-    monkeypatch: pytest.MonkeyPatch,
+async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
+    quick: None, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async with rooms() as (store, registry, upkeep, code, key):
-        room = await registry.led(code, key)
-        room.polled(key, leads=True)
-        for name, leads in ((key, True), ("a follower's", False)):
-            room.polled(name, leads=leads)
-        numbers = [room.number]
-        for _ in range(2):
-            await upkeep._look_at(room)
-            numbers.append(room.number)
-        # Nothing has changed the second time, so nobody gets the complete state again.
-        assert numbers[0] != numbers[1] == numbers[2] and room.whole().here == 1
-        assert await store.present(code, "another", {"a phone"}) == 2
-        monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + room_of.ASKED)
-        await upkeep._look_at(room)
-        assert room.here == 1 and room.names  # whose answers count for some more time
-        room.polled("a follower's", leads=False)
-        await upkeep._look_at(room)
-        assert await store.present(code, "another", {"a phone"}) == 2
-        await upkeep._look_at(room)
-        assert await registry.room(code) is room
-        await upkeep.end()
-        assert await store.present(code, "another", {"a phone"}) == 1
-        monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + 2 * room_of.SILENCE)
-        registry.leave(room)  # nobody uses it any more
-        assert not registry.rooms
+    """It has news of another version, stays away, has another time, or is full."""
+    store, asked, listen, refused = Wayward(), 0, Wayward.listen, list[object]()
 
+    async def listened(own: Wayward, receive: Any, ready: Callable[[], None]) -> None:
+        nonlocal asked
+        asked += 1
+        if asked < 5:
+            raise UnreachableError("away") from OSError("no route to it")
+        await listen(own, receive, ready)
 
-async def test_a_store_that_stays_away_is_logged_once(
-    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
-) -> None:
-    async with rooms() as (store, _, upkeep, _, _):
-        asked = 0
+    async def behind(_: Wayward) -> float:
+        return time() - 3.0
 
-        async def listen(_: object, ready: Callable[[], None]) -> None:
-            nonlocal asked
-            asked += 1
-            if asked < 5:
-                raise UnreachableError("away") from OSError("no route to it")
-            ready()
-            await asyncio.Event().wait()
+    async def full(*given: object) -> int:
+        refused.append(given)
+        raise FullError("The store is full.")
 
-        monkeypatch.setattr(store, "listen", listen)
-        monkeypatch.setattr("components.live_class.upkeep.AGAIN", 0.001)
-        upkeep.start()
-        await until(lambda: upkeep.listening)
-        await upkeep.end()
-    assert caplog.text.count("is away") == caplog.text.count("is away: no route to it") == 1
-    assert caplog.text.count("is back after") == 1
-
-
-async def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.LogCaptureFixture) -> None:
-    async with rooms() as (store, registry, upkeep, code, key):
-        await upkeep._look_at_store()
-        assert (upkeep.rooms, caplog.text) == (1, "") and abs(upkeep.skew) < 0.1
-
-        async def behind() -> float:
-            return time() - 3.0
-
-        store.time = behind  # type: ignore[method-assign]
-        for _ in range(3):
-            await upkeep._look_at_store()
-        assert upkeep.skew == pytest.approx(3.0, abs=0.1) and caplog.text.count("clock is +3.0 s off") == 1
-
-        async def full(*_: object) -> int:
-            raise FullError("The store is full.")
-
-        room = await registry.led(code, key)
-        store.present = full  # type: ignore[assignment,method-assign]
-        for _ in range(3):
-            await upkeep._safely(upkeep._look_at(room))
-        assert caplog.text.count("The store is full.") == 1 and "Traceback" not in caplog.text
+    monkeypatch.setattr(Wayward, "listen", listened)
+    async with kept(store) as (_, upkeep, room, _):
+        await store.publish(room.code, {"clock": b'{"type":"another version"}'})
+        await store.publish(room.code, {"clock": CLOCK_PART})
+        await until(lambda: upkeep.rooms == 1)
+        assert room.whole().clock == CLOCK and abs(upkeep.skew) < 0.1
+        monkeypatch.setattr(Wayward, "time", behind)
+        monkeypatch.setattr(Wayward, "present", full)
+        await until(lambda: upkeep.skew > 2.9 and len(refused) > 9)
+    assert upkeep.skew == pytest.approx(3.0, abs=0.1)
+    for said in ("could not be read", "is away: no route to it", "is back after", "clock is +3.0 s off", "is full."):
+        assert caplog.text.count(said) == 1, said
 
 
 async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:

@@ -6,13 +6,9 @@ from typing import Any
 
 import pytest
 
-from components.language.class_messages import RestoreAnswers, Voted
 from components.live_class import instructor_routes, registry
 from components.live_class.codes import Keys, as_code, code_of, digest, is_given, new_key, new_token, voter_of
-from components.live_class.registry import Registry
-from components.live_class.store import MemoryStore
 from tests.live_class.caller import Answered, Class, called, streams_closed
-from tests.live_class.listening import BANK
 from tests.live_class.served import CHOICE, served, teaching
 
 SECRET = "a secret of these tests alone"
@@ -102,16 +98,6 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
         assert len(copies.json) == 2 + 8 and own.keys() <= copies.json.keys()
         await lesson.order("put", **CHOICE)
         assert (await lesson.tally())["now"]["options"] == [1, 1 + 2, 1]
-
-
-async def test_answers_given_back_fill_no_more_than_a_room_and_have_a_time_before_now() -> None:
-    registry = Registry(MemoryStore(size=2000), BANK)
-    room = await registry.led(*await registry.open())
-    answers = {f"{i:011x}abcdefgh": Voted(**CHOICE, option=1, at=4e9) for i in range(50)}
-    with pytest.raises(ValueError, match="cannot store more answers of this class"):
-        await registry.obey(room, RestoreAnswers(answers=answers))
-    kept = await registry.copied(room, VOTE)
-    assert 0 < len(kept) < 50 and max(one.at for one in kept.values()) < 4e9
 
 
 def test_codes_tokens_and_keys_are_those_that_a_server_gave() -> None:

@@ -8,14 +8,13 @@ from csv import DictReader
 
 import pytest
 
-from components.live_class import follower_routes, instructor_routes, lead_routes
+from components.live_class import follower_routes, lead_routes
 from components.live_class.codes import join_key
 from components.serving import worker_process
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Class, Remote, Stream, called
-from tests.live_class.listening import until
+from tests.live_class.caller import Class, Remote, called
 from tests.live_class.questions import OWN
-from tests.live_class.served import CHOICE, served, teaching
+from tests.live_class.served import CHOICE, teaching
 from tests.page.scripts import text_of
 from tests.serving.visitor import Visitor
 
@@ -207,19 +206,6 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         assert (await called(url, path, "PUT", {"word": words[1]})).status == 200  # a wrong code does not use it up
 
 
-async def test_a_class_that_ends_says_so_and_the_end_of_a_server_lets_its_followers_go() -> None:
-    streams: list[Stream] = []
-    async with served() as (_, url):
-        lesson, other = await Class.open(url), await Class.open(url)
-        streams += [await lesson.follow(), await other.follow()]
-        await lesson.order("end")
-        await streams[0].until(lambda event: event.get("ended"))
-        assert not streams[1].ended
-    await until(lambda: all(stream.ended for stream in streams))
-    for stream in streams:
-        await stream.close()
-
-
 @pytest.mark.parametrize("public", ["", "https://lecture.example/osc/"])
 async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_session(public: str) -> None:
     async with teaching(public_url=public) as (server, url):
@@ -251,15 +237,6 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
         assert await server.classes.registry.store.rooms() == 3
-
-
-async def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
-
-    async with teaching(trusted_proxies=("127.0.0.1",)) as (_, url):
-        addresses = [*(f"198.51.100.{i}" for i in range(4)), "203.0.113.9"]
-        statuses = [(await called(url, "/class", "POST", X_Forwarded_For=one)).status for one in addresses]
-        assert statuses == [200, 200, 429, 429, 200]
 
 
 async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:

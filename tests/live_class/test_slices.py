@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from components.live_class.slices import Slices, Turns
+from components.live_class.slices import Turns
 from components.live_class.store import MemoryStore
 from components.walks.questions.question import Judged, Written
 from components.walks.questions.sketch import SketchStep
@@ -71,30 +71,6 @@ async def test_no_number_of_answers_holds_the_event_loop(
             assert work.most < MOST_WORK
             assert path == "answers.csv" or not written  # sketches are not encoded if nobody reads them
             written.clear()
-
-
-async def test_work_that_was_begun_together_takes_turns_one_slice_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("components.live_class.slices.MOST", 2)
-    slices, done = Slices(), list[list[str]]()
-
-    async def look() -> None:
-        while True:
-            done.append([])
-            await asyncio.sleep(0)
-
-    looking = asyncio.create_task(look())
-    await asyncio.sleep(0)
-
-    def act(item: str) -> str:
-        done[-1].append(item)
-        return item.upper()
-
-    results = await asyncio.gather(*(slices.map(act, [f"{name}{i}" for i in range(4)]) for name in "abc"))
-    looking.cancel()
-    assert results[0] == ["A0", "A1", "A2", "A3"] and await slices.map(act, []) == []
-    turns = [turn for turn in done if turn]
-    assert all(len(turn) <= 2 and len({item[0] for item in turn}) == 1 for turn in turns)
-    assert [turn[0][0] for turn in turns] == list("abcabc")
 
 
 async def test_one_costly_request_of_a_network_is_answered_at_a_time() -> None:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import asyncio
 import re
 import socket
-from typing import Any
 
 import pytest
 
 from components.live_class import follower_routes
 from components.live_class import registry as registries
 from components.live_class import room as rooms
-from components.live_class.follower_routes import Events
 from components.live_class.room import name_of
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.listening import until
@@ -32,35 +30,6 @@ def unread(lesson: Class, port: int, word: str) -> socket.socket:
 
 def picture(sheet: object) -> dict[str, bytes]:
     return {"picture": b'{"sheet":"%s","data":"%s"}' % (str(sheet).encode(), b"A" * 4000)}
-
-
-async def test_news_during_the_start_of_a_stream_is_received(monkeypatch: pytest.MonkeyPatch) -> None:
-    usual, begun, free = Events.flush, asyncio.Event(), asyncio.Event()
-
-    def slow(handler: Events, *given: Any) -> asyncio.Future[None]:
-        sent = usual(handler, *given)
-
-        async def held() -> None:
-            await sent
-            begun.set()
-            await free.wait()
-
-        return asyncio.ensure_future(held())
-
-    monkeypatch.setattr(Events, "flush", slow)
-
-    async with teaching() as (server, url):
-        lesson = await Class.open(url)
-        leader, follower = await lesson.lead(), await lesson.follow()
-        await begun.wait()
-        registry = server.classes.registry
-        registry.leave(registry.rooms[lesson.code])  # as upkeep does once a second
-        await registry.store.publish(lesson.code, {"deed": b'"next"'})
-        await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
-        free.set()
-        assert await leader.until(lambda event: event.get("deed") == "next")
-        for stream in (leader, follower):
-            assert (await stream.until(lambda event: event.get("clock")))["clock"]["t"] == 1.0
 
 
 @pytest.mark.parametrize("leads", [False, True])
