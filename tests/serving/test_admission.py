@@ -38,16 +38,11 @@ def test_who_came_first_is_let_in_first_and_nobody_passes_the_line() -> None:
     assert house.knock()[0] == 2
     assert house.knock(one) == (0, "")
     assert house.knock(two) == (1, two)
-
-
-def test_a_place_in_the_line_is_given_up_by_who_asks_no_more() -> None:
-    house = House(0)
-    _, one = house.knock()
     house.now = FORGOTTEN - 1
-    _, two = house.knock()
+    _, three = house.knock()
     house.now = FORGOTTEN
-    assert house.knock(two) == (1, two)
-    assert house.knock(one)[0] == 2
+    assert house.knock(three) == (1, three), "those who ask no more have given up their places"
+    assert house.knock(two)[0] == 2
 
 
 def test_networks_take_turns_for_our_tickets_and_the_line_has_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,6 +70,7 @@ def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_netwo
     assert visitor_to_drop(fewer, 10, "c", now) is None
     assert visitor_to_drop({**guests, 10: Guest("b", now - IDLE)}, 11, "a", now) == 10
     assert visitor_to_drop({}, 10, "a", now) is None
+    assert [ordinal(n) for n in (1, 10, 11, 22, 113)] == ["first", "tenth", "11th", "22nd", "113th"]
 
 
 async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
@@ -97,13 +93,6 @@ async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None
         assert sum(reply.status == 200 for reply in tickets) == 3  # the active visitor stays
         assert socket.close_code is None
         await Caller(socket).depart()
-
-
-@pytest.mark.parametrize(
-    ("number", "word"), [(1, "first"), (4, "fourth"), (10, "tenth"), (11, "11th"), (22, "22nd"), (113, "113th")]
-)
-def test_places_are_counted_in_words(number: int, word: str) -> None:
-    assert ordinal(number) == word
 
 
 async def test_a_waiting_visitor_gets_a_page_without_a_session_and_keeps_the_link_and_the_place() -> None:

@@ -8,15 +8,12 @@ from collections.abc import Callable
 from hashlib import sha256
 
 import pytest
-from playwright.sync_api import Page, Request, expect
+from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
 from tests.attack.caller import ask
 from tests.grids import spread
 from tests.serving.server import Server
-
-MOST = 20
-"""Requests until a scene is drawn, described and ready for printing."""
 
 
 @pytest.mark.parametrize("path", ["/", "/?scene=coupled", "/?class=ABCD", "/?k2=<script>a()</script>"])
@@ -46,19 +43,3 @@ def test_a_scene_needs_nothing_that_its_page_does_not_allow(
     page.get_by_text("Save and share").click()
     with page.expect_download():
         page.get_by_role("button", name="CSV").click()
-
-
-@pytest.mark.browser
-def test_scripts_and_styles_are_asked_for_once_and_by_names_that_change_with_their_content(
-    page: Page, open_scene: Callable[..., Page]
-) -> None:
-    asked: list[Request] = []
-    page.on("request", lambda request: asked.append(request))
-    open_scene(page, scene="coupled")
-    page.wait_for_function("oscillations.page.print")
-    scripts = [one.url for one in asked if one.resource_type in ("script", "stylesheet")]
-    assert len(scripts) == len(set(scripts)) > 2
-    assert [url for url in scripts if not re.search(r"/assets/[0-9a-f]{12}/", url)] == []
-    assert len(asked) < MOST
-    # Scripts for screen readers and printing come after everything is drawn, others on demand.
-    assert not any(f"/{name}.js" in url for name in ("about", "picker", "run_bar", "take") for url in scripts)

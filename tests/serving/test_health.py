@@ -16,14 +16,8 @@ from app import FIGURES
 from components.serving.server import Server as Serving
 from tests.attack.caller import Caller, ask, said
 from tests.serving.served import page_of, served, until, url
-from tests.serving.server import ROOT, Server, serving
+from tests.serving.server import Server, serving
 from tests.serving.visitor import Visitor
-
-
-@pytest.mark.parametrize("name", ["liveness", "readiness"])
-def test_a_server_that_serves_says_so(server: Server, name: str) -> None:
-    reply = ask(server.url, f"/{name}", Host="whatever.example")
-    assert (reply.status, json.loads(reply.text)) == (200, {f"/{name}": True})
 
 
 async def figures(server: Serving) -> dict[str, float]:
@@ -51,14 +45,6 @@ async def test_figures_count_what_happens() -> None:
         assert (now["refused_total socket 1008"], now["refused_total request 404"]) == (1, 1)
         assert now["process_resident_memory_bytes"] > 1e7
         await visitor.depart()
-
-
-def test_each_figure_has_its_alert_in_the_documentation(server: Server) -> None:
-    told = {family.name for family in text_string_to_metric_families(ask(server.url, "/metrics").text)}
-    listed = set(re.findall(r"^\| `(\w+?)(?:_total)?` \|", (ROOT / "docs" / "deployment.md").read_text("utf-8"), re.M))
-    alerts = {name for name in listed if name.startswith(("oscillations_", "process_"))}
-    assert alerts <= told
-    assert {name for name in told if name.startswith("oscillations_") and not name.endswith("_created")} <= alerts
 
 
 async def test_figures_are_for_this_machine_and_those_who_are_named() -> None:

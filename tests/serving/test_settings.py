@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
-from secrets import token_hex, token_urlsafe
 
 import pytest
 from bokeh.settings import settings as bokeh_settings
@@ -169,13 +166,6 @@ def test_a_file_without_a_secret_is_refused(tmp_path: Path, name: str, content: 
         read_settings([], {variable: str(path)})
     assert str(refusal.value).startswith(f"{variable} names “")
     assert str(refusal.value).endswith("which cannot be read." if content is None else "which is empty.")
-
-
-@pytest.mark.parametrize("make", [partial(token_hex, 16), partial(token_urlsafe, 16), partial(token_urlsafe, 32)])
-def test_a_secret_made_at_random_is_taken(make: Callable[[], str]) -> None:
-    for _ in range(40):
-        secret = make()
-        assert read_settings([], {"BOKEH_SECRET_KEY": secret}).bokeh_secret_key == secret
 
 
 def test_a_wrong_value_stops_the_start_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:

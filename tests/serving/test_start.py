@@ -41,13 +41,6 @@ def test_any_other_link_and_a_frame_open_a_scene(query: str, server: Server) -> 
     assert 'id="opening"' in page.text and arrivals(server) == before + 1
 
 
-def test_it_is_sent_compressed_to_a_browser_that_takes_it(server: Server) -> None:
-    plain = ask(server.url, "/")
-    zipped = ask(server.url, "/", Accept_Encoding="br, gzip")
-    assert (plain.headers.get("Content-Encoding"), zipped.headers["Content-Encoding"]) == (None, "gzip")
-    assert int(zipped.headers["Content-Length"]) < 20_000 < int(plain.headers["Content-Length"]) < 65_000
-
-
 def test_an_unknown_scene_is_named_in_a_sentence() -> None:
     said = START.asked({"scene": [b"<b>pendulum"]}) or ""
     assert "scene: “&lt;b&gt;pendulum” is not a scene: choose one of oscillator, " in said

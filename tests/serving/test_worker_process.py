@@ -171,14 +171,6 @@ def test_a_network_that_has_used_its_time_is_refused_for_a_while(
         assert results(other.ask(READ, CALM)) == ["read"]
 
 
-def test_a_job_that_nobody_waits_for_is_left_out(worker: ReadingProcess) -> None:
-    first, left, last = begun(worker, ENDLESS), worker.ask(ENDLESS), worker.ask(READ)
-    assert left.cancel()
-    GATE.set()
-    assert results(first, last) == [WALK_TOO_LONG, "read"]
-    assert worker.pending == 0
-
-
 # A session and the worker
 
 
