@@ -19,11 +19,6 @@ PAGE = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text(encoding="utf-8"))
 OBJECTS: list[dict[str, Any]] = list(yaml.safe_load_all(TEXT))
-VERSIONS = {
-    **{"Deployment": "apps/v1", "Service": "v1", "Ingress": "networking.k8s.io/v1"},
-    **{"PodDisruptionBudget": "policy/v1"},
-}
-QUANTITY = re.compile(r"[1-9]\d*(m|Ki|Mi|Gi)?")
 
 
 def named(kind: str) -> dict[str, dict[str, Any]]:
@@ -36,19 +31,9 @@ LECTURE = CONTAINERS["lecture"]
 PROBES = {name: probe["httpGet"] for name, probe in LECTURE.items() if name.endswith("Probe")}
 
 
-def test_each_object_has_what_kubernetes_requires() -> None:
-    assert {one["kind"] for one in OBJECTS} == set(VERSIONS)
-    for one in OBJECTS:
-        assert set(one) == {"apiVersion", "kind", "metadata", "spec"} and one["apiVersion"] == VERSIONS[one["kind"]]
-        assert re.fullmatch(r"[a-z]([a-z0-9-]{0,61}[a-z0-9])?", one["metadata"]["name"])
+def test_services_and_ingress_use_existing_ports() -> None:
     for spec in named("Deployment").values():
         assert spec["selector"]["matchLabels"].items() <= spec["template"]["metadata"]["labels"].items()
-        assert isinstance(spec["replicas"], int)
-    notes = [one["metadata"].get("annotations", {}) for one in OBJECTS]
-    assert all(isinstance(value, str) for note in notes for value in note.values())
-
-
-def test_services_and_ingress_use_existing_ports() -> None:
     for name, service in named("Service").items():
         assert named("Deployment")[name]["selector"]["matchLabels"] == service["selector"]
         offered = {port["name"] for port in CONTAINERS[name]["ports"]}
@@ -67,8 +52,6 @@ def test_each_pod_is_confined_and_mounts_its_volumes(name: str) -> None:
     assert container["securityContext"]["readOnlyRootFilesystem"]
     assert container["securityContext"]["capabilities"] == {"drop": ["ALL"]}
     assert {one["name"] for one in container["volumeMounts"]} == {one["name"] for one in pod["volumes"]}
-    amounts = [amount for part in container["resources"].values() for amount in part.values()]
-    assert len(amounts) >= 3 and all(QUANTITY.fullmatch(amount) for amount in amounts)
     (secret,) = (volume["secret"] for volume in pod["volumes"] if "secret" in volume)
     assert f"kubectl create secret generic {secret['secretName']} " in PAGE and secret["defaultMode"] == 0o440
 
