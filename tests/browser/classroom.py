@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -13,7 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.fixtures import READY
 from tests.browser.tabs import calm_context
 from tests.browser.waiting import clicked
-from tests.serving.server import Server, serving
+from tests.serving.server import Server
 
 CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 LED = "globalThis.oscillations?.classes?.led"
@@ -40,15 +39,6 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
 def failing(server: Server, browser: Browser) -> Iterator[Open]:
     """Pages for a class in which requests fail on purpose; browsers log these as errors."""
     with opening(browser, server.url) as go:
-        yield go
-
-
-@contextmanager
-def walked(browser: Browser, folder: Path, name: str, walk: str) -> Iterator[Open]:
-    """Pages of a server that has a walk from a file."""
-    (folder / f"{name}.toml").write_text(walk, encoding="utf-8")
-    environment = {"WALKS": str(folder)}
-    with serving(folder / "log", environment=environment) as server, opening(browser, server.url) as go:
         yield go
 
 
@@ -84,18 +74,18 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
     return page
 
 
-def put(step: str, lecture: Page, *phones: Page) -> None:
+def put(step: str, lecture: Page, *phones: Page, timeout: float | None = None) -> None:
     """Wait until hall and phones ask a step."""
-    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
+    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step, timeout=timeout)
     for phone in phones:
         phone.wait_for_function(
-            "step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step
+            "step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step, timeout=timeout
         )
 
 
-def sent(phone: Page) -> None:
+def sent(phone: Page, timeout: float | None = None) -> None:
     """Wait until the class has the answer of a phone."""
-    expect(phone.get_by_text("You can change it until the")).to_be_visible()
+    expect(phone.get_by_text("You can change it until the")).to_be_visible(timeout=timeout)
 
 
 def tap(phone: Page, option: int) -> None:

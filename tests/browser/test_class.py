@@ -1,4 +1,6 @@
-"""A class of three phones in a lecture of six steps from a file: a clicker leads it, a remote control looks on."""
+"""A class of three phones in a lecture of a step of each kind, from a file: a clicker leads it, a remote control looks
+on.
+"""
 
 from __future__ import annotations
 
@@ -31,13 +33,24 @@ from tests.browser.waiting import clicked
 pytestmark = pytest.mark.browser
 
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14"}
+WORDS = """[[step]]
+id = "why"
+kind = "words"
+title = "Energy goes to and fro"
+state = "?scene=oscillator"
+show = ["stage", "plot:x"]
+question = "Why does it swing on?"
+explain = "Energy goes to and fro."
+"""
 POLL = """[[step]]
 id = "speed"
 poll = true
 question = "How fast is this?"
 options = [{ text = "Too fast" }, { text = "Right" }, { text = "Too slow" }]
 """
-LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
+PULL, MASS, PLACE, CURVE = (f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
+LECTURE = f'title = "Six"\n{PULL}{MASS}{PLACE}{WORDS}{CURVE}{POLL}'
+BOLD = "<b>Energy</b> 🙂"
 STATUS = ".card-body > .hint[role=status]"
 QUESTION = "(({walk, step, vote, closed, answered, lesson}) => [walk, step, vote, closed, answered, Boolean(lesson)])"
 TAKEN = """oscillations.asked?.card && oscillations.asked.given &&
@@ -185,6 +198,29 @@ def point(lecture: Page, *phones: Page) -> None:
     clicked(lecture)
 
 
+def words(lecture: Page, remote: Page, *phones: Page) -> None:
+    """The hall sees what the remote control shows, as text, and nothing else."""
+    put("why", lecture, *phones)
+    for phone, text in zip(phones, (BOLD, "Rubbish"), strict=True):
+        phone.get_by_label("Your answer in a few words").fill(text)
+        expect(phone.get_by_text(f"Sent: {text}.")).to_be_visible()
+    clicked(lecture)
+    expect(lecture.get_by_text("2 answers wait for “Show” on the remote control")).to_be_visible()
+    assert "Rubbish" not in lecture.locator("body").inner_text() and BOLD not in lecture.locator("body").inner_text()
+    remote.get_by_role("listitem").filter(has_text="Rubbish").get_by_role("button", name="Remove").click()
+    remote.get_by_role("listitem").filter(has_text=BOLD).get_by_role("button", name="Show").click()
+    expect(lecture.locator(".words-shown li")).to_have_text([BOLD])
+    expect(lecture.locator(".words-shown b")).to_have_count(0)
+    look(lecture, "words")
+    expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
+    remote.get_by_role("button", name="Remove").click()
+    expect(lecture.locator(".words-shown li")).to_have_count(0)
+    remote.get_by_role("button", name="Show the answer").click()
+    expect(phones[0].get_by_text("Energy goes to and fro.")).to_be_visible()
+    for _ in range(2):
+        clicked(lecture)
+
+
 def sketch(lecture: Page, *phones: Page) -> None:
     """The sketches take the whole screen."""
     put("curve", lecture, *phones)
@@ -241,13 +277,13 @@ def ended(lecture: Page, phone: Page, folder: Path) -> list[list[str]]:
     lecture.keyboard.press("j")
     lecture.get_by_role("button", name="Summary").click()
     summary = lecture.get_by_role("dialog", name="Summary of the class")
-    expect(summary.get_by_role("heading")).to_have_text(re.compile(r"^Wrong most: step 3, step 4 \(100 %"))
+    expect(summary.get_by_role("heading")).to_have_text(re.compile(r"^Wrong most: step 3, step 5 \(100 %"))
     expect(summary.locator("tbody tr")).to_have_count(4)
     summary.get_by_role("button", name="Close").click()
     dialog = lecture.get_by_role("dialog", name="End the class")
     for cancel in ("Escape", "Cancel", ""):
         lecture.get_by_role("button", name="End the class").press("Enter")
-        expect(dialog).to_contain_text("This deletes 14 answers to 5 questions. The code stops working, and phones")
+        expect(dialog).to_contain_text("This deletes 16 answers to 6 questions. The code stops working, and phones")
         for key in ("PageDown", "PageUp"):
             lecture.keyboard.press(key)
         assert lecture.evaluate(f"{LED} && !{LED}.isOver")
@@ -275,13 +311,14 @@ def test_a_lecture(window: Open, tmp_path: Path) -> None:
     remote = remote_of(lecture, window)
     phone, other = joined(window, code), joined(window, code, 844, 390)
     expect(lecture.locator(".class-corner")).to_contain_text(f"{code}2 here")
-    drop(lecture, "five.toml", LECTURE + POLL)
+    drop(lecture, "six.toml", LECTURE)
     choice(lecture, code, phone, other)
     number(lecture, phone, other, remote)
     late = joined(window, code)
     expect(lecture.locator(".class-corner")).to_contain_text("3 here")
     point(lecture, phone, other, late)
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("4 of 5")
+    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("4 of 6")
+    words(lecture, remote, phone, other)
     sketch(lecture, phone, other, late)
     poll(lecture, phone, other)
     remote.close()  # it would continue to poll, and get the answer that there is no such class
@@ -292,8 +329,8 @@ def test_a_lecture(window: Open, tmp_path: Path) -> None:
     own = next(row[0] for row in rows if row[4:8:3] == ["mass", "2"])
     answers = [row for row in rows[1:] if row[0] == own]
     assert [[*row[3:6], row[9]] for row in [rows[0], *answers[:4]]] == [
-        ["walk", "step", "vote", "right"], ["five", "pull", "1", "no"], ["five", "pull", "2", "yes"],
-        ["five", "mass", "1", "yes"], ["five", "place", "1", "no"],
+        ["walk", "step", "vote", "right"], ["six", "pull", "1", "no"], ["six", "pull", "2", "yes"],
+        ["six", "mass", "1", "yes"], ["six", "place", "1", "no"],
     ]  # fmt: skip
     assert all(row[1].endswith("Z") for row in rows[1:]) and {row[2] for row in answers[:3]} == {"2"}
-    assert len(answers[4][7].split(";")) == 101 and answers[4][8] == "SI"
+    assert answers[4][7] == BOLD and len(answers[5][7].split(";")) == 101 and answers[5][8] == "SI"

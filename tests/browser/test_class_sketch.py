@@ -30,7 +30,7 @@ INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.lay
 SKETCHED = [(walk, step) for walk in load_walks(()).values() for step in walk.steps if isinstance(step, SketchStep)]
 
 
-@pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 4))
+@pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 20))
 def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
     walk, asked = next(one for one in SKETCHED if one[1].id == step)
     lecture, code = taught(window, f"walk={walk.name}&step={step}")
