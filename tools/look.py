@@ -92,7 +92,7 @@ def faults(walk: Walk, browser: Browser, url: str) -> Iterator[str]:
         for place, step in enumerate(walk.steps):
             for when in shown(page, place):
                 where = f"{walk.name}, step {place + 1} ({step.id}), {when} at {width} x {height}"
-                yield from (f"{where}: {fault}" for fault in _faults_of(page, height))
+                yield from (f"{where}: {fault}" for fault in faults_of(page, height))
         context.close()
 
 
@@ -111,7 +111,7 @@ def shown(page: Page, place: int) -> Iterator[str]:
     yield "answer"
 
 
-def _faults_of(page: Page, height: int) -> Iterator[str]:
+def faults_of(page: Page, height: int) -> Iterator[str]:
     """Return a sentence for each fault of the page: of its layout and type, then of what is drawn."""
     yield from (re.sub("^.*? Show: ", "", fault) for fault in seen(page, height, ""))
     measured: dict[str, Any] = page.evaluate(MEASURED)

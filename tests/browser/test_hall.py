@@ -12,6 +12,7 @@ from tests.browser.boxes import faults
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.waiting import passed, seek, turned
+from tests.grids import spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -56,10 +57,6 @@ UNFIT = """(() => {
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
-ALWAYS = {"oscillator", "coupled", "phugoid"}
-"""The scenes with the fullest views."""
-
-
 def looked_at(page: Page, width: int, height: int) -> Iterator[str]:
     """The faults of the page on this screen, on which no scene is smaller than on a desk."""
     lines = min(height, width * 9 / 16)
@@ -82,9 +79,7 @@ def looked_at(page: Page, width: int, height: int) -> Iterator[str]:
     yield from (f"no room for {part}" for part in page.evaluate(THIN))
 
 
-@pytest.mark.parametrize(
-    "slug", [pytest.param(slug, marks=() if slug in ALWAYS else pytest.mark.slow) for slug in SCENES]
-)
+@pytest.mark.parametrize("slug", spread([*SCENES], 20))
 def test_every_view_has_the_halls_type_and_fits_with_plots_that_can_be_read(
     slug: str, server: Server, page: Page
 ) -> None:

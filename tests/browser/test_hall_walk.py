@@ -22,7 +22,7 @@ from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent,
 from tests.browser.halls import LAID, TAUGHT, empty, seen
 from tests.browser.touch import swipe
 from tests.browser.waiting import clicked, passed
-from tests.grids import WHOLE, spread
+from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
 from tests.serving.server import Server
 from tests.walks.voters import answers
@@ -30,6 +30,8 @@ from tests.walks.voters import answers
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 NAMES = ["tour", "d31", "d32-33", "d34", "waves"]
+SLOWER = [f"{name} {by}" for by in ("clicker", "keys", "touch") for name in NAMES if (name, by) != ("tour", "keys")]
+LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 5))]
 SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
 HEIGHT = 720
 WORST = {
@@ -179,7 +181,7 @@ def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
 
 @pytest.mark.timeout(600)  # up to 21 steps
 @pytest.mark.parametrize("size", SIZES if WHOLE else SIZES[:1], ids=str)
-@pytest.mark.parametrize("led", spread([f"{name} {by}" for by in ("clicker", "keys", "touch") for name in NAMES], 5))
+@pytest.mark.parametrize("led", LEADS)
 def test_alone(led: str, size: tuple[int, int], server: Server, new_page: Callable[..., Page]) -> None:
     name, by = led.split()
     page = new_page(*size, has_touch=by == "touch")
@@ -205,7 +207,8 @@ PHONES = ((390, 844), (360, 640), (844, 390))
 
 
 @pytest.mark.timeout(600)  # up to 21 steps, on four pages
-@pytest.mark.parametrize("name", spread(NAMES, 5))
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES if WHOLE else ["d34"])
 def test_with_votes(name: str, server: Server, window: Open) -> None:
     lecture, code = taught(window, f"walk={name}&projector", 1280, HEIGHT)
     phones = [joined(window, code, *size) for size in PHONES]
