@@ -53,7 +53,7 @@ def lost(page: Page) -> None:
     page.wait_for_function(CONNECTED.format("false"))
 
 
-@pytest.mark.parametrize("name", spread([*LOSSES]))
+@pytest.mark.parametrize("name", spread([*LOSSES], 20))
 def test_every_last_value_is_kept_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 
@@ -62,30 +62,8 @@ def test_a_token_that_came_too_late_is_replaced(page: Page, site: GatedSite) -> 
     too_late(page, site, seed=1)
 
 
-def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server) -> None:
-    opened(page, server)
-    page.context.set_offline(True)
-    alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_have_text("Not connected. Your changes wait for the server.")
-    page.locator("input[name=k2-slider]").fill("0.5")
-    expect(page.get_by_text("1 value waits")).to_be_visible()
-    expect(page.locator(".control.waits")).to_have_count(1)
-    page.set_viewport_size({"width": 320, "height": 568})
-    page.get_by_role("button", name="Hold").click(trial=True)  # the message does not cover anything for good
-    assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
-    page.set_viewport_size({"width": 1280, "height": 720})
-    frames = page.evaluate("oscillations.clock.frames")
-    page.wait_for_function("frames => oscillations.clock.frames > frames", arg=frames)
-    page.context.set_offline(False)
-    expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
-    expect(alert).to_be_hidden()
-    page.wait_for_function(SETTLED)
-    expect(page.get_by_text("1 value waits")).to_be_hidden()
-    expect(page.locator(".control.waits")).to_have_count(0)
-
-
-def test_a_preset_and_a_scene_that_wait_are_shown_as_chosen(page: Page, server: Server) -> None:
-    opened(page, server)
+def preset_and_scene_wait(page: Page) -> None:
+    """They are shown as chosen."""
     lost(page)
     beats = page.get_by_role("button", name="Beats")
     beats.click()
@@ -103,28 +81,55 @@ def test_a_preset_and_a_scene_that_wait_are_shown_as_chosen(page: Page, server: 
     expect(page.locator(".waits:not(h1)")).to_have_count(0)
 
 
-@pytest.mark.parametrize("width", [320, 390, 700, 1000, 1280, 1920])
-def test_a_page_without_a_connection_keeps_its_way_to_scenes_and_to_the_start(
-    width: int, browser: Browser, server: Server
-) -> None:
-    """On a first visit too, when the tour is offered."""
-    context = calm_context(browser, {"width": width, "height": 720}, bypass_csp=True)
-    page = context.new_page()
+def handle_choice_and_window_wait(page: Page) -> None:
+    """They stay as they were set."""
+    lost(page)
+    pill = page.locator(".pill[data-grab=omega]:visible").first
+    for _ in range(2):
+        pill.press("ArrowRight")
+    moved = pill.get_attribute("aria-valuenow")
+    choice = page.locator(".seg[data-name]:visible").first
+    option = choice.locator("[aria-pressed=false]").first.get_attribute("data-option")
+    other, window = choice.locator(f"[data-option={option}]"), page.get_by_label("Time window")
+    other.click()
+    window.fill("17.3")
+    window.press("Enter")
+    for part in (page.locator(".seg.waits"), page.locator(".window.waits")):
+        expect(part).to_have_count(1)
+    expect(pill).to_have_class(re.compile("waits"))
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    expect(page.locator(".waits:not(h1)")).to_have_count(0)
+    expect(window).to_have_value("17.3")
+    expect(other).to_have_attribute("aria-pressed", "true")
+    assert pill.get_attribute("aria-valuenow") == moved
+
+
+def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server) -> None:
+    """Values, presets, handles, choices, the window and a scene."""
     opened(page, server)
-    expect(page.locator(".new-here")).to_be_visible()
-    for is_lost in (False, True):
-        if is_lost:
-            lost(page)
-            expect(page.locator(".lost")).to_be_visible()
-        menu = page.locator(".scene-menu summary")
-        if menu.is_visible():
-            menu.click()
-        page.get_by_role("link", name="Coupled", exact=True).click(trial=True)
-        ways = page.locator("a[href='./']:visible")
-        ways.last.click(trial=True)
-        if menu.is_visible():
-            menu.click()
-    context.close()
+    page.context.set_offline(True)
+    alert, waits = page.get_by_role("alert").filter(has_text="Not connected."), page.locator(".control.waits")
+    expect(alert).to_have_text("Not connected. Your changes wait for the server.")
+    page.locator("input[name=k2-slider]").fill("0.5")
+    expect(page.get_by_text("1 value waits")).to_be_visible()
+    expect(waits).to_have_count(1)
+    for width in (320, 1920):  # the message does not cover anything for good
+        page.set_viewport_size({"width": width, "height": 568})
+        page.get_by_role("button", name="Hold").click(trial=True)
+        assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.locator("a[href='./']:visible").last.click(trial=True)
+    frames = page.evaluate("oscillations.clock.frames")
+    page.wait_for_function("frames => oscillations.clock.frames > frames", arg=frames)
+    page.context.set_offline(False)
+    expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
+    expect(alert).to_be_hidden()
+    page.wait_for_function(SETTLED)
+    expect(page.get_by_text("1 value waits")).to_be_hidden()
+    expect(waits).to_have_count(0)
+    preset_and_scene_wait(page)
+    handle_choice_and_window_wait(page)
 
 
 def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, server: Server) -> None:
@@ -148,20 +153,6 @@ def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, serve
     assert shown == [(token, ""), (token, "second")]
     now = page.evaluate("(({token, ticket}) => ({token, ticket}))(oscillations.connection)")
     assert now["ticket"] == "" and now["token"] != token
-
-
-def test_presets_undo_and_scenes_wait_too(page: Page, server: Server) -> None:
-    opened(page, server)
-    lost(page)
-    page.locator("input[name=m1-slider]").fill("0.5")
-    page.get_by_role("button", name="Beats").click()
-    page.locator("input[name=k2-slider]").fill("0.5")
-    page.evaluate("oscillations.undo.go('past')")
-    page.evaluate("oscillations.send({type: 'set', values: {k1: 7}})")
-    page.context.set_offline(False)
-    page.wait_for_function(SETTLED)
-    settings = page.evaluate("oscillations.shown.settings")
-    assert [settings[name]["value"] for name in ("m1", "m2", "k1", "k2")] == [1.0, 0.04, 7.0, 0.04]
 
 
 def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(page: Page, server: Server) -> None:
@@ -194,27 +185,6 @@ def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> No
     expect(alert).to_contain_text("blocks WebSockets", timeout=30_000)
 
 
-def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server: Server) -> None:
-    opened(page, server)
-    lost(page)
-    page.evaluate(
-        """() => {
-          const {messages} = oscillations
-          messages.send({type: "set", values: {k1: 1, k2: 2}})
-          messages.send({type: "typed", name: "k1", text: "3"})
-          messages.send({type: "set", values: {k2: 4, m1: 5}})
-          messages.send({type: "act", name: "any"})
-          messages.send({type: "set", values: {k2: 6}})
-        }"""
-    )
-    assert page.evaluate("oscillations.messages.left") == [
-        {"type": "typed", "name": "k1", "text": "3"},
-        {"type": "set", "values": {"k2": 4, "m1": 5}},
-        {"type": "act", "name": "any"},
-        {"type": "set", "values": {"k2": 6}},
-    ]
-
-
 def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Server) -> None:
     """Its answer waits while the connection is lost, and arrives later; also after going back in the history of a
     reloaded page.
@@ -237,34 +207,6 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
     page.go_back()
     expect(page.locator("h1")).to_have_text("How long does one swing take?")
     expect(page.locator(".note:not(:empty)")).to_have_count(0)
-
-
-def test_handles_choices_and_the_window_wait_as_they_were_set(page: Page, server: Server) -> None:
-    page.goto(f"{server.url}?scene=forced")
-    page.wait_for_function(READY)
-    page.wait_for_function(CONNECTED.format("true"))
-    lost(page)
-    pill = page.locator(".pill[data-grab=omega]:visible").first
-    pill.focus()
-    for _ in range(2):
-        pill.press("ArrowRight")
-    moved = pill.get_attribute("aria-valuenow")
-    choice = page.locator(".seg[data-name]:visible").first
-    option = choice.locator("[aria-pressed=false]").first.get_attribute("data-option")
-    other = choice.locator(f"[data-option={option}]")
-    other.click()
-    page.get_by_label("Time window").fill("17.3")
-    page.get_by_label("Time window").press("Enter")
-    expect(other).to_have_attribute("aria-pressed", "true")
-    expect(page.locator(".seg.waits")).to_have_count(1)
-    expect(page.locator(".window.waits")).to_have_count(1)
-    expect(pill).to_have_class(re.compile("waits"))
-    page.context.set_offline(False)
-    page.wait_for_function(SETTLED)
-    expect(page.locator(".waits:not(h1)")).to_have_count(0)
-    expect(page.get_by_label("Time window")).to_have_value("17.3")
-    expect(other).to_have_attribute("aria-pressed", "true")
-    assert pill.get_attribute("aria-valuenow") == moved
 
 
 def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:

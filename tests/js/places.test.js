@@ -135,32 +135,13 @@ test("steps of a handout are unbroken, in order, on as few pages as possible", (
   }
 })
 
+// prettier-ignore
 for (const [heights, pages] of [
-  [
-    [300, 300, 300, 100],
-    [
-      [0, 2],
-      [2, 4],
-    ],
-  ],
-  [
-    [400, 400, 400, 400],
-    [
-      [0, 2],
-      [2, 4],
-    ],
-  ],
-  [
-    [100, 2000, 100],
-    [
-      [0, 1],
-      [1, 2],
-      [2, 3],
-    ],
-  ],
+  [[300, 300, 300, 100], [[0, 2], [2, 4]]],
+  [[400, 400, 400, 400], [[0, 2], [2, 4]]],
+  [[100, 2000, 100], [[0, 1], [1, 2], [2, 3]]],
   [[100], [[0, 1]]],
 ])
-  // prettier-ignore
   test(`pages with steps of ${heights} are filled evenly; a step longer than a page has its own`, () => {
     assert.deepEqual(packed(heights, MOST), pages)
   })

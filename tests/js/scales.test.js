@@ -28,16 +28,6 @@ for (const [scale, soft, unit] of EACH)
   })
 
 test("the last digit of a field is stepped up and down", () => {
-  const cases = [
-    ["9.99", 1],
-    ["0.00", -1],
-    ["-3e5", 1],
-    ["2.00", 1],
-    ["−1.5e-7", 1],
-    ["x", 1],
-  ]
-  assert.deepEqual(
-    cases.map(([text, way]) => stepped(text, way)),
-    ["10.00", "-0.01", "-2e5", "2.01", "-1.4e-7", null],
-  )
+  const up = ["9.99", "-3e5", "2.00", "−1.5e-7", "x"].map(text => stepped(text, 1))
+  assert.deepEqual([...up, stepped("0.00", -1)], ["10.00", "-2e5", "2.01", "-1.4e-7", null, "-0.01"])
 })

@@ -41,14 +41,8 @@ for (const [answers, truths, line] of [
 test("labels do not overlap; each is as close to its bar as the others allow", () => {
   const labels = [2, 1, 3].map(value => ({value, words: `${value}`, width: 60}))
   const at = value => 100 + 10 * value
-  assert.deepEqual(
-    beside(labels, at).map(({from, x}) => [from, x]),
-    [
-      [110, 110],
-      [120, 178],
-      [130, 246],
-    ],
-  )
+  const places = beside(labels, at).map(({from, x}) => [from, x])
+  assert.deepEqual(places, [[110, 110], [120, 178], [130, 246]]) // prettier-ignore
   assert.equal(beside([{value: 20, words: "20", width: 60}], at)[0].x, 250)
   assert.equal(fitting(many(9, labels[0])).length, 4)
 })
@@ -88,24 +82,17 @@ const step = (place, votes, walk = "d34") => ({
   votes: votes.map(([right, answered], i) => ({vote: i + 1, right, answered})),
 })
 
+// prettier-ignore
 for (const [steps, words] of [
   [[], "Nobody has answered a question yet."],
   [[step(1, [[3, 3]])], "All answers were right."],
   [
-    [
-      step(2, [[90, 100]]),
-      step(7, [[1, 4]]),
-      step(9, [
-        [0, 10],
-        [8, 10],
-      ]),
-    ],
+    [step(2, [[90, 100]]), step(7, [[1, 4]]), step(9, [[0, 10], [8, 10]])],
     "Wrong most: step 7 (75 % of the answers)",
   ],
   [[step(1, [[1, 2]]), step(4, [[2, 4]])], "Wrong most: step 1, step 4 (50 % of the answers)"],
   [[step(1, [[1, 2]], "d31"), step(1, [[0, 2]])], "Wrong most: step 1 of d34 (100 % of the answers)"],
 ])
-  // prettier-ignore
   test(`the summary names the step with the most wrong answers in its last vote: ${words}`, () => {
     assert.equal(headline(steps), words)
   })
