@@ -98,8 +98,7 @@ scene: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow" -k "$(SCENE) or table_of_scenes" $(OF_SCENES) \
 		tests/tooling/test_commands.py
 	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and not slow" -k "$(SCENE)" \
-		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py \
-		tests/browser/test_views.py
+		tests/browser/test_views.py tests/browser/test_page.py tests/browser/test_gestures.py tests/browser/test_files.py
 
 # The tests that need no browser.
 fast: $(VENV)/test.stamp

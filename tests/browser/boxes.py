@@ -89,8 +89,14 @@ FAULTS = r"""([least, leastIndex]) => {
   }
   for (const piece of seen) {
     const {left, width, bottom, height} = piece.boxes[piece.boxes.length - 1]
-    const overs = [0.2, 0.5, 0.8].map(share => document.elementFromPoint(left + share * width, bottom - height / 3))
-    const covers = overs.map(over => over && !piece.owner.contains(over) && hides(over, piece.owner))
+    const y = bottom - height / 3
+    const covers = [0.2, 0.5, 0.8].map(share => left + share * width).map(x => {
+      const over = document.elementFromPoint(x, y)
+      const cover = over && !piece.owner.contains(over) && hides(over, piece.owner)
+      // A finger's handle is hit beyond its box, where it shows nothing.
+      const box = cover && cover.getBoundingClientRect()
+      return box && x > box.left && x < box.right && y > box.top && y < box.bottom && cover
+    })
     const cover = covers.find(cover => cover && stands(cover))
     if (cover) faults.push(`under ${cover.getAttribute("class")}: ${named(piece)}`)
   }

@@ -125,11 +125,6 @@ def desk(browser: Browser, server: Server) -> Iterator[Page]:
 
 
 @pytest.fixture(scope="module")
-def turning(browser: Browser, server: Server) -> Iterator[Page]:
-    yield from _turning(browser, server, 1280, 720)
-
-
-@pytest.fixture(scope="module")
 def phone(browser: Browser, server: Server) -> Iterator[Page]:
     yield from _turning(browser, server, 390, 844, has_touch=True, is_mobile=True)
 

@@ -43,16 +43,6 @@ KEEP_BACK = """() => {
   }
 }"""
 """A script that holds back the message at the end of a drag until the test sends it."""
-ANSWERS = """() => {
-  const {messages} = oscillations, {handle} = messages
-  Object.assign(globalThis, {answers: [], due: []})
-  messages.handle = (message, asked) => {
-    due.push("values" in asked.message && !Object.keys(asked.message.values).length ? "kept" : "shown")
-    answers.push(message.type)
-    handle(message, asked)
-  }
-}"""
-"""A script that notes each answer, and the answer that is due: a message that sets nothing needs no picture."""
 
 
 def is_shown(page: Page, name: str, value: float) -> None:
@@ -223,35 +213,6 @@ def test_keys_and_typed_values_let_go_when_they_rest(page: Page, open_scene: Ope
     is_fitted(page)
     page.keyboard.press("Control+Shift+Z")  # it belongs to the field and undoes nothing in the scene
     is_shown(page, "k", 40)
-
-
-def test_a_change_is_answered_with_one_picture(page: Page, open_scene: Open) -> None:
-    """Typed, by a key, on a slider, by a grip. Actions that wait for the end of the change get it."""
-    open_scene(page, scene="oscillator")
-    page.evaluate("() => { oscillations.clock.playing = false; oscillations.clock.seek(0) }")
-    page.evaluate(ANSWERS)
-    grip = page.locator("[data-grab*=x_0]").first
-    for pictures, change in (
-        (1, lambda: typed(page, "m", "1.02")),
-        (1, lambda: page.locator("input[name=k-slider]").press("ArrowRight")),
-        (2, lambda: (grip.press("ArrowUp"), grip.press("Enter"))),  # taken, then moved
-    ):
-        page.wait_for_function(f"{ENDED} && !oscillations.page.compare.beforeDrag")
-        page.evaluate("answers.length = due.length = 0")
-        change()
-        page.wait_for_function(f"answers.length >= {pictures} && {ENDED}")
-        answers = page.evaluate("answers")
-        assert answers == page.evaluate("due") and answers.count("shown") == pictures
-    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
-    typed(page, "x_0", "9")
-    is_wide(page)
-    page.wait_for_function(QUIET)
-    grip.focus()
-    page.keyboard.press("Home")
-    page.wait_for_function("Math.abs(oscillations.shown.settings.x_0.value) < 1")
-    assert page.evaluate(END) > 9, "held, it stands"
-    page.keyboard.press("Enter")
-    page.wait_for_function(f"{END} < 2")
 
 
 def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page, open_scene: Open) -> None:

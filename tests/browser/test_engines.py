@@ -1,14 +1,21 @@
-"""Every scene is drawn, moves and answers in Safari's engine and in Firefox; other tests draw it in Chromium."""
+"""Every scene in Safari's engine and in Firefox; in all engines, what each of them does in its own way."""
 
 from __future__ import annotations
 
-import pytest
+from itertools import pairwise
+from pathlib import Path
 
+import numpy as np
+import pytest
+from PIL import Image
+
+from components.layout.text import mathml
 from components.scenes import SCENES
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
 from tests.browser.hands import CONNECTED, middle, opened, stroke
 from tests.browser.waiting import FRAMES, PASSED, QUIET
+from tests.grids import spread
 from tests.serving.server import Server
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -26,7 +33,7 @@ MOST_LIKELY = {"m1": 1.5, "m": 1.5, "theta_0": 0.5, "limit": 2.0}
 
 
 @pytest.mark.parametrize("engine", ("webkit", "firefox"), indirect=True)
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_a_scene_is_drawn_moves_and_answers(engine: Window, server: Server, slug: str) -> None:
     engine.goto(f"{server.url}?scene={slug}")
     engine.evaluate(WATCH)
@@ -82,28 +89,6 @@ def test_a_curve_is_drawn_where_an_event_names_no_other(engine: Window, server: 
     engine.wait_for_function(DRAWN_TO)
 
 
-HOLD_BACK = """() => {
-  const {wire} = oscillations.messages
-  const send = wire.send
-  wire.send = message => (message.type === "open" ? (window.go = () => send(message)) : send(message))
-  oscillations.walks.walk.show(true)
-}"""
-EXPLAINED = "document.querySelector('.card .why')"
-READ = f"getComputedStyle({EXPLAINED}).visibility === 'visible' && {EXPLAINED}.textContent"
-
-
-def test_an_explanation_is_read_with_its_numbers(engine: Window, server: Server) -> None:
-    """They arrive with the picture after the answer, which is held back here."""
-    opened(engine, f"{server.url}?walk=d34&step=d34-10")
-    engine.wait_for_function(f"oscillations.walks.walk?.card && {QUIET}")
-    engine.evaluate(HOLD_BACK)
-    engine.wait_for_function(f"{EXPLAINED} && Boolean(window.go)")
-    assert not engine.evaluate(READ)
-    engine.evaluate("() => window.go()")
-    engine.wait_for_function(READ)
-    assert "again every 31.3 s. Half-way" in engine.evaluate(READ)
-
-
 HIDE = """hidden => {
   Object.defineProperty(document, "hidden", {configurable: true, get: () => hidden})
   document.dispatchEvent(new Event("visibilitychange"))
@@ -136,3 +121,59 @@ def test_what_appears_above_does_not_move_what_is_in_sight(engine: Window, serve
     engine.wait_for_function("scrollY > 380")
     assert abs(engine.evaluate(TOP) - stood) <= 1
     engine.set_viewport_size({"width": 1280, "height": 720})
+
+
+SIZE = 80  # px of the text
+SET = f"""formula => {{
+  document.body.innerHTML = `<div style="padding: 100px; font-size: {SIZE}px">${{formula}}</div>`
+  return document.fonts.ready.then(() => new Promise(drawn => requestAnimationFrame(() => setTimeout(drawn, 100))))
+}}"""
+
+
+class Ink:
+    """The dark pixels of one formula, in the lecture's style, independent of the boxes that an engine reports."""
+
+    def __init__(self, window: Window, latex: str, path: Path) -> None:
+        window.evaluate(SET, mathml(latex))
+        window.screenshot(path=path)
+        self._dark = np.asarray(Image.open(path).convert("L")) < 128
+
+    def gaps(self, axis: int) -> list[int]:
+        """The gaps between parts, in px: above each other (axis 1) or next to each other (axis 0)."""
+        return [start - end for (_, end), (start, _) in pairwise(self.parts(axis))]
+
+    def parts(self, axis: int) -> list[tuple[int, int]]:
+        """The first and last pixel of each part."""
+        edges = np.flatnonzero(np.diff(self._dark.any(axis=axis).astype(int))) + 1
+        return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def test_formulas_look_the_same(engine: Window, server: Server, tmp_path: Path) -> None:
+    """The dots of a derivative are close above its letter; a frequency and its sign are one symbol; words are as large
+    as the text around them, and letters larger, because those of the font of formulas are small.
+    """
+    engine.goto(f"{server.url}?scene=energy")
+    engine.wait_for_function(READY)
+    for latex in (r"\dot{x}", r"\ddot{x}", r"\dot{\theta}", r"\ddot{x}_1"):
+        [gap] = Ink(engine, latex, tmp_path / "formula.png").gaps(axis=1)
+        assert 0.05 * SIZE < gap < 0.25 * SIZE, latex
+    for sign in "-+":
+        inside, after, _ = Ink(engine, rf"\omega_{sign} = 1", tmp_path / "formula.png").gaps(axis=0)
+        assert inside < 0.15 * SIZE < 0.4 * SIZE < after < 0.55 * SIZE, sign
+    Ink(engine, r"\text{slow} = x", tmp_path / "formula.png")
+    sizes = "['mtext', 'mi'].map(name => parseFloat(getComputedStyle(document.querySelector(name)).fontSize))"
+    assert engine.evaluate(sizes) == pytest.approx([1.05 * SIZE, 1.13 * SIZE], abs=0.005 * SIZE)
+
+
+SELECTED = """[...document.querySelectorAll(".block.stage, .plot-area, .drawing, .marking, [data-grab], .pill")]
+  .filter(one => one.checkVisibility())
+  .map(one => [one.getAttribute("class").split(" ")[0], getComputedStyle(one).webkitUserSelect])"""
+
+
+@pytest.mark.parametrize("link", ["scene=coupled", "walk=d34&step=d34-10", "walk=d34&step=d34-08"])
+def test_a_long_press_on_what_can_be_dragged_selects_no_text(engine: Window, server: Server, link: str) -> None:
+    engine.goto(f"{server.url}?{link}")
+    engine.wait_for_function(f"{READY} && (!{'walk' in link:d} || document.querySelector('.card'))")
+    kinds, found = zip(*engine.evaluate(SELECTED), strict=True)
+    assert {"plot-area", {"coupled": "grip", "d34-10": "drawing", "d34-08": "marking"}[link.split("=")[-1]]} <= {*kinds}
+    assert {*found} == {"none"}

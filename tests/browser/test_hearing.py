@@ -6,18 +6,23 @@ import math
 import re
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
-from components.quantities.formatting import short, three
 from components.scenes import SCENES
-from tests.browser.descriptions import described
+from tests.browser.waiting import turned
 
 pytestmark = pytest.mark.browser
 
 Open = Callable[..., Page]
 HEARD = ".page > [role=status]"
+SAYS = "document.getElementById('says-x').textContent"
+
+
+def described(page: Page, name: str) -> str:
+    """Return the description of a plot, once it has one."""
+    page.wait_for_function('name => document.getElementById(`says-${name}`)?.textContent !== ""', arg=name)
+    return str(page.evaluate("name => document.getElementById(`says-${name}`).textContent", name))
 
 
 def changed(page: Page, **values: float) -> None:
@@ -79,22 +84,13 @@ def test_a_turning_point_is_described_where_the_motion_turns(page: Page, open_sc
     expect(figure).to_have_accessible_description(told)
 
 
-@pytest.mark.parametrize("k2", [2.0, 7.0])
-def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2: float) -> None:
-    open_scene(page, scene="coupled", k2=k2)
-    scene = SCENES["coupled"](k2=k2)
-    time = scene.sources["time"].data
-    text = described(page, "x1")
-    x = time["x1"]
-    found = re.search(r"x1: from (\S+) m to (\S+) m, lowest (\S+) m at (\S+) s, highest (\S+) m at (\S+) s\.", text)
-    assert found, text
-    numbers = [float(part.replace("−", "-")) for part in found.groups()]
-    true = [x[0], x[-1], x.min(), x.max()]
-    assert np.allclose([*numbers[:3], numbers[4]], true, rtol=5e-3, atol=2e-3), (text, true)
-    assert np.allclose(np.interp([numbers[3], numbers[5]], time["t"], x), [x.min(), x.max()], atol=0.02), text
-    assert f"Horizontal axis 0 s to {short(scene.shown.axes['t'].end)} s" in text
-    open_scene(page, scene="coupled", view="energy", k2=k2)
-    T2 = time["T1_V1_V2_T2"] - time["T1_V1_V2"]
-    assert f"T2: between 0 J and {three(float(np.ptp(np.maximum(T2, 0.0))))[:3]}" in described(page, "energy")
-    open_scene(page, scene="absorber", view="stroke")
-    assert "highest outside the frame" in described(page, "stroke")
+def test_a_slow_push_is_heard_as_a_line_and_a_quick_one_stays_in_its_frame(desk: Page) -> None:
+    turned(desk, "driven", {"view": "motion", "omega": 0.2})
+    slow = described(desk, "x")
+    assert "x: from " in slow and "highest 0.0507 m" in slow
+    told = re.findall(r"x: up to (\S+) s too fast .* between (\S+) m and (\S+) m", slow.replace("−", "-"))
+    seconds, low, high = map(float, told[0])
+    assert 1 < seconds < 5 and -0.01 < low < 0 < high < 0.05
+    turned(desk, "driven", {"view": "motion", "omega": 1e6})
+    desk.wait_for_function(f"heard => ({SAYS}) !== heard", arg=slow)
+    assert not re.search("too fast|outside the frame", desk.evaluate(SAYS))

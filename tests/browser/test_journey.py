@@ -1,4 +1,4 @@
-"""One visitor's journey in Chromium, in Safari's engine and in Firefox; each part is a test."""
+"""One visitor's journey in Chromium, in Safari's engine and in Firefox."""
 
 from __future__ import annotations
 
@@ -35,33 +35,22 @@ def value(window: Window, name: str) -> float:
     return found
 
 
-def test_a_scene_is_opened_from_the_start_page(engine: Window, server: Server) -> None:
+def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: Window, server: Server) -> None:
     engine.goto(server.url)
     press(engine, middle(engine, "a.scene-card[href='?scene=coupled']"))
     engine.wait_for_function(f"location.search && {CONNECTED}")
     assert engine.evaluate(HEADLINE) == SCENES["coupled"].headline
-
-
-def test_a_mass_is_dragged(engine: Window, server: Server) -> None:
-    opened(engine, f"{server.url}?scene=coupled&x1_0=0.5")
     click(engine, "button", "Pause")
     click(engine, "button", "Restart")
     drag(engine, "[data-grab=x1_0]", 40)
-    engine.wait_for_function("oscillations.shown.settings.x1_0.value > 0.5")
-
-
-def test_a_slider_moves_by_its_track_and_by_keys(engine: Window, server: Server) -> None:
-    opened(engine, f"{server.url}?scene=coupled&k2=1")
+    engine.wait_for_function("oscillations.shown.settings.x1_0.value > 1")
+    before = value(engine, "k2")
     x, y = middle(engine, "input[name=k2-slider]")
     press(engine, (x + 30, y))
     by_track = value(engine, "k2")
-    assert by_track != 1
+    assert by_track != before
     engine.keyboard.press("ArrowRight")
     assert value(engine, "k2") > by_track
-
-
-def test_a_number_is_typed_and_a_link_carries_it(engine: Window, server: Server) -> None:
-    opened(engine, f"{server.url}?scene=coupled")
     press(engine, middle(engine, "input[name=k2]"))
     engine.evaluate("document.activeElement.select()")
     engine.keyboard.type("3.5")
@@ -70,29 +59,17 @@ def test_a_number_is_typed_and_a_link_carries_it(engine: Window, server: Server)
     engine.reload()
     engine.wait_for_function(CONNECTED)
     assert value(engine, "k2") == 3.5
-
-
-def test_a_preset_is_chosen_and_undone(engine: Window, server: Server) -> None:
-    opened(engine, f"{server.url}?scene=coupled&k2=3")
     label, given = next((label, given) for label, given in SCENES["coupled"].presets.items() if "k2" in given)
     click(engine, "button", label)
     engine.wait_for_function(f"oscillations.shown.settings.k2.value === {given['k2']}")
     click(engine, "button", "Undo")
-    engine.wait_for_function("oscillations.shown.settings.k2.value === 3")
-
-
-def test_views_are_turned_by_tabs_and_keys(engine: Window, server: Server) -> None:
-    first, second, *_ = SCENES["damped"].views
+    engine.wait_for_function("oscillations.shown.settings.k2.value === 3.5")
+    first, second, *_ = SCENES["coupled"].views
     chosen = "document.querySelector('[role=tab][aria-selected=true]').textContent"
-    opened(engine, f"{server.url}?scene=damped")
     click(engine, "tab", second.name)
     engine.wait_for_function(f"{chosen} === {second.name!r} && {ADDRESS}.includes('view=')")
     engine.keyboard.press(",")
     engine.wait_for_function(f"{chosen} === {first.name!r}")
-
-
-def test_the_numbers_come_as_csv(engine: Window, server: Server) -> None:
-    opened(engine, f"{server.url}?scene=coupled&k2=3")
     engine.evaluate(SAVED)
     click(engine, "button", "Save and share")
     click(engine, "button", "CSV")

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.waiting import clicked
+from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -185,11 +186,10 @@ def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, ope
     stops_at_the_last_slide(page)
 
 
-@pytest.mark.parametrize(("key", "taught"), [("PageDown", True), ("w", False)])
-def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(
-    key: str, taught: bool, page: Page, open_scene: Open
-) -> None:
-    """Leaving the walk uncovers no open question."""
+@pytest.mark.parametrize("key", spread(["w", "PageDown"]))
+def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(key: str, page: Page, open_scene: Open) -> None:
+    """By key, leaving the walk uncovers no open question; by clicker after the answer."""
+    taught = key == "PageDown"
     open_scene(page, walk="d34", step="d34-08")
     at(page, "d34/d34-08")
     if taught:

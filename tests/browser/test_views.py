@@ -1,4 +1,4 @@
-"""The tabs of a scene, and the first screen of each view."""
+"""Every view of every scene is visited once on a desk and once on a phone, for all that can be seen there."""
 
 from __future__ import annotations
 
@@ -7,114 +7,138 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from components.layout.views import View
 from components.scenes import SCENES
+from tests.browser import looks
 from tests.browser.boxes import faults
-from tests.browser.waiting import passed, redrawn, seek
+from tests.browser.waiting import passed, seek, turned, unfold
+from tests.grids import WHOLE
+from tests.scenes.checks import choices
 
 pytestmark = pytest.mark.browser
-VIEWS = [pytest.param(slug, view, id=f"{slug}-{view.slug}") for slug, scene in SCENES.items() for view in scene.views]
-SCREENS = ((390, 844), (320, 568), (844, 390), (853, 480), (1250, 590), (1280, 720), (1920, 1080))
-IN_VIEWS = [slug for slug, scene in SCENES.items() if scene.views]
-BOTTOMS = """parts => {
-  const found = [...oscillations.page.sheet.hosts].filter(([block]) => parts.includes(block.part))
-  const keys = [...document.querySelectorAll(".keys-of-view:not([hidden]) > :not(h2, [hidden])")]
-    .map(host => [{part: "keys"}, host])
-  return [...found, ...keys].map(([{part}, host]) =>
-    [part, Math.round(host.getBoundingClientRect().bottom + scrollY), host.checkVisibility()])
-}"""
-LINES = """(() => {
-  const task = [...document.querySelectorAll(".view-task")].find(one => one.checkVisibility())
-  const {lineHeight, paddingTop, paddingBottom} = getComputedStyle(task)
-  return Math.round((task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / parseFloat(lineHeight))
-})()"""
-HEADLINE = """(() => {
-  const lines = document.createRange()
-  lines.selectNodeContents(document.querySelector("h1"))
-  return new Set([...lines.getClientRects()].map(({top}) => Math.round(top))).size
-})()"""
-SIDE_BY_SIDE = """(() => {
-  const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
-    .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
-  const [stage, plot] = [seen("plot.path") ?? seen("stage"), seen("plot:not(.path)")] // a path is a picture, too
-  const {bottom} = document.querySelector(".transport").getBoundingClientRect() // of the picture with its clock
-  return !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom && plot.top < bottom)
-})()"""
-CHOSEN = """() => [...document.querySelectorAll("[role=tab][aria-selected=true]")].map(tab => tab.textContent)"""
-FOCUSED = "() => document.activeElement.textContent"
+Given = dict[str, object]
+State = tuple[str, Given]
+VIEWS: list[State] = [(slug, {"view": view.slug}) for slug, scene in SCENES.items() for view in scene.views]
+OPENING: list[State] = [(slug, {"view": scene.views[0].slug}) for slug, scene in SCENES.items()]
+SPECIAL: list[State] = [
+    ("forced", {"c1": 0.4, "c2": 0.2, "view": "formulas"}),  # the longest equations
+    ("absorber", {"damping": "added", "c": 40.0}),  # the longest words next to a stage
+    ("analogues", {"system": "pipe"}),  # the longest formulas
+    ("energy", {"g": 24.8, "view": "motion"}),  # the longest name
+    ("energy", {"g": 24.8, "view": "energy"}),
+    ("driven", {"omega": 0.0123, "k": 12345.0, "c": 1e-5, "view": "motion"}),  # the widest numbers
+    ("energy", {"datum": "separate", "view": "well"}),  # the longest name in a well
+    ("modes", {"view": "guess", "ratio": 0.0}),  # the handle at a vertical axis is on a number
+    ("modes", {"view": "guess", "ratio": 3.0}),
+]
+OPTIONS: list[State] = [
+    (slug, dict(choice)) for slug, scene in SCENES.items() for choice in choices(scene) if scene.at().differing(choice)
+]
+CROWDED: State = ("forced", {"view": "bode"})  # the numbers at its axes have no room
+KINDS = {"coupled", "analogues", "accuracy", "phugoid"}
+"""Two masses, many small pictures, a measurement without a stage, a path."""
+QUICK = [CROWDED, *(state for state in OPENING if state[0] in KINDS)]
+REST = [state for state in (*VIEWS, *SPECIAL, *OPTIONS) if state not in QUICK] if WHOLE else [*OPENING[1::3], *SPECIAL]
+EACH = [*QUICK, *(pytest.param(state, marks=pytest.mark.slow) for state in REST if state not in QUICK)]
+states = pytest.mark.parametrize("state", EACH, ids=lambda state: "-".join(map(str, (state[0], *state[1].values()))))
+READ = ((1280, 720), (1024, 768))
+"""Sizes of a desk at which the order of the parts is looked at."""
+DESKS = ((1280, 720), (1250, 590), (1024, 768), (1920, 1080))
+ON_STAGE = {
+    ("energy", "energy"): ("text", ".spring", ".wall", "path.outline"),
+    ("energy", "motion"): ("line", ".spring"),
+    ("driven", "response"): ("text",),
+    ("modes", "hunt"): ("text", "line.ln.thick"),
+}
+"""Parts of a stage that its names keep off."""
+FOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = false })"
 
 
-@pytest.mark.parametrize(("slug", "view"), VIEWS)
-def test_a_phones_first_screen_has_all_that_the_task_names(
-    slug: str, view: View, new_page: Callable[..., Page], open_scene: Callable[..., Page]
-) -> None:
-    page = open_scene(new_page(width=390, height=844), folded=True, scene=slug, view=view.slug)
-    redrawn(page)
-    names = list(view.names)
-    bottoms = [one for one in page.evaluate(BOTTOMS, names) if one[0] in names]
-    assert {one[0] for one in bottoms} == set(names)
-    assert [one for one in bottoms if not (one[2] and one[1] <= 844)] == []
-    assert page.evaluate(LINES) <= 3 and page.evaluate(HEADLINE) <= 2
-    page.set_viewport_size({"width": 320, "height": 568})
+def at_size(page: Page, size: tuple[int, int], *checks: Callable[[Page], list[str]], text: str = "100%") -> list[str]:
+    """The faults of a page in a window of this size, with text of this size."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    page.evaluate("text => { document.documentElement.style.fontSize = text }", "" if text == "100%" else text)
     passed(page)
-    assert [one for one in page.evaluate(BOTTOMS, names) if not (one[2] and one[1] <= 2 * 568)] == []
-    page.set_viewport_size({"width": 844, "height": 390})
-    passed(page)
-    assert page.evaluate(SIDE_BY_SIDE)
-    for play in page.locator(".transport .play:visible").all():
-        expect(play).to_be_in_viewport(ratio=1)
+    seek(page, 0.0)
+    found = faults(page) + looks.of(page, looks.TICKS, looks.SIZES)
+    found += [one for check in checks for one in check(page)]
+    return [f"{size[0]} x {size[1]}, text of {text}: {one}" for one in found]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("slug", "view"), VIEWS)
-def test_nothing_overlaps_or_is_cut_in_any_view(
-    slug: str, view: View, new_page: Callable[..., Page], open_scene: Callable[..., Page]
-) -> None:
-    page = open_scene(new_page(width=1280, height=720), scene=slug, view=view.slug)
+@states
+def test_nothing_is_wrong_on_a_desk(desk: Page, state: State) -> None:
+    """Each second visit is dark."""
+    slug, given = state
+    turned(desk, slug, given)
+    desk.evaluate(FOLD)
+    desk.locator("#theme").click()
+    theme = desk.evaluate("document.documentElement.dataset.theme")
     found = []
-    for width, height in SCREENS:
-        found += seen(page, width, height)
-    page.evaluate("document.documentElement.style.fontSize = '200%'")
-    found += [f"text of 200 %, {fault}" for fault in seen(page, 390, 844)]
+    for size in DESKS:
+        found += at_size(desk, size, *([looks.desk] if size[0] > 1249 else []))
+        found += looks.order(desk) if size in READ else []
+        found += looks.heads(desk) if slug == "driven" and size[1] >= 720 else []
+    found += at_size(desk, (1280, 720), looks.scrolled, text="200%")
+    unfold(desk)
+    found += at_size(desk, (1280, 720), looks.targets(24), looks.wider, looks.axe)
+    desk.wait_for_function(f"!({looks.UNINKED})().length")
+    desk.evaluate("oscillations.change(() => ({covered: oscillations.plots.map(p => `plot:${p.block.name}`)}))")
+    desk.wait_for_function("oscillations.shown.state.covered.length === oscillations.plots.length")
+    found += looks.of(desk, looks.TWICE)
+    assert not found, "\n".join([theme, *found])
+
+
+@states
+def test_nothing_is_wrong_on_a_phone(phone: Page, state: State) -> None:
+    """The parts that the task names are on the first screen, or on the first two of a small phone."""
+    slug, given = state
+    phone.set_viewport_size({"width": 390, "height": 844})
+    turned(phone, slug, given)
+    phone.evaluate(FOLD)
+    (view,) = [view for view in SCENES[slug].views if view.slug == SCENES[slug](**given).view]
+    found = []
+    apart = looks.apart(ON_STAGE.get((slug, view.slug), ()))
+    stacked = [looks.stacked] if state in OPENING and slug in ("forced", "coupled") else []
+    for size, most in (((390, 844), 844), ((320, 568), 2 * 568)):
+        found += at_size(phone, size, looks.order, looks.first(view.names, most), apart, *stacked)
+    found += at_size(phone, (844, 390), looks.order, looks.sideways)
+    unfold(phone)
+    found += at_size(phone, (360, 640))
+    found += at_size(phone, (390, 844), looks.targets(44), looks.fields, looks.wider, looks.axe)
+    found += at_size(phone, (390, 844), text="200%")
     assert not found, "\n".join(found)
 
 
-def seen(page: Page, width: int, height: int) -> list[str]:
-    """The faults in a window of this size."""
-    page.set_viewport_size({"width": width, "height": height})
-    passed(page)
-    seek(page, 0.0)
-    return [f"{width} x {height}: {fault}" for fault in faults(page)]
+CROSSED = """(({shapes, collisions}) => {
+  const {parts: [shift]} = shapes.find(({group}) => group.textContent.includes("½"))
+  const {left, right, top, bottom} = collisions.box(shift)
+  const crossed = collisions.lines.filter(one =>
+    one.left < right && one.right > left && one.top < bottom && one.bottom > top)
+  return [collisions.lines.length > 99, crossed]
+})(oscillations.page.stages.find(({under}) => under?.block.name === "well"))"""
+"""True if the lines of the well are drawn, and the part of them under the name of a shift."""
+LIFT = """(({host, frame}) => {
+  const name = [...document.querySelectorAll(".stage text")].find(({textContent}) => textContent === "L")
+  return name.getBoundingClientRect().left - host.getBoundingClientRect().left - frame.left
+})(oscillations.plots.find(({block}) => block.name === "path"))"""
 
 
-@pytest.mark.parametrize("slug", IN_VIEWS)
-def test_keys_choose_a_view_and_the_focus_goes_along(slug: str, page: Page, open_scene: Callable[..., Page]) -> None:
-    names = [view.name for view in SCENES[slug].views]
-    open_scene(page, scene=slug, view=SCENES[slug].views[0].slug)
-    page.keyboard.press(";")
-    page.wait_for_function(f"({CHOSEN})() == {names[1]!r}")
-    page.keyboard.press(",")
-    page.wait_for_function(f"({CHOSEN})() == {names[0]!r}")
-    page.locator("[role=tab]").first.focus()
-    page.keyboard.press("ArrowLeft")
-    page.wait_for_function(f"({FOCUSED})() == {names[-1]!r}")
-    page.keyboard.press("Home")
-    page.wait_for_function(f"({FOCUSED})() == {names[0]!r}")
-    controlled = page.locator("[role=tab]").first.get_attribute("aria-controls")
-    assert page.locator(f"#{controlled}[role=tabpanel]").count() == 1
-    page.get_by_role("button", name="Undo").click()
-    page.wait_for_function(f"({CHOSEN})() == {names[-1]!r}")
-
-
-def test_what_a_hand_has_set_stays_in_another_view(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="damped", view="motion")
-    slider = page.locator("input[name=zeta-slider]")
-    slider.focus()
-    slider.press("ArrowRight")
-    page.get_by_role("button", name="Hold").click()
-    zeta = slider.input_value()
-    page.get_by_role("tab", name="Roots").click()
-    page.wait_for_function(f"({CHOSEN})() == 'Roots'")
-    assert slider.input_value() == zeta
-    assert page.evaluate("oscillations.page.shown.held !== null")
-    assert "view=roots" in page.url
+def test_on_a_phone_names_keep_off_the_well_and_within_the_path(phone: Page) -> None:
+    phone.set_viewport_size({"width": 390, "height": 568})
+    phone.evaluate("document.documentElement.style.fontSize = ''")
+    turned(phone, "energy", {"datum": "separate", "view": "well"})
+    seek(phone, 0.0)
+    assert phone.evaluate(CROSSED) == [True, []]
+    for width in (390, 320):
+        phone.set_viewport_size({"width": width, "height": 568})
+        turned(phone, "phugoid", {"excess": 0.1, "view": "lift"})
+        passed(phone)
+        seek(phone, 0.0)
+        assert phone.evaluate(LIFT) > 0, width
+    turned(phone, "phugoid", {"view": "height"})
+    phone.evaluate("document.documentElement.style.fontSize = '200%'")
+    passed(phone)
+    name = phone.locator("svg text").filter(has_text="dashed: small swings")
+    expect(name).to_be_visible()
+    assert name.evaluate("""name => [...name.closest("svg").querySelectorAll(".mass, .spring")]
+      .every(part => part.compareDocumentPosition(name) & Node.DOCUMENT_POSITION_FOLLOWING)"""), "it is over the mass"
+    phone.evaluate("document.documentElement.style.fontSize = ''")

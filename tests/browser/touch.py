@@ -1,10 +1,50 @@
-"""A finger on a page."""
+"""A finger or a mouse on a page."""
 
 from __future__ import annotations
 
 from time import time
+from typing import Any
 
-from playwright.sync_api import Page
+from playwright.sync_api import Locator, Page
+
+from tests.browser.waiting import QUIET, passed
+
+FREE = f"!oscillations.page.hand.grab && !oscillations.page.compare.undoGroup && {QUIET}"
+"""No hand holds anything, and the server has answered."""
+OUTLINE = "getComputedStyle(document.activeElement).outlineStyle"
+SCROLLING = """() => oscillations.page.plots
+  .filter(({host, absent, block: {handles, time, pick}}) => !absent && host.checkVisibility() &&
+    host.style.touchAction !== "none" && (handles.length || time || pick))
+  .map(({block}) => block.name)"""
+"""Plots that act on a press, and that a finger scrolls."""
+IN_PLOT = """name => {
+  const plot = oscillations.page.plots.find(({block}) => block.name === name)
+  plot.host.scrollIntoView({block: "center"})
+  const {left, top} = plot.host.getBoundingClientRect()
+  const {frame} = plot
+  return [left + frame.left + 0.7 * frame.width, top + frame.top + 0.6 * frame.height]
+}"""
+
+
+def value(page: Page, name: str) -> Any:
+    return page.evaluate("name => oscillations.shown.settings[name].value", name)
+
+
+def middle(part: Locator) -> tuple[float, float]:
+    """The middle of a part, scrolled into view."""
+    part.evaluate("part => part.scrollIntoView({block: 'center'})")
+    box = part.bounding_box()
+    assert box
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def top(part: Locator) -> float:
+    return float(part.evaluate("part => part.getBoundingClientRect().top"))
+
+
+def stopped(page: Page, t: float = 0.3) -> None:
+    page.evaluate("t => { oscillations.clock.playing = false; oscillations.clock.seek(t) }", t)
+    passed(page)
 
 
 def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str = "touchEnd") -> None:

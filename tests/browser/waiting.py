@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import param
 from playwright.sync_api import Page
 
 from components.layout.choices import stated
+from components.scenes import SCENES
 
 FRAMES = """count => new Promise(drawn => {
   const {clock} = oscillations, last = clock.frames + count
@@ -33,7 +35,10 @@ def unfold(page: Page) -> None:
 
 def turned(page: Page, slug: str, given: Mapping[str, object]) -> None:
     """The page shows a scene with these values, opened by its navigation, in half the time of a link."""
-    words = {name: stated(value) for name, value in given.items()}
+    parameters = SCENES[slug].param
+    words = {
+        name: value if isinstance(parameters[name], param.Number) else stated(value) for name, value in given.items()
+    }
     page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, words])
     page.wait_for_function(TURNED, arg=[slug, words])
 

@@ -176,7 +176,6 @@ def test_a_method_can_be_skipped_unless_others_wait_for_it(two: None) -> None:
     queue.leave(job, other)
     wait(lambda: job.state == "done")
     assert (job.reason, job.skipped) == ("", {"verlet"})
-    assert "cancelled" in {run.end for run in job.runs if run.method == "verlet"}
     assert queue.remembered(job.system, job.seconds) is None, "a measurement without a method is not kept for others"
 
 

@@ -1,0 +1,318 @@
+"""Checks of a loaded page that only read it: each returns sentences about faults."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import cast
+
+import axe_playwright_python
+from playwright.sync_api import Page
+
+AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text(encoding="utf-8")
+# Results are marked on the page, because axe names texts by positions that change if a stage changes its size.
+RUN_AXE = """async () => {
+  const wanted = {resultTypes: ["violations", "incomplete"], elementRef: true}
+  const {violations, incomplete} = await axe.run(document, wanted)
+  let found = 0
+  return [...violations, ...incomplete].flatMap(({id, nodes}, i) => nodes.map(({element, html}) => {
+    element.dataset.found ??= ++found
+    const target = `[data-found="${element.dataset.found}"]`
+    return {id, html: html.slice(0, 160), target, fault: i < violations.length}
+  }))
+}"""
+# A drawing has no background of its own. Its texts are on paper, those of a mass on the mass; a halo of paper separates
+# them from lines.
+CONTRAST = """targets => {
+  const channel = c => (c /= 255, c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+  const parsed = colour => colour.match(/[\\d.]+/g).map(Number)
+  const light = ([r, g, b]) => 0.2126 * channel(r) + 0.7152 * channel(g) + 0.0722 * channel(b)
+  const opaque = colour => colour.startsWith("rgb") && (parsed(colour)[3] ?? 1) === 1
+  const ground = one => {
+    const label = one.closest("text.on")
+    for (let at = label; at; at = at.previousElementSibling ?? at.parentElement?.previousElementSibling) {
+      const filled = [at, ...at.children].filter(part => part.matches(".mass, .body, .fill, circle, rect"))
+      const fill = filled.map(part => getComputedStyle(part).fill).find(opaque)
+      if (fill) return fill
+    }
+    for (let at = one; at; at = at.parentElement) {
+      const {backgroundColor} = getComputedStyle(at)
+      if (opaque(backgroundColor)) return backgroundColor
+    }
+  }
+  return targets.map(selector => {
+    const one = document.querySelector(selector), style = getComputedStyle(one)
+    const [a, b] = [one instanceof SVGElement ? style.fill : style.color, ground(one)].map(c => light(parsed(c)))
+    const large = parseFloat(style.fontSize) >= (style.fontWeight >= 600 ? 18.66 : 24)
+    return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < (large ? 3 : 4.5)
+  })
+}"""
+
+
+def axe(page: Page) -> list[str]:
+    """The faults that axe-core finds. It cannot decide the contrast of texts over drawings, which is computed here."""
+    page.evaluate(AXE)
+    found = page.evaluate(RUN_AXE)
+    undecided = [one for one in found if not one["fault"] and one["id"] == "color-contrast"]
+    pale = page.evaluate(CONTRAST, [one["target"] for one in undecided])
+    faults = [one for one in found if one not in undecided]
+    faults += [one for one, is_pale in zip(undecided, pale, strict=True) if is_pale]
+    page.evaluate("document.querySelectorAll('[data-found]').forEach(one => one.removeAttribute('data-found'))")
+    return [f"axe {one['id']}: {one['html']}" for one in faults]
+
+
+TARGETS = r"""least => {
+  const pressed = "a[href], button, input, summary, [role=slider]"
+  const moved = ".grip, .pill"
+  const faults = []
+  const seen = one => one.checkVisibility({opacityProperty: true, visibilityProperty: true}) && !one.disabled
+  for (const one of document.querySelectorAll(pressed)) {
+    // A link in a sentence is as high as its line.
+    if (!seen(one) || one.closest(".skip, .words, p") || one.matches(".take")) continue
+    one.scrollIntoView({block: "center", inline: "center"})
+    const {left, right, top, bottom} = one.getBoundingClientRect()
+    if (right - left < 1 || bottom - top < 1) continue
+    const [x, y] = [(left + right) / 2, (top + bottom) / 2]
+    const hits = (dx, dy) => {
+      const hit = document.elementFromPoint(x + dx, y + dy)
+      // Of handles that lie on each other, as their values do, the upper one takes the hand.
+      const shared = one.matches(moved) && hit?.closest(moved)
+      return hit && (one.contains(hit) || shared || (hit.control ?? hit.closest("label")?.control) === one)
+    }
+    const reach = (dx, dy) => {
+      let far = 0
+      while (far < least && hits(dx * far, dy * far)) far += 0.5
+      return far
+    }
+    const [wide, high] = [reach(-1, 0) + reach(1, 0), reach(0, -1) + reach(0, 1)]
+    if (Math.min(wide, high) >= least - 1) continue
+    const name = one.getAttribute("aria-label") ?? one.name ?? ""
+    faults.push(`target ${one.className || one.tagName}: ${name || one.textContent.trim()} ${wide} x ${high}`)
+  }
+  scrollTo(0, 0)
+  return faults
+}"""
+"""Everything that is pressed or dragged and is smaller than this many pixels, where a pointer hits it."""
+
+ORDER = r"""() => {
+  const texts = "p, h1, h2, table, .item, .note, summary, label"
+  const stops = "a[href], button, input, select, [tabindex]"
+  const isSeen = part => part.checkVisibility({visibilityProperty: true, opacityProperty: true}) &&
+    !part.closest(".heard, .skip, .foot") // the foot of a card stays at the bottom of the screen
+  const pictures = ".plot-area, .block.stage" // what is over a picture has no order from top to bottom
+  const parts = [...document.querySelectorAll(`.page :is(${texts}, ${stops}, ${pictures})`)]
+    .filter(part => isSeen(part) && !part.parentElement.closest(`${pictures}, ${texts}, button`))
+  const range = document.createRange()
+  const boxed = part => {
+    range.selectNodeContents(part)
+    let {left, right, top, bottom} = (part.matches(texts) ? range : part).getBoundingClientRect()
+    for (let holder = part; holder !== document.body; holder = holder.parentElement) {
+      if (getComputedStyle(holder).overflowX === "visible") continue
+      const frame = holder.getBoundingClientRect() // what is scrolled out of it is not seen
+      ;[left, right] = [Math.max(left, frame.left), Math.min(right, frame.right)]
+    }
+    return {part, left, right, top, bottom, name: part.ariaLabel || part.textContent.trim() || part.className}
+  }
+  const boxes = parts.map(boxed).filter(({left, right, top, bottom}) => right - left > 1 && bottom - top > 1)
+  const isBefore = (one, other) => {
+    if (one.part.closest(".control") && one.part.closest(".control") === other.part.closest(".control")) return false
+    const across = Math.min(one.right, other.right) - Math.max(one.left, other.left)
+    const along = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top)
+    const least = Math.min(one.bottom - one.top, other.bottom - other.top)
+    return (one.bottom <= other.top + 3 && across > 3) || (along > least / 2 && one.right <= other.left + 3)
+  }
+  return boxes.flatMap((one, i) => boxes.slice(i + 1).filter(later => isBefore(later, one))
+    .map(later => `“${later.name.slice(0, 40)}” comes after “${one.name.slice(0, 40)}” for the Tab key and readers`))
+}"""
+"""Parts of which one is above the other, or left of it in the same line, but later in the document."""
+
+TWICE = """() => {
+  const names = [...document.querySelectorAll("button, [role=slider], input")]
+    .filter(one => one.checkVisibility() && !one.closest(".seg"))
+    .map(one => `${one.localName} ${one.type ?? ""} ${one.getAttribute("aria-label") ?? one.textContent.trim()}`)
+  const ordered = document.querySelectorAll("[tabindex]:not([tabindex='0'], [tabindex='-1'])")
+  return [...names.filter((name, i) => names.indexOf(name) !== i).map(name => `two have the name ${name}`),
+    ...[...ordered].map(one => `tabindex of ${one.className}`)]
+}"""
+"""Names that two things to press have, except the words of a choice, which its group names."""
+
+TICKS = """() => [
+  ...[...document.querySelectorAll(".seg button")]
+    .filter(one => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1)
+    .map(one => `cut in its button: ${one.textContent}`),
+  ...oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
+    const bare = text => text.replaceAll(" ", "")
+    return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
+      bare(plot.y.labels[i]) === bare(number.textContent) &&
+      Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
+    )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
+  }),
+  ...[...document.querySelectorAll("svg *")].filter(one =>
+    [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value)))
+    .map(one => `not a number: ${one.outerHTML.slice(0, 80)}`),
+]"""
+"""Words cut in buttons, numbers away from their ticks, drawings without numbers."""
+HEADS = """() => [...document.querySelectorAll(".plot .head")].filter(head => head.offsetParent).filter(head =>
+  [...head.querySelectorAll("*")].some(part =>
+    part.getBoundingClientRect().right > head.getBoundingClientRect().right + 0.5))
+  .map(head => `heading leaves its plot: ${head.textContent}`)"""
+"""Headings whose numbers have no room in their plots."""
+
+LOST = """() => {
+  const style = document.head.appendChild(document.createElement("style"))
+  const cut = () => [...document.querySelectorAll("h1, h2, p, label, button, a, summary, td, .chip")].filter(one => {
+    const {overflowX, overflowY} = getComputedStyle(one)
+    const wide = overflowX !== "visible" && one.scrollWidth > one.clientWidth + 1
+    const high = overflowY !== "visible" && one.scrollHeight > one.clientHeight + 1
+    return one.checkVisibility() && !one.closest(".heard") && (wide || high)
+  })
+  const before = new Set(cut())
+  style.textContent = `
+    * { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important }
+    p { margin-bottom: 2em !important }`
+  const lost = cut().filter(one => !before.has(one)).map(one => `cut in wider text: ${one.outerHTML.slice(0, 120)}`)
+  if (document.documentElement.scrollWidth > innerWidth) lost.push("wider text scrolls sideways")
+  style.remove()
+  return lost
+}"""
+"""Texts that are cut with the spacing of WCAG 1.4.12."""
+
+UNINKED = """() => oscillations.plots.filter(plot => plot.host.offsetParent && !plot.absent).filter(plot => {
+  const below = one => [one, ...(one.shadowRoot ? within(one.shadowRoot) : [])]
+  const within = root => [...root.querySelectorAll('*')].flatMap(below)
+  const canvases = within(plot.host).filter(one => one.tagName === 'CANVAS' && one.width)
+  const pixels = canvases.map(one => one.getContext('2d').getImageData(0, 0, one.width, one.height).data)
+  const probe = document.createElement('canvas').getContext('2d')
+  const has = tint => {
+    probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--' + tint).trim()
+    probe.fillRect(0, 0, 1, 1)
+    const ink = probe.getImageData(0, 0, 1, 1).data
+    return pixels.some(data => {
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 99 && [0, 1, 2].every(part => Math.abs(data[i + part] - ink[part]) < 40)) return true
+      return false
+    })
+  }
+  const {curves, regions} = plot.block
+  return curves.length + regions.length && ![...curves, ...regions].some(part => has(part.tint))
+}).map(plot => `no curve is drawn in ${plot.block.name}`)"""
+"""Plots without a pixel in the colour of any of their curves."""
+
+SIZES = """() => {
+  const faults = [], seen = one => one.checkVisibility()
+  scrollTo(0, 500)
+  const staying = [...document.querySelectorAll(".paper *, .nav")].filter(one =>
+    getComputedStyle(one).position === "sticky" && seen(one)).map(one => one.getBoundingClientRect().height)
+  scrollTo(0, 0)
+  const share = staying.reduce((sum, height) => sum + height, 0) / innerHeight
+  if (share > (innerHeight < 600 ? 0.5 : 0.45)) faults.push(`what stays in sight covers ${share}`)
+  const roles = document.querySelector(".roles")
+  if (roles && seen(roles) && innerWidth < 400 && roles.scrollWidth > roles.clientWidth)
+    faults.push("numbers of a table are out of sight")
+  return faults
+}"""
+"""Parts that stay in sight and leave no room; tables that scroll on a phone."""
+FIELDS = """() => {
+  const fields = "input:not([type=checkbox], [type=radio], [type=range]), select, textarea"
+  return [...document.querySelectorAll(fields)].filter(one => parseFloat(getComputedStyle(one).fontSize) < 16)
+    .map(one => `a phone zooms in to ${one.name || one.id || one.type}`)
+}"""
+"""Fields with text so small that Safari on a phone zooms in, and stays there."""
+DESK = """() => {
+  const faults = [], page = document.documentElement, paper = document.querySelector(".paper")
+  const panel = document.querySelector(".panel")
+  const closing = paper.parentElement.querySelector(".notice")?.offsetHeight ?? 0 // gives its room back
+  const hidden = paper.scrollHeight - paper.clientHeight - closing
+  if (hidden > 1) faults.push(`${hidden} px of the sheet are out of sight`)
+  if (innerHeight < 700) return faults
+  if (page.scrollHeight > innerHeight) faults.push("the page scrolls down")
+  if (panel.scrollHeight > panel.clientHeight) faults.push(`the panel is ${panel.scrollHeight} px high`)
+  return faults
+}"""
+"""On a desk the whole sheet is visible, with its handles and the folded panel."""
+UNDER = """() => {
+  scrollBy(0, document.querySelector(".transport").getBoundingClientRect().top - 60)
+  const {x, y, width, height} = document.querySelector(".transport .play").getBoundingClientRect()
+  const over = document.elementsFromPoint(x + width / 2, y + height / 2).map(one => one.closest(".block.stage"))
+  scrollTo(0, 0)
+  return over.some(Boolean) && !over[0] ? ["the bar is over the stage that stays"] : []
+}"""
+"""A bar that is scrolled up to a stage that stays in sight goes under it."""
+FIRST = """([names, most]) => {
+  const seen = one => one?.checkVisibility()
+  const hosts = [...oscillations.page.sheet.hosts].map(([{part}, host]) => [part, host])
+    .filter(([part]) => names.includes(part))
+  const keys = [...document.querySelectorAll(".keys-of-view:not([hidden]) > :not(h2, [hidden])")]
+    .map(host => ["keys", host]).filter(() => names.includes("keys") || most > innerHeight)
+  const below = [...hosts, ...keys].filter(([, host]) =>
+    !seen(host) || Math.round(host.getBoundingClientRect().bottom + scrollY) > most)
+  const missing = names.filter(name => ![...hosts, ...keys].some(([part]) => part === name))
+  const task = [...document.querySelectorAll(".view-task")].find(seen)
+  const {lineHeight, paddingTop, paddingBottom} = getComputedStyle(task)
+  const letters = task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)
+  const headline = document.createRange()
+  headline.selectNodeContents(document.querySelector("h1"))
+  const lines = new Set([...headline.getClientRects()].map(({top}) => Math.round(top))).size
+  return [
+    ...missing.map(part => `${part} of the task is missing`),
+    ...below.map(([part]) => `${part} of the task is below ${most} px`),
+    ...(most > innerHeight || letters < 3.5 * parseFloat(lineHeight) ? [] : ["the task has more than three lines"]),
+    ...(most > innerHeight || lines < 3 ? [] : ["the headline has more than two lines"]),
+  ]
+}"""
+"""Parts that a task names, of which some are below so many pixels; long tasks and headlines."""
+STACKED = """() => {
+  const order = [".view-task", ".block.stage", ".transport", ".tabs", ".block.plot", ".keys-of-view", ".panel .chips"]
+    .map(one => [...document.querySelectorAll(one)].find(part => part.checkVisibility()))
+  const tops = order.map(one => one.getBoundingClientRect().top)
+  return order.slice(1).filter((_, i) => tops[i + 1] < tops[i]).map(one => `${one.className} is too early`)
+}"""
+"""On a phone the key control is between the plots and the presets."""
+SIDEWAYS = """() => {
+  const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
+    .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
+  const [stage, plot] = [seen("plot.path") ?? seen("stage"), seen("plot:not(.path)")] // a path is a picture, too
+  const play = [...document.querySelectorAll(".transport .play")].filter(one => one.checkVisibility())
+    .filter(one => one.getBoundingClientRect().bottom > innerHeight)
+  const beside = !stage || !plot || (stage.right <= plot.left + 1 && stage.top < plot.bottom)
+  return [...(beside ? [] : ["the plot is not next to the picture"]), ...play.map(() => "Play is out of sight")]
+}"""
+"""On a phone held sideways the plot is next to the picture, and Play is visible."""
+ON_OTHERS = """kinds => {
+  const seen = one => one.checkVisibility() && one.getBoundingClientRect().width > 0
+  const boxes = kind => [...document.querySelectorAll(`.block.stage:not(.still) svg.stage ${kind}`)].filter(seen)
+  const meet = (one, other) => one.left < other.right + 3 && other.left < one.right + 3 &&
+    one.top < other.bottom && other.top < one.bottom
+  return boxes("text").flatMap(text => kinds.flatMap(boxes)
+    .filter(part => part !== text && meet(text.getBoundingClientRect(), part.getBoundingClientRect()))
+    .map(part => `${text.textContent} on ${part.getAttribute("class") ?? part.textContent}`))
+}"""
+"""Names on a stage that overlap parts of these kinds, or are less than 3 px next to them."""
+
+
+Check = Callable[[Page], list[str]]
+
+
+def of(page: Page, *scripts: str, given: object = None) -> list[str]:
+    """The faults that scripts report."""
+    return [fault for script in scripts for fault in cast(list[str], page.evaluate(script, given))]
+
+
+def check(script: str, given: object = None) -> Check:
+    return lambda page: of(page, script, given=given)
+
+
+desk, order, scrolled, wider, sideways = map(check, (DESK, ORDER, UNDER, LOST, SIDEWAYS))
+fields, stacked, heads = map(check, (FIELDS, STACKED, HEADS))
+
+
+def first(names: Sequence[str], most: int) -> Check:
+    return check(FIRST, [list(names), most])
+
+
+def targets(least: int) -> Check:
+    return check(TARGETS, least)
+
+
+def apart(kinds: Sequence[str]) -> Check:
+    return check(ON_OTHERS, list(kinds))
