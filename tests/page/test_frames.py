@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
@@ -17,18 +16,15 @@ from components.language.state import Frame
 from components.layout.choices import stated
 from components.quantities.axes import TIME_AXIS, Axis, nice_axis, ordered, widest
 from components.scene import Picture
-from components.scene.frames import FITTED, grown, loosened, unfitted
+from components.scene.frames import FITTED, grown, loosened
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
 from tests.page.hand import grabs
 from tests.page.headless_page import Page, change, say, set_values
-from tests.page.scripts import played
 from tests.scenes.checks import quantities
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 MOVING = [slug for slug in SCENES if slug != "accuracy"]
-SINES = ("oscillator", "energy", "coupled")
-"""Scenes whose curves over time are exactly the motion that the clock plays."""
 spans = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
 
 
@@ -65,8 +61,6 @@ def test_a_picture_keeps_to_its_frame(slug: str) -> None:
             assert (axis.start, axis.end) == pytest.approx(wide.ranges[name], rel=1e-12), name
             low, high = sorted((axis.place(axis.start), axis.place(axis.end)))
             assert all(low - 1e-9 <= tick <= high + 1e-9 for tick in axis.ticks)
-        if slug in SINES:
-            check_played(picture, wide)
 
 
 def wider(of: Frame) -> Frame:
@@ -74,17 +68,6 @@ def wider(of: Frame) -> Frame:
     ranges = {name: (start, end + 0.5 * (end - start)) for name, (start, end) in of.ranges.items()}
     window = of.window and 2 * of.window
     return replace(of, ranges=ranges | ({TIME_AXIS: (0.0, window)} if window else {}), window=window)
-
-
-def check_played(picture: Picture, wide: Frame) -> None:
-    """The played motion is on the curves, to the end of the window."""
-    columns = picture.sources["time"]
-    assert columns["t"][-1] == pytest.approx(wide.window)
-    motion = played(picture, picture.axes["t"].places(columns["t"]))
-    for name in columns.keys() & motion.keys() & picture.axes.keys():
-        axis = picture.axes[name]
-        reach = abs(axis.place(axis.end)) + abs(axis.place(axis.start))
-        np.testing.assert_allclose(motion[name], axis.places(columns[name]), atol=1e-9 * reach)
 
 
 @given(spans, spans)
@@ -223,26 +206,6 @@ def test_a_frame_that_is_not_the_pages_own_stays(slug: str, name: str, state: Ma
     assert frame(page) == wide
 
 
-def test_curves_held_count_and_undo_restores_a_frame() -> None:
-    page = page_of("oscillator")
-    set_values(page, x_0=2.0)
-    change(page, held=msgspec.to_builtins(page.now.state)["parameters"])
-    set_values(page, x_0=0.1)
-    let_go(page)
-    assert frame(page).ranges["x"][1] >= 2.0
-    check_used(page)
-    say(page, "open", state={"scene": "oscillator", "parameters": {"v_0": 0.0}})
-    set_values(page, x_0=0.3)
-    let_go(page)
-    before = msgspec.to_builtins(page.now.state)
-    for _ in range(2):
-        set_values(page, x_0=0.01)
-        let_go(page)
-        assert frame(page).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
-        say(page, "open", state=before)  # as undo does
-        assert frame(page).ranges["x"][1] >= 0.3
-
-
 def test_a_compared_picture_keeps_the_current_frame() -> None:
     """Twice as far is seen to be twice as far, and so is half; another way of showing is fitted."""
     page = page_of("oscillator")
@@ -268,10 +231,3 @@ def test_loosening_is_pure_and_the_second_time_does_nothing(size: float, wide: f
     assert loosened(loose, fitted, drawn) == loose
     assert loosened(replace(stands, given=True), fitted, drawn) == replace(stands, given=True)
     assert loosened(stands, fitted, [*drawn, {"x": nice_axis(-wide * size, 0.0)}]) == stands
-
-
-def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
-    fitted = Frame(ranges={"x": (-1.0, 2.0), "w": (1e-4, 1e3)}, window=10.0)
-    assert unfitted(Frame(ranges={"x": (-1.0001, 2.0)}, window=10.001), fitted) is None
-    other = Frame(ranges={"w": (2e-4, 1e3)}, window=10.1, given=True)
-    assert unfitted(other, fitted) == other

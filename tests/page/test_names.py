@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
@@ -14,12 +13,11 @@ from components.language.blocks import Block, ChoiceBlock, PlotBlock, TableBlock
 from components.language.plots import Term
 from components.language.text import Forms
 from components.layout.sheet import blocks, in_force
-from components.quantities.declared import Declared, DrawnAxis, Family, Named
 from components.scene import Scene
 from components.scene.traces import BAND
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
-from components.state.scene_sheet import live_names, plots, scene_sheet
+from components.state.scene_sheet import plots, scene_sheet
 from physics.integrators.accuracy import SYSTEMS
 from tests.page.hand import draw, grabs, sets
 from tests.scenes.checks import choices
@@ -76,40 +74,6 @@ def cases(scene: type[Scene]) -> Iterator[Scene]:
 @cache
 def every(slug: str) -> list[Scene]:
     return list(cases(SCENES[slug]))
-
-
-def _declared(scene: type[Scene]) -> Iterator[str]:
-    """Return the names that a scene itself declares, without axes, some of which only count numbers.
-
-    Names of kits are excluded, because several scenes share them.
-    """
-    for module in [one for name, one in sys.modules.items() if name.startswith(scene.__module__)]:
-        for kind in vars(module).values():
-            if isinstance(kind, type) and issubclass(kind, Declared) and kind.__module__ == module.__name__:
-                for one in vars(kind).values():
-                    members = one.values() if isinstance(one, Family) else (one,)
-                    yield from (
-                        member.name
-                        for member in members
-                        if isinstance(member, Named) and not isinstance(member, DrawnAxis)
-                    )
-
-
-@scenes
-def test_declared_names_exist_and_numbers_are_shown(slug: str) -> None:
-    """A number appears in a text, is read aloud, or is compared with that of another picture."""
-    kind, declared = SCENES[slug], set(_declared(SCENES[slug]))
-    given, numbers = set[str](), set[str]()
-    told = live_names(kind).union(*(_spoken(text) for text in scene_sheet(kind).spoken.values()))
-    told |= {handle.text for plot in plots(kind) for handle in plot.handles}
-    for scene in every(slug):
-        shown = scene.shown
-        parts = (shown.signals, shown.scalars, shown.forms, shown.values, scene.numbers, *shown.sources.values())
-        given |= {name for part in parts for name in part}
-        numbers |= shown.values.keys()
-        told |= {name for one in scene.readouts() for name in (one.name, *one.also)}
-    assert declared - given == set()
-    assert declared & numbers - told == set()
 
 
 def _spoken(text: str) -> set[str]:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import re
 from html import unescape
-from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
 
 from components.serving.admission import FORGOTTEN, IDLE, Guest, Queue, ordinal, visitor_to_drop
 from tests.attack.caller import Caller, Reply, connect, contents, token_of
 from tests.serving.served import page_of, served, sessions, until, url
-from tests.serving.server import serving
 
 
 class House:
@@ -111,23 +108,3 @@ async def test_a_waiting_visitor_gets_a_page_without_a_session_and_keeps_the_lin
         await until(lambda: not sessions(server))
         opened = await page_of(server, f"/{address}")
         assert contents(token_of(opened.text))["arguments"].keys() == {"scene", "k2"}
-
-
-@pytest.mark.slow
-@pytest.mark.browser
-def test_the_waiting_page_opens_when_there_is_a_place(browser: Browser, tmp_path: Path) -> None:
-    first, second = browser.new_page(), browser.new_page()
-    told: list[str] = []
-    second.on("console", lambda message: told.extend([message.text] if message.type == "error" else []))
-    with serving(tmp_path / "log", options=("--sessions", "1", "--unused-seconds", "0.5")) as server:
-        first.goto(f"{server.url}?scene=oscillator")
-        expect(first.locator("html[data-ready=true]")).to_be_attached(timeout=30_000)
-        second.goto(f"{server.url}?scene=coupled&k2=3")
-        expect(second.get_by_role("heading")).to_have_text("All 1 places are taken")
-        expect(second.locator("#now text")).to_have_text(re.compile(r"^[2-9]\.\d s"))
-        first.close()
-        expect(second.locator("html[data-ready=true]")).to_be_attached(timeout=40_000)
-        expect(second).to_have_url(re.compile(r"\?scene=coupled&k2=3&view=motion$"))
-        assert [text for text in told if "status of 503" not in text] == []
-        second.close()
-        assert not server.complaints()

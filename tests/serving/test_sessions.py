@@ -6,18 +6,15 @@ import asyncio
 import logging
 from socket import IPPROTO_TCP, TCP_NODELAY
 from time import thread_time
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 from bokeh.document import Document
 from bokeh.io.doc import _PATCHED_CURDOCS
-from bokeh.server.contexts import ApplicationContext
 from bokeh.server.session import ServerSession
 from bokeh.util.token import generate_jwt_token, generate_session_id
 
 from app import open_page
-from components.serving.sockets import CHEAP, MOST_MISSED, MOST_PINGS, SURCHARGE, Socket, metered
+from components.serving.sockets import MOST_MISSED, MOST_PINGS, Socket, metered
 from components.serving.tokens import opens_session
 from tests.attack.caller import Caller, connect, event, header, patch, refused, said, token_of
 from tests.serving.served import page_of, served, sessions, until, url
@@ -85,22 +82,6 @@ async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> 
     assert len(_PATCHED_CURDOCS) == before
 
 
-async def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.MonkeyPatch) -> None:
-    create = ApplicationContext.create_session_if_needed
-
-    async with served(unused_seconds=0.05) as server:
-        token = token_of((await page_of(server)).text)
-
-        async def slowly(*arguments: Any) -> ServerSession:
-            session = await create(*arguments)
-            await until(lambda: not server.context.admission.sockets)
-            return session
-
-        monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
-        await Caller(await connect(url(server), token)).depart()
-        await until(lambda: not sessions(server))
-
-
 async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
     async with served() as server:
         caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
@@ -140,30 +121,6 @@ async def test_pings_without_end_close_their_socket_and_the_end_of_the_server_al
         assert await caller.closed() == (1008, "Too many pings.")
         await server.end()
         assert (await other.closed())[0] == 1001
-
-
-async def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
-    now, slept = [100.0], list[float]()
-
-    async def answer(self: Socket, message: object) -> None:
-        now[0] += 3.0
-
-    async def sleep(seconds: float) -> None:
-        slept.append(seconds)
-        now[0] += max(0.0, seconds)
-
-    async with served() as server:
-        caller = await Caller.arrive(url(server))
-        (socket,) = server.context.admission.sockets
-        monkeypatch.setattr(Socket, "_answer", answer)
-        for clock in ("monotonic", "thread_time"):
-            monkeypatch.setattr(f"components.serving.sockets.{clock}", lambda: now[0])
-        monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
-        socket._waiting.extend([(0.0, None)] * 3)
-        await socket._work_off()
-        monkeypatch.undo()
-        await caller.depart()
-    assert slept == [-100.0, *[pytest.approx(3.0 + SURCHARGE * (3.0 - CHEAP))] * 2]
 
 
 # The CPU time that a message takes

@@ -6,7 +6,6 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-import pytest
 import tinycss2
 from tinycss2.ast import AtRule, Declaration, Node, QualifiedRule
 
@@ -95,35 +94,3 @@ def test_what_is_not_selected_opens_no_menu_in_safari_either() -> None:
     found = [{*names} for _, names in all_rules() if "user-select" in names]
     assert found
     assert all({"-webkit-user-select", "-webkit-touch-callout"} <= names for names in found)
-
-
-# Tints: each has a light and a dark colour that is readable on paper and panel, and a class.
-
-TOKENS = (STYLES / "tokens.css").read_text(encoding="utf-8")
-FILLS = {"k1fill", "k2fill"}
-"""Areas without text."""
-TINTS = set(re.findall(r"^  \.(\w+) \{\n    --c: var\(--\1\);", TOKENS, re.M))
-THEMES = {
-    theme: dict(re.findall(r"--(\w+): (#\w{6});", TOKENS.partition(f"color-scheme: {theme};")[2].partition("\n}")[0]))
-    for theme in ("light", "dark")
-}
-
-
-def luminance(colour: str) -> float:
-    """Return the relative luminance of a colour by WCAG 2.2."""
-    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-@pytest.mark.parametrize("theme", THEMES)
-def test_a_tint_is_readable_on_paper_and_panel_and_each_mass_has_its_own(theme: str) -> None:
-    colours = THEMES[theme]
-    assert {"m1", "m2", "m3"} <= TINTS and len({colours[name] for name in ("m1", "m2", "m3")}) == 3
-    contrasts = {
-        (tint, ground): (max(pair) + 0.05) / (min(pair) + 0.05)
-        for tint in TINTS - FILLS
-        for ground in ("paper", "panel")
-        for pair in [(luminance(colours[tint]), luminance(colours[ground]))]
-    }
-    assert {pair: contrast for pair, contrast in contrasts.items() if contrast < 4.5} == {}
