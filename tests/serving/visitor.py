@@ -8,7 +8,6 @@ from __future__ import annotations
 import asyncio
 import json
 import zlib
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,18 +18,6 @@ from components.session.panel_bridge import FROM_SERVER
 from tests.attack.caller import ask, event, token_of
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
-
-# Sent by a browser as soon as the page is loaded.
-ABOUT = {
-    "dark_mode": False,
-    "device_pixel_ratio": 1,
-    "language": "en-US",
-    "webdriver": False,
-    "timezone": "UTC",
-    "timezone_offset": 0,
-    "webgl": True,
-}
-
 
 USUAL: dict[str, bytes] = {}
 """The preset dictionary of each sheet, which the visitors of a process fetch once."""
@@ -103,22 +90,14 @@ class Visitor:
         welcome = self._expect("ACK")
         self._reader = asyncio.create_task(self._read())
         await asyncio.wait_for(welcome, PATIENCE)
-        document = await self._pull()
-        models = {model["name"]: model["id"] for model in _models(document["roots"])}
-        self._view = models.get("components.session.panel_bridge.Wire", "")
-        if info := models.get("panel.models.browser.BrowserInfo"):
-            for name, value in ABOUT.items():
-                await self._patch({"kind": "ModelChanged", "model": {"id": info}, "attr": name, "new": value})
+        pulled = self._expect(f"visitor-{self._number + 1}")
+        await self._send("PULL-DOC-REQ")
+        document = (await asyncio.wait_for(pulled, PATIENCE))["doc"]
+        self._view = next((model["id"] for model in document["roots"]), "")
         await self._patch(event("document_ready"))
 
     async def _patch(self, event: dict[str, Any]) -> None:
         await self._send("PATCH-DOC", {"events": [event]})
-
-    async def _pull(self) -> Any:
-        """Return the document after it has arrived."""
-        pulled = self._expect(f"visitor-{self._number + 1}")
-        await self._send("PULL-DOC-REQ")
-        return (await asyncio.wait_for(pulled, PATIENCE))["doc"]
 
     async def _send(self, kind: str, content: dict[str, Any] | None = None) -> None:
         self._number += 1
@@ -187,14 +166,3 @@ def _encoded(value: Any) -> Any:
     if isinstance(value, dict):
         return {"type": "map", "entries": [[name, _encoded(item)] for name, item in value.items()]}
     return value
-
-
-def _models(tree: Any) -> Iterator[dict[str, Any]]:
-    """Yield every model of a serialised document."""
-    if isinstance(tree, dict):
-        if tree.get("type") == "object" and "id" in tree:
-            yield tree
-        tree = list(tree.values())
-    if isinstance(tree, list):
-        for item in tree:
-            yield from _models(item)
