@@ -88,6 +88,11 @@ def essence(told: dict[str, Any]) -> str:
     return json.dumps({**told, "answer": None}, default=lambda column: column.tolist())
 
 
+def in_si(axis: dict[str, Any]) -> list[float]:
+    """The ends of an axis, whose unit may have another power of ten in each picture."""
+    return sorted(axis[end] * 10.0 ** axis["exponent"] for end in ("start", "end"))
+
+
 def sizes(now: PageState) -> dict[str, float]:
     """The ends of all axes, and the other sizes of the frame."""
     frame = now.asked.drawn.frame
@@ -215,7 +220,7 @@ class Visit(RuleBasedStateMachine):
         shown = self.open(covered=[])
         assert (self.state.before, self.state.covered, shown["view"]["left_out"]) == (None, (), [])
         for name, axis in shown["view"]["axes"].items():
-            (low, high), (least, most) = (sorted((one["start"], one["end"])) for one in (axis, old["axes"][name]))
+            (low, high), (least, most) = (in_si(one) for one in (axis, old["axes"][name]))
             rounding = 1e-9 * (most - least)
             assert low <= least + rounding and most - rounding <= high, name
 
