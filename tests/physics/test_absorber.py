@@ -1,4 +1,4 @@
-"""Damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
+"""The damped absorber: amplitudes and stroke against arbitrary precision, its band, curves and Den Hartog's optimum."""
 
 import math
 
@@ -9,15 +9,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.absorber import (
+    alone,
     damped_amplitude,
     damped_solution,
     den_hartog,
+    fixed_points,
+    helped_band,
     highest_peak,
     swing_and_stroke,
 )
+from physics.absorber_curves import machine_curves
 from physics.coupled import TwoMassChain
-from physics.forced import particular_solution
-from physics.reference.single import steady
+from physics.forced import antiresonance, particular_solution
 from tests.grids import tries
 from tests.physics.chain_cases import log_uniform
 from tests.physics.chain_truth import LARGEST, close, exactly
@@ -25,104 +28,45 @@ from tests.physics.chain_truth import LARGEST, close, exactly
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
 TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
-
-
 FAMILIES = {
     "moderate": st.floats(0.1, 10.0),
     "1e+-8": log_uniform(-27, 27),
     "all doubles": log_uniform(-1074, 1024),
 }
-families = pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
+values = st.floats(1e-3, 1e6)
+or_none = st.one_of(st.just(0.0), values)
 
 
-def truth(chain: TwoMassChain, c: float, F: float, omega: float) -> tuple[mp.mpc, mp.mpc]:
+def newton(chain, c, F, omega, c1=0.0):
     """The steady amplitudes from Newton's laws as two linear equations."""
-    return steady(mp, chain, c, F, omega)
+    m1, m2, k1, k2, c, F, w, c1 = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F, omega, c1))
+    link = mp.mpc(k2, c * w)
+    a, d = mp.mpc(k1, c1 * w) + link - m1 * w**2, link - m2 * w**2
+    return d * F / (a * d - link**2), link * F / (a * d - link**2)
 
 
-@families
-def test_damped_amplitudes_are_rounded_once(numbers):
-    @settings(max_examples=tries(80))
-    @given(*[numbers] * 7)
-    def check(m1, m2, k1, k2, c, F, omega):
+@pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
+def test_amplitudes_and_stroke_are_those_of_newtons_laws(numbers):
+    @settings(max_examples=tries(120))
+    @given(*[numbers] * 8, st.booleans(), st.booleans())
+    def check(m1, m2, k1, k2, c, c1, F, omega, damped, fixed):
         chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+        drive = c if damped else 0.0, F, omega, c1 if fixed else 0.0
         with exactly():
-            true = truth(chain, c, F, omega)
+            one, two = newton(chain, *drive)
             try:
-                size, parts = (
-                    damped_amplitude(chain, c, F, [omega])[:, 0],
-                    damped_solution(chain, c, F, omega),
-                )
-            except ValueError as refusal:
-                assert "leaves the range of doubles" in str(refusal)
-                assert max(abs(x) for x in true) > LARGEST
-                return
-            for i in (0, 1):
-                assert close(size[i], abs(true[i]), 0.51)
-                assert close(parts[i].real, true[i].real, 0.51)
-                assert close(parts[i].imag, true[i].imag, 0.51)
-
-    check()
-
-
-@families
-def test_the_stroke_is_the_distance_between_the_masses(numbers):
-    @settings(max_examples=tries(80))
-    @given(*[numbers] * 7, st.booleans())
-    def check(m1, m2, k1, k2, c, F, omega, damped):
-        chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
-        with exactly():
-            one, two = truth(chain, c if damped else 0.0, F, omega)
-            try:
-                swing, stroke = swing_and_stroke(chain, c if damped else 0.0, F, omega)
+                swing, stroke = swing_and_stroke(chain, *drive)
+                sizes, parts = damped_amplitude(chain, *drive), damped_solution(chain, *drive)
             except ValueError as refusal:
                 assert "leaves the range of doubles" in str(refusal)
                 assert max(abs(one), abs(two), abs(two - one)) > LARGEST / 2
                 return
-            assert close(swing, abs(one), 0.51)
-            assert close(stroke, abs(two - one), 4)
+            assert close(swing, abs(one), 0.51) and close(stroke, abs(two - one), 4)
+            for size, part, true in zip(sizes, parts, (one, two), strict=True):
+                assert close(size, abs(true), 0.51)
+                assert close(part.real, true.real, 0.51) and close(part.imag, true.imag, 0.51)
 
     check()
-
-
-@pytest.mark.parametrize(("mu", "percent"), [(0.01, 0.0162), (0.16, 0.27), (1.0, 1.3)])
-def test_den_hartogs_fixed_points_are_nearly_the_peaks(mu, percent):
-    best = den_hartog(1.0, 1.0, mu)
-    tuning, damping = math.sqrt(best.k2 / mu), best.c / (2 * mu)
-    peak = highest_peak(mu, tuning, damping)
-    assert 100 * (peak / best.height - 1) == pytest.approx(percent, rel=0.05)
-    omega = np.linspace(0.3, 2.0, 20_001)
-    chain = TwoMassChain(m1=1.0, m2=mu, k1=1.0, k2=best.k2)
-    seen = damped_amplitude(chain, best.c, 1.0, omega)[0].max()
-    assert seen <= peak * (1 + 1e-9) and seen == pytest.approx(peak, rel=1e-6)
-
-
-def test_peaks_of_other_dampings():
-    """Without damping there is no limit. With a nearly rigid link, the peak is that of one heavier mass."""
-    assert highest_peak(0.16, 1.0, 0.0) == math.inf
-    assert highest_peak(0.16, 1.0, 1e4) > 1e3
-    for tuning, damping in ((0.8, 0.05), (1.1, 0.3), (0.86, 0.168)):
-        chain = TwoMassChain(m1=1.0, m2=0.16, k1=1.0, k2=0.16 * tuning**2)
-        seen = damped_amplitude(chain, 2 * 0.16 * damping, 1.0, np.linspace(0.3, 2.0, 20_001))[0].max()
-        assert highest_peak(0.16, tuning, damping) == pytest.approx(seen, rel=1e-5)
-
-
-def test_damped_amplitudes_next_to_a_resonance():
-    """Next to a double at which nothing but the damping holds the motion."""
-    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
-    near = [math.nextafter(1.0, 2.0), 1.0, math.nextafter(2.0, 1.0), 2.0]
-    for c in (1e-3, 1e-12, 1e-300):
-        with exactly():
-            for omega, column in zip(near, damped_amplitude(chain, c, 1.0, near).T, strict=True):
-                for value, true in zip(column, truth(chain, c, 1.0, omega), strict=True):
-                    assert close(value, abs(true), 0.51)
-
-
-@pytest.mark.parametrize("c", [5e-324, 1e-300])
-def test_no_seam_between_damped_and_undamped(c):
-    omega = np.array([0.0, 30.0, 40.0, 48.5, 59.0, 70.0])
-    undamped = [np.abs(particular_solution(TUNED, F_0, w)) for w in omega]
-    assert np.array_equal(damped_amplitude(TUNED, c, F_0, omega), np.transpose(undamped))
 
 
 @pytest.mark.parametrize("k1", [0.0, 250e3])
@@ -132,4 +76,87 @@ def test_damper_without_a_spring(k1):
     still, moving = damped_amplitude(chain, 50.0, F_0, [0.0, 40.0]).T
     assert np.array_equal(still, np.full(2, F_0 / k1 if k1 else math.inf))
     with exactly():
-        assert all(close(x, abs(true), 0.51) for x, true in zip(moving, truth(chain, 50.0, F_0, 40.0), strict=True))
+        true = newton(chain, 50.0, F_0, 40.0)
+        assert all(close(x, abs(X), 0.51) for x, X in zip(moving, true, strict=True))
+
+
+def one_by_one(chain, c, omega):
+    """Swing, stroke and swing alone from whole numbers, each rounded once."""
+    by_itself = [abs(particular_solution(alone(chain), F_0, w)[0]) for w in omega]
+    return np.array([*swing_and_stroke(chain, c, F_0, omega), by_itself])
+
+
+def near(chain):
+    """Every frequency at which something would cancel, and its neighbours."""
+    poles = [*chain.modes().omega, *alone(chain).modes().omega, antiresonance(chain), math.sqrt(chain.k1 / 2)]
+    return sorted({w for pole in poles if pole for w in (pole, *np.nextafter(pole, (0.0, math.inf)), 1.001 * pole)})
+
+
+@settings(max_examples=tries(150))
+@given(values, values, values, or_none, or_none, values)
+def test_a_curve_is_within_six_ulps(m1, m2, k1, k2, c, omega):
+    chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+    frequencies = np.array([*near(chain), omega])
+    found, true = machine_curves(chain, c, F_0, frequencies), one_by_one(chain, c, frequencies)
+    finite = np.isfinite(true)
+    np.testing.assert_array_equal(np.isfinite(found), finite)
+    assert np.all(np.abs(found[finite] - true[finite]) <= 6 * np.spacing(true[finite]))
+
+
+@pytest.mark.parametrize("c", [0.0, 3.0, 1e250])
+@pytest.mark.parametrize("omega", [[0.0, 1.0], [1e-200, 1.0], [1.0, 1e150]])
+def test_far_out_each_frequency_is_worked_out_by_itself(c, omega):
+    np.testing.assert_array_equal(machine_curves(TUNED, c, F_0, omega), one_by_one(TUNED, c, omega))
+
+
+@pytest.mark.parametrize("c", [0.0, 3.0, 313.7, 600.0, 1e6])
+@pytest.mark.parametrize(("m2", "k2"), [(16.0, 36864.0), (16.0, 60000.0), (1.0, 100.0), (200.0, 1e5), (16.0, 0.0)])
+def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
+    chain = TwoMassChain(**MACHINE, m2=m2, k2=k2)
+    band = helped_band(chain, c)
+    omega = np.geomspace(1.0, 1e4, 4001)
+    less = damped_amplitude(chain, c, F_0, omega)[0] < np.abs(particular_solution(alone(chain), F_0, omega)[0])
+    if band is None:
+        assert not less.any()
+        return
+    edges = [e for e in band if math.isfinite(e)]
+    clear = np.all([np.abs(omega / e - 1) > 1e-6 for e in edges], axis=0)
+    assert np.array_equal(less[clear], ((omega > band[0]) & (omega < band[1]))[clear])
+    assert less.any()
+
+
+@settings(max_examples=tries(60))
+@given(*[FAMILIES["all doubles"]] * 4)
+def test_helped_band_over_the_range_of_doubles(m1, m2, k1, k2):
+    low, high = helped_band(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2))
+    with exactly():
+        a, b, c, d = map(mp.mpf, (m1, m2, k1, k2))
+        half, product = a * d + b * c + b * d / 2, a * b * c * d
+        root = mp.sqrt(half**2 - 4 * product)
+        assert close(low, mp.sqrt(2 * c * d / (half + root)), 0.51)
+        assert close(high, mp.sqrt((half + root) / (2 * a * b)), 0.51)
+
+
+@pytest.mark.parametrize("mu", [0.01, 0.16, 1.0])
+def test_optimum_is_den_hartogs(mu):
+    m2 = 100.0 * mu
+    best = den_hartog(100.0, 250e3, m2)
+    assert math.sqrt(best.k2 / m2) == pytest.approx(50.0 / (1 + mu), rel=1e-14)
+    assert best.c / (2 * m2 * 50.0) == pytest.approx(math.sqrt(3 * mu / (8 * (1 + mu) ** 3)), rel=1e-14)
+    assert best.height == pytest.approx(math.sqrt(1 + 2 / mu), rel=1e-14)
+    chain = TwoMassChain(**MACHINE, m2=m2, k2=best.k2)
+    for c in (best.c, 1e9):
+        at_points = damped_amplitude(chain, c, F_0, fixed_points(chain))[0]
+        assert at_points == pytest.approx(best.height * F_0 / 250e3, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("mu", "tuning", "damping"),
+    [(0.01, 1 / 1.01, 0.0603), (0.16, 0.8, 0.05), (0.16, 1.1, 0.3), (0.16, 0.86, 0.168), (1.0, 0.5, 0.2165)],
+)
+def test_the_highest_peak_is_that_of_the_curve(mu, tuning, damping):
+    chain = TwoMassChain(m1=1.0, m2=mu, k1=1.0, k2=mu * tuning**2)
+    seen = damped_amplitude(chain, 2 * mu * damping, 1.0, np.linspace(0.3, 2.0, 20_001))[0].max()
+    assert highest_peak(mu, tuning, damping) == pytest.approx(seen, rel=1e-5)
+    assert highest_peak(mu, tuning, 0.0) == math.inf
+    assert highest_peak(mu, tuning, 1e4) > 1e3, "a nearly rigid link makes one heavier mass"

@@ -66,98 +66,71 @@ def test_reference_against_a_matrix_exponential(system):
 
 
 @systems
-def test_output_times_are_exact_doubles(system):
-    t = system.problem().t
-    assert t.size == 1001
-    assert all(n * mp.mpf(t[1]) == t[n] for n in range(1001))
-    slow, fast = system.problem().rates
-    assert t[-1] == pytest.approx(system.periods * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
-
-
-@pytest.mark.parametrize("slug", ["benign", "beats", "wide", "light", "near", "resonance"])
-def test_outputs_see_every_phase_of_both_modes(slug):
-    """Otherwise an error of the phase would hide: at one phase alone it may change nothing."""
-    problem = SYSTEMS[slug].problem()
+def test_output_times_are_exact_doubles_and_see_every_phase(system):
+    """If one phase alone were seen, an error of the phase would hide."""
+    problem = system.problem()
+    assert problem.t.size == 1001 and all(n * mp.mpf(problem.t[1]) == problem.t[n] for n in range(1001))
+    slow, fast = problem.rates
+    assert problem.t[-1] == pytest.approx(system.periods * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
     for rate in problem.rates:
-        phases = np.mod(rate * problem.t / (2 * np.pi), 1)
-        counts, _ = np.histogram(phases, bins=10, range=(0, 1))
-        assert np.count_nonzero(counts) == 10 and abs(np.sin(2 * np.pi * phases)).max() > 0.95
+        if rate and not system.c:
+            counts, _ = np.histogram(np.mod(rate * problem.t / (2 * np.pi), 1), bins=10, range=(0, 1))
+            assert np.count_nonzero(counts) == 10
 
 
 @systems
 def test_the_closed_form_reaches_the_last_digit_everywhere(system):
     run = visited(system, "closed")
-    assert run.failure is None
-    assert run.error <= 4 * U
-    assert run.energy_error <= 8 * U
+    assert run.failure is None and run.error <= 4 * U and run.energy_error <= 8 * U
 
 
 def test_a_run_records_the_growth_of_its_error():
     run = visited(SYSTEMS["benign"], "verlet", 4)
     assert len(run.error_growth) == len(run.energy_growth) == len(MARKS)
-    assert run.error_growth[0] < 1e-90
-    assert run.error_growth[-1] == run.error
-    assert run.energy_growth[-1] == run.energy_error
-    assert np.all(np.diff(run.error_growth) >= 0)
+    assert run.error_growth[0] < 1e-90 and np.all(np.diff(run.error_growth) >= 0)
+    assert (run.error_growth[-1], run.energy_growth[-1]) == (run.error, run.energy_error)
     assert (run.steps, run.evaluations, run.rounds) == (4000, 4000, 1)
     assert run.time == run.time_low == run.time_high > 0
 
 
 def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
-    two = [SYSTEMS["benign"], SYSTEMS["beats"]]
-    runs = list(
-        measure(two, [METHODS[slug] for slug in ("closed", "slides")], Limits(seconds=60.0, rounds=3, visit=0.0))
-    )
+    """What takes long is timed twice only."""
+    two, limits = [SYSTEMS["benign"], SYSTEMS["beats"]], Limits(seconds=60.0, rounds=3, visit=0.0)
+    runs = list(measure(two, [METHODS[slug] for slug in ("closed", "slides")], limits))
     turn = [("closed", "benign"), ("closed", "beats"), ("slides", "benign"), ("slides", "beats")]
     assert [(run.method, run.system) for run in runs] == 3 * turn
     assert [run.rounds for run in runs] == [1] * 4 + [2] * 4 + [3] * 4
     assert all(run.time_low <= run.time <= run.time_high for run in runs)
     assert [run.repeats for run in runs[:4]] == [None] * 4
-
-
-def test_what_takes_long_is_timed_twice_only():
-    runs = list(measure([SYSTEMS["benign"]], [METHODS["closed"]], Limits(rounds=5, visit=0.0, budget=0.0)))
+    runs = list(measure(two[:1], [METHODS["closed"]], Limits(rounds=5, visit=0.0, budget=0.0)))
     assert [run.rounds for run in runs] == [1, 2]
 
 
 def test_a_time_that_does_not_repeat_within_a_fifth_is_known():
     run = Run(system="benign", method="closed", setting=0, time=1.0, time_low=1.0, time_high=1.15, rounds=3)
-    assert run.repeats
-    assert replace(run, time_high=1.25).repeats is False
-    assert replace(run, rounds=1).repeats is None
+    assert [one.repeats for one in (run, replace(run, time_high=1.25), replace(run, rounds=1))] == [True, False, None]
 
 
-def climbed(ladder, errors, steps=1e9):
-    """The ladder after runs with these errors, all at so many steps."""
-    ladder.runs = [Run(system="benign", method="rk4", setting=steps, error=error) for error in errors]
-    return ladder
+def ladder(method, errors=(), steps=1e9, limits=ONCE):
+    """The ladder of a method after runs with these errors, all at so many steps."""
+    found = Ladder(bench_of(SYSTEMS["benign"], limits, lambda method: False, yardstick()), METHODS[method])
+    found.runs = [Run(system="benign", method=method, setting=steps, error=error, time=0.5) for error in errors]
+    return found
 
 
-def test_a_method_is_refined_to_its_floor():
-    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
-    ladder = Ladder(bench, METHODS["rk4"])
+def test_a_ladder_ends_at_its_floor_with_the_finest_setting_or_out_of_time():
     falling = [1e-3 * 10.0**-n for n in range(8)]
-    assert climbed(ladder, falling).ending() == ""
     still = [*falling, *STANDS * [falling[-1]]]
-    assert climbed(ladder, still[:-1]).ending() == ""
-    assert climbed(ladder, still).ending() == "floor"
-    assert climbed(ladder, still, steps=1.0).ending() == "", "a fast mode that is stepped over is no floor"
-
-
-def test_a_ladder_ends_with_the_finest_setting_or_a_reason():
-    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
-    ladder = Ladder(bench, METHODS["closed"])
-    assert ladder.climb().end == ladder.end == "finest"
+    assert ladder("rk4", falling).ending() == ladder("rk4", still[:-1]).ending() == ""
+    assert ladder("rk4", still).ending() == "floor"
+    assert ladder("rk4", still, steps=1.0).ending() == "", "a fast mode that is stepped over is no floor"
+    closed = ladder("closed")
+    assert closed.climb().end == closed.end == "finest"
     (*_, last) = measure([SYSTEMS["wide"]], [METHODS["rk45"]], Limits(seconds=0.0, rounds=1))
     assert (last.failure, last.end, last.setting) == ("time limit 0 s", "time limit", 1e-2)
-
-
-def test_a_run_that_isforeseen_to_be_late_is_a_row_too():
-    bench = bench_of(SYSTEMS["benign"], replace(ONCE, seconds=1.0), lambda method: False, yardstick())
-    ladder = Ladder(bench, METHODS["verlet"])
-    ladder.runs = [Run(system="benign", method="verlet", setting=10.0, time=0.5)]
-    assert ladder.foreseen(11.0) is None
-    late = ladder.foreseen(100.0)
+    climbed = ladder("verlet", [1e-3], 10.0, replace(ONCE, seconds=1.0))
+    assert climbed.foreseen(11.0) is None
+    late = climbed.foreseen(100.0)
     assert (late.failure, late.end, late.reached) == ("time limit 1 s", "time limit", pytest.approx(0.2))
 
 
@@ -172,33 +145,32 @@ def test_errors_mode_by_mode_and_at_the_end():
     assert np.max(np.abs(stiff.error)) > 100 * 2e-3, "x alone is right to 2e-3"
 
 
-def test_an_unstable_step_is_a_row():
-    run = visited(SYSTEMS["wide"], "verlet", 1)
-    assert run.failure.startswith("unstable step: h omega_+ = 632")
-    assert 0 < run.reached < 0.1
-    assert run.error is None
-    assert run.time is None
-    assert visited(SYSTEMS["dashpot"], "rk4", 1).failure == "unstable step: h f = 5e+04"
-
-
-@pytest.mark.parametrize("method", ["verlet", "rk45", "radau", "lsoda", "expm"])
-def test_a_run_out_of_time_is_a_row(method):
-    run = visited(SYSTEMS["wide"], method, METHODS[method].settings()[-1], Limits(seconds=0.0))
-    assert run.failure == "time limit 0 s"
+@pytest.mark.parametrize(
+    ("system", "method", "setting", "seconds", "failure"),
+    [
+        (SYSTEMS["wide"], "verlet", 1, 60.0, "unstable step: h omega_+ = 632"),
+        (SYSTEMS["dashpot"], "rk4", 1, 60.0, "unstable step: h f = 5e+04"),
+        *((SYSTEMS["wide"], method, None, 0.0, "time limit 0 s") for method in ("verlet", "rk45", "lsoda", "expm")),
+        (SYSTEMS["resonance"], "slides", 0.0, 60.0, "D(omega) = 0: no particular solution"),
+        (replace(DRIFTING, F_0=0.0), "slides", 0.0, 60.0, "cannot be computed: "),
+        (SYSTEMS["benign"], "yoshida6", 64, 60.0, "cancelled"),
+        (SYSTEMS["benign"], "dop853", 1e-9, 60.0, "cancelled"),
+    ],
+)
+def test_a_failure_is_a_row(system, method, setting, seconds, failure):
+    setting = METHODS[method].settings()[-1] if setting is None else setting
+    run = visited(
+        system, method, setting, Limits(seconds=seconds, rounds=1, visit=0.0), lambda _: failure == "cancelled"
+    )
+    assert run.failure.startswith(failure) and run.error is None and run.time is None
     assert 0 <= run.reached < 0.5
-
-
-def test_what_no_double_holds_is_a_row():
-    assert visited(SYSTEMS["resonance"], "slides").failure == "D(omega) = 0: no particular solution"
-    assert visited(replace(DRIFTING, F_0=0.0), "slides").failure.startswith("cannot be computed: ")
 
 
 def test_a_run_without_memory_is_a_row():
     def greedy(*_):
         raise MemoryError
 
-    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
-    assert bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
+    assert ladder("slides").bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
 
 
 def test_only_methods_made_for_friction_enter_with_a_dashpot():
@@ -210,34 +182,21 @@ def test_only_methods_made_for_friction_enter_with_a_dashpot():
 
 def test_cancelling_between_runs():
     asked = []
-
-    def cancelled(method):
-        asked.append(method)
-        return len(asked) > 1
-
     methods = [METHODS[slug] for slug in ("closed", "slides", "eigh")]
-    runs = list(measure([SYSTEMS["benign"]], methods, ONCE, cancelled))
+    runs = list(measure([SYSTEMS["benign"]], methods, ONCE, lambda method: asked.append(method) or len(asked) > 1))
     assert [run.method for run in runs] == ["closed"]
 
 
-@pytest.mark.parametrize(("method", "setting"), [("yoshida6", 64), ("dop853", 1e-9)])
-def test_cancelling_within_a_run(method, setting):
-    run = visited(SYSTEMS["benign"], method, setting, cancelled=lambda slug: slug == method)
-    assert run.failure == "cancelled"
-    assert run.reached < 0.5
-
-
-def test_two_free_masses_have_nothing_to_measure():
-    free = System(slug="link", name="Free", chain=TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0), x_0=(1.0, 0.0))
-    with pytest.raises(ValueError, match="two free masses"):
-        list(measure([free]))
-
-
-@pytest.mark.parametrize("x_0", [(0.0, 0.0), (1e300, 1e300), (1e-320, 0.0)])
-def test_a_motion_without_a_scale_is_refused(x_0):
-    still = replace(SYSTEMS["benign"], x_0=x_0, v_0=(0.0, 0.0))
-    with pytest.raises(ValueError, match="errors are compared with both"):
-        list(measure([still]))
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"chain": TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0)}, "two free masses"),
+        *(({"x_0": x_0}, "errors are compared with both") for x_0 in ((0.0, 0.0), (1e300, 1e300), (1e-320, 0.0))),
+    ],
+)
+def test_a_motion_without_a_scale_is_refused(changed, words):
+    with pytest.raises(ValueError, match=words):
+        list(measure([replace(SYSTEMS["benign"], v_0=(0.0, 0.0), **changed)]))
 
 
 @pytest.mark.parametrize("chain", [(1e300, 1, 1, 1), (1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300)])

@@ -9,13 +9,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from physics.coupled import TwoMassChain
-from physics.forced import (
-    driven_modes,
-    forced_motion,
-    particular_solution,
-    steady_start,
-)
+from physics.coupled import TwoMassChain, free_motion
+from physics.forced import driven_modes, forced_motion, particular_solution, steady_start
 from tests.grids import tries
 from tests.physics.chain_cases import chain_with, each_family
 from tests.physics.chain_families import FAMILIES, drawn
@@ -23,6 +18,7 @@ from tests.physics.chain_truth import SETUP_BITS, WORKING_BITS, Truth, U, rows, 
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
+amount = st.floats(-1.0, 1.0)
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 
 
@@ -81,39 +77,24 @@ def test_detunings_are_rounded_once(family, data):
 @each_family
 @thorough
 @given(data=st.data())
-def test_motion_from_rest_is_within_16_u_at_every_detuning(family, data):
+def test_motion_is_within_16_u_at_every_detuning(family, data):
     parameters = data.draw(drawn(family))
     omega, true = data.draw(drives(parameters)), Truth(*parameters)
-    quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+    quickest, x_0, v_0, F_0 = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1), (0.0, 0.0), (0.0, 0.0), 2.0
+    if mp.mpf("1e-100") < quickest < mp.mpf("1e100") and data.draw(st.booleans()):
+        x_0, v = data.draw(st.tuples(amount, amount)), data.draw(amount)
+        v_0, F_0 = (v * float(quickest), 0.0), float(min(mp.mpf("1e200"), true.m1 * quickest**2))
     turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
     t = [float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST]
-    expected = [true.driven(2.0, omega, s) for s in t]
+    parts = [(true.free(x_0, v_0, s), true.driven(F_0, omega, s)) for s in t]
+    expected = [[[a + b for a, b in zip(*pair, strict=True)] for pair in zip(*both, strict=True)] for both in parts]
     if max((abs(value) for values, _ in expected for value in values), default=0) > LARGEST:
         with pytest.raises(ValueError, match="leaves the range of doubles"):
-            forced_motion(chain_with(parameters), 2.0, omega, t)
+            forced_motion(chain_with(parameters), F_0, omega, t, x_0, v_0)
         return
-    motion = forced_motion(chain_with(parameters), 2.0, omega, t)
+    motion = forced_motion(chain_with(parameters), F_0, omega, t, x_0, v_0)
     for n, (values, scales) in enumerate(expected):
         assert worst(motion, n, values, scales) <= 16
-
-
-@each_family
-@thorough
-@given(data=st.data())
-def test_motion_from_any_start_is_within_16_u(family, data):
-    parameters = data.draw(drawn(family))
-    omega, true = data.draw(drives(parameters)), Truth(*parameters)
-    quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
-    assume(mp.mpf("1e-100") < quickest < mp.mpf("1e100"))
-    x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
-    v_0 = (data.draw(st.floats(-1.0, 1.0)) * float(quickest), 0.0)
-    t = float(mp.mpf(10) ** data.draw(st.floats(-3.0, 14.9)) / quickest)
-    F_0 = float(min(mp.mpf("1e200"), true.m1 * quickest**2))
-    parts = true.free(x_0, v_0, t), true.driven(F_0, omega, t)
-    values, scales = ([a + b for a, b in zip(*pair, strict=True)] for pair in zip(*parts, strict=True))
-    assume(max(abs(value) for value in values) < LARGEST)
-    motion = forced_motion(chain_with(parameters), F_0, omega, [t], x_0, v_0)
-    assert worst(motion, 0, values, scales) <= 16
 
 
 @pytest.mark.parametrize("name", ["moderate", "1e+-8", "tuned weak coupling", "k2 to 0", "k1 = 0"])
@@ -142,37 +123,27 @@ def test_resonance_has_no_steady_amplitude(omega, F_0):
     assert particular_solution(LECTURE, F_0, [0.5, omega])[:, 1].tolist() == [math.inf, math.inf]
     modes = driven_modes(LECTURE, F_0, omega)
     assert not modes.split_is_meaningful and np.min(np.abs(modes.detuning)) == 0.0
-    for refused in (lambda: modes.complementary([1.0]), lambda: modes.particular_motion([1.0])):
+    for refused in (modes.complementary, modes.particular_motion, modes.apart):
         with pytest.raises(ValueError, match=f"the drive at omega = {omega:.6g} rad/s is at a natural frequency"):
-            refused()
+            refused([1.0])
     with pytest.raises(ValueError, match="natural frequency"):
         steady_start(LECTURE, F_0, omega)
 
 
-@pytest.mark.parametrize("omega", [0.3, 0.9999, 1.4, 1.97, 7.0])
-def test_total_is_complementary_plus_particular(omega):
-    t = np.linspace(0.0, 40.0, 200)
-    modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
-    assert modes.split_is_meaningful == (omega != 0.9999)
-    size = np.max(np.abs(modes.particular)) + 1.0
-    split = modes.complementary(t) + modes.particular_motion(t)
-    assert np.max(np.abs(split - modes.motion(t).x)) <= 32 * U * size
-
-
-@pytest.mark.parametrize("omega", [0.0, 0.3, 1.1, 7.0])
+@pytest.mark.parametrize("omega", [0.0, 0.3, 0.9999, 1.1, 1.4, 1.97, 7.0])
 @pytest.mark.parametrize("end", [0.01, 1.0, 40.0])
-def test_motion_and_parts_are_the_same_when_formed_together(omega, end):
-    """From the onset on, with a beat that has not begun, and without a force."""
+def test_total_is_complementary_plus_particular(omega, end):
+    """From the onset on, with a beat that has not begun, and without a force; formed together or alone."""
     t = np.linspace(0.0, end, 200)
     modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
+    assert modes.split_is_meaningful == (omega != 0.9999)
     motion, x_p, x_c = modes.apart(t)
     alone = modes.motion(t)
+    assert np.max(np.abs(x_p + x_c - alone.x)) <= 32 * U * (np.max(np.abs(modes.particular)) + 1.0)
     pairs = [(motion.x, alone.x), (motion.v, alone.v), (motion.e, alone.e)]
     pairs += [(x_p, modes.particular_motion(t)), (x_c, modes.complementary(t))]
     for together, apart in pairs:
         assert np.max(np.abs(together - apart)) <= U * np.max(np.abs(apart))
-    with pytest.raises(ValueError, match="natural frequency"):
-        driven_modes(LECTURE, 2.0, 1.0).apart(t)
 
 
 def test_the_steady_start_leaves_x_p_alone():
@@ -180,6 +151,14 @@ def test_the_steady_start_leaves_x_p_alone():
     x_0, v_0 = steady_start(LECTURE, 2.0, 1.3)
     modes = driven_modes(LECTURE, 2.0, 1.3, x_0, v_0)
     assert np.max(np.abs(modes.motion(t).x - np.outer(modes.particular, np.sin(1.3 * t)))) <= 1e-14
+
+
+@pytest.mark.parametrize(("F_0", "omega"), [(0.0, 1.0), (0.0, 0.3), (5.0, 0.0)])
+def test_no_force_is_the_free_motion(F_0, omega):
+    t = np.linspace(0.0, 9.0, 30)
+    driven = forced_motion(LECTURE, F_0, omega, t, (1.0, 0.5), (0.25, -0.5))
+    assert np.array_equal(driven.x, free_motion(LECTURE, (1.0, 0.5), (0.25, -0.5), t).x)
+    assert np.all(particular_solution(LECTURE, 0.0, [0.0, 1.0, 3.0]) == 0.0)
 
 
 @pytest.mark.parametrize(("m1", "omega"), [(1.0, 1e300), (1e-150, 1.0)])

@@ -58,6 +58,9 @@ def test_at_the_cusp_the_period_is_2_22_percent_longer():
     for wanted in (-1e-3, 0.03, math.nan):
         with pytest.raises(ValueError, match="at the cusp"):
             excess_at_period_excess(wanted)
+    for lateness, excess in EXCESS_AT_LATENESS.items():
+        assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
+        assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
 
 
 @units
@@ -118,12 +121,6 @@ def test_a_period_is_closed_and_symmetric(excess):
     assert (period.u.min() < -1e-9) == period.loops  # only on its back it flies backwards
 
 
-def test_lateness_constants_are_the_solved_excesses():
-    for lateness, excess in EXCESS_AT_LATENESS.items():
-        assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
-        assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
-
-
 @pytest.mark.parametrize("excess", [0.1, 0.6, 1.0, -0.5])
 def test_rates_are_the_derivatives_of_the_flight(excess):
     v_0, g, step = 45.72, 9.80665, 1e-3
@@ -133,23 +130,22 @@ def test_rates_are_the_derivatives_of_the_flight(excess):
     for name, rate in zip(names, flight(v_0, g, excess, t).rates(v_0, g), strict=True):
         slope = (getattr(ahead, name) - getattr(behind, name)) / (2 * step)
         assert rate == pytest.approx(slope, abs=2e-4 * g)
+    at_rest = flight(v_0, g, -1.0, [0.0]).rates(v_0, g)
+    assert [float(rate[0]) for rate in at_rest] == pytest.approx([0.0, -g, 0.0])
 
 
-def test_rates_at_standstill_are_finite():
-    still = flight(45.72, 9.80665, -1.0, [0.0])
-    assert [float(rate[0]) for rate in still.rates(45.72, 9.80665)] == pytest.approx([0.0, -9.80665, 0.0])
-
-
-def test_what_leaves_the_range_of_doubles_is_named():
-    with pytest.raises(ValueError, match=r"omega = 1\.41.*range of doubles"):
-        linear_phugoid(1e-300, 1e300)
-    with pytest.raises(ValueError, match=r"v_0\^2/g = 1\.0.*range of doubles"):
-        flight(1e200, 1.0, 0.1, [0.0])
-    for fly in (flight, linear_flight):
-        with pytest.raises(ValueError, match="the phase leaves"):
-            fly(1e-10, 1e10, 0.1, [1e300])
-        with pytest.raises(ValueError, match="t = inf"):
-            fly(1.0, 1.0, 0.1, [math.inf])
+@pytest.mark.parametrize(
+    ("words", "call"),
+    [
+        (r"omega = 1\.41.*range of doubles", lambda: linear_phugoid(1e-300, 1e300)),
+        (r"v_0\^2/g = 1\.0.*range of doubles", lambda: flight(1e200, 1.0, 0.1, [0.0])),
+        *(("the phase leaves", lambda f=f: f(1e-10, 1e10, 0.1, [1e300])) for f in (flight, linear_flight)),
+        *(("t = inf", lambda f=f: f(1.0, 1.0, 0.1, [math.inf])) for f in (flight, linear_flight)),
+    ],
+)
+def test_what_leaves_the_range_of_doubles_is_named(words, call):
+    with pytest.raises(ValueError, match=words):
+        call()
 
 
 @pytest.mark.parametrize(("v_0", "g"), [(1e-150, 1e-300), (1e150, 1e300), (1e-300, 1e-300), (1e150, 1e-5)])

@@ -13,8 +13,9 @@ from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from physics.precision.polynomials import context
+from physics.reference.damped_chain import braked_points
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes
-from tests.grids import WHOLE, tries
+from tests.grids import tries
 from tests.physics.chain_cases import chain_with
 from tests.physics.chain_families import FAMILIES, drawn
 from tests.physics.chain_truth import Truth, U, rows, ulps, worst
@@ -36,35 +37,32 @@ def strict():
         yield
 
 
-def truth(modes, t, bits=1500):
+def truth(modes, t):
     """x1, x2, x2 - x1, v1, v2 from exp(A t), with the drive as an additional oscillator."""
     chain = modes.chain
-    with mp.workprec(bits):
-        m1, m2, k1, k2, c, F, omega = map(
-            mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, modes.c, modes.F_0, modes.omega)
-        )
-        A = mp.matrix(6, 6)
-        A[0, 2] = A[1, 3] = 1
-        for i, m, sign, wall in ((2, m1, 1, k1), (3, m2, -1, mp.mpf(0))):
-            A[i, 0], A[i, 1] = (-sign * k2 - wall) / m, sign * k2 / m
-            A[i, 2], A[i, 3] = -sign * c / m, sign * c / m
-        A[2, 4] = F / m1
-        A[4, 5], A[5, 4] = omega, -omega
-        start = mp.matrix([*modes.x_0, *modes.v_0, 0, 1])
-        x1, x2, v1, v2, _, _ = mp.expm(A * mp.mpf(t)) * start
-        return x1, x2, x2 - x1, v1, v2
+    parameters = (chain.m1, chain.m2, chain.k1, chain.k2, modes.c, modes.c1, modes.F_0, modes.omega)
+    m1, m2, k1, k2, c, c1, F, omega = map(mp.mpf, parameters)
+    A = mp.matrix(6, 6)
+    A[0, 2] = A[1, 3] = 1
+    for i, m, sign, wall, brake in ((2, m1, 1, k1, c1), (3, m2, -1, 0, 0)):
+        A[i, 0], A[i, 1] = (-sign * k2 - wall) / m, sign * k2 / m
+        A[i, 2], A[i, 3] = (-sign * c - brake) / m, sign * c / m
+    A[2, 4] = F / m1
+    A[4, 5], A[5, 4] = omega, -omega
+    x1, x2, v1, v2, _, _ = mp.expm(A * mp.mpf(t)) * mp.matrix([*modes.x_0, *modes.v_0, 0, 1])
+    return x1, x2, x2 - x1, v1, v2
 
 
-def check(modes, times, bits=1500):
+def check(modes, times):
     """Every number within 0.51 ulp, the smallest too."""
     motion = modes.motion(times)
     for n, t in enumerate(times):
-        for row, aim in zip(rows(motion), truth(modes, t, bits), strict=True):
+        for row, aim in zip(rows(motion), truth(modes, t), strict=True):
             assert ulps(row[n], aim) <= 0.51
 
 
-def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0)):
-    return DampedModes(chain=chain, c=c, F_0=F_0, omega=omega, x_0=x_0, v_0=v_0)
+def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c1=0.0):
+    return DampedModes(chain=chain, c=c, F_0=F_0, omega=omega, x_0=x_0, v_0=v_0, c1=c1)
 
 
 @pytest.mark.parametrize("family", WITHIN)
@@ -73,35 +71,31 @@ def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0)):
 def test_motion_is_rounded_once(family, data):
     chain = chain_with(data.draw(drawn(FAMILIES[family])))
     fast = float(chain.modes().omega[1]) or 1.0
-    c = math.sqrt(chain.m1 * chain.m2) * fast * 10.0 ** data.draw(st.floats(-6.0, 2.0))
+    share = st.just(0.0) | st.floats(-6.0, 2.0).map(lambda e: 10.0**e)
+    c, c1 = (math.sqrt(chain.m1 * chain.m2) * fast * data.draw(share) for _ in range(2))
     omega = fast * 10.0 ** data.draw(st.floats(-3.0, 1.0))
     x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
     v_0 = data.draw(st.sampled_from([(0.0, 0.0), (fast, -fast)]))
     times = [10.0 ** data.draw(st.floats(low, high)) / fast for low, high in ((-4.0, 0.0), (0.0, 2.0), (0.0, 4.0))]
     F_0 = data.draw(st.sampled_from([0.0, 1.0])) * chain.m1 * fast**2
-    assume(max(abs(number) for number in (F_0, omega, c, *times)) < 1e100)
-    check(modes_of(chain, c, F_0, omega, x_0, v_0), [0.0, *times])
+    assume((c or c1) and max(abs(number) for number in (F_0, omega, c, c1, *times)) < 1e100)
+    check(modes_of(chain, c, F_0, omega, x_0, v_0, c1), [0.0, *times])
 
 
-@pytest.mark.parametrize("size", [2.2250738585072014e-308, 3e-308, 1e-307, 5e-320])
+@pytest.mark.parametrize("size", [2.2250738585072014e-308, 5e-320])
 def test_the_smallest_numbers_are_rounded_once(size):
     chain = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
-    times = np.linspace(0.0, 5.0, 40 if WHOLE else 10)
-    check(modes_of(chain, 1.618033988749895, F_0=0.0, x_0=(size, 0.0)), times.tolist())
+    check(modes_of(chain, 1.618033988749895, F_0=0.0, x_0=(size, 0.0)), np.linspace(0.0, 5.0, 10).tolist())
 
 
 @equal_exponents
-def test_where_exponents_are_equal(chain, c):
-    check(modes_of(chain, c, omega=0.7, x_0=(0.3, -1.0)), [0.0, 1e-6, 0.1, 1.0, 7.0, 30.0, 200.0])
+def test_where_exponents_are_equal_or_nearly(chain, c):
+    check(modes_of(chain, c, omega=0.7, x_0=(0.3, -1.0)), [0.0, 1e-6, 0.1, 1.0, 30.0, 200.0])
+    for apart in (1e-15, 1e-9, 1e-3):
+        check(modes_of(chain, c * (1 + apart), omega=0.7), [1e-3, 1.0, 20.0])
 
 
-@equal_exponents
-@pytest.mark.parametrize("apart", [1e-15, 1e-9, 1e-6, 1e-3])
-def test_where_exponents_are_nearly_equal(chain, c, apart):
-    check(modes_of(chain, c * (1 + apart), omega=0.7), [1e-3, 1.0, 20.0])
-
-
-@pytest.mark.parametrize("ratio", [1e-3, 1.0, 1e3, 1e6, 1e9])
+@pytest.mark.parametrize("ratio", [1e3, 1e9])
 def test_stiff(ratio):
     """Overdamped: the rates differ by a factor ratio^2."""
     check(modes_of(LECTURE, 3.0 * ratio, x_0=(1.0, 0.0)), [1e-9, 1e-3, 1.0, 40.0, 1e4])
@@ -142,29 +136,30 @@ def test_without_damping_it_is_the_undamped_motion():
     assert all(term.exponent.real == 0.0 for term in damped.transient)
 
 
-@pytest.mark.parametrize("c", [0.0, 1e-6, 1.0, 313.7, 2000.0, 1e6])
-def test_the_motion_is_its_particular_solution_and_its_transient(c):
-    modes = modes_of(MACHINE, c, 500.0, 48.0)
-    t = np.linspace(0.0, 2.0, 300)
+@pytest.mark.parametrize(
+    ("chain", "c", "room"),
+    [
+        *((MACHINE, c, 1e-12) for c in (0.0, 1e-6, 1.0, 313.7, 1e6)),
+        *((chain, c * (1 + apart), 1e-5) for chain, c in EQUAL_EXPONENTS.values() for apart in (0.0, 1e-15, 1e-3)),
+    ],
+)
+def test_the_motion_is_its_particular_solution_and_its_transient(chain, c, room):
+    """Drawn in plain doubles it is the same, and the reference of the scenes too."""
+    modes = modes_of(chain, c, 500.0, 0.96 * float(chain.modes().omega[1]), (0.3, -1.0), (1.0, 0.0))
+    t = np.linspace(0.0, 30.0, 100) / float(chain.modes().omega[1])
     motion = modes.motion(t)
     x = np.array([*motion.x, motion.e[1]])
-    assert np.max(np.abs(modes.particular_motion(t) + modes.complementary(t) - x)) < 1e-12 * np.max(np.abs(x))
-    steady = damped_solution(MACHINE, c, 500.0, 48.0)
-    assert np.array_equal(modes.particular[:2], steady)
-    assert modes.particular[2] == pytest.approx(modes.particular[1] - modes.particular[0], rel=1e-14)
-    for exponent, (amplitude,) in modes.transient:
-        assert exponent.imag >= 0.0
-        assert exponent.real < 0.0 or not c
+    size = np.max(np.abs(x))
+    assert np.max(np.abs(modes.particular_motion(t) + modes.complementary(t) - x)) < room * size
+    drawn_x, drawn_v = modes.drawn(t)
+    assert np.max(np.abs(drawn_x - x)) < room * size
+    assert np.max(np.abs(drawn_v[:2] - motion.v)) < room * np.max(np.abs(motion.v))
+    for row, points in zip(motion.x, braked_points(modes, t[::33]).values(), strict=True):
+        assert row[::33] == pytest.approx([float(one.value) for one in points], abs=8 * U * size)
+    assert np.array_equal(modes.particular[:2], damped_solution(chain, c, 500.0, modes.omega, modes.c1))
+    for exponent, (amplitude, *_) in modes.transient:
+        assert exponent.imag >= 0.0 and (exponent.real < 0.0 or not (c and chain.k1))
         assert amplitude[2] == pytest.approx(amplitude[1] - amplitude[0], abs=1e-14 * np.max(np.abs(amplitude)))
-
-
-@equal_exponents
-@pytest.mark.parametrize("apart", [0.0, 1e-15, 1e-3])
-def test_terms_where_exponents_are_equal(chain, c, apart):
-    modes, t = modes_of(chain, c * (1 + apart), omega=0.7, v_0=(1.0, 0.0)), np.linspace(0.0, 30.0, 100)
-    x = modes.motion(t).x
-    error = np.max(np.abs((modes.particular_motion(t) + modes.complementary(t))[:2] - x))
-    assert error < 1e-5 * np.max(np.abs(x))
 
 
 def test_a_mass_that_nothing_ties_stays_while_the_other_moves():
