@@ -5,7 +5,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from physics.absorber import (
@@ -22,12 +22,11 @@ from physics.absorber_curves import machine_curves
 from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
 from tests.grids import tries
-from tests.physics.chain_cases import log_uniform
+from tests.physics.chain_families import log_uniform
 from tests.physics.chain_truth import LARGEST, close, exactly
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
-TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
 FAMILIES = {
     "moderate": st.floats(0.1, 10.0),
     "1e+-8": log_uniform(-27, 27),
@@ -46,38 +45,32 @@ def newton(chain, c, F, omega, c1=0.0):
 
 
 @pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
-def test_amplitudes_and_stroke_are_those_of_newtons_laws(numbers):
-    @settings(max_examples=tries(120))
-    @given(*[numbers] * 8, st.booleans(), st.booleans())
-    def check(m1, m2, k1, k2, c, c1, F, omega, damped, fixed):
-        chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
-        drive = c if damped else 0.0, F, omega, c1 if fixed else 0.0
-        with exactly():
-            one, two = newton(chain, *drive)
-            try:
-                swing, stroke = swing_and_stroke(chain, *drive)
-                sizes, parts = damped_amplitude(chain, *drive), damped_solution(chain, *drive)
-            except ValueError as refusal:
-                assert "leaves the range of doubles" in str(refusal)
-                assert max(abs(one), abs(two), abs(two - one)) > LARGEST / 2
-                return
-            assert close(swing, abs(one), 0.51) and close(stroke, abs(two - one), 4)
-            for size, part, true in zip(sizes, parts, (one, two), strict=True):
-                assert close(size, abs(true), 0.51)
-                assert close(part.real, true.real, 0.51) and close(part.imag, true.imag, 0.51)
-
-    check()
+@settings(max_examples=tries(120))
+@given(data=st.data(), missing=st.sets(st.sampled_from(["k1", "k2", "c", "c1"])))
+def test_amplitudes_and_stroke_are_those_of_newtons_laws(numbers, data, missing):
+    given = {name: data.draw(numbers) for name in ("m1", "m2", "k1", "k2", "c", "F", "omega", "c1")}
+    m1, m2, k1, k2, *drive = (given | dict.fromkeys(missing, 0.0)).values()
+    chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+    with exactly():
+        one, two = newton(chain, *drive)
+        try:
+            swing, stroke = swing_and_stroke(chain, *drive)
+            sizes, parts = damped_amplitude(chain, *drive), damped_solution(chain, *drive)
+        except ValueError as refusal:
+            assert "leaves the range of doubles" in str(refusal)
+            assert max(abs(one), abs(two), abs(two - one)) > LARGEST / 2
+            return
+        assert close(swing, abs(one), 0.51) and close(stroke, abs(two - one), 4)
+        for size, part, true in zip(sizes, parts, (one, two), strict=True):
+            assert close(size, abs(true), 0.51)
+            assert close(part.real, true.real, 0.51) and close(part.imag, true.imag, 0.51)
 
 
 @pytest.mark.parametrize("k1", [0.0, 250e3])
-def test_damper_without_a_spring(k1):
-    """N and kappa share a factor omega, which must not become 0/0 at rest."""
-    chain = TwoMassChain(m1=100.0, m2=16.0, k1=k1, k2=0.0)
-    still, moving = damped_amplitude(chain, 50.0, F_0, [0.0, 40.0]).T
-    assert np.array_equal(still, np.full(2, F_0 / k1 if k1 else math.inf))
-    with exactly():
-        true = newton(chain, 50.0, F_0, 40.0)
-        assert all(close(x, abs(X), 0.51) for x, X in zip(moving, true, strict=True))
+def test_at_rest_a_damper_without_a_spring_does_nothing(k1):
+    """N and kappa share a factor omega, which must not become 0/0."""
+    still = damped_amplitude(TwoMassChain(m1=100.0, m2=16.0, k1=k1, k2=0.0), 50.0, F_0, [0.0])
+    assert np.array_equal(still, np.full((2, 1), F_0 / k1 if k1 else math.inf))
 
 
 def one_by_one(chain, c, omega):
@@ -94,23 +87,19 @@ def near(chain):
 
 @settings(max_examples=tries(150))
 @given(values, values, values, or_none, or_none, values)
+@example(100.0, 16.0, 250e3, 36864.0, 1e250, 1.0)
 def test_a_curve_is_within_six_ulps(m1, m2, k1, k2, c, omega):
+    """Far out each frequency is computed by itself."""
     chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
-    frequencies = np.array([*near(chain), omega])
-    found, true = machine_curves(chain, c, F_0, frequencies), one_by_one(chain, c, frequencies)
-    finite = np.isfinite(true)
-    np.testing.assert_array_equal(np.isfinite(found), finite)
-    assert np.all(np.abs(found[finite] - true[finite]) <= 6 * np.spacing(true[finite]))
-
-
-@pytest.mark.parametrize("c", [0.0, 3.0, 1e250])
-@pytest.mark.parametrize("omega", [[0.0, 1.0], [1e-200, 1.0], [1.0, 1e150]])
-def test_far_out_each_frequency_is_worked_out_by_itself(c, omega):
-    np.testing.assert_array_equal(machine_curves(TUNED, c, F_0, omega), one_by_one(TUNED, c, omega))
+    for frequencies in ([*near(chain), omega], [0.0, omega], [1e-200, omega], [omega, 1e150]):
+        found, true = machine_curves(chain, c, F_0, frequencies), one_by_one(chain, c, frequencies)
+        finite = np.isfinite(true)
+        np.testing.assert_array_equal(np.isfinite(found), finite)
+        assert np.all(np.abs(found[finite] - true[finite]) <= 6 * np.spacing(true[finite]))
 
 
 @pytest.mark.parametrize("c", [0.0, 3.0, 313.7, 600.0, 1e6])
-@pytest.mark.parametrize(("m2", "k2"), [(16.0, 36864.0), (16.0, 60000.0), (1.0, 100.0), (200.0, 1e5), (16.0, 0.0)])
+@pytest.mark.parametrize(("m2", "k2"), [(16.0, 36864.0), (1.0, 100.0), (200.0, 1e5), (16.0, 0.0)])
 def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
     chain = TwoMassChain(**MACHINE, m2=m2, k2=k2)
     band = helped_band(chain, c)

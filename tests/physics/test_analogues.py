@@ -33,58 +33,27 @@ def values(parameter):
 
 
 @systems
-def test_roles_and_frequency_follow_the_table(slug):
+@settings(max_examples=tries(100))
+@given(data=st.data())
+def test_roles_frequency_and_energy_follow_the_table(slug, data):
     system = ANALOGUES[slug]
-
-    @settings(max_examples=tries(100))
-    @given(st.fixed_dictionaries({parameter.name: values(parameter) for parameter in system.parameters}))
-    def check(p):
-        tuned, (inertia, stiffness) = system.at(p), ROLES[slug](p)
-        assert tuned.omega_n == pytest.approx(math.sqrt(stiffness / inertia), rel=8 * U)
-        assert tuned.inertia == pytest.approx(inertia, rel=8 * U)
-        assert tuned.stiffness == pytest.approx(stiffness, rel=8 * U)
-
-    check()
-    tuned, start = system.at(system.defaults), 3 * system.swing
-    assert tuned.energy(start) == pytest.approx(tuned.stiffness * start**2 / 2, rel=4 * U)
+    p = {parameter.name: data.draw(values(parameter)) for parameter in system.parameters}
+    tuned, (inertia, stiffness) = system.at(p), ROLES[slug](p)
+    assert tuned.omega_n == pytest.approx(math.sqrt(stiffness / inertia), rel=8 * U, abs=0)
+    assert tuned.inertia == pytest.approx(inertia, rel=8 * U, abs=0)
+    assert tuned.stiffness == pytest.approx(stiffness, rel=8 * U, abs=0)
+    start = 3 * system.swing
+    assert tuned.energy(start) == pytest.approx(stiffness * start**2 / 2, rel=12 * U)
     if system.length_of is None:
         assert tuned.exact_energy(start) == tuned.energy(start)
-
-
-def test_pendulums_know_their_exact_motion():
-    assert ANALOGUES["spring"].at({"m": 1, "k": 1}).pendulum is None
-    simple = ANALOGUES["pendulum"].at({"l": 2.0, "g": 1.6, "m": 1}).pendulum
-    assert (simple.l, simple.g) == (2.0, 1.6)
-    rocking = ANALOGUES["rocking"].at({"m": 2, "d": 0.3, "r": 0.2})
-    assert rocking.pendulum.omega_0 == pytest.approx(rocking.omega_n, rel=2 * U)
-
-
-@pytest.mark.parametrize(
-    ("words", "call"),
-    [
-        ("k_t = 0", lambda: ANALOGUES["shaft"].at({"J": 1.0, "k_t": 0})),
-        (r"n = 1\.5.*whole", lambda: ANALOGUES["string"].at({"L": 1.0, "T": 1.0, "n": 1.5})),
-        (r"role of m.*range of doubles", lambda: ANALOGUES["pendulum"].at({"l": 1e300, "g": 9.81, "m": 1.0}).inertia),
-        (
-            r"Simple pendulum: the role of m = 1\.000e-600 leaves the range of doubles",
-            lambda: ANALOGUES["pendulum"].at({"l": 1e-300, "g": 9.81, "m": 1.0}).inertia,
-        ),
-        (r"energy.*range of doubles", lambda: ANALOGUES["spring"].at({"m": 1.0, "k": 40.0}).energy(1e300)),
-        ("q_0 = nan", lambda: ANALOGUES["spring"].at({"m": 1.0, "k": 40.0}).energy(math.nan)),
-    ],
-)
-def test_what_is_not_possible_is_refused_by_name(words, call):
-    with pytest.raises(ValueError, match=words):
-        call()
+    else:  # the exact motion of a pendulum, and the height to which it is lifted
+        assert tuned.pendulum.omega_0 == pytest.approx(tuned.omega_n, rel=4 * U)
+        for angle in (0.0, 1e-200, -1e-9, 1.0, 3.0):
+            lifted = stiffness * 2 * math.sin(angle / 2) ** 2
+            assert tuned.exact_energy(angle) == pytest.approx(lifted, rel=12 * U, abs=1e-300)
+    assert (tuned.pendulum is None) == (system.length_of is None)
 
 
 def test_nothing_overflows_on_the_way():
     assert ANALOGUES["circuit"].at({"L": 1e-300, "C": 1e300}).omega_n == pytest.approx(1.0, rel=4 * U)
     assert ANALOGUES["pendulum"].at({"l": 1e300, "g": 1e300, "m": 1e300}).omega_n == 1.0
-
-
-@pytest.mark.parametrize("angle", [0.0, 1e-200, -1e-9, 1.0, 3.0])
-def test_energy_of_a_pendulum_is_what_it_was_lifted(angle):
-    pendulum = ANALOGUES["pendulum"].at({"l": 2.0, "g": 8.0, "m": 3.0})
-    lifted = 48.0 * 2 * math.sin(angle / 2) ** 2
-    assert pendulum.exact_energy(angle) == pytest.approx(lifted, rel=8 * U)

@@ -20,7 +20,7 @@ from physics.damped_chain import DampedChain
 from physics.driven import DrivenOscillator
 from tests.grids import tries
 from tests.physics.braked_cases import Case, cases
-from tests.physics.chain_cases import log_uniform
+from tests.physics.chain_families import log_uniform
 
 U = 2.0**-53
 REFERENCE = Path(__file__).parents[1] / "reference"

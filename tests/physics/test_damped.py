@@ -1,6 +1,11 @@
-"""One damped oscillator at every damping: against many digits, across the seam of critical damping, in its limits."""
+"""One damped oscillator at every damping: against many digits, across the seam of critical damping, in its limits.
 
+Zeros, turns, settling and the energy lost are compared with the reference cases.
+"""
+
+import json
 import math
+from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -9,17 +14,39 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from physics.damped import DampedOscillator
-from physics.oscillator import Oscillator
+from physics.free_decay import FreeDecay
 from tests.grids import tries
 from tests.physics.chain_truth import U, ulps
 
+CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["damped"]
+each_case = pytest.mark.parametrize("case", CASES, ids=[case["note"] for case in CASES])
 BOUND = 2.0  # u of the sum of the sizes of both parts
-NEXT = math.nextafter(2.0, 3.0), math.nextafter(2.0, 1.0)  # m = k = 1 is critical at c = 2
+NEAR_CRITICAL = [2.0, math.nextafter(2.0, 3.0), math.nextafter(2.0, 1.0)]  # m = k = 1 is critical at c = 2
+NEAR_CRITICAL += [2 * (1 + apart) for apart in (1e-9, -1e-9, 1e-5, -1e-5)]
+SPECIAL = [
+    *(((1.0, c, 1.0), (1.0, -0.4), (0.0, 1e-9, 0.1, 1.0, 5.0, 30.0, 300.0)) for c in NEAR_CRITICAL),
+    # Stiff: rates c and 1/c; the start of the fast part alone, too, keeps its digits.
+    *(
+        ((1.0, c, 1.0), start, (0.0, 1e-3 / c, 1 / c, 30 / c, 1.0, c, 100 * c))
+        for c in (1e3, 1e8, 1e150)
+        for start in ((1.0, 0.0), (1.0, -c), (0.0, 1.0))
+    ),
+    # At the ends of the doubles. A motion whose acceleration exceeds doubles is refused, so x starts small.
+    ((1e-300, 1e-10, 1e280), (1e-300, 0.0), (0.0, 1e-293, 1e-290)),
+    ((1e300, 1e-300, 1e-300), (1.0, 0.0), (0.0, 1e287, 1e290)),
+    ((5e-324, 1.0, 1e-300), (1e-300, 0.0), (0.0, 1e-15, 1e-12)),
+    ((1.0, 1e-300, 1.0), (1.0, 0.0), (0.0, 1e-3, 1.0)),
+    ((1e-150, 2e150, 1e300), (1e-300, 0.0), (0.0, 1e-228, 1e-225)),
+    # Without damping or without a spring.
+    ((2.0, 0.0, 3.0), (0.3, -1.0), (0.0, 1.0, 1e3, 1e6)),
+    ((2.0, 4.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+    ((2.0, 0.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+]
 
 
 @pytest.fixture(autouse=True)
-def strict():
-    with np.errstate(all="raise", under="ignore"), mp.workprec(4000):
+def many_digits():
+    with mp.workprec(4000):
         yield
 
 
@@ -35,9 +62,8 @@ def truth(oscillator, x_0, v_0, t):
 def part(start, rate, p, q, t):
     """While both exponentials are still equal, sizes are measured in the initial displacement and velocity."""
     if p == q:
-        return mp.exp(p * t) * (start + (rate - p * start) * t), mp.exp(p * t) * (
-            abs(start) + abs(rate - p * start) * t
-        )
+        bent = rate - p * start
+        return mp.exp(p * t) * (start + bent * t), mp.exp(p * t) * (abs(start) + abs(bent) * t)
     A, B = (rate - q * start) / (p - q), (p * start - rate) / (p - q)
     value = mp.re(A * mp.exp(p * t) + B * mp.exp(q * t))
     apart = abs(A) * mp.exp(mp.re(p) * t) + abs(B) * mp.exp(mp.re(q) * t)
@@ -67,60 +93,10 @@ def test_motion_is_within_two_u(m, k, zeta, x_0, v_0, turns):
     check(oscillator, x_0, v_0 * omega, [0.0, turns / omega, turns / omega / zeta, turns * zeta / omega])
 
 
-@pytest.mark.parametrize("c", [2.0, *NEXT, 2 * (1 + 1e-9), 2 * (1 - 1e-9), 2 * (1 + 1e-5), 2 * (1 - 1e-5)])
-def test_across_critical_damping(c):
-    times = [0.0, 1e-9, 0.1, 1.0, 5.0, 30.0, 300.0]
-    check(DampedOscillator(m=1.0, c=c, k=1.0), 1.0, -0.4, times)
-    critical = DampedOscillator(m=1.0, c=2.0, k=1.0).motion(1.0, -0.4, times)
-    here = DampedOscillator(m=1.0, c=c, k=1.0).motion(1.0, -0.4, times)
-    assert np.max(np.abs(here.x - critical.x)) <= 2 * abs(c - 2.0) + U
-
-
-@pytest.mark.parametrize("c", [1e3, 1e8, 1e150])
-def test_stiff(c):
-    """Rates c and 1/c; the start of the fast part alone, too, keeps its digits."""
-    oscillator = DampedOscillator(m=1.0, c=c, k=1.0)
-    times = [0.0, 1e-3 / c, 1 / c, 30 / c, 1.0, c, 100 * c]
-    check(oscillator, 1.0, 0.0, times)
-    check(oscillator, 1.0, -c, times)
-    check(oscillator, 0.0, 1.0, times)
-
-
-@pytest.mark.parametrize(
-    ("m", "c", "k"),
-    [
-        (1e-300, 1e-10, 1e280),
-        (1e300, 1e-300, 1e-300),
-        (5e-324, 1.0, 1e-300),
-        (1.0, 1e-300, 1.0),
-        (1e-150, 2e150, 1e300),
-    ],
-)
-def test_at_the_ends_of_the_doubles(m, c, k):
-    """A motion whose velocity or acceleration exceeds doubles is refused, so x alone starts small."""
-    oscillator = DampedOscillator(m=m, c=c, k=k)
-    slowest = max(oscillator.omega_n, 1e-290)
+@pytest.mark.parametrize(("numbers", "start", "times"), SPECIAL)
+def test_motion_in_limits_is_within_two_u(numbers, start, times):
     with mp.workprec(12000):
-        check(oscillator, 1e-300 if k / m > 1e4 else 1.0, 0.0, [0.0, 1e-3 / slowest, 1.0 / slowest])
-
-
-def test_without_damping_it_is_the_oscillator():
-    t = np.linspace(0.0, 1e6, 500)
-    damped, plain = (
-        DampedOscillator(m=2.0, c=0.0, k=3.0).motion(0.3, -1.0, t),
-        Oscillator(m=2.0, k=3.0).motion(0.3, -1.0, t),
-    )
-    for one, other in ((damped.x, plain.x), (damped.v, plain.v), (damped.a, plain.a)):
-        assert np.max(np.abs(one - other)) <= 5 * U * np.max(np.abs(other))
-
-
-def test_without_a_spring_it_comes_to_rest():
-    t = np.array([0.0, 0.5, 1e3])
-    motion = DampedOscillator(m=2.0, c=4.0, k=0.0).motion(1.0, 3.0, t)
-    assert motion.x == pytest.approx(1.0 + 1.5 * (1.0 - np.exp(-2.0 * t)), rel=1e-15)
-    assert motion.v == pytest.approx(3.0 * np.exp(-2.0 * t), rel=1e-15)
-    drift = DampedOscillator(m=2.0, c=0.0, k=0.0).motion(1.0, 3.0, t)
-    assert np.array_equal(drift.x, 1.0 + 3.0 * t)
+        check(DampedOscillator(**dict(zip("mck", numbers, strict=True))), *start, times)
 
 
 @pytest.mark.parametrize("c", [0.0, 0.1, 1.9, 2 - 1e-12, 2.0, 2 + 1e-12, 2.1, 50.0, 1e6])
@@ -139,3 +115,49 @@ def test_frequencies_are_rounded_once(m, c, k):
     assert ulps(oscillator.omega_n, mp.sqrt(square)) <= 0.51
     assert ulps(oscillator.omega_d, mp.sqrt(max(square - a**2, 0))) <= 0.51
     assert ulps(oscillator.zeta, a / mp.sqrt(square)) <= 0.51
+
+
+def near(value, text, most):
+    """Return True if a value is within `most` ulps of the case's number, or both are missing."""
+    if text is None:
+        return value is None or not math.isfinite(value)
+    return ulps(value, mp.mpf(text)) <= most
+
+
+@each_case
+def test_rates_moments_and_the_energy_lost_are_those_of_the_reference(case):
+    one = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    motion = FreeDecay(oscillator=one, x_0=case["x_0"], v_0=case["v_0"])
+    assert one.regime == ("critical" if case["critical_within_an_ulp"] else case["regime"])
+    assert all(near(value, text, 1) for value, text in zip(one.rates, case["rates"], strict=True))
+    assert near(one.log_decrement, case["log_decrement"], 4)
+    if case["x_0"]:  # the cases do not look for a second zero after the one at the start
+        assert near(motion.first_zero, case["first_zero"], 8)
+    assert near(motion.first_turn, case["first_turn"], 8)
+    for share, true in case["settled"].items():
+        found = motion.settled(float(share))
+        assert (found is None) == (true is None)
+        assert found is None or found == pytest.approx(float(true), rel=1e-8)
+    lost = motion.lost(case["t"])
+    assert np.all(np.diff(lost) >= 0)
+    for t, value, text in zip(case["t"], lost, case["lost"], strict=True):
+        true = mp.mpf(text) if case["c"] and t else 0
+        assert abs(mp.mpf(float(value)) - true) <= 64 * U * abs(true) + mp.mpf("1e-300")
+
+
+@pytest.mark.parametrize("zeta", [1e-12, 1e-3, 0.1, 0.49, 0.51, 0.999, 1.0, 1.5, 1.99, 2.01, 30.0])
+def test_the_energy_lost_is_what_the_motion_lacks(zeta):
+    one, t = DampedOscillator(m=2.0, c=4 * zeta, k=2.0), np.linspace(0.0, 30.0, 200)
+    motion = one.motion(0.7, -1.1, t)
+    energy = motion.v**2 + motion.x**2
+    lost = FreeDecay(oscillator=one, x_0=0.7, v_0=-1.1).lost(t)
+    assert np.max(np.abs(energy + lost - energy[0])) <= 30 * U * energy[0]
+
+
+def test_top_speed_is_where_the_acceleration_is_zero_and_a_mass_at_rest_has_no_moments():
+    one = DampedOscillator(m=1.0, c=0.4, k=4.0)
+    found = one.motion(1.0, 0.0, [FreeDecay(oscillator=one, x_0=1.0, v_0=0.0).first_top_speed])
+    assert abs(found.a[0]) < 1e-14 and found.x[0] == pytest.approx(-0.1 * found.v[0])
+    rest = FreeDecay(oscillator=one, x_0=0.0, v_0=0.0)
+    assert (rest.first_zero, rest.first_turn, rest.settled(0.02)) == (None, None, None)
+    assert not rest.lost([0.0, 1.0]).any()

@@ -19,7 +19,7 @@ from physics.reference.damped_chain import braked_exponents
 from physics.transient import DampedModes
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases, eigenvectors, matrices
-from tests.physics.chain_cases import log_uniform
+from tests.physics.chain_families import log_uniform
 
 U = 2.0**-53
 NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")

@@ -70,8 +70,6 @@ def test_split_and_rounded():
     assert hi == 0.1 and lo == float(Fraction(1, 10) - Fraction(0.1))
     assert split(Decimal("1e400")) == (math.inf, 0.0)
     assert rounded("x", Decimal("0.1")) == 0.1
-    with pytest.raises(ValueError, match=r"the speed = -1.000e\+400 leaves the range of doubles"):
-        rounded("the speed", Decimal("-1e400"))
 
 
 def test_within_an_ulp_of_what_is_no_double():

@@ -19,7 +19,6 @@ from physics.integrators.stability import (
     decay_factor,
     form_change,
     stability_limit,
-    stable_count,
 )
 from physics.reference.driven_chain import reference
 
@@ -107,17 +106,6 @@ def test_a_fast_part_rings_to_the_end_unless_it_is_damped(method):
     assert left < 1e-4 if method in DAMPING else left > 0.9
 
 
-@pytest.mark.parametrize("method", WEIGHTS)
-def test_a_run_grows_by_the_amplification(method):
-    """One mass alone, k2 = 0, a little past the limit: the growth a step approaches the spectral radius."""
-    h_omega = 1.015 * stability_limit(method)
-    chain = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=0.0)
-    problem = Problem(chain=chain, x_0=(1.0, 0.0), v_0=(0.1, 0.0), t=h_omega * np.arange(400.0))
-    x = run_fixed(method, problem, 1, Watch()).x[0]
-    growth = amplification(method, h_omega)[0]
-    assert growth > 1.01 and abs(x[-1] / x[-2]) == pytest.approx(growth, rel=1e-6)
-
-
 @pytest.mark.parametrize("method", [*WEIGHTS, "semi", "rk4", "nystrom4"])
 def test_a_step_past_the_limit_is_given_up_with_the_reason(method):
     t = np.arange(2000.0) * stability_limit(method) / CHAIN.modes().omega[1]
@@ -150,25 +138,18 @@ def test_a_tighter_tolerance_is_nearer_and_dearer(method):
     assert tight.evaluations > tight.steps > loose.steps > 10 and tight.evaluations > loose.evaluations
 
 
-def memory_of_steps(method, periods):
-    """The peak of the bytes that a run holds, and its steps: the least of two, since caches of libraries grow."""
-    problem, runs = replace(FREE, t=periods * np.arange(11.0)), []
-    for _ in range(2):
-        watch = Watch()
-        tracemalloc.start()
-        try:
-            METHODS[method].run(problem, 1e-4, watch)
-            runs.append((tracemalloc.get_traced_memory()[1], watch.steps))
-        finally:
-            tracemalloc.stop()
-    return min(runs)
-
-
 @adaptive
 def test_steps_are_forgotten(method):
-    (some, few), (more, many) = memory_of_steps(method, 1.0), memory_of_steps(method, 20.0)
-    assert many - few > 250
-    assert (more - some) / (many - few) < 16
+    """A run of 20 times as many steps holds no more memory. The first runs fill caches of libraries."""
+    peaks, steps = [], []
+    for periods in (20.0, 20.0, 1.0):
+        tracemalloc.start()
+        METHODS[method].run(replace(FREE, t=periods * np.arange(11.0)), 1e-4, watch := Watch())
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        steps.append(watch.steps)
+        tracemalloc.stop()
+    assert steps[1] - steps[2] > 250
+    assert (peaks[1] - peaks[2]) / (steps[1] - steps[2]) < 16
 
 
 @fixed
@@ -177,22 +158,6 @@ def test_fixed_steps_go_down_by_a_decade_of_error(method):
     assert steps[0] == 1 and all(n == int(n) for n in steps) and steps[-1] >= 2**40
     fine = np.array([n for n in steps if n > 30])
     np.testing.assert_allclose((fine[1:] / fine[:-1]) ** METHODS[method].order, 10, rtol=0.25)
-
-
-WIDE = replace(FREE, chain=TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1e4), x_0=(1.0, 0.0), t=np.arange(101.0))
-STIFF = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e3), c=1001.0, t=np.arange(11.0))
-
-
-@pytest.mark.parametrize(
-    ("method", "problem"), [("verlet", WIDE), ("rk4", WIDE), ("nystrom4", WIDE), ("rk4", STIFF), ("euler", STIFF)]
-)
-def test_the_fewest_steps_that_are_stable(method, problem):
-    """A hundredth more than at the limit; 3 % fewer explode. With decays the limit is one of the fast rate."""
-    count = stable_count(method, problem)
-    assert np.max(np.abs(run_fixed(method, problem, count, Watch()).x)) < 100
-    with pytest.raises(StoppedError, match="unstable step"):
-        run_fixed(method, problem, round(0.96 * count), Watch(bound=1e3))
-    assert (stable_count("gauss4", WIDE), stable_count("euler", WIDE)) == (1, 1)
 
 
 @pytest.mark.parametrize("method", ["fortran", "adams", "lsoda", "dop853"])
@@ -240,15 +205,6 @@ def test_modes_by_eigh_at_resonance():
     near = replace(RESONANT, omega=1 + 1e-9)
     assert error(RESONANT, "eigh", 0) < 1e-14 and error(near, "eigh", 0) < 1e-14
     assert error(near, "naive", 0) > 1e-9
-
-
-def test_a_dashpot_needs_one_mass_that_does_not_swing():
-    with pytest.raises(ValueError, match="k2 = 0 and mass 2 at rest are needed"):
-        replace(FREE, c=1.0)
-    with pytest.raises(ValueError, match="lets the mass swing"):
-        replace(DAMPED, c=1.0).rates  # noqa: B018
-    slow, fast = DAMPED.rates
-    assert (slow + fast, slow * fast) == pytest.approx((12.0, 20.0))
 
 
 def test_a_solver_that_gives_up_says_why(monkeypatch):

@@ -1,7 +1,5 @@
 """Phugoid against book values, quadrature in 40 digits, solve_ivp, and its own invariant."""
 
-import math
-
 import mpmath as mp
 import numpy as np
 import pytest
@@ -55,9 +53,6 @@ def test_at_the_cusp_the_period_is_2_22_percent_longer():
     assert period_excess(CUSP_EXCESS) == pytest.approx(0.0222, abs=5e-5)
     assert invariant(CUSP_EXCESS) == pytest.approx(0.0, abs=4 * U)
     assert invariant(0.0) == 2 / 3
-    for wanted in (-1e-3, 0.03, math.nan):
-        with pytest.raises(ValueError, match="at the cusp"):
-            excess_at_period_excess(wanted)
     for lateness, excess in EXCESS_AT_LATENESS.items():
         assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
         assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
@@ -105,10 +100,8 @@ def test_small_disturbances_follow_the_linear_theory_to_second_order(excess):
 
 def test_level_flight_stays_level():
     motion = flight(46.0, 9.81, 0.0, np.linspace(0, 100, 11))
-    np.testing.assert_array_equal(motion.h, 0.0)
-    np.testing.assert_array_equal(motion.V, 46.0)
+    assert not motion.h.any() and np.all(motion.V == 46.0) and lanchester(0.0).period == LINEAR_PERIOD
     np.testing.assert_allclose(motion.x, 46.0 * motion.t, rtol=4 * U)
-    assert lanchester(0.0).period == LINEAR_PERIOD
 
 
 @pytest.mark.parametrize("excess", [0.3, CUSP_EXCESS, 1.0])
@@ -132,20 +125,6 @@ def test_rates_are_the_derivatives_of_the_flight(excess):
         assert rate == pytest.approx(slope, abs=2e-4 * g)
     at_rest = flight(v_0, g, -1.0, [0.0]).rates(v_0, g)
     assert [float(rate[0]) for rate in at_rest] == pytest.approx([0.0, -g, 0.0])
-
-
-@pytest.mark.parametrize(
-    ("words", "call"),
-    [
-        (r"omega = 1\.41.*range of doubles", lambda: linear_phugoid(1e-300, 1e300)),
-        (r"v_0\^2/g = 1\.0.*range of doubles", lambda: flight(1e200, 1.0, 0.1, [0.0])),
-        *(("the phase leaves", lambda f=f: f(1e-10, 1e10, 0.1, [1e300])) for f in (flight, linear_flight)),
-        *(("t = inf", lambda f=f: f(1.0, 1.0, 0.1, [math.inf])) for f in (flight, linear_flight)),
-    ],
-)
-def test_what_leaves_the_range_of_doubles_is_named(words, call):
-    with pytest.raises(ValueError, match=words):
-        call()
 
 
 @pytest.mark.parametrize(("v_0", "g"), [(1e-150, 1e-300), (1e150, 1e300), (1e-300, 1e-300), (1e150, 1e-5)])

@@ -17,24 +17,15 @@ ONE = DampedOscillator(m=1.5, c=1.2, k=20.0)
 KINDS = ("square", "triangle", "pulses", "impulses")
 
 
-def motion(kind: Any, omega: float = 2.0) -> SteadyMotion:
-    return SteadyMotion(oscillator=ONE, push=PeriodicPush(kind=kind, size=3.0, omega=omega, width=0.3))
-
-
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("omega", [0.7, 2.0, 15.0])
-def test_in_the_end_both_are_the_work_of_a_cycle(kind: Any, omega: float) -> None:
-    steady = motion(kind, omega)
-    found = mean_powers(steady, 0.1, 0.0, 60.0, 400)
-    work = steady.mass.work * omega / (2 * math.pi)
-    assert found.P_in[-1] == pytest.approx(work, rel=1e-6) and found.P_lost[-1] == pytest.approx(work, rel=1e-6)
-    assert found.t[-1] == pytest.approx(60.0, rel=1e-15)
-
-
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("end", [1.3, 5.0, 11.0])
 def test_at_first_they_are_what_the_last_period_brought(kind: Any, end: float) -> None:
-    steady = motion(kind)
+    """In the end both are the work of a cycle."""
+    steady = SteadyMotion(oscillator=ONE, push=PeriodicPush(kind=kind, size=3.0, omega=2.0, width=0.3))
+    last = mean_powers(steady, 0.1, 0.0, 60.0, 400)
+    assert [last.t[-1], last.P_in[-1], last.P_lost[-1]] == pytest.approx(
+        [60.0, *[steady.mass.work / math.pi] * 2], rel=1e-6
+    )
     found = mean_powers(steady, 0.1, -0.4, end, 60)
     assert np.all(np.diff(found.t) > 0) and len(found.t) >= 60
     assert found.P_in[0] == (0.0 if kind != "impulses" else pytest.approx(3.0 * (-0.4 + 1.0) / steady.period))

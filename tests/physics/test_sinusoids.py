@@ -81,12 +81,6 @@ def test_a_beat_that_has_not_begun(s, turned, a, b, c):
         assert abs(value - true) <= math.ulp(value) / 2 + 0.1 * U * (abs(a) + (abs(b) + abs(c)) * time) + 1e-300
 
 
-def test_what_leaves_the_doubles_is_named():
-    huge = ExactSinusoid(ONE, (ZERO, Decimal("1e400")), (ZERO, ZERO))
-    with pytest.raises(ValueError, match="other leaves the range of doubles"):
-        added([huge], np.array([0.0, 1.0]), QUANTITIES)
-
-
 def test_nothing_to_add():
     assert np.array_equal(added([], np.array([1.0, 2.0]), QUANTITIES), np.zeros((2, 2)))
     assert added([swing(1.0, 1.0, 1.0)[0]], np.array([]), QUANTITIES).shape == (2, 0)

@@ -66,16 +66,10 @@ def run(project: Path, *command: str) -> str:
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)  # mypy without a cache
-def test_the_code_is_clean_and_typed(project: Path) -> None:
-    run(project, "ruff", "check", "components/scenes/friction")
-    run(project, "ruff", "format", "--check", "components/scenes/friction")
-    run(project, "mypy", "components/scenes/friction")
+def test_the_scene_is_typed_and_passes_its_own_tests_and_those_of_every_scene(project: Path) -> None:
+    for command in (["ruff", "check"], ["ruff", "format", "--check"], ["mypy"]):
+        run(project, *command, "components/scenes/friction")
     run(project, "tools.house_rules")
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(300)
-def test_the_scene_passes_its_own_tests_and_those_of_every_scene(project: Path) -> None:
     every = ("friction", "every_scene", "presets", "grabs", "traces")
     files = [f"tests/scenes/test_{name}.py" for name in every]
     files += [f"tests/page/test_{name}.py" for name in ("names", "covers", "opening", "frames")]
@@ -102,6 +96,5 @@ def test_the_scene_is_served_and_drawn(project: Path, browser: Browser, tmp_path
         page.get_by_role("button", name="Heavy").click()
         expect(page.get_by_text("It creeps back.").first).to_be_visible()
         assert page.evaluate("oscillations.shown.view.columns.time.x.length") > 300
-        page.evaluate("oscillations.clock.playing = false, oscillations.clock.seek(oscillations.clock.end)")
         assert not faults, faults
         page.close()

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from components.scenes import SCENES
-from physics.integrators.accuracy import SYSTEMS, Run
-from physics.integrators.problem import Watch
-from physics.integrators.race import counts
 from physics.integrators.solvers import METHODS
 from tests.serving.server import serving
 from tools.bench import changes, error_vs_time, studies
@@ -20,8 +16,6 @@ from tools.bench.crowd import SETTINGS, arrive, depart, drag, dragged, p95
 from tools.bench.record import Report, recalled
 from tools.bench.soak import soak, still_open
 from tools.bench.tables import markdown
-
-# Load
 
 
 @pytest.mark.slow
@@ -46,42 +40,12 @@ def test_visitors_of_every_scene_and_a_class_are_served_and_leave_nothing_behind
         assert server.complaints() == []
 
 
-# Error against run time
-
-RK4 = Run(system="benign", method="rk4", setting=9, time=1e-2, again=1.2e-2, error=1e-7, evaluations=36000)
-
-
 def test_the_document_agrees_with_the_record() -> None:
     report = recalled(error_vs_time.RECORDED)
     assert (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8") == markdown(report)
     for run in (run for many in report.runs.values() for run in many if run.time):
         long = run.family == "adaptive" and run.method in error_vs_time.LONG.get(run.system, {})
         assert 0.0 < run.time < 2 * (error_vs_time.PATIENCE if long else 1.0)
-
-
-def test_added_methods_are_timed_in_units_of_the_first_recording(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(changes, "both_ways", list)
-    new = replace(RK4, method="ieuler", time=3e-2, time_low=2e-2, time_high=4e-2, again=None)
-    first, second = [replace(RK4, time=2e-2, again=None), new], [replace(RK4, time=3e-2), replace(new, time=6e-2)]
-    report = Report({}, 1.0, {"benign": [RK4], "beats": [replace(RK4, system="beats")]}, [], {}, [])
-    found = changes.with_added(report, {"benign": first}, {"benign": second})
-    known, added = found.runs["benign"]
-    assert known == RK4 and found.runs["beats"] == report.runs["beats"]
-    assert (added.time, added.time_low, added.time_high) == pytest.approx((1.5e-2, 1e-2, 2e-2))
-    assert added.again == pytest.approx(6e-2 * 1.2 / 3)
-
-
-def test_solves_of_implicit_steps_are_counted_next_to_the_evaluations() -> None:
-    problem = SYSTEMS["dashpot"].problem(5, 100)
-    found = {}
-    for method, setting in (("radau", 1e-4), ("bdf", 1e-4), ("lsoda", 1e-4), ("gauss4", 3)):
-        watch = Watch()
-        METHODS[method].run(problem, setting, watch)
-        found[method] = counts(watch)
-    assert (found["gauss4"]["factorisations"], found["gauss4"]["solves"]) == (1, 300)
-    assert found["radau"]["solves"] > 2 * found["radau"]["factorisations"] > 0 == found["radau"]["jacobians"]
-    assert found["bdf"]["solves"] >= found["bdf"]["steps"] > found["bdf"]["factorisations"] > 0
-    assert found["lsoda"]["jacobians"] == found["lsoda"]["factorisations"] > 0
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from ipaddress import ip_address, ip_network
@@ -39,6 +40,7 @@ def test_compose_confines_every_container_and_names_existing_settings() -> None:
     assert "depends_on" not in PROXY, "it keeps running when replicas are replaced"
     assert re.fullmatch(r"[1-9]\d*:[1-9]\d*", STORE["user"]), "the store needs no capability to start"
     assert re.search(r"^exec valkey-server - ", STORE["command"][-1], re.M)
+    assert re.findall(r"health_uri (\S+)", (ROOT / "Caddyfile").read_text()) == ["/readiness"]
     images = [service["image"] for service in SERVICES.values() if "build" not in service]
     assert len(images) == 2 and all(re.fullmatch(r"[\w./-]+:[\w.-]+@sha256:[0-9a-f]{64}", name) for name in images)
 
@@ -69,15 +71,6 @@ def test_every_setting_reaches_the_replicas_or_is_documented_as_fixed() -> None:
     assert misspelt({**read, "COMPOSE_PROFILES": "class", "COMPOSE_PROJECT_NAME": "x"}) == []
 
 
-def test_every_container_has_a_health_check_and_readiness_admits_visitors() -> None:
-    built = {name for name, service in SERVICES.items() if "build" in service}
-    checked = {name: service["healthcheck"] for name, service in SERVICES.items() if name not in built}
-    assert built == {"lecture", "relief"} and set(checked) == {"proxy", "store"}
-    assert all(check["test"][0] == "CMD-SHELL" and check["interval"] for check in checked.values())
-    assert re.findall(r"health_uri (\S+)", (ROOT / "Caddyfile").read_text()) == ["/readiness"]
-    assert re.findall(r"^HEALTHCHECK .*?GET (\S+) HTTP", (ROOT / "Dockerfile").read_text(), re.M) == ["/readiness"]
-
-
 def test_only_replicas_reach_the_store_and_only_the_proxy_is_public_at_its_own_address() -> None:
     """Visitors over IPv6 keep their addresses if the network of the published ports has IPv6."""
     within = {name: set(service["networks"]) for name, service in SERVICES.items()}
@@ -91,9 +84,6 @@ def test_only_replicas_reach_the_store_and_only_the_proxy_is_public_at_its_own_a
     (pool,) = NETWORKS["inner"]["ipam"]["config"]
     assert ip_address(address) in ip_network(pool["subnet"]) and address != pool["gateway"]
     assert not any(ip_address(of) in ip_network(pool["ip_range"]) for of in (address, pool["gateway"]))
-    pools = [pool for network in NETWORKS.values() for pool in network.get("ipam", {}).get("config", ())]
-    one, other = (ip_network(pool["subnet"]) for pool in pools)
-    assert not one.overlaps(other)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
@@ -147,8 +137,8 @@ def make(folder: Path, target: str, environment: dict[str, str]) -> subprocess.C
 
 def test_digests_are_written_all_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     texts = {name: (ROOT / name).read_text() for name in ("compose.yaml", "Dockerfile")}
-    for name, text in texts.items():
-        (tmp_path / name).write_text(text)
+    for name in texts:
+        shutil.copy(ROOT / name, tmp_path)
     digest = "sha256:" + 64 * "0"
     refused = 'case "$*" in *valkey*) echo away >&2; exit 1;; esac\n'
     monkeypatch.setenv("PATH", program(tmp_path, "docker", f"{refused}echo {digest}")["PATH"])

@@ -9,11 +9,8 @@ import time
 from urllib.request import urlopen
 
 import pytest
-from PIL import Image
 
 from tests.serving.server import ROOT, free_port
-from tools.animation import MOST_BYTES, MOVING
-from tools.bench.decisions import QUESTIONS
 from tools.house_rules import code
 
 PATHS = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
@@ -85,13 +82,6 @@ def test_the_figures_of_readme_agree_with_the_measured_ones() -> None:
         assert f"| {figure} |" in row, name
 
 
-def test_the_picture_of_readme_moves_and_is_small() -> None:
-    assert f"]({MOVING.relative_to(ROOT).as_posix()})" in README
-    assert MOVING.stat().st_size <= MOST_BYTES
-    with Image.open(MOVING) as picture:
-        assert getattr(picture, "n_frames", 1) > 20
-
-
 @pytest.mark.parametrize("page", DOCS)
 def test_links_lead_to_existing_files(page: str) -> None:
     for target in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", DOCS[page]):
@@ -108,20 +98,6 @@ def test_files_named_in_code_and_documents_exist() -> None:
     assert len(found) > 100
     written = ("components/scenes/friction/", "tests/scenes/test_friction.py")  # by docs/adding-a-scene.md
     assert [name for name in found if not ((ROOT / name).exists() or name.startswith(written))] == []
-
-
-def test_the_glossary_is_short() -> None:
-    """It has only terms that neither a physicist nor a web developer knows."""
-    assert 0 < len(re.findall(r"\*\*(.+?)\*\*", DOCS["docs/glossary.md"])) <= 120
-
-
-def test_a_decision_has_its_parts_its_command_and_its_place_in_the_architecture() -> None:
-    records = {name.removeprefix("docs/"): text for name, text in DOCS.items() if name.startswith("docs/decisions/")}
-    assert len(records) >= 6
-    for name, text in records.items():
-        assert [part for part in ("The question", "Measured", "Decided") if f"\n## {part}\n" not in text] == []
-        assert f"({name})" in DOCS["docs/architecture.md"]
-    assert set(re.findall(r"tools\.bench\.decisions (\w+)", "\n".join(records.values()))) == set(QUESTIONS)
 
 
 def test_the_table_of_browsers_is_true_of_what_the_page_asks_them() -> None:

@@ -1,4 +1,4 @@
-"""House rules: sizes, names and docstrings, imports, hooks, and rules for scripts that no linter checks."""
+"""House rules, each broken and kept; imports, hooks, and rules for scripts that no linter checks."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
@@ -15,6 +15,7 @@ import yaml
 
 from components.layout.views import View
 from tests.serving.server import ROOT
+from tools.docstrings import gaps_of
 from tools.house_rules import (
     Source,
     bad_sentences,
@@ -27,37 +28,73 @@ from tools.house_rules import (
     vague_docstrings,
 )
 
-LONG_FUNCTION = "def many():\n" + 40 * "    one()\n"
-BROKEN = [
-    (long_modules, "one.py", 501 * "one()\n", "has 501 lines. A module has at most 500"),
-    (long_lines, "one.css", "\n" + 121 * "a", "one.css:2: has 121 characters"),
-    (long_functions, "one.py", LONG_FUNCTION, "one.py:1: many has 41 lines. A function has at most 40"),
-    (vague_docstrings, "one.py", 'def one():\n    """What it does."""\n', "one.py:2: begins with “What”"),
-    (vague_docstrings, "one.js", "// Lines.\n\n/** The same lines. */\n", "one.js:3: begins with “The same”"),
-]
+Check = Callable[..., Iterable[object]]
 
 
-@pytest.mark.parametrize(("rule", "name", "text", "message"), BROKEN)
-def test_a_broken_rule_is_reported_with_its_place(
-    rule: Callable[[Source], Iterator[str]], name: str, text: str, message: str
-) -> None:
-    (said,) = rule(Source(name, text))
-    assert message in said
+def of(rule: Callable[[Source], Iterable[object]]) -> Check:
+    """Return the rule as a function of the name and the text of a file."""
+    return lambda name, text: rule(Source(name, text))
 
 
-def test_shared_names_long_sentences_and_tasks_without_an_action_are_reported() -> None:
-    one, other = Source("components/one.py", "class Case: ..."), Source("components/other.py", "\nclass Case: ...")
-    assert list(shared_names([one])) == []
-    (said,) = shared_names([one, other])
-    assert "components/one.py:1 and components/other.py:2: two types are called Case" in said
-    (said,) = bad_sentences("friction", {"Light": "Each swing is smaller than the one before.", "Heavy": "It creeps."})
-    assert "components/scenes/friction: the example “Heavy” has a sentence of 10 characters" in said
-    good, long, odd = View("A", "Drag it."), View("B", "Drag it" + 105 * "."), View("C", "Behold it.")
-    assert list(bad_tasks("friction", [good])) == []
-    (said,) = bad_tasks("friction", [long])
-    assert "“B” has 112 characters" in said
-    (said,) = bad_tasks("friction", [odd])
-    assert "“C” begins with “Behold”. A task begins with Pull, Drag" in said
+def shared(*texts: str) -> Iterable[str]:
+    return shared_names(Source(f"components/{i}.py", text) for i, text in enumerate(texts))
+
+
+def bad_sentence(said: str) -> Iterable[str]:
+    return bad_sentences("friction", {"Heavy": said})
+
+
+def tasks(task: str) -> Iterable[str]:
+    return bad_tasks("friction", [View("A", task)])
+
+
+def lacks(code: str, module: str = "physics/one.py", source: str = "Source: lecture D31, slide 4.") -> Iterable[object]:
+    return (one.lacks for one in gaps_of(module, f'"""{source}"""\n{code}'))
+
+
+PARAMETER, RETURNS = "    Parameters\n    ---\n    a : int\n", "    Returns\n    ---\n    int\n"
+RAISES = "    Raises\n    ---\n    ValueError\n        Always.\n"
+RULES: list[tuple[Check, tuple[str, ...], object]] = [
+    (of(long_modules), ("one.py", 501 * "one()\n"), "has 501 lines. A module has at most 500"),
+    (of(long_modules), ("one.py", 500 * "one()\n"), None),
+    (of(long_lines), ("one.css", "\n" + 121 * "a"), "one.css:2: has 121 characters"),
+    (of(long_lines), ("one.css", "\n" + 120 * "a"), None),
+    (of(long_functions), ("one.py", "def many():\n" + 40 * "    one()\n"), "one.py:1: many has 41 lines"),
+    (of(long_functions), ("one.py", "def many():\n" + 39 * "    one()\n"), None),
+    (of(vague_docstrings), ("one.py", 'def one():\n    """What it does."""\n'), "one.py:2: begins with “What”"),
+    (of(vague_docstrings), ("one.js", "// Lines.\n\n/** The same lines. */\n"), "one.js:3: begins with “The same”"),
+    (of(vague_docstrings), ("one.js", "// Lines.\n\n/** A line. */\n"), None),
+    (shared, ("class Case: ...", "\nclass Case: ..."), "components/0.py:1 and components/1.py:2: two types"),
+    (shared, ("class Case: ...", "class Other: ..."), None),
+    (bad_sentence, ("It creeps.",), "the example “Heavy” has a sentence of 10 characters"),
+    (bad_sentence, ("Each swing is smaller than the one before.",), None),
+    (tasks, ("Drag it" + 105 * ".",), "“A” has 112 characters"),
+    (tasks, ("Behold it.",), "“A” begins with “Behold”. A task begins with Pull, Drag"),
+    (tasks, ("Drag it.",), None),
+    (lacks, ('def f():\n    """True if it swings."""',), ("a first word",)),
+    (lacks, ('def f():\n    """A curve."""',), None),
+    (lacks, ('class A:\n    """A."""\n    @property\n    def x(self) -> bool:\n        """True if so."""',), None),
+    (lacks, ("def f(a):\n    pass",), ("a docstring",)),
+    (lacks, ('def f(a, b):\n    """Return the sum."""',), ("a", "b")),
+    (lacks, ('def f(a, b):\n    """Return a + b."""',), None),
+    (lacks, ('def f(a, b, c):\n    """Return a + b + c."""',), ("a", "b", "c")),
+    (lacks, ('def f(a, b, c):\n    """Springs. Parameters and result as in `Runner`."""',), None),
+    (lacks, (f'def f(a) -> int:\n    """Double a.\n\n{PARAMETER}    """',), ("Returns",)),
+    (lacks, (f'def f(a) -> int:\n    """Double it.\n\n{PARAMETER}\n{RETURNS}    """',), None),
+    (lacks, ('def f():\n    """Fail."""\n    raise ValueError("no")',), ("ValueError",)),
+    (lacks, (f'def f():\n    """Fail.\n\n{RAISES}    """\n    raise ValueError("no")',), None),
+    (lacks, ('@dataclass\nclass A:\n    """A record."""\n    a: int',), ("a",)),
+    (lacks, (f'@dataclass\nclass A:\n    """A record.\n\n{PARAMETER}    """\n    a: int',), None),
+    (lacks, ("", "physics/one.py", "The motion at 1000 times."), ("a source",)),
+    (lacks, ("", "physics/valid.py", "The motion at 1000 times."), None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("rule", "given", "message"), RULES)
+def test_a_broken_rule_is_reported_with_its_place(rule: Check, given: tuple[str, ...], message: object) -> None:
+    found = list(rule(*given))
+    assert len(found) == (message is not None)
+    assert not found or found == [message] or str(message) in str(found[0])
 
 
 def test_no_import_is_for_types_alone() -> None:
