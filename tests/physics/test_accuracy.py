@@ -1,16 +1,22 @@
-"""The machinery of the measurement: reference, rows, failures, cancelling. No timing is judged."""
+"""The measurement: reference, rows, failures, cancelling; prices and stiffness. No timing is judged."""
 
 import json
+import math
 from dataclasses import replace
 
 import mpmath as mp
 import numpy as np
 import pytest
 
+from components.scenes.accuracy.recorded import recorded
 from physics.coupled import TwoMassChain
-from physics.integrators.accuracy import MARKS, SYSTEMS, Limits, Run, System, entered
+from physics.integrators.accuracy import SYSTEMS, Limits, Run, System, entered
+from physics.integrators.drift import PERIODS, drifts, exact
+from physics.integrators.price import price
 from physics.integrators.race import STANDS, Ladder, bench_of, measure, yardstick
 from physics.integrators.solvers import METHODS
+from physics.integrators.stability import stable_count
+from physics.integrators.stiffness import stiffness
 from physics.reference.driven_chain import reference
 
 U = 2.0**-53
@@ -50,8 +56,11 @@ def by_exponential(problem, t):
 
 
 @systems
-def test_reference_against_a_matrix_exponential(system):
-    problem = system.problem()
+def test_the_closed_form_and_the_reference_have_every_digit(system):
+    """The reference is compared with a matrix exponential. Output times are exact doubles."""
+    run, problem = visited(system, "closed"), system.problem()
+    assert run.failure is None and run.error <= 4 * U and run.energy_error <= 8 * U
+    assert problem.t.size == 1001 and all(n * mp.mpf(problem.t[1]) == problem.t[n] for n in range(1001))
     truth = reference(replace(problem, t=problem.t[[0, 1, 500]]))
     for n, t in enumerate(problem.t[[0, 1, 500]]):
         with mp.workdps(60):
@@ -65,34 +74,6 @@ def test_reference_against_a_matrix_exponential(system):
             assert abs(truth.energy[n] - energy) <= U * energy
 
 
-@systems
-def test_output_times_are_exact_doubles_and_see_every_phase(system):
-    """If one phase alone were seen, an error of the phase would hide."""
-    problem = system.problem()
-    assert problem.t.size == 1001 and all(n * mp.mpf(problem.t[1]) == problem.t[n] for n in range(1001))
-    slow, fast = problem.rates
-    assert problem.t[-1] == pytest.approx(system.periods * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
-    for rate in problem.rates:
-        if rate and not system.c:
-            counts, _ = np.histogram(np.mod(rate * problem.t / (2 * np.pi), 1), bins=10, range=(0, 1))
-            assert np.count_nonzero(counts) == 10
-
-
-@systems
-def test_the_closed_form_reaches_the_last_digit_everywhere(system):
-    run = visited(system, "closed")
-    assert run.failure is None and run.error <= 4 * U and run.energy_error <= 8 * U
-
-
-def test_a_run_records_the_growth_of_its_error():
-    run = visited(SYSTEMS["benign"], "verlet", 4)
-    assert len(run.error_growth) == len(run.energy_growth) == len(MARKS)
-    assert run.error_growth[0] < 1e-90 and np.all(np.diff(run.error_growth) >= 0)
-    assert (run.error_growth[-1], run.energy_growth[-1]) == (run.error, run.energy_error)
-    assert (run.steps, run.evaluations, run.rounds) == (4000, 4000, 1)
-    assert run.time == run.time_low == run.time_high > 0
-
-
 def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
     """What takes long is timed twice only."""
     two, limits = [SYSTEMS["benign"], SYSTEMS["beats"]], Limits(seconds=60.0, rounds=3, visit=0.0)
@@ -104,11 +85,6 @@ def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
     assert [run.repeats for run in runs[:4]] == [None] * 4
     runs = list(measure(two[:1], [METHODS["closed"]], Limits(rounds=5, visit=0.0, budget=0.0)))
     assert [run.rounds for run in runs] == [1, 2]
-
-
-def test_a_time_that_does_not_repeat_within_a_fifth_is_known():
-    run = Run(system="benign", method="closed", setting=0, time=1.0, time_low=1.0, time_high=1.15, rounds=3)
-    assert [one.repeats for one in (run, replace(run, time_high=1.25), replace(run, rounds=1))] == [True, False, None]
 
 
 def ladder(method, errors=(), steps=1e9, limits=ONCE):
@@ -132,17 +108,6 @@ def test_a_ladder_ends_at_its_floor_with_the_finest_setting_or_out_of_time():
     assert climbed.foreseen(11.0) is None
     late = climbed.foreseen(100.0)
     assert (late.failure, late.end, late.reached) == ("time limit 1 s", "time limit", pytest.approx(0.2))
-
-
-def test_errors_mode_by_mode_and_at_the_end():
-    """Verlet loses the phase of the fast mode first; with a dashpot the velocity is judged too."""
-    run = visited(SYSTEMS["benign"], "verlet", 56)
-    slow, fast = run.mode_errors
-    assert slow < fast / 30 and fast <= run.error * 2 and run.error <= slow + fast
-    assert run.error / 10 < run.final_error <= run.error
-    stiff = visited(SYSTEMS["dashpot"], "newmark", 1)
-    assert stiff.final_error > 0.5 and not stiff.mode_errors
-    assert np.max(np.abs(stiff.error)) > 100 * 2e-3, "x alone is right to 2e-3"
 
 
 @pytest.mark.parametrize(
@@ -173,33 +138,24 @@ def test_a_run_without_memory_is_a_row():
     assert ladder("slides").bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
 
 
-def test_only_methods_made_for_friction_enter_with_a_dashpot():
+def test_only_methods_made_for_friction_enter_with_a_dashpot_and_a_measurement_can_be_cancelled():
     assert entered(SYSTEMS["benign"]) == tuple(METHODS)
     assert entered(SYSTEMS["dashpot"], ("closed", "eigh", "verlet", "rk4")) == ("closed", "rk4")
-    runs = list(measure([SYSTEMS["dashpot"]], [METHODS["eigh"], METHODS["expm"]], ONCE))
-    assert [run.method for run in runs] == ["expm"]
-
-
-def test_cancelling_between_runs():
-    asked = []
-    methods = [METHODS[slug] for slug in ("closed", "slides", "eigh")]
+    asked, methods = [], [METHODS[slug] for slug in ("closed", "slides", "eigh")]
     runs = list(measure([SYSTEMS["benign"]], methods, ONCE, lambda method: asked.append(method) or len(asked) > 1))
     assert [run.method for run in runs] == ["closed"]
 
 
 @pytest.mark.parametrize(
-    ("changed", "words"),
+    "chain",
     [
-        ({"chain": TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0)}, "two free masses"),
-        *(({"x_0": x_0}, "errors are compared with both") for x_0 in ((0.0, 0.0), (1e300, 1e300), (1e-320, 0.0))),
+        (1e300, 1, 1, 1),
+        *(
+            pytest.param(one, marks=pytest.mark.slow)
+            for one in ((1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300))
+        ),
     ],
 )
-def test_a_motion_without_a_scale_is_refused(changed, words):
-    with pytest.raises(ValueError, match=words):
-        list(measure([replace(SYSTEMS["benign"], v_0=(0.0, 0.0), **changed)]))
-
-
-@pytest.mark.parametrize("chain", [(1e300, 1, 1, 1), (1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300)])
 def test_extreme_chains_give_rows_and_never_an_exception(chain):
     m1, m2, k1, k2 = map(float, chain)
     system = System(slug="link", name="?", chain=TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), x_0=(1.0, 1.0))
@@ -207,3 +163,83 @@ def test_extreme_chains_give_rows_and_never_an_exception(chain):
     assert {run.method for run in runs} == set(METHODS)
     assert all((run.error is None) != (run.failure is None) for run in runs)
     json.dumps([run.to_dict() for run in runs], allow_nan=False)
+
+
+# Prices, read off measured runs.
+
+
+def priced(time, error, evaluations=1000, **more):
+    facts = {"time_low": time, "time_high": time, "rounds": 3} | more
+    return Run(system="benign", method="lsoda", setting=1, time=time, error=error, evaluations=evaluations, **facts)
+
+
+COARSE, FINE = priced(1e-2, 1e-2, 1000), priced(1e-1, 1e-4, 16000)
+UNSTEADY, UNREPEATED = priced(1e-1, 1e-4, time_high=1.25e-1), priced(1e-1, 1e-4, rounds=1)
+LATE = Run(system="benign", method="lsoda", setting=9, failure="time limit 1 s", end="time limit")
+
+
+@pytest.mark.parametrize(
+    ("runs", "error", "time", "repeats"),
+    [
+        ([COARSE, FINE], 1e-3, math.sqrt(1e-2 * 1e-1), True),
+        ([COARSE, FINE], 1e-2, 1e-2, True),
+        ([COARSE, FINE], 1e-4, 1e-1, True),
+        ([COARSE, FINE], 0.5, 1e-2, True),
+        ([priced(1e-3, 0.0)], 1e-6, 1e-3, True),
+        ([priced(0.02, 1e-5), priced(0.5, 1e-7), priced(0.05, 1e-8)], 1e-6, 0.05, True),
+        ([priced(0.02, 1e-7), priced(0.5, 1e-5)], 1e-6, 0.02, True),
+        ([COARSE, UNSTEADY], 1e-3, math.sqrt(1e-2 * 1e-1), False),
+        ([COARSE, replace(UNSTEADY, time_high=1.15e-1)], 1e-3, math.sqrt(1e-2 * 1e-1), True),
+        ([COARSE, UNREPEATED], 1e-3, math.sqrt(1e-2 * 1e-1), None),
+        ([COARSE, FINE, LATE], 1e-6, None, None),
+    ],
+)
+def test_a_price_is_the_cheapest_on_the_line_between_runs(runs, error, time, repeats):
+    """LSODA with a finer tolerance may find the stiff formulas that it missed with a coarser one."""
+    found = price(runs, error)
+    if time is None:
+        assert (found.time, found.evaluations, found.best, found.end) == (None, None, 1e-4, "time limit")
+    else:
+        assert (found.time, found.repeats) == (pytest.approx(time), repeats)
+        assert 1000 <= found.evaluations <= 16000
+
+
+# Motions in steps over a few periods, and stiffness, read off the recorded runs.
+
+THREE = ("euler", "verlet", "rk4")
+
+
+@pytest.mark.parametrize("slug", ["benign", "wide", "light", "dashpot"])
+def test_a_method_explodes_below_its_least_steps_and_ends_there(slug):
+    system, period = SYSTEMS[slug], SYSTEMS[slug].problem(1, 1)
+    size = float(np.max(np.abs(exact(system).x)))
+    for steps in (6, 60):
+        for method, drift in drifts(system, steps, THREE).items():
+            least = stable_count(method, period)
+            if method != "euler" or least > 1:
+                assert math.isinf(drift.error) == (steps < least), (method, steps)
+            assert (drift.t.size == PERIODS * steps + 1) or drift.error == math.inf
+            assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
+
+
+OSCILLATORY = ("wide", "light")
+STIFF = ("wider", "dashpot")
+
+
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_each_system_is_called_what_it_is(slug):
+    kind = "stiff" if slug in STIFF else "highly oscillatory" if slug in OSCILLATORY else "neither"
+    found = stiffness(SYSTEMS[slug], (*recorded(slug).runs.every, *recorded(slug).compiled.every))
+    assert found.kind == kind and found.stable == pytest.approx(2.79 if slug == "dashpot" else 2.83, abs=0.01)
+
+
+def test_the_step_of_accuracy_is_read_between_two_runs():
+    runs = [
+        Run(system="near", method="gauss4", setting=setting, error=error)
+        for setting, error in ((10.0, 1e-4), (100.0, 1e-8))
+    ]
+    problem = SYSTEMS["near"].problem()
+    found = stiffness(SYSTEMS["near"], runs, 1e-6)
+    assert found.accurate == pytest.approx(problem.rates[1] * problem.spacing / 10**1.5)
+    assert problem.rates[1] * problem.spacing == pytest.approx(2 * 2 * math.pi / 20, rel=1e-9)
+    assert stiffness(SYSTEMS["near"], runs[:1], 1e-6) is None

@@ -1,4 +1,7 @@
-"""Damped sinusoids fitted to noisy columns: against 60 digits, and by how often their errors hold the truth."""
+"""Damped sinusoids fitted to noisy columns: against 60 digits, and by how often their errors hold the truth.
+
+Residuals have the cause of the motion that they are simulated with.
+"""
 
 from __future__ import annotations
 
@@ -13,19 +16,20 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
 from physics.chain_fit import chain_of_fit
 from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from physics.fit import Caution, fit_damped
 from physics.means import before_means
+from physics.residuals import Cause, cause_of
 from physics.transient import DampedModes
 from tests.grids import tries
 
 CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["fit"]
 pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
-SEEDS = 200
-SEEDED = range(1000, 1000 + SEEDS)
+SEEDS = 60
 Rows = tuple[np.ndarray, np.ndarray]
 
 
@@ -77,38 +81,6 @@ def made(
     return make
 
 
-def most_but_not_all(inside: np.ndarray) -> bool:
-    """Return True if a standard error holds the truth as often as it says: in 68 % of the records."""
-    return bool(np.all((inside >= 0.6 * SEEDS) & (inside <= 0.76 * SEEDS)))
-
-
-@pytest.mark.parametrize(
-    ("make", "zeta", "cautions"),
-    [
-        (made(200, 10, 0.02, 0.05), 0.02, set()),
-        (made(40, 0.6, 0.1, 0.02), 0.1, set()),
-        (made(60, 40, 0.005, 0.05, uneven=True), 0.005, set()),
-        (made(200, 10, 0.02, 0.1, lambda t, y: (t, np.round(4 * y) / 4)), 0.02, set()),
-        (made(200, 10, 0.02, 0.05, lambda t, y: (t, np.minimum(y, 0.9))), 0.02, {Caution.CLIPPED}),
-        (made(60, 3, 0.1, 0.05, lambda t, y: (t, y + 0.2 * t / 3)), 0.1, {Caution.DRIFT}),
-    ],
-    ids=["plain", "less than a period", "uneven", "rounded", "clipped", "drifting"],
-)
-def test_one_standard_error_holds_the_truth_as_often_as_it_says(
-    make: Callable[..., Rows], zeta: float, cautions: set[Caution]
-) -> None:
-    true = np.array([2 * math.pi, zeta * 2 * math.pi / math.sqrt(1 - zeta**2), 1.0, 0.5, 0.3])
-    inside, said = np.zeros(5), 0
-    for seed in SEEDED:
-        fit = fit_damped(*make(np.random.default_rng(seed)))
-        found = [*fit.omega, *fit.decay, *fit.amplitude[0], *fit.phase[0], *fit.offset]
-        errors = [*fit.se_omega, *fit.se_decay, *fit.se_amplitude[0], *fit.se_phase[0], *fit.se_offset]
-        inside += np.abs(np.array(found) - true) < errors
-        said += set(fit.cautions) == cautions
-    assert most_but_not_all(inside), inside / SEEDS
-    assert said >= 0.97 * SEEDS
-
-
 CHAIN = TwoMassChain(m1=2.0, m2=1.0, k1=16.0, k2=9.0)
 T = np.arange(160) * 0.08
 
@@ -119,45 +91,28 @@ def chain_motion(c: float) -> np.ndarray:
     return np.asarray(DampedModes(chain=CHAIN, c=c, F_0=0.0, omega=0.0, x_0=(1.0, 0.2)).motion(T).x)
 
 
-def record(seed: int, noise: tuple[float, float] = (0.02, 0.06), c: float = 0.0) -> np.ndarray:
+def record(rng: np.random.Generator, noise: tuple[float, float] = (0.02, 0.06), c: float = 0.0) -> np.ndarray:
     x = chain_motion(c)
-    return x + 0.1 + np.array(noise)[:, None] * np.random.default_rng(seed).standard_normal(x.shape)
+    return x + 0.1 + np.array(noise)[:, None] * rng.standard_normal(x.shape)
 
 
-def test_one_standard_error_holds_the_chain_as_often_as_it_says() -> None:
-    modes = CHAIN.modes()
-    true = np.array([*modes.omega, *modes.ratio, 8.0, 4.5, 0.5, 0.0, 0.0])
-    inside, agree, ratios = np.zeros(9), 0, []
-    for seed in range(SEEDS):
-        fit = fit_damped(T, record(seed), modes=2)
-        chain = chain_of_fit(fit)
-        assert chain.parts is not None and fit.cautions == ()
-        numbers = np.array([*chain.omega, *chain.ratio, *chain.parts, *fit.decay])
-        inside += np.abs(numbers - true) < [*chain.se_omega, *chain.se_ratio, *chain.se_parts, *fit.se_decay]
-        agree += abs(chain.difference) < 1
-        ratios.append(fit.scatter[1] / fit.scatter[0])
-    assert most_but_not_all(np.array([*inside, agree])), inside / SEEDS
-    assert np.median(ratios) == pytest.approx(3.0, rel=0.02)
+PLAIN = made(200, 10, 0.02, 0.05)
+MARKED: dict[str, tuple[Callable[..., Rows], set[Caution]]] = {
+    "plain": (PLAIN, set()),
+    "less than a period": (made(40, 0.6, 0.1, 0.02), set()),
+    "uneven": (made(60, 40, 0.005, 0.05, uneven=True), set()),
+    "rounded": (made(200, 10, 0.02, 0.1, lambda t, y: (t, np.round(4 * y) / 4)), set()),
+    "clipped": (made(200, 10, 0.02, 0.05, lambda t, y: (t, np.minimum(y, 0.9))), {Caution.CLIPPED}),
+    "drifting": (made(60, 3, 0.1, 0.05, lambda t, y: (t, y + 0.2 * t / 3)), {Caution.DRIFT}),
+    "few": (made(12, 2.5, 0.1, 0.02), {Caution.FEW_ROWS}),
+    "another mode": (lambda rng: (T, record(rng)[0]), {Caution.CORRELATED}),
+}
 
 
-@pytest.mark.parametrize(("noise", "c", "room"), [((1e-9, 1e-9), 0.0, 1e-7), ((1e-4, 1e-4), 0.1, 1e-2)])
-def test_the_chain_of_a_fit_with_two_modes(noise: tuple[float, float], c: float, room: float) -> None:
-    """A dashpot turns the shapes and hardly changes the chain; columns in the wrong order are no chain."""
-    chain = chain_of_fit(fit_damped(T, record(0, noise, c), modes=2))
-    assert chain.parts == pytest.approx([8.0, 4.5, 0.5], rel=room)
-    assert chain.ratio == pytest.approx(CHAIN.modes().ratio, rel=room)
-    assert chain_of_fit(fit_damped(T, record(1)[::-1], modes=2)).parts is None
-
-
-def test_correlated_noise_widens_the_errors_and_is_named() -> None:
-    """So is a second mode that is not fitted."""
-    make, inside = made(200, 10, 0.02, 0.05, kept=0.8), 0
-    for seed in SEEDED:
-        fit = fit_damped(*make(np.random.default_rng(seed)))
-        assert Caution.CORRELATED in fit.cautions
-        inside += abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0]
-    assert 0.6 * SEEDS <= inside <= 0.8 * SEEDS
-    assert Caution.CORRELATED in fit_damped(T, record(0)[0]).cautions
+@pytest.mark.parametrize(("make", "cautions"), MARKED.values(), ids=MARKED)
+def test_doubtful_rows_are_named(make: Callable[..., Rows], cautions: set[Caution]) -> None:
+    said = [set(fit_damped(*make(np.random.default_rng(seed))).cautions) == cautions for seed in range(20)]
+    assert sum(said) >= 18
 
 
 def test_noise_that_hides_the_motion_is_named() -> None:
@@ -167,6 +122,49 @@ def test_noise_that_hides_the_motion_is_named() -> None:
             assert Caution.WEAK in fit_damped(np.arange(100) * 0.1, rng.standard_normal(100)).cautions
         except ValueError as refusal:
             assert "needed" in str(refusal)
+
+
+@pytest.mark.parametrize("zeta", [0.02, 0.1, None])
+def test_one_standard_error_holds_the_truth_as_often_as_it_says(zeta: float | None) -> None:
+    """In about 68 % of the records: of one motion, of less than a period of it, and of a chain."""
+    make = PLAIN if zeta == 0.02 else made(40, 0.6, 0.1, 0.02)
+    if zeta:
+        true = np.array([2 * math.pi, zeta * 2 * math.pi / math.sqrt(1 - zeta**2), 1.0, 0.5, 0.3])
+    else:
+        true = np.array([*CHAIN.modes().omega, *CHAIN.modes().ratio, 8.0, 4.5, 0.5, 0.0, 0.0])
+    inside = np.zeros(true.size)
+    for seed in range(SEEDS):
+        rng = np.random.default_rng(seed)
+        if zeta:
+            fit = fit_damped(*make(rng))
+            found = [*fit.omega, *fit.decay, *fit.amplitude[0], *fit.phase[0], *fit.offset]
+            errors = [*fit.se_omega, *fit.se_decay, *fit.se_amplitude[0], *fit.se_phase[0], *fit.se_offset]
+        else:
+            fit = fit_damped(T, record(rng), modes=2)
+            chain = chain_of_fit(fit)
+            assert chain.parts is not None and fit.cautions == ()
+            assert abs(chain.difference) < 4 and fit.scatter[1] / fit.scatter[0] == pytest.approx(3.0, rel=0.3)
+            found = [*chain.omega, *chain.ratio, *chain.parts, *fit.decay]
+            errors = [*chain.se_omega, *chain.se_ratio, *chain.se_parts, *fit.se_decay]
+        inside += np.abs(np.array(found) - true) < errors
+    assert np.all((inside >= 0.5 * SEEDS) & (inside <= 0.86 * SEEDS)), inside / SEEDS
+
+
+def test_correlated_noise_widens_the_errors() -> None:
+    make = made(200, 10, 0.02, 0.05, kept=0.8)
+    fits = [fit_damped(*make(np.random.default_rng(seed))) for seed in range(SEEDS)]
+    assert all(Caution.CORRELATED in fit.cautions for fit in fits)
+    assert 0.5 * SEEDS <= sum(abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0] for fit in fits) <= 0.86 * SEEDS
+
+
+@pytest.mark.parametrize(("noise", "c", "room"), [((1e-9, 1e-9), 0.0, 1e-7), ((1e-4, 1e-4), 0.1, 1e-2)])
+def test_the_chain_of_a_fit_with_two_modes(noise: tuple[float, float], c: float, room: float) -> None:
+    """A dashpot turns the shapes and hardly changes the chain; columns in the wrong order are no chain."""
+    rng = np.random.default_rng(1)
+    chain = chain_of_fit(fit_damped(T, record(rng, noise, c), modes=2))
+    assert chain.parts == pytest.approx([8.0, 4.5, 0.5], rel=room)
+    assert chain.ratio == pytest.approx(CHAIN.modes().ratio, rel=room)
+    assert chain_of_fit(fit_damped(T, record(rng)[::-1], modes=2)).parts is None
 
 
 def wave(t: np.ndarray) -> np.ndarray:
@@ -192,9 +190,8 @@ def test_without_noise_the_motion_of_the_physics_is_found(omega: float, zeta: fl
     t = np.linspace(0, 20 / omega, 90)
     fit = fit_damped(t, one.motion(x_0, v_0, t).x)
     assert fit.omega[0] == pytest.approx(one.omega_d, rel=1e-9)
-    assert fit.decay[0] == pytest.approx(one.rates[0], abs=1e-9 * omega) and fit.zeta[0] == pytest.approx(
-        zeta, abs=1e-9
-    )
+    assert fit.decay[0] == pytest.approx(one.rates[0], abs=1e-9 * omega)
+    assert fit.zeta[0] == pytest.approx(zeta, abs=1e-9)
 
 
 def test_rows_with_holes_are_left_out_and_their_order_does_not_matter() -> None:
@@ -231,28 +228,77 @@ def test_an_amplitude_comes_back_from_means_of_neighbouring_rows(size: int, expo
     assert before_means(complex(seen), exponent, step, size) == pytest.approx(amplitude, rel=1e-12)
 
 
-def test_twelve_rows_are_few() -> None:
-    assert fit_damped(*made(12, 2.5, 0.1, 0.02)(np.random.default_rng(0))).cautions == (Caution.FEW_ROWS,)
+ROWS = np.arange(40.0)
 
 
 @pytest.mark.parametrize(
     ("t", "y", "modes", "words"),
     [
-        (np.arange(40.0), np.full(40, math.nan), 1, "0 rows"),
-        (np.arange(7.0), np.sin(np.arange(7.0)), 1, "8 or more are needed"),
-        (np.arange(11.0), np.sin(np.arange(11.0)), 2, "12 or more are needed"),
-        (np.arange(40.0), np.ones(40), 1, "never changes"),
-        (np.ones(40), np.arange(40.0), 1, "never changes"),
-        (np.arange(40.0), np.ones(39), 1, "number for each time"),
-        (np.arange(40.0), np.ones(40), 3, "one or two"),
-        (
-            np.arange(40) * 0.005,
-            wave(np.arange(40) * 0.005) + 0.05 * np.cos(np.arange(40.0) ** 2),
-            1,
-            "is needed|are needed",
-        ),
+        (ROWS, np.full(40, math.nan), 1, "0 rows"),
+        (ROWS[:7], np.sin(ROWS[:7]), 1, "8 or more are needed"),
+        (ROWS[:11], np.sin(ROWS[:11]), 2, "12 or more are needed"),
+        (ROWS, np.ones(40), 1, "never changes"),
+        (np.ones(40), ROWS, 1, "never changes"),
+        (ROWS, np.ones(39), 1, "number for each time"),
+        (ROWS, np.ones(40), 3, "one or two"),
+        (0.005 * ROWS, wave(0.005 * ROWS) + 0.05 * np.cos(ROWS**2), 1, "is needed|are needed"),
     ],
 )
 def test_refusals_say_what_is_needed(t: np.ndarray, y: np.ndarray, modes: int, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         fit_damped(t, y, modes)
+
+
+# Causes of residuals, with the noise of a camera.
+
+VIDEO = np.linspace(0.0, 12.0, 361)
+OMEGA, START, NOISE = 6.3, 0.08, 5.5e-4
+
+
+def dashpot() -> np.ndarray:
+    return np.asarray(START * np.exp(-0.08 * VIDEO) * np.cos(OMEGA * VIDEO))
+
+
+def with_force(force: Callable[[float, float], float]) -> np.ndarray:
+    """The displacement under a force per mass in addition to the spring's."""
+    found = solve_ivp(
+        lambda _, s: [s[1], -(OMEGA**2) * s[0] + force(*s)], (0, 12), [START, 0], t_eval=VIDEO, rtol=1e-8, atol=1e-11
+    )  # fmt: skip
+    return np.asarray(found.y[0])
+
+
+def dry(shift: float) -> np.ndarray:
+    """Half cycles about two places `shift` from the middle, in turn, until the spring is too weak."""
+    n = np.minimum(np.floor(OMEGA * VIDEO / np.pi), np.floor((START / shift + 1) / 2))
+    swing = START - (2 * n + 1) * shift
+    return np.where(swing > 0, swing * np.cos(OMEGA * VIDEO) + (-1) ** n * shift, 0)
+
+
+SIMULATED: dict[str, tuple[Callable[[], np.ndarray], Cause | None]] = {
+    "dashpot": (dashpot, None),
+    "strong air": (lambda: with_force(lambda x, v: -1.5 * abs(v) * v), Cause.AIR),
+    "weak air": (lambda: with_force(lambda x, v: -0.1 * v - 0.4 * abs(v) * v), Cause.AIR),
+    "dry": (lambda: dry(0.0015), Cause.DRY),
+    "dry until it stops": (lambda: dry(0.004), Cause.DRY),
+    "stiff spring": (lambda: with_force(lambda x, v: -0.1 * v - 40 * OMEGA**2 * x**3), Cause.SPRING),
+    "drift": (lambda: dashpot() + 0.01 * np.sin(0.4 * VIDEO + 0.3) ** 2, Cause.DRIFT),
+    "faster mode": (lambda: dashpot() + 0.004 * np.cos(11.7 * VIDEO + 1), Cause.OTHER),
+    "slower mode": (lambda: dashpot() + 0.003 * np.cos(2.1 * VIDEO + 1), Cause.OTHER),
+}
+
+
+@pytest.mark.parametrize("name", SIMULATED)
+def test_each_cause_is_distinguished_from_the_others(name: str) -> None:
+    motion, cause = SIMULATED[name]
+    x = motion()
+    for seed in range(8):
+        noise = np.random.default_rng(seed).normal(0, NOISE, VIDEO.size)
+        fit = fit_damped(VIDEO, x + noise)
+        assert (Caution.CORRELATED in fit.cautions) == (cause is not None)
+        if cause:
+            found, omega = cause_of(VIDEO, fit)
+            assert found is cause
+            assert cause is not Cause.OTHER or omega == pytest.approx(11.7 if "fast" in name else 2.1, abs=np.pi / 12)
+        for rows in (slice(0, 80), slice(0, None, 8)) if name == "strong air" else ():  # few cycles, few rows
+            few = fit_damped(VIDEO[rows], (x + noise)[rows])
+            assert cause_of(VIDEO[rows], few)[0] is Cause.OTHER

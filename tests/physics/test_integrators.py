@@ -21,6 +21,7 @@ from physics.integrators.stability import (
     stability_limit,
 )
 from physics.reference.driven_chain import reference
+from tests.grids import spread
 
 CHAIN = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=3.0)
 FREE = Problem(chain=CHAIN, x_0=(1.0, -0.5), v_0=(0.2, 0.3), t=0.25 * np.arange(61.0))
@@ -41,7 +42,7 @@ LEFT = {"midpoint": 1.0, "newmark": 1.0, "gauss4": 1.0, "alpha": RHO, "ieuler": 
 FINE = {"euler": 512, "ieuler": 512, "semi": 128} | dict.fromkeys(("sdirk2", "alpha", *SPLITTING), 16)
 SYMPLECTIC = {*WEIGHTS, "semi", "midpoint", "newmark", "gauss4", "mollified"}
 fixed = pytest.mark.parametrize("method", FIXED_STEP)
-adaptive = pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.family == "adaptive"])
+ADAPTIVE = [slug for slug, method in METHODS.items() if method.family == "adaptive"]
 
 
 def error(problem, method, setting):
@@ -129,7 +130,7 @@ def test_every_other_method_finds_the_motion(method, problem):
     assert error(problem, method, setting) < worst
 
 
-@adaptive
+@pytest.mark.parametrize("method", ADAPTIVE)
 def test_a_tighter_tolerance_is_nearer_and_dearer(method):
     problem, tight, loose = replace(FREE, t=FREE.t[::20]), Watch(), Watch()
     near, far = (METHODS[method].run(problem, tol, watch).x for tol, watch in ((1e-7, tight), (1e-4, loose)))
@@ -138,7 +139,7 @@ def test_a_tighter_tolerance_is_nearer_and_dearer(method):
     assert tight.evaluations > tight.steps > loose.steps > 10 and tight.evaluations > loose.evaluations
 
 
-@adaptive
+@pytest.mark.parametrize("method", spread(ADAPTIVE))
 def test_steps_are_forgotten(method):
     """A run of 20 times as many steps holds no more memory. The first runs fill caches of libraries."""
     peaks, steps = [], []

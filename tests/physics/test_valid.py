@@ -27,7 +27,7 @@ from physics.free_decay import FreeDecay
 from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.integrators.accuracy import SYSTEMS as MEASURED
-from physics.integrators.problem import Problem
+from physics.integrators.race import measure
 from physics.magnification import highest, magnification
 from physics.modes import trial, trial_forces
 from physics.oscillator import Oscillator
@@ -87,6 +87,7 @@ GIVEN: list[Any] = [np.float32(0.5), np.int64(1), Fraction(1, 2), Decimal("0.5")
 ONE, MACHINE = DampedOscillator(m=1.0, c=1.0, k=1.0), TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
 UNEVEN, THREE = TwoMassChain(m1=1e-300, m2=1.0, k1=1e300, k2=1.0), UniformChain(N=3, m=1.0, k=1.0)
 HUGE = ExactSinusoid(Decimal(1), (Decimal(0), Decimal("1e400")), (Decimal(0), Decimal(0)))
+AT_REST = replace(MEASURED["benign"], v_0=(0.0, 0.0))
 MODES = {"chain": CHAIN, "c": 1.0, "F_0": 1.0, "omega": 1.0}
 CALLS: list[tuple[str, Callable[[], object]]] = [
     *(("F_0 = nan", lambda f=f: f(CHAIN, math.nan, 0.5)) for f in (particular_solution, driven_modes, steady_start)),
@@ -171,7 +172,10 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     ("3 are needed", lambda: THREE.motion([1.0], [0.0] * 3, [0.0])),
     ("from 1 to 3", lambda: THREE.pluck(4, 1.0)),
     (r"at most t = 1e\+04 s is possible", lambda: chain_points(THREE, np.ones(3), np.zeros(3), [2e4], [1])),
-    ("k2 = 0 and mass 2 at rest are needed", lambda: Problem(chain=CHAIN, c=1.0, x_0=(1.0, -0.5), v_0=(0.0, 0.0), t=np.arange(3.0))),
+    ("k2 = 0 and mass 2 at rest are needed", lambda: replace(MEASURED["benign"].problem(), c=1.0)),
+    *(("errors are compared with both", lambda x_0=x_0: list(measure([replace(AT_REST, x_0=x_0)])))
+      for x_0 in ((0.0, 0.0), (1e300, 1e300), (1e-320, 0.0))),
+    ("two free masses", lambda: list(measure([replace(AT_REST, chain=replace(CHAIN, k1=0.0, k2=0.0))]))),
     ("lets the mass swing", lambda: replace(MEASURED["dashpot"].problem(), c=1.0).rates),
 ]  # fmt: skip
 
