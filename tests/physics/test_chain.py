@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.special import jv
 
 from physics.chain import UniformChain
 from physics.reference.uniform_chain import chain_frequencies, chain_points
@@ -110,23 +109,3 @@ def test_mirror_images_give_the_sum_of_modes(N: int, ends: Any) -> None:
         for point, found in zip(points, x[p - 1].tolist(), strict=True):
             assert abs(found - float(point.value)) <= 2 * U * float(point.size)
     assert [float(one.value) for one in chain_frequencies(chain, range(1, N + 1))] == chain.omega.tolist()
-
-
-@pytest.mark.parametrize(
-    ("ends", "length", "sign", "mirrored", "shift"),
-    [("fixed-fixed", 12, 1, -1, 0), ("fixed-free", 11, -1, -1, 0), ("free-free", 10, 1, 1, 1)],
-)
-@pytest.mark.parametrize("s", [1, 3, 5])
-def test_one_mass_that_is_let_go_sends_waves_that_are_reflected_as_images(
-    ends: Any, length: int, sign: int, mirrored: int, shift: int, s: int
-) -> None:
-    """x_p = J_2p(2 Omega t) of an endless chain (E. Schroedinger, 1914), mirrored at its ends."""
-    N, Omega, t = 5, 2.0, np.linspace(0, 9, 19)
-    chain, p = UniformChain(N=N, m=0.5, k=2.0, ends=ends), np.arange(1, N + 1)[:, None]
-
-    def wave(places: Any) -> Any:
-        return jv(2 * places, 2 * Omega * t)
-
-    images = range(-20, 21)
-    wanted = sum(sign**i * (wave(p - s + length * i) + mirrored * wave(p + s - shift + length * i)) for i in images)
-    assert chain.motion(np.eye(N)[s - 1], np.zeros(N), t).x == pytest.approx(wanted, abs=1e-13)

@@ -38,12 +38,6 @@ def test_the_sum_is_that_of_the_reference(case: dict[str, Any]) -> None:
         assert found.x.at(np.array([found.end])) == pytest.approx(float(value), rel=1e-10)
 
 
-def test_with_more_slices_the_sum_tends_to_the_motion() -> None:
-    """Each slice of twice the width misses the motion four times as far."""
-    misses = [sliced(count).miss(exact(sliced(count).instants)) for count in (48, 96, 192)]
-    assert misses[0] / misses[1] == pytest.approx(4, rel=0.03) and misses[1] / misses[2] == pytest.approx(4, rel=0.03)
-
-
 @pytest.mark.parametrize("count", [1, 7, 200])
 def test_the_sum_is_played_as_it_is(count: int) -> None:
     found, t = sliced(count), np.linspace(0.0, 6.0, 333)

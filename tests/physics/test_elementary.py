@@ -69,17 +69,3 @@ def test_a_multiple_root_keeps_its_share_of_the_digits(multiplicity):
     found = roots(DIGITS, coefficients)
     assert all(abs(z + 1) < DIGITS.mpf(10) ** (5 - 120 // multiplicity) for z in found)
     assert len(set(found)) == multiplicity
-
-
-@pytest.mark.parametrize("ratio", [1.1, 1.01, 1e3, 1e12])
-def test_distant_and_close_roots(ratio):
-    """Two real ones and a pair; the nearer ones are sought all at once."""
-    one, other = DIGITS.mpf(-1), DIGITS.mpf(-ratio)
-    pair = DIGITS.mpc(-0.5, 2 * ratio)
-    coefficients = [DIGITS.one]
-    for root in (one, other, pair, DIGITS.conj(pair)):
-        coefficients = [b - root * a for a, b in zip([*coefficients, 0], [0, *coefficients], strict=True)]
-    found = roots(DIGITS, [a.real for a in coefficients])
-    for root in (one, other, pair, DIGITS.conj(pair)):
-        assert min(abs(z - root) for z in found) < abs(root) * DIGITS.mpf(10) ** -110
-    assert sum(z.imag == 0 for z in found) == 2

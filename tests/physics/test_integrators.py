@@ -130,15 +130,6 @@ def test_every_other_method_finds_the_motion(method, problem):
     assert error(problem, method, setting) < worst
 
 
-@pytest.mark.parametrize("method", ADAPTIVE)
-def test_a_tighter_tolerance_is_nearer_and_dearer(method):
-    problem, tight, loose = replace(FREE, t=FREE.t[::20]), Watch(), Watch()
-    near, far = (METHODS[method].run(problem, tol, watch).x for tol, watch in ((1e-7, tight), (1e-4, loose)))
-    truth = reference(problem)
-    assert np.max(truth.errors(near)) < np.max(truth.errors(far)) / 10
-    assert tight.evaluations > tight.steps > loose.steps > 10 and tight.evaluations > loose.evaluations
-
-
 @pytest.mark.parametrize("method", spread(ADAPTIVE))
 def test_steps_are_forgotten(method):
     """A run of 20 times as many steps holds no more memory. The first runs fill caches of libraries."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from fractions import Fraction
 
 import mpmath as mp
 import numpy as np
@@ -13,7 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain, free_modes
-from physics.modes import determinant_curve, mixture, quadratic, row_curves, trial, trial_forces
+from physics.modes import determinant_curve, mixture, row_curves, trial, trial_forces
 from physics.sweeps import PARAMETERS, limit, sweep
 from tests.grids import tries
 
@@ -71,18 +70,6 @@ def test_what_is_missing_is_minus_A_X(chain: TwoMassChain, omega: float, ratio: 
         for found, expected in zip((*push.missing, *push.needed), (*missing, *needed), strict=True):
             assert abs(mp.mpf(str(found)) - expected) < size * mp.mpf(10) ** -70
     assert max(abs(value) for value in push.amplitude) == (1 if abs(ratio) <= 1 else pytest.approx(1))
-
-
-@thorough
-@given(chains)
-def test_both_forms_of_the_discriminant(chain: TwoMassChain) -> None:
-    """b^2 - 4 m1 m2 k1 k2 is a sum of squares, and less than b^2."""
-    equation = quadratic(chain)
-    squares = Fraction(equation.difference) ** 2 + Fraction(equation.coupling)
-    assert abs(Fraction(equation.Delta) - squares) <= squares * Fraction(1, 10**75)
-    assert equation.Delta > 0
-    assert equation.fourfold > 0
-    assert Fraction(equation.root) <= Fraction(equation.b) * (1 + Fraction(1, 10**78))
 
 
 @thorough

@@ -60,12 +60,6 @@ def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
         assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
 
 
-def test_the_mean_of_an_unknown_product_is_refused() -> None:
-    free = decay()
-    with pytest.raises(NotImplementedError, match="mean of this product"):
-        _ = (free.x * free.v).mean
-
-
 def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
     free = decay(v_0=-2.0)
     assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None

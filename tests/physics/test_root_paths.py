@@ -11,12 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from physics.coupled import TwoMassChain
-from physics.damped_chain import DampedChain, Kind
+from physics.damped_chain import DampedChain
 from physics.precision.polynomials import added, positive_roots, product
 from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
-from tests.physics.braked_cases import CASES, Case, case_of, cases, sizes
+from tests.physics.braked_cases import CASES, Case, case_of, cases
 
 U = 2.0**-53
 each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
@@ -61,31 +60,6 @@ def test_the_number_of_pairs_changes_at_meetings_only(case: Case, varied: Any) -
     for one, two in pairwise(ends):
         counts = {np.sum(path.at(one + share * (two - one)).roots.imag > 0) for share in (0.1, 0.5, 0.9)}
         assert len(counts) == 1
-
-
-@settings(max_examples=tries(200))
-@given(*[sizes(-1, 1)] * 4)
-def test_both_modes_are_one_at_the_exceptional_point(m1: float, m2: float, k1: float, k2: float) -> None:
-    chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
-    point = exceptional_point(chain)
-    if point:
-        found = DampedChain.of(chain, point.c1, point.c2)
-        assert found.free_motions.kind in (Kind.EXCEPTIONAL, Kind.FOUR_REAL)
-        assert all(
-            min(abs(s - r) for r in (*point.roots, point.roots[0].conjugate())) < 1e-6 * abs(s) for s in found.roots
-        )
-
-
-@settings(max_examples=tries(200))
-@given(cases())
-def test_swinging_roots_lie_in_a_ring_and_between_two_circles(case: Case) -> None:
-    chain = case.damped
-    slow, fast = chain.chain.modes().omega
-    circles = sorted(k / c if c else np.inf for k, c in ((chain.k1, chain.c1), (chain.k2, chain.c2)) if k or c)
-    for s in chain.roots:
-        if abs(s.imag) > 1e-6 * abs(s):
-            assert slow * (1 - 1e-14) <= abs(s) <= fast * (1 + 1e-14)
-            assert circles[0] * (1 - 1e-9) <= abs(s) ** 2 / (-2 * s.real) <= circles[-1] * (1 + 1e-9)
 
 
 @settings(max_examples=tries(200))

@@ -62,11 +62,6 @@ def test_phases_up_to_1e60_and_very_slow_ones(omega, t, b):
     assert found[:, 0] == pytest.approx([float(value) for value in function(mp.mpf(t))], rel=2e-15)
 
 
-def test_at_frequency_zero_it_drifts():
-    drift = ExactSinusoid(ZERO, (ONE, ZERO), (ONE, Decimal(3)))
-    assert np.array_equal(added([drift], np.array([0.0, 2.0, 1e9]), QUANTITIES), [[1.0, 3.0, 1e9 + 1], [0.0, 6.0, 3e9]])
-
-
 @thorough
 @given(st.floats(0.5, 2.0), st.floats(-1.0, 1.0), small, small, small)
 def test_a_beat_that_has_not_begun(s, turned, a, b, c):
@@ -79,8 +74,3 @@ def test_a_beat_that_has_not_begun(s, turned, a, b, c):
         slow = mp.sin(d * time) / mp.mpf(d) if d else time
         true = a * mp.cos(d * time) * mp.sin(s * time) + (b * mp.cos(s * time) + c * mp.sin(s * time)) * slow
         assert abs(value - true) <= math.ulp(value) / 2 + 0.1 * U * (abs(a) + (abs(b) + abs(c)) * time) + 1e-300
-
-
-def test_nothing_to_add():
-    assert np.array_equal(added([], np.array([1.0, 2.0]), QUANTITIES), np.zeros((2, 2)))
-    assert added([swing(1.0, 1.0, 1.0)[0]], np.array([]), QUANTITIES).shape == (2, 0)

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
-from physics.forced import forced_motion
 from physics.precision.polynomials import context
 from physics.reference.damped_chain import braked_points
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes
@@ -100,17 +99,6 @@ def special():
 @pytest.mark.parametrize(("modes", "times"), list(special()))
 def test_special_motions_are_rounded_once(modes, times):
     check(modes, times)
-
-
-def test_without_damping_it_is_the_undamped_motion():
-    t = np.linspace(0.0, 50.0, 200)
-    start = (0.5, -1.0), (0.1, 2.0)
-    damped = modes_of(LECTURE, 0.0, 1.0, 1.3, *start)
-    undamped = forced_motion(LECTURE, 1.0, 1.3, t, *start)
-    assert np.array_equal(damped.motion(t).x, undamped.x)
-    together = damped.particular_motion(t) + damped.complementary(t)
-    assert np.max(np.abs(together[:2] - undamped.x)) < 100 * U
-    assert all(term.exponent.real == 0.0 for term in damped.transient)
 
 
 @pytest.mark.parametrize(

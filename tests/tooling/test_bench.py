@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import asyncio
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from components.scenes import SCENES
+from physics.integrators.accuracy import SYSTEMS
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.problem import Problem, Watch
 from physics.integrators.solvers import METHODS
 from tests.serving.server import serving
 from tools.bench import changes, error_vs_time, studies
 from tools.bench.classroom import CHOICE, SKETCH, answered, drawing, measured
+from tools.bench.compiled import run_compiled
 from tools.bench.crowd import SETTINGS, arrive, depart, drag, dragged, p95
 from tools.bench.record import Report, recalled
 from tools.bench.soak import soak, still_open
@@ -78,3 +84,23 @@ def test_a_tiny_record_is_complete_and_each_option_changes_it(
     page = (tmp_path / "docs/error_vs_time.md").read_text()
     changed("--rewrite")
     assert (tmp_path / "docs/error_vs_time.md").read_text() == page and "at least" in page
+
+
+NEAR = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))
+RUBBED = SYSTEMS["dashpot"].problem()
+
+
+@pytest.mark.slow  # compilation
+@pytest.mark.parametrize(
+    ("method", "problem"),
+    [*((slug, NEAR) for slug in STEPPING), *((slug, RUBBED) for slug in ("rk4", "newmark", "radau5", "alpha"))],
+    ids=lambda value: value if isinstance(value, str) else "rubbed" if value.c else "driven",
+)
+def test_compiled_integrators_give_the_same_numbers(method: str, problem: Problem) -> None:
+    short = replace(problem, t=(1e-5 if problem.c else 1.0) * problem.t[:40])
+    for steps in (1, 7):
+        python, compiled = Watch(), Watch()
+        one, other = METHODS[method].run(short, steps, python), run_compiled(method, short, steps, compiled)
+        np.testing.assert_allclose(other.x, one.x, rtol=0, atol=1e-13 * np.max(np.abs(one.x)))
+        np.testing.assert_allclose(other.v, one.v, rtol=0, atol=1e-13 * np.max(np.abs(one.v)))
+        assert (python.steps, python.evaluations) == (compiled.steps, compiled.evaluations)

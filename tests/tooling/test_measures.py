@@ -104,13 +104,6 @@ def test_no_import_is_for_types_alone() -> None:
     assert [source.name for source in python if re.search("^if TYPE_CHECKING", source.text, re.M)] == []
 
 
-def test_modules_are_in_subject_folders() -> None:
-    """Each folder has one subject, and almost no file is outside a folder."""
-    flat = [path.stem for path in (ROOT / "components").glob("*.py") if path.stem != "__init__"]
-    assert flat == ["processes"]
-    assert {path.stem for path in (ROOT / "static").glob("*.*")} == {"home", "later", "main", "start"}
-
-
 # Hooks run tools of this environment.
 
 

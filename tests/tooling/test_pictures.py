@@ -14,32 +14,6 @@ from PIL import Image
 from components.scenes import SCENES
 from components.state.page_state import fitted
 from tests.serving.server import ROOT
-from tools.pictures import differing
-
-WIDE, HIGH = 200, 100
-
-
-def picture(folder: Path, pixels: int = 0, level: int = 0, size: tuple[int, int] = (HIGH, WIDE)) -> None:
-    """A grey picture in which `pixels` pixels are greener by `level`."""
-    folder.mkdir(exist_ok=True)
-    grey = np.full((*size, 3), 100, np.uint8)
-    grey.reshape(-1, 3)[:pixels, 1] += level
-    Image.fromarray(grey).save(folder / "one.png")
-
-
-@pytest.mark.parametrize(
-    ("pixels", "level", "listed"),
-    [
-        (WIDE * HIGH, 32, []),
-        (20, 100, []),
-        (21, 33, ["one.png: 0.10% of the pixels, from (0, 0) to (20, 0)"]),
-        (3 * WIDE, 33, ["one.png: 3.00% of the pixels, from (0, 0) to (199, 2)"]),
-    ],
-)
-def test_visible_differences_are_listed(tmp_path: Path, pixels: int, level: int, listed: list[str]) -> None:
-    picture(tmp_path / "before")
-    picture(tmp_path / "after", pixels, level)
-    assert list(differing(tmp_path / "before", tmp_path / "after")) == listed
 
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
