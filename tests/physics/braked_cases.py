@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import mpmath as mp
@@ -13,8 +11,9 @@ from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
+from tests.physics.references import reference
 
-CASES = json.loads(Path(__file__).parents[1].joinpath("reference", "poles_cases.json").read_text())["cases"]
+CASES = reference("poles")
 BRAKED = [case for case in CASES if case["c1"] or case["c2"]]
 DIGITS = 120
 

@@ -114,18 +114,6 @@ def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
     assert less.any()
 
 
-@settings(max_examples=tries(60))
-@given(*[FAMILIES["all doubles"]] * 4)
-def test_helped_band_over_the_range_of_doubles(m1, m2, k1, k2):
-    low, high = helped_band(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2))
-    with exactly():
-        a, b, c, d = map(mp.mpf, (m1, m2, k1, k2))
-        half, product = a * d + b * c + b * d / 2, a * b * c * d
-        root = mp.sqrt(half**2 - 4 * product)
-        assert close(low, mp.sqrt(2 * c * d / (half + root)), 0.51)
-        assert close(high, mp.sqrt((half + root) / (2 * a * b)), 0.51)
-
-
 @pytest.mark.parametrize("mu", [0.01, 0.16, 1.0])
 def test_optimum_is_den_hartogs(mu):
     m2 = 100.0 * mu

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -18,21 +15,18 @@ from physics.bode import Resonances, chain_resonances, quarter_lags
 from physics.bode_curves import bode_curves
 from physics.damped_chain import DampedChain
 from tests.grids import tries
-from tests.physics.braked_cases import Case, cases
 from tests.physics.chain_families import log_uniform
+from tests.physics.references import each, reference
 
 U = 2.0**-53
-REFERENCE = Path(__file__).parents[1] / "reference"
-CASES = json.loads((REFERENCE / "bode_cases.json").read_text())["cases"]
 NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
 
 
 def chain_of(case: dict[str, Any]) -> DampedChain:
     return DampedChain(**{name: case[name] for name in NAMES})
 
 
-@each_case
+@each(reference("bode"))
 def test_peaks_dips_half_power_and_works_are_those_of_the_reference(case: dict[str, Any]) -> None:
     found = chain_resonances(chain_of(case))
     for one, name in zip(found, ("X1", "X2", "stroke"), strict=True):
@@ -76,25 +70,6 @@ def test_lags_over_many_decades_are_those_of_the_forces(
         assert abs(lags[0] - first) <= 2 * U and 0 <= lags[0] <= math.pi
         if link:
             assert abs(lags[1] - lags[0] - mp.arg(N / link)) <= 8 * U and lags[0] <= lags[1] <= 2 * math.pi
-
-
-@settings(max_examples=tries(200))
-@given(cases(), st.integers(0, 2))
-def test_between_extremes_the_amplitude_only_rises_or_only_falls(case: Case, i: int) -> None:
-    chain = case.damped
-    found = chain_resonances(chain)[i]
-    turns = sorted([(one.omega, 1) for one in found.peaks] + [(one.omega, -1) for one in found.dips])
-    assert all(one[1] != two[1] for one, two in pairwise(turns)) or found.poles
-    assert list(found.peaks) == sorted(found.peaks) and list(found.dips) == sorted(found.dips)
-    for one in found.peaks:
-        beside = [one.omega * (1 + step) for step in (-1e-5, 1e-5)]
-        X = chain.response([one.omega, *beside])
-        sizes = np.abs([*X, X[1] - X[0]])[i]
-        assert sizes[0] == pytest.approx(one.height, rel=1e-6) and max(sizes[1:]) <= one.height * (1 + 1e-9)
-        for side in one.half_power:
-            if side:
-                X, room = chain.response(side), 1e-12 + 4 * U * side / abs(side - one.omega)
-                assert abs([*X, X[1] - X[0]][i]) == pytest.approx(one.height / math.sqrt(2), rel=room)
 
 
 @pytest.mark.parametrize(

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -17,12 +15,10 @@ from physics.chain import UniformChain
 from physics.reference.uniform_chain import chain_frequencies, chain_points
 from tests.grids import tries
 from tests.physics.chain_families import log_uniform
+from tests.physics.references import each, reference
 
 U = 2.0**-53
 ENDS = ("fixed-fixed", "fixed-free", "free-free")
-EVERY = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["chain"]
-CASES = [case for case in EVERY if case["ends"] in ENDS]
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
 starts = st.lists(st.floats(-1, 1), min_size=24, max_size=24)
 
 
@@ -35,7 +31,7 @@ def error(value: float, true: str) -> float:
         return float(abs(mp.mpf(float(value)) - mp.mpf(true)))
 
 
-@each_case
+@each([case for case in reference("beyond", "chain") if case["ends"] in ENDS])
 def test_modes_and_motions_are_those_of_the_reference(case: dict[str, Any]) -> None:
     chain = chain_of(case)
     energies = chain.modes(case["x_0"], case["v_0"]).energy

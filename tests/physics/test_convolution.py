@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,8 +11,8 @@ import pytest
 from physics.convolution import SlicedPush, joined, outline, tails
 from physics.damped import DampedOscillator
 from physics.periodic import PeriodicPush
+from tests.physics.references import each, reference
 
-CASES = json.loads((Path(__file__).parents[1] / "reference" / "periodic_cases.json").read_text())["cases"]
 ONE = DampedOscillator(m=1.5, c=0.6, k=20.0)
 
 
@@ -28,7 +26,7 @@ def exact(t: np.ndarray) -> np.ndarray:
     return ONE.pushed(PeriodicPush(kind="square", size=2.0, omega=2 * math.pi / 3)).from_rest(t).x
 
 
-@pytest.mark.parametrize("case", [one for one in CASES if one.get("convolution")], ids=lambda case: str(case["id"]))
+@each([case for case in reference("periodic") if case.get("convolution")])
 def test_the_sum_is_that_of_the_reference(case: dict[str, Any]) -> None:
     one, true = DampedOscillator(m=case["m"], c=case["c"], k=case["k"]), case["convolution"]
     width = {"width": case["duty"]} if case["duty"] else {}

@@ -5,7 +5,6 @@ import sys
 
 import mpmath as mp
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -13,16 +12,10 @@ from physics.coupled import free_modes, free_motion
 from physics.precision.exact import sin_cos
 from tests.grids import tries
 from tests.physics.chain_families import chain_with, drawn, each_family
-from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps
+from tests.physics.chain_truth import Truth, U, ulps
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(40))
-
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with mp.workprec(WORKING_BITS):
-        yield
 
 
 @each_family

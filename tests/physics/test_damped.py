@@ -3,9 +3,7 @@
 Zeros, turns, settling and the energy lost are compared with the reference cases.
 """
 
-import json
 import math
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -17,9 +15,9 @@ from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
 from tests.grids import tries
 from tests.physics.chain_truth import U, ulps
+from tests.physics.references import each, reference
 
-CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["damped"]
-each_case = pytest.mark.parametrize("case", CASES, ids=[case["note"] for case in CASES])
+BITS = 4000
 BOUND = 2.0  # u of the sum of the sizes of both parts
 NEAR_CRITICAL = [2.0, math.nextafter(2.0, 3.0), math.nextafter(2.0, 1.0)]  # m = k = 1 is critical at c = 2
 NEAR_CRITICAL += [2 * (1 + apart) for apart in (1e-9, -1e-9, 1e-5, -1e-5)]
@@ -42,12 +40,6 @@ SPECIAL = [
     ((2.0, 4.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
     ((2.0, 0.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
 ]
-
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with mp.workprec(4000):
-        yield
 
 
 def truth(oscillator, x_0, v_0, t):
@@ -124,7 +116,7 @@ def near(value, text, most):
     return ulps(value, mp.mpf(text)) <= most
 
 
-@each_case
+@each(reference("beyond", "damped"))
 def test_rates_moments_and_the_energy_lost_are_those_of_the_reference(case):
     one = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
     motion = FreeDecay(oscillator=one, x_0=case["x_0"], v_0=case["v_0"])

@@ -1,8 +1,6 @@
 """One driven oscillator: against the reference cases, at resonance, without damping, and by another solver."""
 
-import json
 import math
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -19,11 +17,11 @@ from physics.sampling import drawable
 from tests.grids import tries
 from tests.physics.chain_families import log_uniform
 from tests.physics.chain_truth import U, ulps
+from tests.physics.references import each, reference
 
 KINDS = ("force", "base", "unbalance")
 
-CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["driven"]
-each_case = pytest.mark.parametrize("case", CASES, ids=[f"{case['kind']}: {case['note']}" for case in CASES])
+each_case = each(reference("beyond", "driven"))
 
 
 def system(case):

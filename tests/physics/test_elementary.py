@@ -12,14 +12,9 @@ from physics.precision.exact import two_sum
 from physics.precision.roots import mismatch, roots
 from tests.grids import tries
 
+BITS = 400
 thorough = settings(max_examples=tries(200))
 low_part = st.floats(-1.0, 1.0)
-
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with np.errstate(all="raise", under="ignore"), mp.workprec(400):
-        yield
 
 
 def pair(hi, part):

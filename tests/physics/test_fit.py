@@ -5,11 +5,9 @@ Residuals have the cause of the motion that they are simulated with.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,14 +18,13 @@ from scipy.integrate import solve_ivp
 
 from physics.chain_fit import chain_of_fit
 from physics.coupled import TwoMassChain
-from physics.damped import DampedOscillator
 from physics.fit import Caution, fit_damped
 from physics.means import before_means
 from physics.residuals import Cause, cause_of
 from physics.transient import DampedModes
 from tests.grids import tries
+from tests.physics.references import each, reference
 
-CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["fit"]
 pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
 SEEDS = 60
 Rows = tuple[np.ndarray, np.ndarray]
@@ -37,7 +34,7 @@ def numbers(texts: list[str]) -> np.ndarray:
     return np.array([float(text) for text in texts])
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+@each(reference("beyond", "fit"))
 def test_fits_are_the_minimum_of_the_reference(case: dict[str, Any]) -> None:
     fit = fit_damped(case["t"], case["y"], case["modes"], sigma=case["sigma"])
     for found, se, name in ((fit.omega, fit.se_omega, "omega"), (fit.decay, fit.se_decay, "decay")):
@@ -157,16 +154,6 @@ def test_correlated_noise_widens_the_errors() -> None:
     assert 0.5 * SEEDS <= sum(abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0] for fit in fits) <= 0.86 * SEEDS
 
 
-@pytest.mark.parametrize(("noise", "c", "room"), [((1e-9, 1e-9), 0.0, 1e-7), ((1e-4, 1e-4), 0.1, 1e-2)])
-def test_the_chain_of_a_fit_with_two_modes(noise: tuple[float, float], c: float, room: float) -> None:
-    """A dashpot turns the shapes and hardly changes the chain; columns in the wrong order are no chain."""
-    rng = np.random.default_rng(1)
-    chain = chain_of_fit(fit_damped(T, record(rng, noise, c), modes=2))
-    assert chain.parts == pytest.approx([8.0, 4.5, 0.5], rel=room)
-    assert chain.ratio == pytest.approx(CHAIN.modes().ratio, rel=room)
-    assert chain_of_fit(fit_damped(T, record(rng)[::-1], modes=2)).parts is None
-
-
 def wave(t: np.ndarray) -> np.ndarray:
     return np.asarray(0.3 + np.exp(-0.1 * t) * np.sin(3 * t + 0.4))
 
@@ -182,16 +169,6 @@ def test_units_of_time_and_length_do_not_matter(time: float, length: float, begi
     assert other.se_decay * second == pytest.approx(one.se_decay, rel=1e-5)
     assert other.amplitude / metre == pytest.approx(one.amplitude, abs=1e-4 * one.se_amplitude[0, 0])
     assert other.scatter / metre == pytest.approx(one.scatter, rel=1e-8)
-
-
-@given(st.floats(0.5, 4.0), st.floats(0.0, 0.3), st.floats(0.2, 2.0), st.floats(-3.0, 3.0))
-def test_without_noise_the_motion_of_the_physics_is_found(omega: float, zeta: float, x_0: float, v_0: float) -> None:
-    one = DampedOscillator(m=1.0, c=2 * zeta * omega, k=omega**2)
-    t = np.linspace(0, 20 / omega, 90)
-    fit = fit_damped(t, one.motion(x_0, v_0, t).x)
-    assert fit.omega[0] == pytest.approx(one.omega_d, rel=1e-9)
-    assert fit.decay[0] == pytest.approx(one.rates[0], abs=1e-9 * omega)
-    assert fit.zeta[0] == pytest.approx(zeta, abs=1e-9)
 
 
 def test_rows_with_holes_are_left_out_and_their_order_does_not_matter() -> None:

@@ -13,19 +13,13 @@ from physics.coupled import TwoMassChain
 from physics.forced import driven_modes, forced_motion, particular_solution, steady_start
 from tests.grids import tries
 from tests.physics.chain_families import FAMILIES, chain_with, drawn, each_family
-from tests.physics.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
+from tests.physics.chain_truth import Truth, U, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
 amount = st.floats(-1.0, 1.0)
 starts = st.tuples(amount, amount) | st.sampled_from([(0.0, 0.0), (1.0, 1.0)])
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
-
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with mp.workprec(WORKING_BITS):
-        yield
 
 
 def check_amplitudes(chain, F_0, omega, true):

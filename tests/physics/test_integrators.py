@@ -87,26 +87,6 @@ def test_the_coupling_spring_alone_is_solved_exactly(method):
     assert error(problem, method, 1) < 1e-11
 
 
-def test_gautschi_fails_in_resonance_and_a_mollified_impulse_does_not():
-    """Steps of five whole swings of the stiff spring meet it at the same phase each time; steps of 5.3 do not."""
-    stiff, found = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1e4), {}
-    for swings in (5.0, 5.3):
-        t = 2 * np.pi / math.sqrt(2e4) * swings * np.arange(400.0)
-        for method in SPLITTING:
-            found[method, swings] = error(replace(FREE, chain=stiff, x_0=(1.0, 0.0), t=t), method, 1)
-    others = found["gautschi", 5.3], found["mollified", 5.0], found["mollified", 5.3]
-    assert found["gautschi", 5.0] > 2 * max(others) and max(others) < 0.15
-
-
-@pytest.mark.parametrize("method", [method for method in RUBBED if STEPPING[method].solved])
-def test_a_fast_part_rings_to_the_end_unless_it_is_damped(method):
-    """One step is 1e4 relaxation times of the fast part, without which v is -x. Return the rest after 60 steps."""
-    stiff = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e6), c=1e6 + 1.0, F_0=0.0, t=0.01 * np.arange(61.0))
-    result = run_fixed(method, stiff, 1, Watch())
-    left = abs(result.v[0, -1] + result.x[0, -1])
-    assert left < 1e-4 if method in DAMPING else left > 0.9
-
-
 @pytest.mark.parametrize("method", [*WEIGHTS, "semi", "rk4", "nystrom4"])
 def test_a_step_past_the_limit_is_given_up_with_the_reason(method):
     t = np.arange(2000.0) * stability_limit(method) / CHAIN.modes().omega[1]

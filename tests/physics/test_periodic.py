@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -21,10 +19,10 @@ from physics.steady_motions import RestAfterPush, SteadyMotion
 from tests.grids import tries
 from tests.physics.chain_families import log_uniform
 from tests.physics.push_truth import closed_form
+from tests.physics.references import each, reference
 
 U = 2.0**-53
-CASES = json.loads((Path(__file__).parents[1] / "reference" / "periodic_cases.json").read_text())["cases"]
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
+each_case = each(reference("periodic"))
 PERIODIC = ("square", "triangle", "pulses", "impulses")
 
 

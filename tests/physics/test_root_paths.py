@@ -16,9 +16,9 @@ from physics.precision.polynomials import added, positive_roots, product
 from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases
+from tests.physics.references import each
 
 U = 2.0**-53
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: str(case["id"]))
 DEFAULT = DampedChain(m1=2, m2=1, k1=4, k2=2)
 
 
@@ -26,29 +26,23 @@ def number(pair: list[str]) -> complex:
     return complex(float(pair[0]), float(pair[1]))
 
 
-@each_case
-def test_the_exceptional_point_is_that_of_the_reference(case: dict[str, Any]) -> None:
+@each(CASES)
+def test_exceptional_points_meetings_and_ends_are_those_of_the_reference(case: dict[str, Any]) -> None:
+    for varied, zeros in case["limit_zeros"].items():
+        ends = RootPath.of(case_of(case).damped, varied).limits.tolist()
+        true = sorted(map(number, zeros), key=lambda s: (s.real, s.imag))
+        assert sorted(ends, key=lambda s: (s.real, s.imag)) == pytest.approx(true, rel=4 * U, abs=0)
+    if case["meet_on_ray"]:
+        meetings = RootPath.of(case_of(case).damped, "both").meetings
+        assert [one.double for one in meetings] == [times % 2 == 0 for _, times in case["meet_on_ray"]]
+        values = [float(tau) for tau, _ in case["meet_on_ray"]]
+        assert [one.value for one in meetings] == pytest.approx(values, rel=2 * U)
     found, wanted = exceptional_point(case_of(case).chain), case["exceptional"]
     assert (found is None) == (wanted is None)
     if found:
         assert (found.c1, found.c2) == pytest.approx((float(wanted["c1"]), float(wanted["c2"])), rel=2 * U, abs=0)
         true = [number(wanted["s"])] if wanted["s"] else [complex(float(s)) for s in wanted["real"]]
         assert sorted(found.roots, key=abs) == pytest.approx(sorted(true, key=abs), rel=4 * U, abs=0)
-
-
-@each_case
-def test_roots_end_where_the_reference_says(case: dict[str, Any]) -> None:
-    for varied, wanted in case["limit_zeros"].items():
-        found = RootPath.of(case_of(case).damped, varied).limits.tolist()
-        true = sorted(map(number, wanted), key=lambda s: (s.real, s.imag))
-        assert sorted(found, key=lambda s: (s.real, s.imag)) == pytest.approx(true, rel=4 * U, abs=0)
-
-
-@pytest.mark.parametrize("case", [one for one in CASES if one["meet_on_ray"]], ids=lambda case: str(case["id"]))
-def test_roots_meet_on_the_ray_where_the_reference_says(case: dict[str, Any]) -> None:
-    found = RootPath.of(case_of(case).damped, "both").meetings
-    assert [one.double for one in found] == [times % 2 == 0 for _, times in case["meet_on_ray"]]
-    assert [one.value for one in found] == pytest.approx([float(tau) for tau, _ in case["meet_on_ray"]], rel=2 * U)
 
 
 @settings(max_examples=tries(200))

@@ -14,16 +14,11 @@ from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
 from tests.grids import tries
 from tests.physics.chain_truth import U
 
+BITS = 3000
 ZERO, ONE = Decimal(0), Decimal(1)
 QUANTITIES = ("one", "other")
 small = st.floats(-1.0, 1.0)
 thorough = settings(max_examples=tries(200))
-
-
-@pytest.fixture(autouse=True)
-def many_digits():
-    with np.errstate(all="raise", under="ignore"), mp.workprec(3000):
-        yield
 
 
 def swing(omega, a, b):

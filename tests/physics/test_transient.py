@@ -27,12 +27,6 @@ EQUAL_EXPONENTS = [
 ]
 
 
-@pytest.fixture(autouse=True)
-def many_digits():
-    with mp.workprec(1500):
-        yield
-
-
 def truth(modes, t):
     """x1, x2, x2 - x1, v1, v2 from exp(A t), with the drive as an additional oscillator."""
     chain = modes.chain
