@@ -30,11 +30,11 @@ MUTANTS = (
     ),
     Mutant(
         "digits", "physics/forced.py", "float(exact(self.omega) - mode.omega)", "self.omega - float(mode.omega)",
-        "tests/physics/test_forced.py",
+        "tests/physics/test_two_masses.py",
     ),
     Mutant(
         "half", "physics/energy.py", "2 * exponents + exponent - 1", "2 * exponents + exponent",
-        "tests/physics/test_energy.py",
+        "tests/physics/test_two_masses.py",
     ),
     Mutant(
         "seam", "physics/damped.py", '_SAME = Decimal("1e-6")', '_SAME = Decimal("0.5")',

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import mpmath as mp
 import pytest
 
-from tests.physics.chain_truth import WORKING_BITS
+from tests.physics.truth import WORKING_BITS
 
 
 @pytest.fixture(autouse=True)

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
 from tests.grids import tries
-from tests.physics.chain_truth import U, ulps
 from tests.physics.references import each, reference
+from tests.physics.truth import U, ulps
 
 BITS = 4000
 BOUND = 2.0  # u of the sum of the sizes of both parts

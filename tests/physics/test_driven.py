@@ -16,8 +16,8 @@ from physics.magnification import half_power, highest, magnification, ratios
 from physics.sampling import drawable
 from tests.grids import tries
 from tests.physics.chain_families import log_uniform
-from tests.physics.chain_truth import U, ulps
 from tests.physics.references import each, reference
+from tests.physics.truth import U, ulps
 
 KINDS = ("force", "base", "unbalance")
 

@@ -1,25 +1,34 @@
-"""Steps: orders by measured slope, stability by running into it, and one face for every method."""
+"""Steps: orders by measured slope, stability by running into it; the measurement, prices and stiffness."""
 
+import json
 import math
 import tracemalloc
 from dataclasses import replace
 
+import mpmath as mp
 import numpy as np
 import pytest
 from scipy import integrate
 
+from components.scenes.accuracy.recorded import recorded
 from physics.coupled import TwoMassChain
 from physics.integrators import solvers
+from physics.integrators.accuracy import SYSTEMS, Limits, Run, System, entered
+from physics.integrators.drift import PERIODS, drifts, exact
 from physics.integrators.fixed_steps import FIXED_STEP, STEPPING, TABLEAUX, WEIGHTS, run_fixed
 from physics.integrators.implicit_steps import RHO
+from physics.integrators.price import price
 from physics.integrators.problem import Problem, StoppedError, Watch
+from physics.integrators.race import STANDS, Ladder, bench_of, measure, yardstick
 from physics.integrators.solvers import METHODS
 from physics.integrators.stability import (
     amplification,
     decay_factor,
     form_change,
     stability_limit,
+    stable_count,
 )
+from physics.integrators.stiffness import stiffness
 from physics.reference.driven_chain import reference
 from tests.grids import spread
 
@@ -196,3 +205,229 @@ def test_steps_are_counted_and_checked():
     for steps in (0, 1.5, -3):
         with pytest.raises(ValueError, match=f"^{steps} steps from one output time to the next"):
             run_fixed("verlet", FREE, steps, Watch())
+
+
+U = 2.0**-53
+ONCE = Limits(seconds=60.0, rounds=1, visit=0.0)
+DRIFTING = System(
+    slug="link", name="Drift", chain=TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=3.0),
+    x_0=(1.0, 0.5), v_0=(0.1, 0.0), F_0=0.7, omega=0.3,
+)  # fmt: skip
+APART = System(
+    slug="link", name="Apart", chain=TwoMassChain(m1=1.0, m2=2.0, k1=3.0, k2=0.0),
+    x_0=(1.0, 0.5), v_0=(0.1, 0.2), F_0=0.7, omega=0.3,
+)  # fmt: skip
+BRAKED = System(
+    slug="link", name="Damped", chain=TwoMassChain(m1=1.0, m2=1.0, k1=20.0, k2=0.0), c=12.0,
+    x_0=(1.0, 0.0), v_0=(0.3, 0.0), F_0=5.0, omega=3.0,
+)  # fmt: skip
+ALL = (*SYSTEMS.values(), DRIFTING, APART, BRAKED)
+systems = pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+
+
+def visited(system, method, setting=0.0, limits=ONCE, cancelled=lambda method: False):
+    return bench_of(system, limits, cancelled, yardstick()).visit(METHODS[method], setting)
+
+
+def by_exponential(problem, t):
+    """x1, x2, v1, v2 from mpmath's matrix exponential, the drive as two more states."""
+    chain = problem.chain
+    m1, m2, k1, k2 = (mp.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    omega = mp.mpf(problem.omega)
+    A = mp.zeros(6)
+    A[0, 2] = A[1, 3] = 1
+    A[2, 0], A[2, 1], A[3, 0], A[3, 1] = -(k1 + k2) / m1, k2 / m1, k2 / m2, -k2 / m2
+    A[2, 2] = -mp.mpf(problem.c) / m1
+    A[2, 4] = mp.mpf(problem.F_0) / m1
+    A[4, 5], A[5, 4] = omega, -omega
+    return (mp.expm(A * mp.mpf(t)) * mp.matrix([*problem.start, 0, 1]))[:4]
+
+
+@systems
+def test_the_closed_form_and_the_reference_have_every_digit(system):
+    """The reference is compared with a matrix exponential. Output times are exact doubles."""
+    run, problem = visited(system, "closed"), system.problem()
+    assert run.failure is None and run.error <= 4 * U and run.energy_error <= 8 * U
+    assert problem.t.size == 1001 and all(n * mp.mpf(problem.t[1]) == problem.t[n] for n in range(1001))
+    truth = reference(replace(problem, t=problem.t[[0, 1, 500]]))
+    for n, t in enumerate(problem.t[[0, 1, 500]]):
+        with mp.workdps(60):
+            x1, x2, v1, v2 = by_exponential(problem, float(t))
+            for i, x in enumerate((x1, x2)):
+                assert abs(mp.mpf(truth.x[i, n]) + mp.mpf(truth.x_rest[i, n]) - x) <= 1e-28 * truth.size
+            chain = problem.chain
+            for i, v in enumerate((v1, v2)):
+                assert abs(truth.v[i, n] - v) <= U * abs(v) + 1e-28
+            energy = (chain.m1 * v1**2 + chain.m2 * v2**2 + chain.k1 * x1**2 + chain.k2 * (x2 - x1) ** 2) / 2
+            assert abs(truth.energy[n] - energy) <= U * energy
+
+
+def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
+    """What takes long is timed twice only."""
+    two, limits = [SYSTEMS["benign"], SYSTEMS["beats"]], Limits(seconds=60.0, rounds=3, visit=0.0)
+    runs = list(measure(two, [METHODS[slug] for slug in ("closed", "slides")], limits))
+    turn = [("closed", "benign"), ("closed", "beats"), ("slides", "benign"), ("slides", "beats")]
+    assert [(run.method, run.system) for run in runs] == 3 * turn
+    assert [run.rounds for run in runs] == [1] * 4 + [2] * 4 + [3] * 4
+    assert all(run.time_low <= run.time <= run.time_high for run in runs)
+    assert [run.repeats for run in runs[:4]] == [None] * 4
+    runs = list(measure(two[:1], [METHODS["closed"]], Limits(rounds=5, visit=0.0, budget=0.0)))
+    assert [run.rounds for run in runs] == [1, 2]
+
+
+def ladder(method, errors=(), steps=1e9, limits=ONCE):
+    """The ladder of a method after runs with these errors, all at so many steps."""
+    found = Ladder(bench_of(SYSTEMS["benign"], limits, lambda method: False, yardstick()), METHODS[method])
+    found.runs = [Run(system="benign", method=method, setting=steps, error=error, time=0.5) for error in errors]
+    return found
+
+
+def test_a_ladder_ends_at_its_floor_with_the_finest_setting_or_out_of_time():
+    falling = [1e-3 * 10.0**-n for n in range(8)]
+    still = [*falling, *STANDS * [falling[-1]]]
+    assert ladder("rk4", falling).ending() == ladder("rk4", still[:-1]).ending() == ""
+    assert ladder("rk4", still).ending() == "floor"
+    assert ladder("rk4", still, steps=1.0).ending() == "", "a fast mode that is stepped over is no floor"
+    closed = ladder("closed")
+    assert closed.climb().end == closed.end == "finest"
+    (*_, last) = measure([SYSTEMS["wide"]], [METHODS["rk45"]], Limits(seconds=0.0, rounds=1))
+    assert (last.failure, last.end, last.setting) == ("time limit 0 s", "time limit", 1e-2)
+    climbed = ladder("verlet", [1e-3], 10.0, replace(ONCE, seconds=1.0))
+    assert climbed.foreseen(11.0) is None
+    late = climbed.foreseen(100.0)
+    assert (late.failure, late.end, late.reached) == ("time limit 1 s", "time limit", pytest.approx(0.2))
+
+
+@pytest.mark.parametrize(
+    ("system", "method", "setting", "seconds", "failure"),
+    [
+        (SYSTEMS["wide"], "verlet", 1, 60.0, "unstable step: h omega_+ = 632"),
+        (SYSTEMS["dashpot"], "rk4", 1, 60.0, "unstable step: h f = 5e+04"),
+        *((SYSTEMS["wide"], method, None, 0.0, "time limit 0 s") for method in ("verlet", "rk45", "lsoda", "expm")),
+        (SYSTEMS["resonance"], "slides", 0.0, 60.0, "D(omega) = 0: no particular solution"),
+        (replace(DRIFTING, F_0=0.0), "slides", 0.0, 60.0, "cannot be computed: "),
+        (SYSTEMS["benign"], "yoshida6", 64, 60.0, "cancelled"),
+        (SYSTEMS["benign"], "dop853", 1e-9, 60.0, "cancelled"),
+    ],
+)
+def test_a_failure_is_a_row(system, method, setting, seconds, failure):
+    setting = METHODS[method].settings()[-1] if setting is None else setting
+    run = visited(
+        system, method, setting, Limits(seconds=seconds, rounds=1, visit=0.0), lambda _: failure == "cancelled"
+    )
+    assert run.failure.startswith(failure) and run.error is None and run.time is None
+    assert 0 <= run.reached < 0.5
+
+
+def test_a_run_without_memory_is_a_row():
+    def greedy(*_):
+        raise MemoryError
+
+    assert ladder("slides").bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
+
+
+def test_only_methods_made_for_friction_enter_with_a_dashpot_and_a_measurement_can_be_cancelled():
+    assert entered(SYSTEMS["benign"]) == tuple(METHODS)
+    assert entered(SYSTEMS["dashpot"], ("closed", "eigh", "verlet", "rk4")) == ("closed", "rk4")
+    asked, methods = [], [METHODS[slug] for slug in ("closed", "slides", "eigh")]
+    runs = list(measure([SYSTEMS["benign"]], methods, ONCE, lambda method: asked.append(method) or len(asked) > 1))
+    assert [run.method for run in runs] == ["closed"]
+
+
+@pytest.mark.parametrize(
+    "chain",
+    [
+        (1e300, 1, 1, 1),
+        *(
+            pytest.param(one, marks=pytest.mark.slow)
+            for one in ((1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300))
+        ),
+    ],
+)
+def test_extreme_chains_give_rows_and_never_an_exception(chain):
+    m1, m2, k1, k2 = map(float, chain)
+    system = System(slug="link", name="?", chain=TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), x_0=(1.0, 1.0))
+    runs = list(measure([system], limits=Limits(seconds=0.001, rounds=1, visit=0.0)))
+    assert {run.method for run in runs} == set(METHODS)
+    assert all((run.error is None) != (run.failure is None) for run in runs)
+    json.dumps([run.to_dict() for run in runs], allow_nan=False)
+
+
+# Prices, read off measured runs.
+
+
+def priced(time, error, evaluations=1000, **more):
+    facts = {"time_low": time, "time_high": time, "rounds": 3} | more
+    return Run(system="benign", method="lsoda", setting=1, time=time, error=error, evaluations=evaluations, **facts)
+
+
+CHEAP, DEAR = priced(1e-2, 1e-2, 1000), priced(1e-1, 1e-4, 16000)
+UNSTEADY, UNREPEATED = priced(1e-1, 1e-4, time_high=1.25e-1), priced(1e-1, 1e-4, rounds=1)
+LATE = Run(system="benign", method="lsoda", setting=9, failure="time limit 1 s", end="time limit")
+
+
+@pytest.mark.parametrize(
+    ("runs", "error", "time", "repeats"),
+    [
+        ([CHEAP, DEAR], 1e-3, math.sqrt(1e-2 * 1e-1), True),
+        ([CHEAP, DEAR], 1e-2, 1e-2, True),
+        ([CHEAP, DEAR], 1e-4, 1e-1, True),
+        ([CHEAP, DEAR], 0.5, 1e-2, True),
+        ([priced(1e-3, 0.0)], 1e-6, 1e-3, True),
+        ([priced(0.02, 1e-5), priced(0.5, 1e-7), priced(0.05, 1e-8)], 1e-6, 0.05, True),
+        ([priced(0.02, 1e-7), priced(0.5, 1e-5)], 1e-6, 0.02, True),
+        ([CHEAP, UNSTEADY], 1e-3, math.sqrt(1e-2 * 1e-1), False),
+        ([CHEAP, replace(UNSTEADY, time_high=1.15e-1)], 1e-3, math.sqrt(1e-2 * 1e-1), True),
+        ([CHEAP, UNREPEATED], 1e-3, math.sqrt(1e-2 * 1e-1), None),
+        ([CHEAP, DEAR, LATE], 1e-6, None, None),
+    ],
+)
+def test_a_price_is_the_cheapest_on_the_line_between_runs(runs, error, time, repeats):
+    """LSODA with a finer tolerance may find the stiff formulas that it missed with a coarser one."""
+    found = price(runs, error)
+    if time is None:
+        assert (found.time, found.evaluations, found.best, found.end) == (None, None, 1e-4, "time limit")
+    else:
+        assert (found.time, found.repeats) == (pytest.approx(time), repeats)
+        assert 1000 <= found.evaluations <= 16000
+
+
+# Motions in steps over a few periods, and stiffness, read off the recorded runs.
+
+THREE = ("euler", "verlet", "rk4")
+
+
+@pytest.mark.parametrize("slug", ["benign", "wide", "light", "dashpot"])
+def test_a_method_explodes_below_its_least_steps_and_ends_there(slug):
+    system, period = SYSTEMS[slug], SYSTEMS[slug].problem(1, 1)
+    size = float(np.max(np.abs(exact(system).x)))
+    for steps in (6, 60):
+        for method, drift in drifts(system, steps, THREE).items():
+            least = stable_count(method, period)
+            if method != "euler" or least > 1:
+                assert math.isinf(drift.error) == (steps < least), (method, steps)
+            assert (drift.t.size == PERIODS * steps + 1) or drift.error == math.inf
+            assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
+
+
+OSCILLATORY = ("wide", "light")
+STIFF_ONES = ("wider", "dashpot")
+
+
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_each_system_is_called_what_it_is(slug):
+    kind = "stiff" if slug in STIFF_ONES else "highly oscillatory" if slug in OSCILLATORY else "neither"
+    found = stiffness(SYSTEMS[slug], (*recorded(slug).runs.every, *recorded(slug).compiled.every))
+    assert found.kind == kind and found.stable == pytest.approx(2.79 if slug == "dashpot" else 2.83, abs=0.01)
+
+
+def test_the_step_of_accuracy_is_read_between_two_runs():
+    runs = [
+        Run(system="near", method="gauss4", setting=setting, error=error)
+        for setting, error in ((10.0, 1e-4), (100.0, 1e-8))
+    ]
+    problem = SYSTEMS["near"].problem()
+    found = stiffness(SYSTEMS["near"], runs, 1e-6)
+    assert found.accurate == pytest.approx(problem.rates[1] * problem.spacing / 10**1.5)
+    assert problem.rates[1] * problem.spacing == pytest.approx(2 * 2 * math.pi / 20, rel=1e-9)
+    assert stiffness(SYSTEMS["near"], runs[:1], 1e-6) is None

@@ -325,8 +325,8 @@ OTHERWISE = {
     },
     "chain": {"E"},  # test_chain
     "modes": {"third_rate", "fourth_rate"},  # tests/physics/test_damped_chain
-    "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_absorber, and below
-    "analogues": {"inertia", "stiffness"},  # tests/physics/test_analogues
+    "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_response, and below
+    "analogues": {"inertia", "stiffness"},  # tests/physics/test_large_motions
     "accuracy": {"drift_euler", "drift_verlet", "drift_rk4", "picked_error", "picked_time", "picked_evaluations"},
 }
 """Numbers that other tests compare."""

@@ -20,7 +20,7 @@ import mpmath as mp
 import numpy as np
 
 from tests.physics.chain_families import FAMILIES
-from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units
+from tests.physics.truth import WORKING_BITS, Truth, U, ulps, units
 from tools.bench import braked_chain, one_mass
 from tools.bench.float_chains import METHODS
 

@@ -21,7 +21,7 @@ from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
 from physics.reference.damped_chain import braked_exponents, braked_lags, braked_points, braked_swings
 from physics.transient import DampedModes
-from tests.physics.chain_truth import U, ulps
+from tests.physics.truth import U, ulps
 from tools.bench.one_mass import shown
 
 QUANTITIES = ("size of the swing, ulp", "driven motion, u", "curves of a Bode plot, u", "lags, u", "roots, u")

@@ -9,7 +9,7 @@ import scipy.linalg
 
 from physics.coupled import TwoMassChain, free_motion
 from physics.forced import forced_motion, particular_solution
-from tests.physics.chain_truth import rows
+from tests.physics.truth import rows
 
 
 class Project:

@@ -21,8 +21,7 @@ from physics.periodic import PeriodicPush, PushKind
 from physics.reference.damped import damped_points, driven_points
 from physics.reference.pushed import pushed_points
 from physics.steady_motions import SteadyMotion
-from tests.physics.chain_truth import U, ulps
-from tests.physics.push_truth import closed_form
+from tests.physics.truth import U, closed_form, ulps
 
 Uniform = Callable[[float, float], float]
 FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {

@@ -1,9 +1,15 @@
-"""Phugoid against book values, quadrature in 40 digits, solve_ivp, and its own invariant."""
+"""Pendulum and phugoid against Jacobi functions, quadrature in 40 digits and book values; the nine analogues."""
+
+import math
 
 import mpmath as mp
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from physics.analogues import ANALOGUES, G
+from physics.pendulum import Pendulum, amplitude_at_excess, excess
 from physics.phugoid import (
     CUSP_EXCESS,
     EXCESS_AT_LATENESS,
@@ -16,8 +22,55 @@ from physics.phugoid import (
     linear_phugoid,
     period_excess,
 )
+from physics.reference.single import period_ratio, swing
+from tests.grids import tries
 
 U = 2.0**-53
+LAST = math.nextafter(math.pi, 0)
+AMPLITUDES = (0.0, 1e-300, 1e-9, 0.1, 1.0, -2.0, 3.0, 3.14, 3.141592, math.pi - 1e-10, LAST, math.pi)
+amplitudes = pytest.mark.parametrize("theta_0", AMPLITUDES)
+
+
+@amplitudes
+@pytest.mark.parametrize("periods", [1.0, 1e12])
+def test_motion_within_4_u_of_its_amplitudes(theta_0, periods):
+    pendulum = Pendulum(l=1.3, g=9.81)
+    t = np.random.default_rng(7).uniform(0, periods * pendulum.period(theta_0), 40)
+    motion = pendulum.motion(theta_0, t)
+    with mp.workdps(60 if abs(theta_0) > 1e-100 else 640):
+        omega = mp.sqrt(mp.mpf(9.81) / mp.mpf(1.3))
+        fastest = 2 * omega * mp.sin(abs(mp.mpf(theta_0)) / 2)
+        strongest = omega**2 * (mp.sin(abs(theta_0)) if abs(theta_0) < math.pi / 2 else 1)
+        for i, time in enumerate(t):
+            theta, rate, acceleration = swing(mp, omega, theta_0, mp.mpf(float(time)))
+            assert abs(motion.theta[i] - theta) <= 4 * U * abs(theta_0)
+            assert abs(motion.theta_dot[i] - rate) <= 4 * U * fastest
+            assert abs(motion.theta_ddot[i] - acceleration) <= 6 * U * strongest
+
+
+@settings(max_examples=tries(300))
+@given(st.one_of(st.floats(1e-140, math.pi), st.floats(0, 40).map(lambda n: math.pi - 2.0**-n)))
+def test_period_and_excess_are_rounded_once(theta_0):
+    with mp.workdps(340):
+        ratio = period_ratio(mp, theta_0)
+        assert abs(excess(theta_0) - (ratio - 1)) <= 0.51 * math.ulp(excess(theta_0))
+        period = Pendulum(l=2.0, g=3.0).period(theta_0)
+        assert abs(period - 2 * mp.pi * mp.sqrt(mp.mpf(2) / 3) * ratio) <= 0.51 * math.ulp(period)
+
+
+@pytest.mark.parametrize("theta_0", [0.0, 1e-150, 1e-9, 0.01, 1.0, 3.0, 3.14159, math.pi])
+def test_amplitude_is_the_inverse_of_excess(theta_0):
+    """The largest excess belongs to the last double below pi."""
+    condition = 3 if theta_0 < 2 else 1e-15 / max(math.pi - theta_0, 1e-15) / U
+    found = amplitude_at_excess(excess(theta_0))
+    assert found == (theta_0 if theta_0 in (0.0, math.pi) else pytest.approx(theta_0, rel=condition * U))
+
+
+def test_at_rest_it_stays():
+    rest = Pendulum(l=1.0, g=9.81).motion(0.0, [0.0, 1.0])
+    assert not np.any([rest.theta, rest.theta_dot, rest.theta_ddot])
+
+
 NEAR_CUSP = (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1))
 EXCESSES = (1e-9, 0.01, 0.1511, 0.4585, 0.6, 0.73, 0.732, *NEAR_CUSP, 0.7321, 0.74, 1.0, 3.0, 100.0, 1e6)
 units = pytest.mark.parametrize("excess", EXCESSES)
@@ -53,9 +106,9 @@ def test_at_the_cusp_the_period_is_2_22_percent_longer():
     assert period_excess(CUSP_EXCESS) == pytest.approx(0.0222, abs=5e-5)
     assert invariant(CUSP_EXCESS) == pytest.approx(0.0, abs=4 * U)
     assert invariant(0.0) == 2 / 3
-    for lateness, excess in EXCESS_AT_LATENESS.items():
-        assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
-        assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
+    for lateness, speed in EXCESS_AT_LATENESS.items():
+        assert excess_at_period_excess(lateness) == pytest.approx(speed, rel=1e-9)
+        assert period_excess(speed) == pytest.approx(lateness, rel=1e-9)
 
 
 @units
@@ -134,3 +187,52 @@ def test_extreme_aircraft_fly_the_same_path(v_0, g):
     extreme, unit = flight(v_0, g, 0.6, t * period), flight(1.0, 1.0, 0.6, t * LINEAR_PERIOD)
     np.testing.assert_allclose(extreme.V / v_0, unit.V, rtol=1e-13)
     np.testing.assert_allclose(extreme.h / v_0 / v_0 * g, unit.h, rtol=1e-12, atol=1e-14)
+
+
+ROLES = {
+    "spring": lambda p: (p["m"], p["k"]),
+    "shaft": lambda p: (p["J"], p["k_t"]),
+    "pendulum": lambda p: (p["m"] * p["l"] ** 2, p["m"] * p["g"] * p["l"]),
+    "rocking": lambda p: (p["m"] * (p["d"] ** 2 + p["r"] ** 2), p["m"] * G * p["d"]),
+    "floating": lambda p: (p["m"], p["rho"] * G * p["A"]),
+    "circuit": lambda p: (p["L"], 1 / p["C"]),
+    "string": lambda p: (4e-4 * p["L"] / 2, (p["n"] * math.pi) ** 2 * p["T"] / (2 * p["L"])),
+    "wave": lambda p: (p["rho"] * p["wavelength"] / (4 * math.pi), p["rho"] * p["g"] / 2),
+    "pipe": lambda p: (1.2 * AREA * p["L"] / 2, 1.2 * AREA * p["c"] ** 2 * (p["n"] * math.pi) ** 2 / (2 * p["L"])),
+}
+"""Inertia and stiffness by the table of the lecture."""
+AREA = 1e-3
+systems = pytest.mark.parametrize("slug", ANALOGUES)
+
+
+def values(parameter):
+    if parameter.whole:
+        return st.integers(1, 20)
+    return st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-100, 100))
+
+
+@systems
+@settings(max_examples=tries(100))
+@given(data=st.data())
+def test_roles_frequency_and_energy_follow_the_table(slug, data):
+    system = ANALOGUES[slug]
+    p = {parameter.name: data.draw(values(parameter)) for parameter in system.parameters}
+    tuned, (inertia, stiffness) = system.at(p), ROLES[slug](p)
+    assert tuned.omega_n == pytest.approx(math.sqrt(stiffness / inertia), rel=8 * U, abs=0)
+    assert tuned.inertia == pytest.approx(inertia, rel=8 * U, abs=0)
+    assert tuned.stiffness == pytest.approx(stiffness, rel=8 * U, abs=0)
+    start = 3 * system.swing
+    assert tuned.energy(start) == pytest.approx(stiffness * start**2 / 2, rel=12 * U)
+    if system.length_of is None:
+        assert tuned.exact_energy(start) == tuned.energy(start)
+    else:  # the exact motion of a pendulum, and the height to which it is lifted
+        assert tuned.pendulum.omega_0 == pytest.approx(tuned.omega_n, rel=4 * U)
+        for angle in (0.0, 1e-200, -1e-9, 1.0, 3.0):
+            lifted = stiffness * 2 * math.sin(angle / 2) ** 2
+            assert tuned.exact_energy(angle) == pytest.approx(lifted, rel=12 * U, abs=1e-300)
+    assert (tuned.pendulum is None) == (system.length_of is None)
+
+
+def test_nothing_overflows_on_the_way():
+    assert ANALOGUES["circuit"].at({"L": 1e-300, "C": 1e300}).omega_n == pytest.approx(1.0, rel=4 * U)
+    assert ANALOGUES["pendulum"].at({"l": 1e300, "g": 1e300, "m": 1e300}).omega_n == 1.0

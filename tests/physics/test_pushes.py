@@ -1,4 +1,4 @@
-"""Pushes that repeat or act once, and the motions under them, against 50 digits and closed forms."""
+"""Pushes that repeat or act once, motions under them, slices and powers, against 50 digits and closed forms."""
 
 from __future__ import annotations
 
@@ -11,15 +11,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from physics.convolution import SlicedPush, joined, outline, tails
 from physics.damped import DampedOscillator
 from physics.periodic import PeriodicPush
+from physics.push_powers import mean_powers
 from physics.pushed import PushedMass
 from physics.pushed_vibration import PushedVibration, PushHarmonics
 from physics.steady_motions import RestAfterPush, SteadyMotion
 from tests.grids import tries
 from tests.physics.chain_families import log_uniform
-from tests.physics.push_truth import closed_form
 from tests.physics.references import each, reference
+from tests.physics.truth import closed_form
 
 U = 2.0**-53
 each_case = each(reference("periodic"))
@@ -129,7 +131,7 @@ def test_without_a_dashpot_a_missing_line_may_be_at_the_natural_frequency(
     (lacks, long), omega = share, size / 64
     push = PeriodicPush(kind="pulses", omega=omega, width=long / lacks)
     one = DampedOscillator(m=1.0, c=0.0, k=(lacks * times * omega) ** 2)
-    exact = one.pushed(push).steady(np.array([t, *np.linspace(0.0, 1.0, 33)]) * 2 * math.pi / omega)
+    exact = one.pushed(push).steady(np.array([t, *np.linspace(0.0, 1.0, 34)]) * 2 * math.pi / omega)
     for drawn, true in zip(SteadyMotion(oscillator=one, push=push).at(exact.t), (exact.x, exact.v), strict=True):
         assert drawn == pytest.approx(true, abs=1e-11 * np.abs(true).max())
 
@@ -205,3 +207,86 @@ def test_a_force_is_drawn_as_it_is(kind: Any) -> None:
     assert motion.force.played.at(t)[~near] == pytest.approx(motion.force.at(t)[~near], abs=0.02)
     slow: Any = SteadyMotion(oscillator=one, push=PeriodicPush(kind="pulses", omega=2e-3 * math.pi), end=5.0).x
     assert slow.played.at(t[t < 5.0]) == pytest.approx(slow.at(t[t < 5.0]), abs=1e-6)
+
+
+ONE = DampedOscillator(m=1.5, c=0.6, k=20.0)
+
+
+def sliced(count: int, end: float = 6.0, **start: float) -> SlicedPush:
+    """A square push, with its edges between slices."""
+    push = PeriodicPush(kind="square", size=2.0, omega=2 * math.pi / 3)
+    return SlicedPush(oscillator=ONE, force=ONE.pushed(push).force, end=end, count=count, **start)
+
+
+def exact(t: np.ndarray) -> np.ndarray:
+    return ONE.pushed(PeriodicPush(kind="square", size=2.0, omega=2 * math.pi / 3)).from_rest(t).x
+
+
+@each([case for case in reference("periodic") if case.get("convolution")])
+def test_the_sum_is_that_of_the_reference(case: dict[str, Any]) -> None:
+    one, true = DampedOscillator(m=case["m"], c=case["c"], k=case["k"]), case["convolution"]
+    width = {"width": case["duty"]} if case["duty"] else {}
+    force = one.pushed(PeriodicPush(kind=case["kind"], size=case["F"], omega=case["omega"], **width)).force
+    for count, value in true["midpoint"].items():
+        found = SlicedPush(oscillator=one, force=force, end=float(true["t"]), count=int(count))
+        assert found.x.at(np.array([found.end])) == pytest.approx(float(value), rel=1e-10)
+
+
+@pytest.mark.parametrize("count", [1, 7, 200])
+def test_the_sum_is_played_as_it_is(count: int) -> None:
+    found, t = sliced(count), np.linspace(0.0, 6.0, 333)
+    played: Any = found.x
+    assert played.played.at(t) == pytest.approx(found.x.at(t), abs=0.01 * found.reach)
+    assert found.reach == pytest.approx(np.abs(found.x.at(np.linspace(0, 6, 2000))).max(), rel=0.01)
+    begun = sliced(count, x_0=0.1, v_0=-0.2)
+    free = ONE.motion(0.1, -0.2, t).x
+    assert begun.x.at(t) == pytest.approx(found.x.at(t) + free, abs=1e-14)
+    assert begun.reach == pytest.approx(np.abs(begun.x.at(np.linspace(0, 6, 2000))).max(), rel=0.01)
+
+
+def test_what_the_slices_leave_adds_up_to_the_sum() -> None:
+    found = sliced(8)
+    each = tails(ONE, found.times, found.sizes, found.end, 4000)
+    assert [tail.t[0] for tail in each] == found.times.tolist() and {tail.t[-1] for tail in each} == {6.0}
+    assert not any(tail.x[0] for tail in each) and sum(len(tail.t) for tail in each) == pytest.approx(4000, abs=20)
+    t = np.linspace(0.0, 6.0, 100)
+    total = sum(np.interp(t, tail.t, tail.x, left=0.0) for tail in each)
+    assert total == pytest.approx(found.x.at(t), abs=1e-4)
+    path = joined(each)
+    assert path.t[len(each[0].t) - 1] == path.t[len(each[0].t)] == 6.0, "to the end and back"
+    assert sorted(path.x) == sorted(np.concatenate([tail.x for tail in each]))
+
+
+def test_the_outline_of_slices_has_their_area() -> None:
+    t, F = outline(sliced(12).ends, sliced(12).forces)
+    assert np.all(np.diff(t) >= 0) and np.trapezoid(np.abs(F), t) == pytest.approx(12.0)
+    assert t[-1] == pytest.approx(6.0) and set(F.tolist()) == {-2.0, 0.0, 2.0}
+
+
+LOSSY = DampedOscillator(m=1.5, c=1.2, k=20.0)
+
+
+@pytest.mark.parametrize("kind", PERIODIC)
+@pytest.mark.parametrize("end", [1.3, 5.0, 11.0])
+def test_at_first_they_are_what_the_last_period_brought(kind: Any, end: float) -> None:
+    """In the end both are the work of a cycle."""
+    steady = SteadyMotion(oscillator=LOSSY, push=PeriodicPush(kind=kind, size=3.0, omega=2.0, width=0.3))
+    last = mean_powers(steady, 0.1, 0.0, 60.0, 400)
+    assert [last.t[-1], last.P_in[-1], last.P_lost[-1]] == pytest.approx(
+        [60.0, *[steady.mass.work / math.pi] * 2], rel=1e-6
+    )
+    found = mean_powers(steady, 0.1, -0.4, end, 60)
+    assert np.all(np.diff(found.t) > 0) and len(found.t) >= 60
+    assert found.P_in[0] == (0.0 if kind != "impulses" else pytest.approx(3.0 * (-0.4 + 1.0) / steady.period))
+    for i in (len(found.t) // 3, -1):
+        last = found.t[i]
+        t = np.linspace(max(last - steady.period, 0.0), last, 40001)
+        _, v = steady.from_start(0.1, -0.4, t)
+        assert found.P_lost[i] == pytest.approx(np.trapezoid(LOSSY.c * v**2, t) / steady.period, rel=1e-3)
+        put_in = np.trapezoid(steady.force_at(t) * v, t)
+        if kind == "impulses":
+            into = np.flatnonzero(np.diff(v) > 1.0)
+            assert len(into) == (1 if last >= steady.period else 0)
+            put_in = sum(3.0 * (v[n] + v[n + 1]) / 2 for n in into)
+            put_in += 3.0 * (-0.4 + 3.0 / LOSSY.m / 2) if last < steady.period else 0.0
+        assert found.P_in[i] * steady.period == pytest.approx(put_in, rel=2e-3, abs=2e-3)

@@ -1,0 +1,397 @@
+"""The chain of two masses: modes, free and driven motions and energies of families of chains; dashpots; limits."""
+
+import math
+import sys
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from physics.absorber import damped_solution
+from physics.coupled import TwoMassChain, free_modes, free_motion
+from physics.energy import chain_energy, half_square
+from physics.forced import driven_modes, forced_motion, particular_solution, steady_start
+from physics.free_motions import FreeMotions
+from physics.precision.exact import sin_cos
+from physics.precision.polynomials import context
+from physics.reference.damped_chain import braked_points
+from physics.transient import DIGITS, DRAWING, FILE, DampedModes
+from tests.grids import tries
+from tests.physics.chain_families import FAMILIES, chain_with, drawn, each_family
+from tests.physics.truth import Truth, U, rows, ulps, units, worst
+
+LARGEST = mp.mpf(sys.float_info.max)
+thorough = settings(max_examples=tries(30))
+
+
+@each_family
+@thorough
+@given(data=st.data())
+def test_modes_are_rounded_once(family, data):
+    parameters = data.draw(drawn(family))
+    modes, true = chain_with(parameters).modes(), Truth(*parameters)
+    found = [*modes.omega, *modes.ratio, modes.beat]
+    for value, exactly in zip(found, [*true.omega, *true.ratio, true.beat], strict=True):
+        assert ulps(value, exactly) <= 0.51 or (abs(exactly) > LARGEST and math.isinf(value))
+    for hi, lo, exactly in zip(modes.omega, modes.omega_lo, true.omega, strict=True):
+        if mp.mpf("1e-290") < exactly < LARGEST:
+            assert abs(mp.mpf(hi) + mp.mpf(lo) - exactly) <= exactly * mp.mpf(2) ** -105
+
+
+@each_family
+@thorough
+@given(data=st.data(), x1_0=st.floats(-1.0, 1.0), v2_0=st.floats(-1.0, 1.0))
+def test_amplitudes_and_phases_give_the_motion(family, data, x1_0, v2_0):
+    parameters = data.draw(drawn(family))
+    chain = chain_with(parameters)
+    fast = chain.modes().omega[1] or 1.0
+    if not 1e-100 < fast < 1e100 or not abs(chain.modes().ratio[1]) < 1e100:
+        return
+    x_0, v_0, t = (x1_0, 0.5), (0.0, v2_0 * fast), np.array([0.0, 0.1, 1.7]) / fast
+    modes, motion = free_modes(chain, x_0, v_0), free_motion(chain, x_0, v_0, t)
+    phases = zip(modes.omega, modes.omega_lo, modes.phase, strict=True)
+    sines = [sin_cos(hi, lo, t, phase)[0] for hi, lo, phase in phases]
+    x = modes.amplitude.T @ sines + np.array([modes.drift_a + modes.drift_b * s for s in t]).T
+    scale = np.sum(np.abs(modes.amplitude), axis=0) + np.abs(modes.drift_a)
+    scale = scale[:, np.newaxis] + np.abs(np.outer(modes.drift_b, t))
+    assert np.all(np.abs(x - motion.x) <= 16 * U * scale)
+    slow, fast = modes.parts(t)
+    assert np.all(np.abs((slow + fast).x - motion.x) <= 4 * U * scale)
+    assert np.all(np.abs((slow + fast).v - motion.v) <= 4 * U * (np.abs(slow.v) + np.abs(fast.v)).max())
+    assert np.all(modes.amplitude[:, 0] >= 0) and np.all((-np.pi < modes.phase) & (modes.phase <= np.pi))
+
+
+amount = st.floats(-1.0, 1.0)
+starts = st.tuples(amount, amount) | st.sampled_from([(0.0, 0.0), (1.0, 1.0)])
+LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+
+
+def check_amplitudes(chain, F_0, omega, true):
+    """One frequency is rounded once, a curve through it is within 2 ulp; what leaves the range is refused."""
+    if any(LARGEST < abs(X) < mp.inf for X in true):
+        with pytest.raises(ValueError, match=r"Xp[12] at omega = .* leaves the range of doubles"):
+            particular_solution(chain, F_0, omega)
+        return
+    for value, exactly in zip(particular_solution(chain, F_0, omega), true, strict=True):
+        assert ulps(value, exactly) <= 0.51
+    for value, exactly in zip(particular_solution(chain, F_0, [omega])[:, 0], true, strict=True):
+        assert ulps(value, exactly) <= 2
+
+
+@st.composite
+def drives(draw, parameters):
+    """A drive frequency at a detuning of 0 or 1e-17 to 100 from either mode, or from the antiresonance."""
+    true = Truth(*parameters)
+    root = draw(st.sampled_from([*true.omega, true.antiresonance]))
+    detuning = draw(st.one_of(st.just(0.0), st.floats(-17.0, 2.0).map(lambda e: 10.0**e)))
+    sign = draw(st.sampled_from([-1, 1])) if detuning < 1 else 1
+    omega = root * (1 + sign * mp.mpf(detuning)) if root else mp.mpf(detuning)
+    assume(omega < LARGEST)
+    return float(omega)
+
+
+@each_family
+@thorough
+@given(data=st.data())
+def test_amplitudes_at_every_frequency(family, data):
+    parameters = data.draw(drawn(family))
+    omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
+    check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
+
+
+@st.composite
+def pushed(draw, true, omega):
+    """F_0, x_0 and v_0: driven from rest, free from any start, or both where neither outweighs the other."""
+    slow, fast = true.omega[0] or true.omega[1] or mp.mpf(1), max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+    is_driven, is_moved = draw(st.sampled_from([(True, False), (False, True), (True, True)]))
+    if not is_moved:
+        return 2.0, (0.0, 0.0), (0.0, 0.0)
+    assume(mp.mpf("1e-100") < fast < mp.mpf("1e100") if is_driven else slow < LARGEST)
+    x_0, v_0 = draw(starts), draw(starts)
+    F_0 = float(min(mp.mpf("1e200"), true.m1 * fast**2)) if is_driven else 0.0
+    return F_0, x_0, [float(v * (fast if is_driven else slow)) for v in v_0]
+
+
+@each_family
+@thorough
+@given(data=st.data())
+def test_a_free_motion_is_within_4_u_and_a_driven_one_within_16_u_at_every_detuning(family, data):
+    parameters = data.draw(drawn(family))
+    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    F_0, x_0, v_0 = data.draw(pushed(true, omega))
+    turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
+    quickest = max(true.omega[1], mp.mpf(omega) if F_0 else 0) or mp.mpf(1)
+    t = [0.0, *(float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST)]
+    parts = [(true.free(x_0, v_0, s), true.driven(F_0, omega, s)) for s in t]
+    expected = [[[a + b for a, b in zip(*pair, strict=True)] for pair in zip(*both, strict=True)] for both in parts]
+    chain = chain_with(parameters)
+    if max(abs(value) for values, _ in expected for value in values) > LARGEST:
+        with pytest.raises(ValueError, match="leaves the range of doubles"):
+            forced_motion(chain, F_0, omega, t, x_0, v_0)
+        return
+    motion = forced_motion(chain, F_0, omega, t, x_0, v_0)
+    for n, (values, scales) in enumerate(expected):
+        assert worst(motion, n, values, scales) <= (16 if F_0 else 4)
+
+
+@pytest.mark.parametrize("name", ["moderate", "1e+-8", "tuned weak coupling", "k2 to 0", "k1 = 0"])
+@thorough
+@given(data=st.data(), early=st.floats(-6.0, 0.0), ratio=st.floats(-3.0, 3.0))
+def test_mass_2_starts_like_the_fifth_power_of_time(name, data, early, ratio):
+    """Relative to its own value, far below the envelope: the modes all but cancel in it."""
+    parameters = data.draw(drawn(FAMILIES[name]))
+    true = Truth(*parameters)
+    omega = float(true.omega[1] * mp.mpf(10) ** ratio)
+    t = float(mp.mpf(10) ** early / max(mp.mpf(omega), true.omega[1]))
+    values, _ = true.driven(1.0, omega, t)
+    assume(all(not value or mp.mpf("1e-290") < abs(value) < LARGEST for value in values))
+    motion = forced_motion(chain_with(parameters), 1.0, omega, [t])
+    for row, value in zip(rows(motion), values, strict=True):
+        assert units(row[0], value, abs(value)) <= 8
+
+
+@pytest.mark.parametrize("omega", [1.0, 2.0])
+@pytest.mark.parametrize("F_0", [3.0, -3.0])
+def test_resonance_has_no_steady_amplitude(omega, F_0):
+    assert particular_solution(LECTURE, F_0, omega).tolist() == [math.inf, math.inf]
+    assert particular_solution(LECTURE, F_0, [0.5, omega])[:, 1].tolist() == [math.inf, math.inf]
+    modes = driven_modes(LECTURE, F_0, omega)
+    assert not modes.split_is_meaningful and np.min(np.abs(modes.detuning)) == 0.0
+    for refused in (modes.complementary, modes.particular_motion, modes.apart):
+        with pytest.raises(ValueError, match=f"the drive at omega = {omega:.6g} rad/s is at a natural frequency"):
+            refused([1.0])
+    with pytest.raises(ValueError, match="natural frequency"):
+        steady_start(LECTURE, F_0, omega)
+
+
+@pytest.mark.parametrize("omega", [0.0, 0.9999, 1.4, 7.0])
+@pytest.mark.parametrize("end", [0.01, 40.0])
+def test_total_is_complementary_plus_particular(omega, end):
+    """From the onset on, with a beat that has not begun, and without a force; formed together or alone."""
+    t = np.linspace(0.0, end, 200)
+    modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
+    assert modes.split_is_meaningful == (omega != 0.9999)
+    motion, x_p, x_c = modes.apart(t)
+    alone = modes.motion(t)
+    size = np.max(np.abs(modes.particular)) + 1.0
+    assert np.max(np.abs(x_p + x_c - alone.x)) <= 32 * U * size
+    pairs = [(motion.x, alone.x), (motion.v, alone.v), (motion.e, alone.e)]
+    pairs += [(x_p, modes.particular_motion(t)), (x_c, modes.complementary(t))]
+    for together, apart in pairs:
+        assert np.max(np.abs(together - apart)) <= U * np.max(np.abs(apart))
+    steady = driven_modes(LECTURE, 2.0, omega, *steady_start(LECTURE, 2.0, omega)).motion(t)
+    assert np.max(np.abs(steady.x - np.outer(modes.particular, np.sin(omega * t)))) <= 1e-13 * size
+
+
+STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
+
+
+def within_range(chain):
+    """Energies of displacements near 1 are doubles well inside the range."""
+    values = [chain.m1, chain.m2, chain.k1, chain.k2, *chain.modes().omega]
+    return all(not value or 1e-120 < value < 1e120 for value in values)
+
+
+def long_times(chain, quickest, early, late, n=300):
+    """From a fraction of a radian to a million slow periods, while phases are accurate."""
+    slow = chain.modes().omega[0] or quickest
+    end = min(1e6 * 2 * math.pi / slow, 1e15 / quickest) * late
+    return np.concatenate([[0.0], np.geomspace(early / quickest, max(end, 1.0 / quickest), n)])
+
+
+@each_family
+@thorough
+@given(data=st.data(), late=st.floats(1e-6, 1.0))
+def test_work_is_the_gain_of_energy_within_8_u(family, data, late):
+    """Without a drive the energy is that of both modes."""
+    chain = chain_with(data.draw(drawn(family)))
+    x_0, v_0 = data.draw(starts), data.draw(starts)
+    assume(within_range(chain))
+    slow, fast = chain.modes().omega
+    detuning = data.draw(st.just(0.0) | st.floats(-17.0, 2.0).map(lambda e: 10.0**e))
+    omega = data.draw(st.sampled_from([float(slow), float(fast)])) * (1.0 + detuning) or 1.0
+    t = long_times(chain, max(omega, fast), 1e-3, late)
+    F_0 = chain.m1 * omega**2
+    total = chain_energy(chain, forced_motion(chain, F_0, omega, t, x_0)).total
+    work = driven_modes(chain, F_0, omega, x_0).work(t)
+    assert np.all(np.abs(work - (total - total[0])) <= 8 * U * np.maximum.accumulate(total) + 1e-300)
+    v_0 = tuple(v * (slow or fast or 1.0) for v in v_0)
+    free = chain_energy(chain, free_motion(chain, x_0, v_0, t * omega / (fast or 1.0))).total
+    energy = math.fsum(free_modes(chain, x_0, v_0).energy)
+    assert np.all(np.abs(free - energy) <= 8 * U * energy)
+
+
+@pytest.mark.parametrize(
+    ("factor", "value", "energy"),
+    [
+        (1e300, 2e-200, 2e-100),
+        (1e-300, 2e200, 2e100),
+        (2.0, 3.0, 9.0),
+        (5e-324, 2.0**537, 0.5),
+        (1e-200, 1e-200, 0.0),
+        (0.0, 1e300, 0.0),
+        (1.0, 0.0, 0.0),
+    ],
+)
+def test_half_squares_at_the_edges(factor, value, energy):
+    assert half_square("V", factor, np.array([value, -value])) == pytest.approx([energy, energy], rel=4 * U, abs=0.0)
+
+
+@pytest.mark.parametrize(("chain", "start"), [(STIFF, (1.0, 1.0)), (STIFF, (1.0, 1.000001)), (LECTURE, (1.0, -0.5))])
+def test_on_a_coarse_grid_a_mode_too_fast_to_draw_counts_by_its_mean_energy(chain, start):
+    """The slow mode counts by its values; their sum is the whole energy."""
+    t, free = np.linspace(0.0, 30.0, 300), free_modes(chain, start, (0.0, 0.0))
+    both = FreeMotions(free).both
+    T, V = (
+        [0.5 * size * one**2 for size, one in pairs]
+        for pairs in (((chain.m1, both.v1), (chain.m2, both.v2)), ((chain.k1, both.e1), (chain.k2, both.e2)))
+    )
+    assert sum(one.mean.at(t) for one in (*T, *V)) == pytest.approx(math.fsum(free.energy), rel=1e-6)
+    if chain is STIFF:
+        stretched = free.amplitude[0, 0] * float(STIFF.exact_modes[0].stretch)
+        slow = STIFF.k2 * (np.cos(STIFF.modes().omega[0] * t) * stretched) ** 2 / 2
+        assert V[1].mean.at(t) == pytest.approx(slow + free.energy[1] / 2, rel=1e-9)
+        return
+    energy = chain_energy(chain, free.motion(t))
+    for one, true in zip((*T, *V), (*energy.T, *energy.V), strict=True):
+        assert np.array_equal(one.at(t), true)
+        assert one.mean.at(t) == pytest.approx(true, abs=1e-14)
+
+
+MACHINE = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
+WITHIN = ("moderate", "1e+-8", "tuned weak coupling", "k1 = 0", "k2 = 0", "k1 = k2 = 0", "small integers")
+EQUAL_EXPONENTS = [
+    (TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=2.0), 2.0),  # a critical pair, no wall
+    (TwoMassChain(m1=1.0, m2=1.0, k1=2.0, k2=0.5), 1.0),  # (s^2 + s + 1)^2
+    (TwoMassChain(m1=5.0, m2=20.0, k1=25.0, k2=4.0), 16.0),  # (s + 1)^4
+]
+
+
+def truth(modes, t):
+    """x1, x2, x2 - x1, v1, v2 from exp(A t), with the drive as an additional oscillator."""
+    chain = modes.chain
+    parameters = (chain.m1, chain.m2, chain.k1, chain.k2, modes.c, modes.c1, modes.F_0, modes.omega)
+    m1, m2, k1, k2, c, c1, F, omega = map(mp.mpf, parameters)
+    A = mp.matrix(6, 6)
+    A[0, 2] = A[1, 3] = 1
+    for i, m, sign, wall, brake in ((2, m1, 1, k1, c1), (3, m2, -1, 0, 0)):
+        A[i, 0], A[i, 1] = (-sign * k2 - wall) / m, sign * k2 / m
+        A[i, 2], A[i, 3] = (-sign * c - brake) / m, sign * c / m
+    A[2, 4] = F / m1
+    A[4, 5], A[5, 4] = omega, -omega
+    x1, x2, v1, v2, _, _ = mp.expm(A * mp.mpf(t)) * mp.matrix([*modes.x_0, *modes.v_0, 0, 1])
+    return x1, x2, x2 - x1, v1, v2
+
+
+def check(modes, times):
+    """Every number within 0.51 ulp, the smallest too."""
+    motion = modes.motion(times)
+    for n, t in enumerate(times):
+        for row, aim in zip(rows(motion), truth(modes, t), strict=True):
+            assert ulps(row[n], aim) <= 0.51
+
+
+def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c1=0.0):
+    return DampedModes(chain=chain, c=c, F_0=F_0, omega=omega, x_0=x_0, v_0=v_0, c1=c1)
+
+
+@pytest.mark.parametrize("family", WITHIN)
+@settings(max_examples=tries(8))
+@given(data=st.data())
+def test_motion_is_rounded_once(family, data):
+    chain = chain_with(data.draw(drawn(FAMILIES[family])))
+    fast = float(chain.modes().omega[1]) or 1.0
+    share = st.just(0.0) | st.floats(-6.0, 2.0).map(lambda e: 10.0**e)
+    c, c1 = (math.sqrt(chain.m1 * chain.m2) * fast * data.draw(share) for _ in range(2))
+    omega = fast * 10.0 ** data.draw(st.floats(-3.0, 1.0))
+    x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
+    v_0 = data.draw(st.sampled_from([(0.0, 0.0), (fast, -fast)]))
+    times = [10.0 ** data.draw(st.floats(low, high)) / fast for low, high in ((-4.0, 0.0), (0.0, 2.0), (0.0, 4.0))]
+    F_0 = data.draw(st.sampled_from([0.0, 1.0])) * chain.m1 * fast**2
+    assume((c or c1) and max(abs(number) for number in (F_0, omega, c, c1, *times)) < 1e100)
+    check(modes_of(chain, c, F_0, omega, x_0, v_0, c1), [0.0, *times])
+
+
+def special():
+    """Motions where digits are lost first, and times."""
+    small = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
+    for size in (2.2250738585072014e-308, 5e-320):
+        yield modes_of(small, 1.618033988749895, F_0=0.0, x_0=(size, 0.0)), np.linspace(0.0, 5.0, 10).tolist()
+    for chain, c in EQUAL_EXPONENTS:
+        yield modes_of(chain, c, omega=0.7, x_0=(0.3, -1.0)), [0.0, 1e-6, 0.1, 1.0, 30.0, 200.0]
+        for apart in (1e-15, 1e-9, 1e-3):
+            yield modes_of(chain, c * (1 + apart), omega=0.7), [1e-3, 1.0, 20.0]
+    for ratio in (1e3, 1e9):  # overdamped: the rates differ by a factor ratio^2
+        yield modes_of(LECTURE, 3.0 * ratio, x_0=(1.0, 0.0)), [1e-9, 1e-3, 1.0, 40.0, 1e4]
+    for c in (5e-324, 1e-100, 1e-20):  # at resonance x_p and the transient are 1/c large
+        for omega in (1.0, 1.0 + 1e-9, 1.7):
+            yield modes_of(LECTURE, c, 1.0, omega), [1e-4, 0.3, 5.0, 100.0]
+    loose = TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0)  # mass 1 stays while the other moves
+    yield modes_of(loose, 0.0, 0.0, 0.0, (0.1, 0.2), (0.0, 0.3), c1=0.5), [0.0, 1.0, 7.0]
+
+
+@pytest.mark.parametrize(("modes", "times"), list(special()))
+def test_special_motions_are_rounded_once(modes, times):
+    check(modes, times)
+
+
+@pytest.mark.parametrize(
+    ("chain", "c", "room"),
+    [
+        *((MACHINE, c, 1e-12) for c in (0.0, 1e-6, 1.0, 313.7, 1e6)),
+        *((chain, c * (1 + apart), 1e-5) for chain, c in EQUAL_EXPONENTS for apart in (0.0, 1e-15, 1e-3)),
+    ],
+)
+def test_the_motion_is_its_particular_solution_and_its_transient(chain, c, room):
+    """Drawn in plain doubles it is the same, and the reference of the scenes too."""
+    modes = modes_of(chain, c, 500.0, 0.96 * float(chain.modes().omega[1]), (0.3, -1.0), (1.0, 0.0))
+    t = np.linspace(0.0, 30.0, 100) / float(chain.modes().omega[1])
+    motion = modes.motion(t)
+    x = np.array([*motion.x, motion.e[1]])
+    size = np.max(np.abs(x))
+    assert np.max(np.abs(modes.particular_motion(t) + modes.complementary(t) - x)) < room * size
+    drawn_x, drawn_v = modes.drawn(t)
+    assert np.max(np.abs(drawn_x - x)) < room * size
+    assert np.max(np.abs(drawn_v[:2] - motion.v)) < room * np.max(np.abs(motion.v))
+    for row, points in zip(motion.x, braked_points(modes, t[::33]).values(), strict=True):
+        assert row[::33] == pytest.approx([float(one.value) for one in points], abs=8 * U * size)
+    assert np.array_equal(modes.particular[:2], damped_solution(chain, c, 500.0, modes.omega, modes.c1))
+    for exponent, (amplitude, *_) in modes.transient:
+        assert exponent.imag >= 0.0 and (exponent.real < 0.0 or not (c and chain.k1))
+        assert amplitude[2] == pytest.approx(amplitude[1] - amplitude[0], abs=1e-14 * np.max(np.abs(amplitude)))
+
+
+def test_no_particular_solution_at_an_undamped_resonance():
+    modes = modes_of(LECTURE, 0.0, 1.0, 1.0)
+    for refused in ("transient", "particular"):
+        with pytest.raises(ValueError, match="omega = 1 rad/s is at a natural frequency"):
+            getattr(modes, refused)
+    assert np.all(np.isfinite(modes.motion([100.0]).x))
+
+
+DAMPED = DampedModes(chain=MACHINE, c=100.0, F_0=500.0, omega=48.0)
+
+
+def test_work_beyond_that_of_a_picture_or_a_file_is_refused():
+    """At first, where x2 starts like t^4, all but everything cancels; much later few digits are needed."""
+    few, many = np.linspace(0.5e-100, 1e-100, 3), np.linspace(0.5e-100, 1e-100, 500)
+    np.testing.assert_array_equal(DAMPED.motion(few, DRAWING).x, DAMPED.motion(few).x)
+    for budget in (DRAWING, FILE):
+        with pytest.raises(ValueError, match="more digits of arithmetic than are allowed"):
+            DAMPED.motion(many, budget)
+    t = np.linspace(5e12, 1e13, 50)
+    exact = DAMPED.motion(t).x
+    np.testing.assert_allclose(DAMPED.motion(t, DRAWING).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
+
+
+def test_what_died_out_long_ago_is_not_worked_out(monkeypatch):
+    """An exponent of -1e189 is an integer, to whose power mpmath would raise e, squaring by squaring."""
+    asked, ctx = [], context(DIGITS)
+    exp = ctx.exp
+    monkeypatch.setattr(ctx, "exp", lambda z: asked.append(z.real) or exp(z))
+    modes = DampedModes(chain=LECTURE, c=1.0, F_0=1.0, omega=1e-189, x_0=(1.0, 0.0))
+    far = modes.motion([1e189, 2e189])
+    np.testing.assert_allclose(far.x, np.sin([1.0, 2.0]) * modes.particular[:2, None].real, rtol=1e-9)
+    assert asked and min(asked) > -1e6
