@@ -176,6 +176,7 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     *(("errors are compared with both", lambda x_0=x_0: list(measure([replace(AT_REST, x_0=x_0)])))
       for x_0 in ((0.0, 0.0), (1e300, 1e300), (1e-320, 0.0))),
     ("two free masses", lambda: list(measure([replace(AT_REST, chain=replace(CHAIN, k1=0.0, k2=0.0))]))),
+    ("omega t leaves the range of doubles", lambda: replace(MEASURED["near"], F_0=1.0, omega=1e308).problem()),
     ("lets the mass swing", lambda: replace(MEASURED["dashpot"].problem(), c=1.0).rates),
 ]  # fmt: skip
 
