@@ -264,7 +264,7 @@ def test_the_closed_form_and_the_reference_have_every_digit(system):
 
 
 def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
-    """What takes long is timed twice only."""
+    """Long runs are timed only twice."""
     two, limits = [SYSTEMS["benign"], SYSTEMS["beats"]], Limits(seconds=60.0, rounds=3, visit=0.0)
     runs = list(measure(two, [METHODS[slug] for slug in ("closed", "slides")], limits))
     turn = [("closed", "benign"), ("closed", "beats"), ("slides", "benign"), ("slides", "beats")]
