@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 import msgspec
@@ -15,6 +14,7 @@ from components.live_class.store import Store
 from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.walks.registry import all_walks
+from tests.serving.served import until
 
 BANK = QuestionBank(all_walks((), SCENES), SCENES)
 CHOICE = ("d31", "d31-03")
@@ -34,12 +34,6 @@ class Listener:
 
     def end(self) -> None:
         self.ended = True
-
-
-async def until(happens: Callable[[], object], seconds: float = 30.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not happens():
-            await asyncio.sleep(0.01)
 
 
 @asynccontextmanager

@@ -20,19 +20,14 @@ CHOICE = {"walk": "d31", "step": "d31-03"}
 
 @asynccontextmanager
 async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[tuple[Server, str]]:
+    """Yield such a server. At the end, close all streams that the test has opened."""
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
     live_class = LiveClass(store or MemoryStore(), LECTURE.bank, made.class_passphrase, made.bokeh_secret_key)
     page = partial(LECTURE.open_page, lead=live_class.lead)
     server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class], start=LECTURE.start)
     server.classes = live_class.context
     try:
-        yield server, f"http://127.0.0.1:{server.port}/"
+        async with streams_closed():
+            yield server, f"http://127.0.0.1:{server.port}/"
     finally:
         await server.end()
-
-
-@asynccontextmanager
-async def teaching(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    """Yield such a server, and close all streams that the test has opened."""
-    async with served(**settings) as serving, streams_closed():
-        yield serving

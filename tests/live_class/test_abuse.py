@@ -18,7 +18,7 @@ from components.live_class.store import MemoryStore, Store
 from tests.live_class.caller import Answered, Class, Remote, called
 from tests.live_class.listening import BANK
 from tests.live_class.messages import MESSAGES
-from tests.live_class.served import CHOICE, teaching
+from tests.live_class.served import CHOICE, served
 
 METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
 QUESTION = "d31/d31-03/1"
@@ -139,7 +139,7 @@ async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
     abuse: str, subtests: pytest.Subtests
 ) -> None:
     act, routes, statuses = ABUSES[abuse]
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson, other = await Class.open(url), await Class.open(url)
         for one in (lesson, other):
             await one.order("put", **CHOICE)
@@ -210,7 +210,7 @@ REFUSED: list[tuple[str, Any, int]] = [
 
 
 async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(subtests: pytest.Subtests) -> None:
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         words = {"remote": (await Remote.pair(url, lesson)).key, "key": lesson.key, "phone": await lesson.token()}
         stored = partial(contents, server.classes.registry.store, lesson)

@@ -23,8 +23,9 @@ from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
 from components.state.page_state import fitted
-from tests.live_class.listening import BANK, CHOICE, Listener, replicas, until
+from tests.live_class.listening import BANK, CHOICE, Listener, replicas
 from tests.live_class.stores import Valkey, made
+from tests.serving.served import until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)

@@ -8,8 +8,8 @@ import pytest
 
 from components.live_class import instructor_routes, registry
 from components.live_class.codes import Keys, as_code, code_of, digest, is_given, new_key, new_token, voter_of
-from tests.live_class.caller import Answered, Class, called, streams_closed
-from tests.live_class.served import CHOICE, served, teaching
+from tests.live_class.caller import Answered, Class, called
+from tests.live_class.served import CHOICE, served
 
 SECRET = "a secret of these tests alone"
 VOTE = f"{CHOICE['walk']}/{CHOICE['step']}/1"
@@ -20,35 +20,34 @@ async def reopened(url: str, code: str, key: str, **more: Any) -> Answered:
 
 
 async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again() -> None:
-    async with streams_closed():
-        async with served() as (_, url):
-            lesson = await Class.open(url)
-            tokens = [await lesson.token() for _ in range(3)]
-            await lesson.order("put", **CHOICE)
-            for token, option in zip(tokens, (0, 1, 1), strict=True):
-                assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
-            kept = (await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)).json
-        async with served() as (_, url):
-            lesson.url = url
-            assert (await lesson.order("withdraw")).status == 404
-            again = await reopened(url, lesson.code, lesson.key)
-            assert again.json["address"].partition("?")[2] == lesson.opened["address"].partition("?")[2]
-            assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
-            assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 503  # the phone tries again
-            await lesson.order("put", **CHOICE)
-            assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
-            assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as requested
-            await lesson.order("show")
-            phone = await lesson.follow()
-            assert (await lesson.order("restore", answers=kept)).status == 204
-            await phone.until(lambda event: (event.get("question", {}).get("split") or {}).get("options") == [0, 2, 1])
-            assert (await lesson.tally())["now"]["options"] == [0, 2, 1]
+    async with served() as (_, url):
+        lesson = await Class.open(url)
+        tokens = [await lesson.token() for _ in range(3)]
+        await lesson.order("put", **CHOICE)
+        for token, option in zip(tokens, (0, 1, 1), strict=True):
+            assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
+        kept = (await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)).json
+    async with served() as (_, url):
+        lesson.url = url
+        assert (await lesson.order("withdraw")).status == 404
+        again = await reopened(url, lesson.code, lesson.key)
+        assert again.json["address"].partition("?")[2] == lesson.opened["address"].partition("?")[2]
+        assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
+        assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 503  # the phone tries again
+        await lesson.order("put", **CHOICE)
+        assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as requested
+        await lesson.order("show")
+        phone = await lesson.follow()
+        assert (await lesson.order("restore", answers=kept)).status == 204
+        await phone.until(lambda event: (event.get("question", {}).get("split") or {}).get("options") == [0, 2, 1])
+        assert (await lesson.tally())["now"]["options"] == [0, 2, 1]
 
 
 async def test_a_class_is_reopened_only_with_its_key(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 12)
 
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson, other = await Class.open(url), await Class.open(url)
         forged = Keys().new()
         for code, key in (
@@ -72,13 +71,13 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
     send. Answers that fit no question do not count.
     """
     monkeypatch.setattr(registry, "SPARE", 2)
-    async with teaching(bokeh_secret_key=SECRET) as (_, url):
+    async with served(bokeh_secret_key=SECRET) as (_, url):
         lesson = await Class.open(url)
         own = {(await lesson.token()).partition(".")[0]: {**CHOICE, "option": i} for i in range(8)}
-    async with teaching(bokeh_secret_key=f"{SECRET}, another") as (_, url):
+    async with served(bokeh_secret_key=f"{SECRET}, another") as (_, url):
         assert (await reopened(url, lesson.code, lesson.key)).status == 409
     made_up = {f"{i:011x}abcdefgh": {**CHOICE, "option": 1} for i in range(8)}
-    async with teaching(bokeh_secret_key=SECRET) as (_, url):
+    async with served(bokeh_secret_key=SECRET) as (_, url):
         assert (await reopened(url, lesson.code, lesson.key)).status == 200
         lesson.url = url
         refused = await lesson.order("restore", answers=made_up)

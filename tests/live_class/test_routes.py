@@ -14,13 +14,13 @@ from components.serving import worker_process
 from components.serving.worker_process import ReadingProcess
 from tests.live_class.caller import Class, Remote, called
 from tests.live_class.questions import OWN
-from tests.live_class.served import CHOICE, teaching
+from tests.live_class.served import CHOICE, served
 from tests.page.scripts import text_of
 from tests.serving.visitor import Visitor
 
 
 async def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         stream = await lesson.follow()
         for header in ("text/event-stream", "X-Accel-Buffering: no", "no-store"):
@@ -46,7 +46,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
 
 
 async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -> None:
-    async with teaching() as (_, url):
+    async with served() as (_, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         token, path = await lesson.token(), f"/class/{lesson.code}/answer"
@@ -68,7 +68,7 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -
 
 async def test_pages_without_a_stream_poll_and_get_all_news() -> None:
     """An instructor's page gets its own news one by one, and none of another replica."""
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         token, path = await lesson.token(), f"/class/{lesson.code}/now?after="
         await lesson.order("put", **CHOICE)
@@ -92,7 +92,7 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
     assert hits < 1 and follower_routes.MISSES >= 300
     monkeypatch.setattr(follower_routes, "MISSES", 4)
 
-    async with teaching(trusted_proxies=("127.0.0.1",)) as (_, url):
+    async with served(trusted_proxies=("127.0.0.1",)) as (_, url):
         lesson = await Class.open(url)
 
         async def enter(code: str, address: str, word: str = "") -> int:
@@ -110,7 +110,7 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
 
 
 async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
-    async with teaching() as (_, url):
+    async with served() as (_, url):
         lesson = await Class.open(url)
         leader, path = await lesson.lead(), f"/class/{lesson.code}"
         secret = {"address": await Remote.secret(url, lesson)}
@@ -140,7 +140,7 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
 
 async def test_a_remote_control_has_the_counts_the_right_answer_and_the_notes_before_the_answer_is_shown() -> None:
     noted = OWN["mine"] + 'notes = """\nShow the *real* spring.\n\nThen wait."""\n'
-    async with teaching() as (_, url):
+    async with served() as (_, url):
         lesson = await Class.open(url)
         remote, stream = await Remote.pair(url, lesson), await lesson.follow()
         for name, text in (("noted", noted), ("why", OWN["why"])):
@@ -176,7 +176,7 @@ async def test_a_remote_control_has_the_counts_the_right_answer_and_the_notes_be
 
 
 async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
-    async with teaching() as (_, url):
+    async with served() as (_, url):
         lesson, other = await Class.open(url), await Class.open(url)
         path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3", "shown": {"d31/d31-03": 2}}
         leader = await lesson.lead()
@@ -201,7 +201,7 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
 
 @pytest.mark.parametrize("public", ["", "https://lecture.example/osc/"])
 async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_session(public: str) -> None:
-    async with teaching(public_url=public) as (server, url):
+    async with served(public_url=public) as (server, url):
         opened = (await called(url, "/class", "POST")).json
         assert opened["address"] == f"{public or url}{opened['code']}?join={join_key(opened['key'])}"
         assert "<script" not in opened["square"] and opened["square"].startswith("<svg")
@@ -220,7 +220,7 @@ async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_
 
 
 async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
-    async with teaching(class_passphrase="swinging über springs") as (server, url):
+    async with served(class_passphrase="swinging über springs") as (server, url):
         server.classes.openings.most = 2
         for word, sentence in (("", "Opening a class here needs"), ("wrong%20words", "This is not the instructors'")):
             answer = await called(url, "/class", "POST", word=word)
@@ -235,7 +235,7 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
 async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """An instructor's page sends it once more, and gives up after a final refusal."""
 
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         monkeypatch.setattr(server.classes.registry.bank, "worker", ReadingProcess("none"))
         monkeypatch.setattr(worker_process, "WAITING", 0)

@@ -21,8 +21,8 @@ from components.live_class import shared_store, store
 from components.live_class.codes import code_of
 from components.live_class.store import FullError, Store, UnreachableError
 from tests.grids import tries
-from tests.live_class.listening import until
 from tests.live_class.stores import KINDS, Valkey, made, set_limits
+from tests.serving.served import until
 
 Kept = Callable[..., AbstractAsyncContextManager[Store]]
 LIMITS = {"rooms": 3, "size": 2500}

@@ -13,9 +13,9 @@ from components.live_class import registry as registries
 from components.live_class import room as rooms
 from components.live_class.room import name_of
 from tests.live_class.caller import Class, Stream, called
-from tests.live_class.listening import until
-from tests.live_class.served import CHOICE, served, teaching
+from tests.live_class.served import CHOICE, served
 from tests.live_class.stores import Valkey, made
+from tests.serving.served import until
 
 
 def unread(lesson: Class, port: int, word: str) -> socket.socket:
@@ -34,7 +34,7 @@ def picture(sheet: object) -> dict[str, bytes]:
 
 @pytest.mark.parametrize("leads", [False, True])
 async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_deed_once(leads: bool) -> None:
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
         slow, room = unread(lesson, server.port, word), server.classes.registry.rooms[lesson.code]
@@ -58,7 +58,7 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
 async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
 
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         mute = unread(lesson, server.port, await lesson.token())
         room = server.classes.registry.rooms[lesson.code]
@@ -75,7 +75,7 @@ async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is
     async with (
         made("valkey", valkey.url) as store,
         made("valkey", valkey.url) as other,
-        teaching(store=store) as (server, url),
+        served(store=store) as (server, url),
         served(other) as (_, second),
     ):
         lesson = await Class.open(url)
@@ -95,7 +95,7 @@ async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is
 async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "SILENCE", 0.05)
 
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         token, store = await lesson.token(), server.classes.registry.store
         stream = await Stream(url, lesson.code, token).open()
@@ -119,7 +119,7 @@ async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkey
 async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(registries, "SPARE", 2)
 
-    async with teaching() as (server, url):
+    async with served() as (server, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         early, late = await lesson.token(), await lesson.token()

@@ -64,19 +64,6 @@ def test_the_ledger_says_what_became_of_each_number_and_hides_it_by_each_of_its_
     assert sorted(hidden) == [("fast", "rad/s", "?"), ("slow", "", "?")]
 
 
-def test_the_frame_has_room_for_both_and_fits_both() -> None:
-    page = Page(SCENES["oscillator"](v_0=-3.0))
-    hold(page)
-    told = change(page, frame=None, parameters={"x_0": 0.01, "v_0": 0.0})
-    high = page.shown.axes["x"].end
-    assert np.abs(told["held"]["columns"]["time"]["x"]).max() < high
-    assert told["state"]["frame"] is None, "nothing more would fit"
-    set_values(page, x_0=0.02)
-    assert page.shown.axes["x"].end == high
-    change(page, held=None, frame=None)
-    assert page.shown.axes["x"].end < 0.1 * high
-
-
 def test_a_link_names_what_it_cannot_hold() -> None:
     link = read_query(as_arguments("scene=coupled&held.view=forces&held.k2=x&held=here"), SCENES)
     assert [problem.partition(":")[0] for problem in link.problems] == [

@@ -67,14 +67,6 @@ def test_pieces_in_order_are_fitted(page: Page) -> None:
     assert page.session.opening() == before, "rows are in no picture and no link"
 
 
-def test_means_of_rows_give_the_amplitude_of_the_rows(page: Page) -> None:
-    t = np.arange(3000) * 0.04
-    x = C * np.exp(-0.02 * t) * np.cos(OMEGA * t)
-    told = page.send(piece(0, 1, *(column.reshape(-1, 10).mean(axis=1) for column in (t, x)), size=10))
-    (column,) = told["motion"]["columns"]
-    assert math.hypot(*column["C"], *column["S"]) == pytest.approx(C * math.exp(-0.02 * 0.18), rel=1e-6)
-
-
 @pytest.mark.parametrize(("derivative", "unit"), [(1, "m/s"), (2, "m/s²")])
 def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: str) -> None:
     exponent = complex(-DECAY, OMEGA)

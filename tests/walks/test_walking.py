@@ -8,6 +8,8 @@ import msgspec
 import pytest
 
 from app import visited
+from components.language.messages import Given
+from components.live_class.question_bank import QuestionBank
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
 from components.state.scene_sheet import plots
@@ -166,3 +168,24 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
     lessons = [given(page, "one", walk=f"mine-{i}", option=0)["lesson"] for i in range(6)]
     assert [lesson and lesson["right"] for lesson in lessons] == [True] * 5 + [None]
     assert "mine-0" not in WALKS
+
+
+@pytest.mark.parametrize(
+    ("walk", "step", "answer", "judged"),
+    [
+        ("d31", "d31-03", {"option": 0}, {"number": 0.0, "right": True, "has": []}),
+        ("d31", "d31-02", {"text": "2 s"}, {"number": 2.0, "right": True, "has": []}),
+        ("d34", "d34-08", {"value": 1.6}, {"number": 0.0, "right": True, "has": []}),
+        ("d34", "d34-14", {"curves": {"Xp1": [500] * 101}}, {"number": 0.0, "right": False, "has": [False] * 5}),
+    ],
+)
+def test_an_answer_of_a_page_and_a_store_from_before_is_one(
+    walk: str, step: str, answer: dict[str, object], judged: dict[str, object]
+) -> None:
+    """Phones send all fields, even those that do not belong to the question, and stores have kept them."""
+    whole = {"walk": walk, "step": step, "vote": 2, "option": None, "text": "", "value": None, "curves": {}, **answer}
+    bank = QuestionBank(WALKS, SCENES)
+    found = bank.judge(msgspec.json.decode(msgspec.json.encode(whole), type=Given))
+    assert found.right == judged["right"]
+    kept = bank.read(msgspec.json.encode({**whole, **judged, "form": "another"}))
+    assert kept == found
