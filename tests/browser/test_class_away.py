@@ -98,7 +98,8 @@ def led_by_another_computer(site: GatedSite, window: Open, lecture: Page, phones
         draw(phone, lambda x: 0.2 + 0.6 * x)
         sent(phone)
     lecture.wait_for_function(copied("mine/curve", 3))
-    other = window(ticket(lecture, "Another computer", "word").partition("?")[2], 1280, 844)
+    other = window("", 1280, 844)
+    other.goto(ticket(lecture, "Another computer", "word"))
     other.wait_for_function(f"{LED}?.news.number && oscillations.walks.walk?.card", timeout=BACK)
     other.wait_for_function(copied("mine/pull", 3))  # which the first computer had copied
     assert other.evaluate("oscillations.walks.walk.sheet.name") == "mine"

@@ -27,7 +27,11 @@ INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.lay
     && y > f.top + 4 && y < f.top + f.height - 4)
   const inked = seen.filter(([x, y]) => ink.getImageData(scale * x - 5, scale * y - 5, 11, 11).data.some(Boolean))
   return seen.length && inked.length > 0.95 * seen.length }"""
-SKETCHED = [(walk, step) for walk in load_walks(()).values() for step in walk.steps if isinstance(step, SketchStep)]
+SKETCHED = sorted(
+    [(walk, step) for walk in load_walks(()).values() for step in walk.steps if isinstance(step, SketchStep)],
+    key=lambda one: -len(strokes(one[1])),
+)
+"""Walks and steps; first one with two curves."""
 
 
 @pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 20))

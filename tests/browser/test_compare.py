@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.waiting import QUIET, turned, type_in
+from tests.browser.waiting import QUIET, is_shown, turned, type_in, typed
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -45,10 +45,6 @@ KEEP_BACK = """() => {
 """A script that holds back the message at the end of a drag until the test sends it."""
 
 
-def is_shown(page: Page, name: str, value: float) -> None:
-    page.wait_for_function(f"oscillations.shown.settings.{name}.value === {value}")
-
-
 def is_wide(page: Page) -> None:
     page.wait_for_function(f"{WIDTH} > 2")
 
@@ -59,12 +55,6 @@ def is_fitted(page: Page) -> None:
     page.wait_for_function(f"{DRAWN}.length")
     page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
     assert page.evaluate(f"{DRAWN}.length")
-
-
-def typed(page: Page, name: str, text: str) -> None:
-    """Type a value; the field keeps the focus."""
-    page.locator(f"input[name={name}]").fill(text)
-    page.locator(f"input[name={name}]").press("Enter")
 
 
 def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -> None:
@@ -83,7 +73,7 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     expect(page.locator(".control:has(input[name=m]) .was")).to_be_visible()
     expect(page.locator(".control:has(input[name=k]) .was")).to_be_hidden()
     page.keyboard.press("Control+z")
-    is_shown(page, "m", 1)
+    is_shown(page, m=1)
     assert page.evaluate(DRAWN) == [], "the same picture again"
     page.keyboard.press("Control+Shift+z")
     page.wait_for_function("oscillations.shown.settings.m.value === 4 && location.search.includes('m=4')")
@@ -212,7 +202,7 @@ def test_keys_and_typed_values_let_go_when_they_rest(page: Page, open_scene: Ope
     page.evaluate("sent()")
     is_fitted(page)
     page.keyboard.press("Control+Shift+Z")  # it belongs to the field and undoes nothing in the scene
-    is_shown(page, "k", 40)
+    is_shown(page, k=40)
 
 
 def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page, open_scene: Open) -> None:
@@ -229,14 +219,14 @@ def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page,
     for deed in (button.click, press_key, page.locator(".plot-area").first.dblclick):
         before = page.evaluate(window)
         type_in(page, "m", "4")
-        is_shown(page, "m", 4)
+        is_shown(page, m=4)
         assert page.evaluate(window) == before
         expect(button).to_be_visible()
         deed()
         expect(button).not_to_be_visible()
         assert page.evaluate(window) == pytest.approx(2 * before)
         page.get_by_role("button", name="Pushed back").click()
-        is_shown(page, "m", 1)
+        is_shown(page, m=1)
         expect(button).not_to_be_visible()
     open_scene(page, scene="oscillator", **{"frame.x": "-9,9"})
     page.locator("input[name=m-slider]").press("ArrowRight")
@@ -249,6 +239,6 @@ def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page,
     page.wait_for_function("oscillations.walks.walk.lesson && oscillations.shown.settings.x_0.value === 0.2")
     page.wait_for_function(f"{DRAWN}.length")
     typed(page, "x_0", "0.15")
-    is_shown(page, "x_0", 0.15)
+    is_shown(page, x_0=0.15)
     page.wait_for_function(ENDED)
     assert page.evaluate(END) == start, "twice as far is seen to be twice as far"

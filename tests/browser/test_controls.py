@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.touch import Finger
-from tests.browser.waiting import QUIET, passed, turned
+from tests.browser.waiting import QUIET, is_shown, passed, turned, typed
 
 pytestmark = pytest.mark.browser
 
@@ -23,11 +23,6 @@ def slider(page: Page, name: str) -> Locator:
 
 def problem(page: Page, name: str) -> Locator:
     return page.locator(f"#problem-{name}")
-
-
-def typed(page: Page, name: str, text: str) -> None:
-    field(page, name).fill(text)
-    field(page, name).press("Enter")
 
 
 def value(page: Page, name: str) -> float:
@@ -62,7 +57,7 @@ def test_a_slider_has_a_name_and_sets_its_value_by_mouse_and_keys(desk: Page) ->
         ("x1_0", "0", ("PageUp 0.400",)),
     ):
         typed(desk, name, start)
-        desk.wait_for_function(f"oscillations.shown.settings.{name}.value === {start}")
+        is_shown(desk, **{name: start})
         for key, shown in map(str.split, presses):
             slider(desk, name).press(key)
             expect(field(desk, name)).to_have_value(shown)
@@ -96,7 +91,7 @@ def test_a_digit_typed_on_a_slider_goes_to_its_field_and_a_field_takes_what_peop
         expect(field(desk, name)).to_be_focused()
         expect(field(desk, name)).to_have_value(text)
         desk.keyboard.press("Enter")
-        desk.wait_for_function(f"oscillations.shown.settings.{name}.value === {number}")
+        is_shown(desk, **{name: number})
     for text, number in (("1,5·10^3 N/m", 1500), ("3 kg", 1500), ("1/3", 1 / 3)):
         typed(desk, "k2", text)
         assert value(desk, "k2") == number

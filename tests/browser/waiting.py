@@ -73,9 +73,20 @@ def clicked(page: Page, key: str = "PageDown") -> None:
     page.evaluate("() => { globalThis.pressed = performance.now() }")
 
 
-def type_in(page: Page, name: str, text: str) -> None:
-    """Type a value into the field of a parameter, and leave it."""
+def typed(page: Page, name: str, text: str) -> None:
+    """Type a value into the field of a parameter, which keeps the focus."""
     field = page.locator(f"input[name={name}]").last
     field.fill(text)
     field.press("Enter")
-    field.blur()
+
+
+def type_in(page: Page, name: str, text: str) -> None:
+    """Type a value into the field of a parameter, and leave it."""
+    typed(page, name, text)
+    page.locator(f"input[name={name}]").last.blur()
+
+
+def is_shown(page: Page, **values: float) -> None:
+    """The page shows these values."""
+    for name, value in values.items():
+        page.wait_for_function(f"oscillations.shown.settings.{name}?.value === {value}")
