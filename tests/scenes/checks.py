@@ -16,6 +16,7 @@ from components.layout.controls import Choice
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
+from components.scenes import SCENES
 from components.state.page_state import PageState
 from tests.page.headless_page import picture_wire
 
@@ -110,3 +111,10 @@ def moved(scene: type[Scene]) -> dict[str, float]:
     shown = [name for group in scene.groups if group.is_shown(forms) for name in group.names]
     name = next(name for name in shown if name in quantities(scene))
     return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}
+
+
+def taken(slug: str, label: str) -> Any:
+    """A scene after a preset was chosen."""
+    scene = SCENES[slug]()
+    scene.set(SCENES[slug].preset_all(label))
+    return scene

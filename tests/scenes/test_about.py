@@ -15,9 +15,8 @@ import pytest
 
 from components.quantities.formatting import parse_number
 from components.scene import Scene
-from components.scene.about import NO_BAND, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
+from components.scene.about import NO_BAND, About, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
-from physics.reference.driven_chain import Point
 from tests.grids import sample
 from tests.page.headless_page import Page
 from tests.scenes.hard import HARD, STIFF
@@ -74,10 +73,6 @@ def test_every_point_is_within_its_bound(slug: str, values: dict[str, Any]) -> N
     assert len(wire.tables) == sum(bool(each.rows) for each in about.tables)
 
 
-def test_only_the_scene_that_measures_errors_has_nothing_to_say() -> None:
-    assert set(SCENES) - set(SLUGS) == {"accuracy"}
-
-
 @each_scene
 def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
     """Add a few ulp of its largest value to every column: each row that depends on it then exceeds its bound."""
@@ -119,15 +114,6 @@ def test_what_is_drawn_as_an_envelope_is_said_and_has_no_points(slug: str) -> No
     assert all(sentence.rows for sentence in about_numbers(partial(scene.about, scene.shown)).tables)
 
 
-def test_off_is_counted_in_steps_of_the_size() -> None:
-    one = Decimal(1)
-    assert CheckedPoint("x", "t", 1 + 2**-51, Point(one, one)).off == 2
-    assert CheckedPoint("x", "t", float(np.nextafter(1.0, 0.0)), Point(one, one)).off == 0.5
-    assert CheckedPoint("x", "t", 1 + 2**-51, Point(one, Decimal(4))).off == 0.5
-    assert CheckedPoint("x", "t", 5e-324, Point(Decimal(0), Decimal(0))).off == 1
-    assert CheckedPoint("x", "t", 0.0, Point(Decimal("1e400"), Decimal("1e400"))).off > 1e100
-
-
 def test_bounds_digits_and_drifts_as_they_are_said() -> None:
     for limit, said in ((4, "4 ulp"), (1511.2, "1520 ulp"), (123456, "1.24·10⁵ ulp")):  # not below the one that holds
         found = bounded("x", limit, "itself", ())
@@ -148,12 +134,6 @@ def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
         "$T + V$ cannot be computed over the window: the energy leaves the range of doubles, about 5·10⁻³²⁴ to "
         "1.8·10³⁰⁸ in SI units."
     )
-
-
-def test_the_hunt_keeps_its_answer() -> None:
-    tables = [told_by(opened("modes", {"view": "hunt", "answer": answer})) for answer in ("hidden", "shown")]
-    told = [any("X_2/X_1" in row.name for each in about.tables for row in each.rows) for about in tables if about]
-    assert told == [False, True]
 
 
 def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import chain, cycle
+from itertools import cycle
 
 import numpy as np
 import pytest
@@ -23,7 +22,6 @@ from physics.integrators.exponential_steps import EXPONENTIAL
 from physics.integrators.fixed_steps import STEPPING
 from physics.integrators.price import Price, prices
 from physics.integrators.solvers import METHODS
-from physics.integrators.stability import stable_count
 from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import check_picture
 
@@ -114,8 +112,6 @@ def test_rows_of_prices_are_of_one_machine_and_say_what_was_not_reached() -> Non
         "Not reached: BDF (1·10⁻⁹ at best, no finer), Verlet (1·10⁻⁴ at best, more than 1 s), "
         "RK4 (1·10⁻⁴ at best, not refined so far)."
     )
-    failed = a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit")
-    assert unreached(Known(Series((failed,)), Series()), ("rk4", "bdf"), 1e-3) == "Not reached: RK4 (unstable step)."
     unsteady = a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3)
     ((_, cells),) = price_list(Known(Series((unsteady,)), Series()), ("rk4",), 1e-3)
     assert cells[2] == "4.00 ±", "a time that does not repeat"
@@ -135,13 +131,6 @@ def test_compiled_steps_are_priced_against_the_closed_form_of_the_record() -> No
         assert dict(price_list(runs, ("rk4",), wanted, unit))["rk4"][1:] == cells
     rows = dict(price_list(compiled, ("eigh", "bdf"), 1e-9, "doubles", compiled=True))
     assert rows["bdf"] == ("BDF (Python)", "1000", "500", ""), "a solver that was not compiled is there, with a mark"
-
-
-def test_rows_from_records_are_distinguished() -> None:
-    shown = measured(wanted=1e-3).shown
-    forms = {shown.values[f"price{i}_name"]: form for i in range(len(LIVE)) if (form := shown.forms[f"price{i}"])}
-    assert forms["Verlet"] == "here" and forms["RK4"] == "before"
-    assert {Accuracy().shown.forms[f"price{i}"] for i in range(len(LIVE))} == {"here", ""}
 
 
 def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
@@ -251,17 +240,6 @@ def test_the_recorded_lengths_show_what_they_are_said_to() -> None:
     assert slope == pytest.approx(1.0, abs=0.1)
 
 
-def test_names_belong_to_the_ends_of_their_lines() -> None:
-    shown = Accuracy(picked=["rec_bdf", "0"]).shown
-    ends = shown.scalars
-    named = {slug for slug in METHODS if ends.get(f"{slug}_named")}
-    assert {"closed", "verlet", "rk4"} < named and len(named) == 8 and "bdf" not in named
-    assert ends["picked_named"] and shown.values["picked_method"] == "BDF"
-    for slug, line in ((slug, shown.columns[f"rec_{slug}"]) for slug in named):
-        assert ends[f"{slug}_at"] == pytest.approx(math.log10(line["time"][-1]))
-        assert ends[f"{slug}_error"] == pytest.approx(math.log10(line["error"][-1]))
-
-
 def test_what_the_run_bar_says() -> None:
     work = Measurement()
     told = work.progress(Accuracy())
@@ -285,12 +263,6 @@ def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> Non
     assert len(scene.sources["drift_rk4"].data["drift_t"]) <= 202
     scene.set({"steps": 8.0, "system": "wide"})
     assert "more steps a period are needed: Verlet 6350, RK4 4490." in scene.shown.values["drifted"]
-
-
-@pytest.mark.parametrize("steps", [3.0, 501.0, 10.5])
-def test_a_number_of_steps_has_its_bounds(steps: float) -> None:
-    with pytest.raises(ValueError, match="whole number from 4 to 500"):
-        Accuracy(steps=steps)
 
 
 both = pytest.mark.parametrize("compiled", [False, True], ids=["python", "compiled"])
@@ -325,40 +297,15 @@ def test_stepping_pays_for_digits(slug: str, compiled: bool) -> None:
     assert {quoted(slug, wanted, False)["closed"].evaluations for wanted in (1e-3, 1e-6, 1e-9)} == {1001}
 
 
-@both
-def test_the_fast_mode_costs_steps_if_it_swings_and_close_frequencies_cost_none(compiled: bool) -> None:
-    beats, benign = (stepping(slug, 1e-6, compiled) for slug in ("beats", "benign"))
+def test_what_the_presets_say_of_methods_is_true_of_the_record() -> None:
+    """Close frequencies cost no steps, a fast mode that swings does, and explicit methods follow one at rest."""
+    beats, benign = (stepping(slug, 1e-6, compiled=False) for slug in ("beats", "benign"))
     assert all(beats[method] < benign[method] for method in beats.keys() & benign.keys())
     for slug, ratio in (("wide", 2000), ("light", 1000)):
-        found = stepping(slug, 1e-3, compiled)
-        stepped = {name: count for name, count in found.items() if name not in EXPONENTIAL}
-        assert all(evaluations > PERIODS * ratio for evaluations in stepped.values())
-        exact = [found[name] for name in EXPONENTIAL if name in found]
-        assert all(4 * count < min(stepped.values()) for count in exact), "the stiff spring is solved exactly"
-        assert exact or not compiled
-        fixed = (name for name in runs(slug, compiled) if METHODS[name].family == "fixed" and name not in EXPONENTIAL)
-        for run in chain.from_iterable(runs(slug, compiled)[name] for name in fixed):
-            assert run.error is None or run.error >= 0.5 or run.mode_errors[0] < run.mode_errors[1], "fast mode first"
-
-
-def test_an_explicit_method_follows_a_mode_at_rest() -> None:
-    """The steps that stability alone asks for, and every price that was found, against Gauss 4."""
-    gauss = stepping("wider", 1e-6, False)["gauss4"]
-    problem = SYSTEMS["wider"].problem()
-    for slug, step in STEPPING.items():
-        if not step.solved and not step.splits and slug != "euler":
-            assert stable_count(slug, problem) * 1000 * step.evaluations > 1000 * gauss, slug
-    for compiled in (False, True):
-        found = stepping("wider", 1e-6, compiled)
-        assert all(found[slug] > 1000 * gauss for slug in found if slug in STEPPING and slug not in SOLVING)
-
-
-def test_long_steps_of_newmark_ring_to_the_end_and_of_radau_and_bdf_not() -> None:
-    rings = [(method, compiled) for method in ("midpoint", "newmark", "gauss4") for compiled in (False, True)]
-    for method, compiled in (*rings, ("radau", False), ("bdf", False)):
-        run = next(run for run in runs("dashpot", compiled)[method] if run.error is not None)
-        assert run.final_error is not None
-        if method in ("radau", "bdf"):
-            assert run.steps < 1000 and run.final_error < 0.01
-        else:
-            assert run.setting == 1 and run.final_error > 0.3
+        found = stepping(slug, 1e-3, compiled=False)
+        assert all(count > PERIODS * ratio for name, count in found.items() if name not in EXPONENTIAL)
+    found = stepping("wider", 1e-6, compiled=False)
+    assert all(found[slug] > 1000 * found["gauss4"] for slug in found if slug in STEPPING and slug not in SOLVING)
+    for method in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
+        run = next(run for run in runs("dashpot", compiled=False)[method] if run.error is not None)
+        assert ((run.final_error or 0.0) < 0.01) == (method in ("radau", "bdf")), "long steps ring, or do not"

@@ -10,12 +10,9 @@ import numpy as np
 import pytest
 
 from components.scenes.analogues import Analogues
-from components.scenes.analogues.reach import REACHES, REMARKS
 from physics.analogues import ANALOGUES
 from tests.page.scripts import played
-from tests.scenes.checks import quantities
-
-systems = pytest.mark.parametrize("slug", ANALOGUES)
+from tests.scenes.checks import quantities, taken
 
 
 def own(slug: str) -> list[str]:
@@ -54,21 +51,13 @@ def test_lateness_is_that_of_the_agm_and_its_flags_stand_on_it() -> None:
     ("label", "period"), [("Radio", 1e-6), ("Guitar", 1 / 329.6), ("Swell", 11.32), ("Cavendish", 840)]
 )
 def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, period: float) -> None:
-    scene = Analogues()
-    scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
+    scene = taken("analogues", label)
     assert 2 * math.pi / scene.numbers["omega"].value == pytest.approx(period, rel=2e-3)
     assert 1 <= period / scene.shown.pace.auto <= 12
 
 
-@systems
+@pytest.mark.parametrize("slug", ANALOGUES)
 def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
     scene = Analogues(system=slug)
     shown = [group.names for group in scene.groups if group.is_shown(scene.shown.forms)]
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])
-
-
-def test_defaults_lie_on_their_sliders() -> None:
-    parameters = {f"{system.slug}_{p.name}": p for system in ANALOGUES.values() for p in system.parameters}
-    assert REACHES.keys() == parameters.keys() and REMARKS.keys() < ANALOGUES.keys()
-    for name, reach in REACHES.items():
-        assert 0 < reach.low <= parameters[name].default <= reach.high

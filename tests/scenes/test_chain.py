@@ -15,7 +15,6 @@ from components.scenes.chain import Chain
 from components.session.exports import link_file
 from components.state.covers import without
 from tests.page.scripts import call
-from tests.scenes.presets import taken
 
 STARTS = ("pulse", "pluck", "mass", "mode")
 
@@ -50,29 +49,6 @@ def test_a_mode_or_a_mass_that_there_is_not() -> None:
     assert (scene.j, scene.p) == (5.0, 5.0)
     with pytest.raises(ValueError, match="1 to 500 masses"):
         scene.N = 501.0
-
-
-def test_a_wall_turns_a_pulse_over_and_a_free_end_does_not() -> None:
-    for label, sign in (("Pulse", -1), ("Free end", 1)):
-        scene = taken("chain", label)
-        columns = scene.shown.sources["time"]
-        back = columns["t"] > value(scene, "traverse")
-        back &= columns["t"] < value(scene, "traverse") * 1.5
-        middle = columns["x35"][back]
-        assert sign * middle[np.abs(middle).argmax()] > 0.2, label
-    broad = displacements(taken("chain", "Broad"))
-    assert np.abs(broad[-1]).max() > 0.39, "it keeps its height"
-
-
-def test_where_a_string_is_plucked_there_are_modes_that_stay_silent() -> None:
-    scene = taken("chain", "Plucked")
-    silent = scene.shown.columns["silent"]["silent_j"].tolist()
-    assert silent == [3.0, 6.0]
-    energies = scene.of().drawn.energy
-    assert np.abs(energies[[2, 5]]).max() <= 1e-30
-    assert value(scene, "E") == pytest.approx(0.08, rel=1e-4)
-    fast = taken("chain", "One mass").of().drawn.energy
-    assert fast[25:].sum() > 0.5 * fast.sum()
 
 
 def test_a_free_chain_drifts_and_says_so() -> None:

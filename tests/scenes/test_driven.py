@@ -1,4 +1,4 @@
-"""The driven mass: its sentences and its polygon over random parameters, its presets, its powers and its limits."""
+"""The driven mass: its polygon of forces, what is drawn of its motion, its peak, and pushes of other shapes."""
 
 from __future__ import annotations
 
@@ -11,29 +11,24 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from components.layout.sheet import blocks
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
 from components.scenes.driven.forces import BASE, PX
 from physics.bode import driven_resonances
+from physics.convolution import SlicedPush
+from physics.damped import DampedOscillator
 from physics.driven import Drive, DrivenOscillator
-from physics.magnification import highest, magnification
+from physics.magnification import magnification
+from physics.periodic import PeriodicPush
+from physics.pushed import PushedMass
 from tests.grids import tries
 from tests.page.scripts import each
-from tests.scenes.chains import number
-from tests.scenes.presets import readout, taken
-from tests.scenes.visible_sentences import read, visible_text
+from tests.scenes.textbook import SIZES, harmonics
 
 DRIVEN = SCENES["driven"]
 KINDS = ("force", "base", "unbalance")
-SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
-
-
-def sentence(scene: Scene) -> str:
-    texts = (item for block in blocks(DRIVEN.sheet()) for item in getattr(block, "items", ()))
-    (variants,) = (item.variants for item in texts if item.name == "holds")
-    return read(scene, variants[scene.shown.forms["holds"]])
+PUSHES = ("square", "triangle", "pulses", "impulses")
 
 
 def corners(scene: Scene) -> dict[str, float]:
@@ -48,24 +43,6 @@ def steady(scene: Any) -> complex:
     return complex(force / complex(scene.k - scene.m * w * w, scene.c * w))
 
 
-def forces(scene: Any) -> tuple[complex, complex, complex, complex]:
-    """Spring, dashpot, inertia and push of the steady swing."""
-    X, w = steady(scene), scene.omega
-    return (
-        scene.k * X,
-        1j * scene.c * w * X,
-        -scene.m * w * w * X,
-        scene.k * X + 1j * scene.c * w * X - scene.m * w * w * X,
-    )
-
-
-@pytest.mark.parametrize("zeta", [0.0, 0.05, 1.0])
-@pytest.mark.parametrize("beside", [-9e-4, -1e-5, 0.0, 1e-5, 4e-4, 9e-4])
-def test_it_swings_as_far_as_its_base_only_where_its_number_says_so(zeta: float, beside: float) -> None:
-    scene = DRIVEN(kind="base", zeta=zeta, omega=(math.sqrt(2.0) + beside) * math.sqrt(39.48))
-    assert ("as far as its base" in sentence(scene)) == (scene.shown.values["M"] == "1.00"), sentence(scene)
-
-
 @pytest.mark.parametrize("values", [{"window": 1e-3}, {"c": 0.0, "omega": 6.2895}, {"c": 1e-9, "omega": 6.2833}])
 def test_parts_that_are_not_drawn_are_far_larger_than_their_sum(values: dict[str, float]) -> None:
     """However small they are: in a short window from rest the sum is smaller still."""
@@ -76,26 +53,6 @@ def test_parts_that_are_not_drawn_are_far_larger_than_their_sum(values: dict[str
 
 
 SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)
-
-
-@settings(max_examples=tries(100), deadline=None)
-@given(st.sampled_from(KINDS), SOME, SOME, st.floats(0.05, 2.4), st.floats(0.01, 40))
-def test_its_sentence_is_true(kind: str, m: float, k: float, r: float, zeta: float) -> None:
-    scene = DRIVEN(kind=kind, m=m, k=k, zeta=zeta, omega=r * math.sqrt(k / m))
-    told, (spring, dashpot, inertia, push) = sentence(scene), forces(scene)
-    if kind == "base":
-        more = abs(steady(scene)) / scene.Y
-        stronger = abs(magnification(r, 1.1 * zeta, "base")[0])
-        assert told.startswith("Below √2") == (r < math.sqrt(2.0) - 1e-3) and (more > 1) == (r < math.sqrt(2.0))
-        assert (stronger < more) == (r < math.sqrt(2.0))
-        return
-    along = abs(spring + inertia)
-    if "spring balances" in told or "inertia balances" in told:
-        assert along >= abs(dashpot) and ("spring" in told) == (abs(spring) > abs(inertia))
-    else:
-        assert "dashpot" in told and abs(dashpot) >= along
-        assert ("At resonance" in told) == ("alone" in told) == (along < 0.02 * min(abs(dashpot), abs(spring)))
-    assert abs(push) == pytest.approx(math.hypot(along, abs(dashpot)))
 
 
 @settings(max_examples=tries(100), deadline=None)
@@ -113,7 +70,7 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
         assert abs(end) == pytest.approx(1.0)
         turned = -1 if kind == "unbalance" else 1
         lag = math.atan2((end * turned).imag, (end * turned).real)
-        assert lag % (2 * math.pi) == pytest.approx(readout(scene, "phi"), abs=1e-9)
+        assert lag % (2 * math.pi) == pytest.approx(scene.numbers["phi"].value, abs=1e-9)
     first = abs(steady(scene)) * (scene.m / scene.moment if kind == "unbalance" else scene.k / scene.F_0)
     assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
 
@@ -129,28 +86,6 @@ def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
         unit = push * at["scale"]
         assert tail + unit * max(1.0, -at["end"]) < height, (r, zeta)
         assert tail - unit * max(at["up"], at["end"]) > 18, (r, zeta)
-
-
-def test_the_presets_are_as_they_say() -> None:
-    def size(label: str) -> float:
-        return float(
-            abs(magnification(taken("driven", label).value.omega / math.sqrt(39.48), taken("driven", label).zeta)[0])
-        )
-
-    assert size("Below") == pytest.approx(1.72, abs=5e-3) and size("Resonance") == pytest.approx(2.5, abs=5e-3)
-    assert 0.49 * size("Below") == pytest.approx(0.842, abs=2e-3) and 4 * size("Above") == pytest.approx(1.29, abs=5e-3)
-    assert readout(taken("driven", "Below"), "phi") == pytest.approx(0.502, abs=1e-3)
-    assert readout(taken("driven", "Above"), "phi") == pytest.approx(2.88, abs=5e-3)
-    assert size("Strong dashpot") == pytest.approx(0.625, abs=5e-4) and highest(0.8) is None
-    beats = taken("driven", "Beats")
-    x = beats.shown.sources["time"]["x"]
-    assert abs(steady(beats)) == pytest.approx(0.267, abs=5e-4)
-    assert np.abs(x).max() == pytest.approx(0.505, abs=3e-3)
-    assert 2 * math.pi / (math.sqrt(39.48) - beats.omega) == pytest.approx(10.0, abs=0.01)
-    for zeta, ratio in ((0.2, 0.704), (1.0, 0.942), (0.05, 0.646)):
-        assert abs(magnification(1.6, zeta, "base")[0]) == pytest.approx(ratio, abs=5e-4)
-    assert abs(magnification(1.5, 0.2, "unbalance")[0]) == pytest.approx(1.62, abs=5e-3)
-    assert highest(0.2, "unbalance") == pytest.approx((1.04, 2.55), abs=5e-3)
 
 
 def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -197,31 +132,6 @@ def test_the_quasi_static_limit_is_seen(omega: float) -> None:
     assert "x" in DRIVEN(omega=1e6).shown.traces["time"].names, "what is too fast is too small to be seen"
 
 
-@settings(max_examples=tries(200), deadline=None)
-@given(st.sampled_from(KINDS), st.sampled_from([-1, 1]), st.floats(-17, -1), st.booleans())
-def test_next_to_resonance_it_says_how_it_grows_at_first_and_how_far(
-    kind: str, side: int, power: float, started: bool
-) -> None:
-    scene = DRIVEN(
-        kind=kind, omega=math.sqrt(39.48) * (1 + side * 10**power), c=0.0, x_0=0.1 * started, view="formulas"
-    )
-    told, forms = sentence(scene), scene.shown.forms
-    one = DrivenOscillator(m=scene.m, c=0.0, k=scene.k)
-    exactly = one.at_resonance(scene.omega)
-    assert (forms["size"] == "grows") == exactly and ("no steady size" in visible_text(scene)) == exactly
-    if "grow" not in told and "adds" not in told:
-        return
-    assert ("at first" in told or "At first" in told) == (forms["size"] == "nearly") == (not exactly)
-    if not exactly:
-        size = abs(one.response(scene.omega, getattr(scene, SIZES[kind]), kind))
-        assert readout(scene, "X") == size and f"X={scene.shown.values['X']}" in "".join(visible_text(scene).split())
-    growth, period = number(scene.shown.values["growth"]), 2 * math.pi / scene.omega
-    swings = np.linspace(0, 6 * period, 6000)
-    x = one.motion(scene.omega, getattr(scene, SIZES[kind]), t=swings, kind=kind).x
-    tops = [np.abs(x[1000 * i : 1000 * (i + 1)]).max() for i in range(6)]
-    assert np.diff(tops)[1:] == pytest.approx(growth, rel=0.02)
-
-
 @settings(max_examples=tries(100), deadline=None)
 @given(st.floats(0.021, 0.59), SOME)
 def test_both_points_of_half_power_lie_on_the_power_at_one_height(zeta: float, m: float) -> None:
@@ -260,3 +170,78 @@ def test_log_axes_mark_the_peak_the_width_and_the_natural_frequency(kind: Drive,
     assert scalars["natural"] == pytest.approx(0.0), "r = 1"
     drawn = np.interp(math.log(5.0), np.log(curve["omega"]), np.log(curve["M"]))
     assert math.exp(drawn) == pytest.approx(scene.of().M, rel=5e-3)
+
+
+def pushed(scene: Any) -> tuple[DampedOscillator, PushedMass]:
+    """The mass of a scene without its push, and with it."""
+    one = DampedOscillator(m=scene.m, c=scene.c, k=scene.k)
+    size = scene.J if scene.push.startswith("impulse") else scene.F_0
+    return one, one.pushed(PeriodicPush(kind=scene.push, size=size, omega=scene.omega, width=scene.width))
+
+
+@pytest.mark.parametrize("push", ["step", "impulse"])
+def test_what_does_not_repeat_has_no_frequency(push: Any) -> None:
+    slow, quick = (DRIVEN(view="harmonics", push=push, omega=omega) for omega in (0.0, 50.0))
+    assert slow.sources["time"].data["x"].tolist() == quick.sources["time"].data["x"].tolist()
+    assert slow.shown.forms["meets"] == "once" and not slow.shown.forms["repeats"]
+    assert not {"omega_at", "M_at"} & slow.shown.scalars.keys()
+    assert {"growth", "X", "on_peak", "strongest"}.isdisjoint(quick.numbers)
+
+
+def test_impulses_are_drawn_where_they_act() -> None:
+    scene = DRIVEN(view="harmonics", push="impulses", omega=2.0, J=0.3, window=10.0)
+    jolts, flash = scene.sources["jolts"].data, scene.shown.signals["F"]
+    assert jolts["jolt_t"][::3] == pytest.approx(math.pi * np.arange(4))
+    assert jolts["jolt"][1::3] == pytest.approx(0.3 / math.sqrt(39.48)) and not jolts["jolt"][::3].any()
+    assert len(DRIVEN(view="harmonics", push="impulses", omega=1e6).sources["jolts"].data["jolt_t"]) == 600
+    assert max(flash.y) == pytest.approx(0.3) and min(flash.y) == 0.0 and flash.period == pytest.approx(math.pi)
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_bars_are_the_push_dots_lie_under_the_response_and_powers_are_its_work(push: Any) -> None:
+    scene = DRIVEN(view="harmonics", push=push, omega=1.7, c=2.0, window=60.0)
+    bars, dots = scene.sources["bars"].data, scene.sources["dots"].data
+    f, X = harmonics(scene, 400)
+    M, seen = scene.shown.axes["M"], scene.shown.axes["r"].end / scene.omega
+    size = scene.J * scene.omega / (2 * math.pi) if push == "impulses" else scene.F_0
+    has = [i for i in range(1, 400) if f[i - 1] > 1e-12 and i < seen]
+    assert np.all(bars["bar"][::3] == M.start) and bars["bar_omega"][::3] == pytest.approx(np.array(has) * scene.omega)
+    assert bars["bar"][1::3] == pytest.approx([max(f[i - 1] / size, M.start) for i in has])
+    high = [i for i in has if X[i - 1] * scene.k / size >= M.start]
+    assert dots["dot_omega"] == pytest.approx(np.array(high) * scene.omega) and len(high) > 1
+    assert dots["dot"] == pytest.approx([X[i - 1] * scene.k / size for i in high]) and M.end >= dots["dot"].max()
+    work = pushed(scene)[1].work * scene.omega / (2 * math.pi)
+    assert [scene.numbers[name].value for name in ("P_in", "P_lost")] == pytest.approx([work, work], rel=1e-5)
+
+
+@pytest.mark.parametrize("values", [{"omega": 600.0}, {"omega": 0.01}, {"window": 1e5}, {"window": 1e-3}, {"k": 1e-6}])
+@pytest.mark.parametrize("push", PUSHES)
+def test_a_motion_too_fast_for_a_line_stays_in_its_band(push: Any, values: dict[str, float]) -> None:
+    scene = DRIVEN(view="harmonics", push=push, **values)
+    band = scene.shown.sources["band"]
+    if "x_hi" in band:
+        x = pushed(scene)[1].from_rest(np.linspace(0.0, band["t"][-1], 50)).x
+        assert np.all(band["x_lo"] <= x.min()) and np.all(band["x_hi"] >= x.max() * (1 - 1e-9))
+
+
+@pytest.mark.parametrize("push", ["square", "triangle", "pulses", "step"])
+@pytest.mark.parametrize("slices", [1, 12, 60, 200])
+def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices: int) -> None:
+    scene = DRIVEN(view="convolution", push=push, slices=slices, x_0=0.01, c=1.5, width=0.31)
+    data, (one, mass) = scene.sources["time"].data, pushed(scene)
+    t, end = data["t"], data["t"][-1]
+    sliced = SlicedPush(oscillator=one, force=mass.force, end=end, count=slices)
+    assert data["x_sliced"] == pytest.approx(sliced.x.at(t) + one.motion(0.01, 0.0, t).x, abs=1e-13)
+    fine = np.linspace(0.0, end, 1 + 2 * slices * math.ceil(400 / slices))
+    exact = mass.from_rest(fine).x
+    miss = np.abs(sliced.x.at(fine) - exact).max()
+    assert scene.numbers["misses"].value == pytest.approx(miss, rel=0.02)
+    share, width = miss / np.abs(exact).max(), scene.numbers["slice_width"].value
+    word = "follows" if share <= 0.05 else "coarse" if width > 0.1 else "changes"
+    assert scene.shown.forms["sums"] == word or abs(share - 0.05) < 0.003
+    assert width == pytest.approx(end / slices * math.sqrt(39.48) / (2 * math.pi))
+    path, tails = scene.sources["outline"].data, scene.sources["tails"].data
+    area = np.trapezoid(np.abs(path["slice"]), path["slice_t"])
+    assert area == pytest.approx(np.abs(mass.force(end * (np.arange(slices) + 0.5) / slices)).mean() * end)
+    assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
+    assert np.count_nonzero(tails["tail_t"] == end) <= 14

@@ -1,4 +1,4 @@
-"""Scene forced through its callbacks: set a parameter, read the data sources."""
+"""Scene forced: its response, resonance, forces and work; with dashpots its lags, peaks and loops in the plane."""
 
 from __future__ import annotations
 
@@ -6,16 +6,44 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
 
-from components.chain.forces import LENGTH
+from components.chain import of_scene, start_of
+from components.chain.forces import LENGTH, on_masses
+from components.language.shapes import AnyShape
+from components.language.state import Frame
+from components.scenes import SCENES
 from components.scenes.forced import Forced
+from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.response import response_plot
+from components.scenes.forced.words import UNDRIVEN
+from components.state.link import Link
+from components.state.page_state import fitted
+from physics.bode import chain_resonances
+from physics.bode_curves import locus_frequencies
 from physics.coupled import TwoMassChain
+from physics.damped_chain import DampedChain
 from physics.forced import particular_solution
+from physics.transient import DampedModes
+from tests.grids import tries
+from tests.page.hand import Hand, grabs
 from tests.page.headless_page import apply_message, take_preset
 from tests.page.scripts import played
+from tests.scenes.sentences import visible_text
+from tests.states import links
 
-GOLDEN = (math.sqrt(5) + 1) / 2
+CHAINS: list[dict[str, float]] = [
+    {},
+    {"m1": 2.0, "k1": 4.0, "k2": 2.0},
+    {"k1": 0.0, "x1_0": 0.3},
+    {"k2": 0.0, "v2_0": 0.1},
+    {"k1": 0.0, "k2": 0.0, "v1_0": 1.0},
+    {"m1": 400.0, "m2": 225.0, "k1": 625.0, "k2": 144.0, "x1_0": 0.1},
+]
+DASHPOTS = [(0.0, 0.0), (0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3)]
+LIGHT = {"c1": 0.1, "c2": 0.1}
+STRONG = {"c1": 1.0, "c2": 2.0}
+UNEVEN = {"m1": 2.0, "k1": 4.0, "k2": 2.0, "c1": 0.2}
 
 
 def test_the_lectures_figure() -> None:
@@ -43,46 +71,6 @@ def test_what_swings_against_the_push_is_dashed(values: dict[str, float], shown:
             assert not np.any(X < 0 if drawn[f"branch{i}", name] == "sum" else X > 0), (i, name)
 
 
-def test_a_dot_that_has_left_the_frame_is_marked() -> None:
-    marks = ("Xp1_over", "Xp2_over", "Xp1_under", "Xp2_under")
-    assert [Forced(omega=0.6).shown.scalars[name] for name in marks] == [1, 1, 0, 0]
-    assert [Forced(omega=0.65, curve="signed").shown.scalars[name] for name in marks] == [0, 0, 1, 1]
-    assert [Forced().shown.scalars[name] for name in marks] == [0, 0, 0, 0]
-
-
-def test_growth_at_resonance_is_said_and_drawn() -> None:
-    """m1 = 2, m2 = 1, k1 = 4, k2 = 2 at omega_- = 1: M_- = 6 kg, so x1 grows by F_0/(2 M_- omega_-) = 1/12 m/s."""
-    scene = Forced(m1=2.0, k1=4.0, k2=2.0, omega=1.0)
-    assert scene.shown.forms["steady"] == "resonance"
-    limit, data = scene.sources["limit"].data, scene.sources["time"].data
-    np.testing.assert_allclose(limit["x1_beat"], limit["t"] / 12, rtol=1e-14)
-    np.testing.assert_array_equal(limit["x1_fall"], -limit["x1_beat"])
-    # The difference from the envelope is the share of the fast mode, which stays bounded.
-    assert np.all(np.abs(data["x1"]) < np.interp(data["t"], limit["t"], limit["x1_beat"]) + 0.2)
-
-
-def test_forces_on_demand_are_newtons_law() -> None:
-    assert "F1" not in Forced().shown.signals
-    scene = Forced(view="forces", x1_0=0.5, v2_0=-1.0)
-    x, now = scene.sources["time"].data, played(scene.shown, scene.sources["time"].data["t"])
-    (F1, F2), step = (now["F1"], now["F2"]), x["t"][1] - x["t"][0]
-    for F, m, name in ((F1, scene.m1, "x1"), (F2, scene.m2, "x2")):
-        np.testing.assert_allclose(F[1:-1], m * np.diff(x[name], 2) / step**2, atol=0.01)
-    scalars = scene.shown.scalars
-    assert scalars["newton"] * max(np.abs(F1).max(), np.abs(F2).max(), scene.F_0) == pytest.approx(LENGTH)
-    assert scalars["push"] == pytest.approx(scalars["newton"] * scene.F_0)
-
-
-def test_near_resonance_the_parts_give_way_to_the_envelope() -> None:
-    scene = Forced(omega=(1 + 1e-9) / GOLDEN)
-    data, limit = scene.sources["time"].data, scene.sources["limit"].data
-    assert scene.shown.forms["x1_p"] == ""
-    np.testing.assert_allclose(limit["x1_beat"], limit["t"] * limit["x1_beat"][-1] / limit["t"][-1], rtol=1e-12)
-    # The other mode's share stays bounded while the envelope grows.
-    late = data["t"] > data["t"][-1] / 2
-    assert np.abs(data["x1"][late]).max() == pytest.approx(limit["x1_beat"][-1], rel=0.2)
-
-
 @pytest.mark.parametrize("label", ["At slow", "At fast"])
 def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None:
     scene = Forced()
@@ -105,22 +93,155 @@ def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None
     assert seen[0] == "resonance" and seen.count("resonance") == 2
 
 
-def test_work_is_the_gain_of_energy() -> None:
-    for values in ({}, {"omega": 1 / GOLDEN}, {"x1_0": 1.0, "v2_0": -2.0}):
-        data = Forced(**values, view="work").sources["energy"].data
-        np.testing.assert_allclose(data["work"], data["gain"], atol=1e-13 * np.abs(data["gain"]).max())
-
-
-def test_the_slider_spans_two_and_a_half_natural_frequencies() -> None:
-    scene = Forced()
-    scene.set({"k1": 100.0})
-    fast = TwoMassChain(m1=1, m2=1, k1=100, k2=1).modes().omega[1]
-    assert scene.shown.spans["omega"] == (0.0, 2.5 * fast)
-
-
 @pytest.mark.parametrize(("shown", "least"), [("size", 0.0), ("signed", 0.0), ("log", 1e-3)])
 def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> None:
     scene = Forced(m1=2.0, k1=2.0, m2=0.1, k2=0.1, curve=shown)
     swing = scene.sources["response"].data["Xp1"]
     assert np.abs(swing).min() <= least
     assert np.all(np.abs(swing) > 0) == (shown == "log")
+
+
+def modes_of(scene: Forced) -> DampedModes:
+    """The motion of a scene with dashpots."""
+    x_0, v_0 = start_of(scene)
+    drive = {"F_0": scene.F_0, "omega": scene.omega}
+    return DampedModes(chain=of_scene(scene), c=scene.c2, c1=scene.c1, x_0=x_0, v_0=v_0, **drive)
+
+
+@pytest.mark.parametrize("chain", CHAINS)
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
+def test_the_arrows_of_the_forces_are_newtons_law(chain: dict[str, float], c1: float, c2: float) -> None:
+    """The browser's signals against the accelerations; its displacements are those of test_traces."""
+    scene = Forced(**chain, c1=c1, c2=c2, view="forces")
+    shown, modes = scene.shown, modes_of(scene)
+    t = np.linspace(0.05, 0.97, 4) * shown.axes["t"].end
+    forces = on_masses(modes.chain, modes.motion(t), scene.F_0, scene.omega, (c1, c2))
+    now = [played(shown, shown.axes["t"].place(float(one))) for one in t]
+    for i in (1, 2):
+        lengths = [float(one[f"F{i}"]) * shown.scalars["newton"] for one in now]
+        np.testing.assert_allclose(lengths, forces[i - 1] * shown.scalars["push"] / scene.F_0, atol=2e-3 * LENGTH)
+
+
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS[:4])
+@pytest.mark.parametrize("chain", CHAINS[:4])
+def test_the_work_of_the_drive_becomes_energy_and_heat(chain: dict[str, float], c1: float, c2: float) -> None:
+    scene = Forced(**chain, c1=c1, c2=c2, view="work")
+    data = scene.sources["energy"].data
+    size = abs(data["work"]).max() + abs(data["gain"]).max()
+    heat = DampedForcedCase(modes_of(scene), float(data["t"][-1])).heat(data["t"])
+    np.testing.assert_allclose(data["work"] - data["gain"], heat, atol=1e-7 * size)
+    assert np.all(np.diff(heat) >= 0)
+
+
+def test_pushed_on_its_particular_solution_nothing_dies() -> None:
+    scene = Forced(c1=0.3, c2=0.1)
+    steady = Forced(c1=0.3, c2=0.1, **scene.action("steady"))
+    data = steady.sources["time"].data
+    assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
+    assert not any(Forced(F_0=0.0).action("steady").values())
+
+
+@pytest.mark.parametrize("drive", [{}, {"omega": 0.0, "x1_0": 0.1}, {"F_0": 0.0, "x2_0": 0.1}])
+@pytest.mark.parametrize("chain", [CHAINS[0], CHAINS[1], CHAINS[5]])
+def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, float], drive: dict[str, float]) -> None:
+    free, braked = (Forced(**{**chain, **drive}, c1=c1).shown for c1 in (0.0, 1e-6))
+    dots = ("drive_at", "Xp1_at", "Xp2_at") if drive.get("omega", 0.8) else ()
+    for name in ("mark_minus", "mark_still", "mark_plus", *dots):
+        assert braked.scalars[name] == pytest.approx(free.scalars[name], rel=1e-5), name
+    for name in ("Xp1", "Xp2"):
+        assert braked.values[name] == free.values[name].lstrip("+−")
+    steady = free.forms["steady"]
+    assert braked.forms["steady"] == (steady if steady in UNDRIVEN else "braked")
+    assert set(free.notes) <= set(braked.notes)
+
+
+@pytest.mark.parametrize("c2", [0.0, 0.86])
+@pytest.mark.parametrize("curve", ["size", "signed", "log"])
+def test_a_frame_from_right_to_left_has_the_same_curves(c2: float, curve: str) -> None:
+    forward, back = (
+        Forced(c2=c2, curve=curve).picture(Frame(ranges={"omega": ends}, given=True)).columns
+        for ends in ((0.3, 3.0), (3.0, 0.3))
+    )
+    for source in ("response", *(f"branch{i}" for i in range(4))):
+        assert forward[source].keys() == back[source].keys()
+        for name, values in forward[source].items():
+            np.testing.assert_array_equal(values, back[source][name])
+
+
+def chain_of(values: dict[str, float]) -> DampedChain:
+    equal = {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0}
+    return DampedChain(**{name: one for name, one in (equal | values).items() if name[0] in "mkc"})
+
+
+@pytest.mark.parametrize("values", [LIGHT, UNEVEN, STRONG, {"k2": 0.0, "c1": 0.3}, {"c1": 4.0, "c2": 1e-9}])
+def test_the_dots_are_on_the_curves(values: dict[str, float]) -> None:
+    scene = SCENES["forced"](**values, view="bode", omega=1.1)
+    scalars, axes, lags = scene.shown.scalars, scene.shown.axes, scene.sources["lag"].data
+    assert scalars["now"] == pytest.approx(math.log10(1.1))
+    for i, lag in zip((1, 2), chain_of(values).lags(1.1), strict=True):
+        assert np.all(lags[f"phi{i}"] >= 0) and np.all(lags[f"phi{i}"] <= (i + 1e-15) * math.pi)
+        if f"phi{i}_at" in scalars:
+            assert scalars[f"phi{i}_at"] == pytest.approx(math.degrees(lag))
+            assert np.interp(1.1, lags["w"], lags[f"phi{i}"]) == pytest.approx(lag, abs=0.02)
+    assert ("phi2_at" in scalars) == bool(values.get("k2", 1.0)), "no motion, no lag"
+    plane = scene.sources["nyquist"].data
+    near = np.argmin(np.hypot(plane["re1"] - scalars["re1_at"], plane["im1"] - scalars["im1_at"]))
+    assert plane["omega"][near] == pytest.approx(1.1, rel=0.02) and axes["re"].unit == "m"
+
+
+@settings(max_examples=tries(80))
+@given(links(Forced, 1.0))
+def test_the_push_never_takes_back_in_a_cycle_and_its_work_is_a_depth(link: Link) -> None:
+    scene = Forced(**{**link.values, "view": "nyquist"})
+    if not (scene.c1 or scene.c2):
+        return
+    plane = scene.shown.sources["nyquist"]
+    assert np.all(plane["im1"] <= 0)
+    damped = DampedChain.of(of_scene(scene), scene.c1, scene.c2)
+    works = damped.works(scene.omega, scene.F_0)
+    depth = -math.pi * scene.F_0 * damped.response(scene.omega, scene.F_0)[0].imag
+    assert sum(works) == pytest.approx(depth, rel=1e-12)
+    assert ("no work in a cycle" in visible_text(scene)) == (not any(works))
+
+
+def test_peaks_widths_and_dips_are_marked_in_their_view_and_without_dashpots_lags_jump() -> None:
+    scene, found = SCENES["forced"](**LIGHT, view="bode"), chain_resonances(chain_of(LIGHT))
+    scalars, up = scene.shown.scalars, scene.shown.axes["X"]
+    for i, one in zip((1, 2), (found.X1, found.X2), strict=True):
+        for n, peak in enumerate(one.peaks):
+            assert scalars[f"peak{i}_{n}"] == pytest.approx(math.log10(peak.omega))
+            assert scalars[f"up{i}_{n}"] == pytest.approx(up.place(peak.height))
+            low, high = peak.half_power
+            assert (f"is_wide{i}_{n}" in scalars) == bool(low and high)
+        assert scalars[f"dip{i}"] == pytest.approx(math.log10(one.dips[0].omega))
+    assert "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s" in visible_text(scene)
+    assert not any(name.startswith("peak") for name in SCENES["forced"](**LIGHT).shown.scalars)
+    jumps = SCENES["forced"](view="bode", omega=1.0).sources["lag"].data
+    assert [set(np.round(jumps[name] / math.pi, 12)) for name in ("phi1", "phi2")] == [{0.0, 1.0}, {0.0, 1.0, 2.0}]
+
+
+def dot(i: int) -> AnyShape:
+    """The grabbed dot of a mass in the complex plane."""
+    return next(shape for shape, grab in grabs(SCENES["forced"]) if grab.label.endswith(f"loops of mass {i}"))
+
+
+def place(values: dict[str, float], i: int, omega: float) -> tuple[float, float]:
+    """Where that dot is for a drive frequency, in pixels."""
+    at = Hand(fitted(SCENES["forced"].at({**values, "view": "nyquist", "omega": omega})), dot(i), wide=True, t=0.0).at()
+    return at or pytest.fail("not drawn")
+
+
+@pytest.mark.parametrize("values", [LIGHT, STRONG, UNEVEN, {"c1": 1e-3, "c2": 1e-3}])
+@pytest.mark.parametrize("i", [1, 2])
+def test_the_dot_of_nyquist_follows_the_hand_along_its_loops(values: dict[str, float], i: int) -> None:
+    slow, fast = chain_of(values).chain.modes().omega.tolist()
+    roots = [root for root in chain_of(values).roots.tolist() if root.imag > 0]
+    every = locus_frequencies(roots, fast)[::24]
+    way = every[(every > 0.5 * slow) & (every < 1.5 * fast)]
+    places = [place(values, i, omega) for omega in way]
+    hand = Hand(fitted(SCENES["forced"].at({**values, "view": "nyquist", "omega": way[0]})), dot(i), wide=True, t=0.0)
+    hand.take()
+    for omega, (x, y) in zip(way, places, strict=True):
+        hand.set(hand.move((x, y)))
+        assert math.dist(hand.at(moved=False) or (), (x, y)) < 2.0, omega
+    assert hand.scene.values["omega"] > fast, "it has gone round both loops"

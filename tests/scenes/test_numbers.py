@@ -314,7 +314,7 @@ TOLERANCE = 1e-9
 NO_SHRINK = (Phase.explicit, Phase.generate)
 """A failing state is reported unshrunk, because shrinking would take minutes."""
 OTHERWISE = {
-    "driven": {  # test_driven_pushes
+    "driven": {  # test_driven
         "P_in",
         "P_lost",
         "on_peak",

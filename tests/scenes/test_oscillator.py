@@ -1,4 +1,4 @@
-"""Scene oscillator through its callbacks: the turning arrow, the solution written both ways, and its limits."""
+"""Scene oscillator: the turning arrow, its lead, and its ticks."""
 
 from __future__ import annotations
 
@@ -11,26 +11,15 @@ from components.scenes.oscillator import OscillatorScene
 from tests.page.scripts import played
 from tests.scenes.checks import columns
 
-starts = pytest.mark.parametrize(
-    "x_0, v_0", [(0.1, -0.8), (0.1, 0.8), (-0.1, -0.8), (-0.2, 0.3), (0.15, 0.0), (0.0, 0.8)]
-)
 
-
-def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
-    """A signal at times in s, in SI units, as the browser evaluates it."""
-    axes = scene.shown.axes
-    size = 10.0 ** axes[name].exponent if name in axes else 1.0
-    return size * played(scene.shown, t / 10.0 ** axes["t"].exponent)[name]
-
-
-@starts
+@pytest.mark.parametrize("x_0, v_0", [(0.1, -0.8), (-0.1, -0.8), (0.15, 0.0), (0.0, 0.8)])
 def test_the_tip_of_the_arrow_is_on_the_level_of_x(x_0: float, v_0: float) -> None:
     scene = OscillatorScene(x_0=x_0, v_0=v_0)
-    t = columns(scene)["t"]
-    C = math.hypot(x_0, v_0 / math.sqrt(scene.k / scene.m))
-    np.testing.assert_allclose(C * signal(scene, "sine", t), columns(scene)["x"], atol=1e-12)
-    omega = math.sqrt(scene.k / scene.m)
-    np.testing.assert_allclose(C * signal(scene, "cosine", t), columns(scene)["v"] / omega, atol=1e-12)
+    omega, shown = math.sqrt(scene.k / scene.m), scene.shown
+    now = played(shown, columns(scene)["t"] / 10.0 ** shown.axes["t"].exponent)
+    C = math.hypot(x_0, v_0 / omega)
+    np.testing.assert_allclose(C * now["sine"], columns(scene)["x"], atol=1e-12)
+    np.testing.assert_allclose(C * now["cosine"], columns(scene)["v"] / omega, atol=1e-12)
 
 
 def test_marks_of_the_lead_stand_on_peaks_a_quarter_period_apart() -> None:
@@ -51,8 +40,3 @@ def test_ticks_are_the_amplitudes_and_the_planes_share_them() -> None:
         assert np.abs(loop[name]).max() == pytest.approx(amplitude, rel=1e-3)
     np.testing.assert_allclose(loop["a"], -4.0 * loop["x"], atol=1e-14)
     np.testing.assert_allclose((loop["x"] / 0.5) ** 2 + loop["v"] ** 2, 1.0, rtol=1e-13)
-
-
-def test_the_force_on_demand_is_minus_k_x() -> None:
-    scene = OscillatorScene(view="force", k=1e5, x_0=0.2, v_0=0.0)
-    assert played(scene.shown, 0.0)["F"] == pytest.approx(-20.0)  # kN

@@ -1,11 +1,12 @@
-"""Presets state all values that their pictures and sentences need, one that compares changes one value, and the
-sentence that is shown when one is chosen is true of it.
-"""
+"""Presets have their values whatever the state before, and the sentence that is shown when one is chosen is true."""
 
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable
 from contextlib import suppress
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,61 +14,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from components.scenes import SCENES
+from physics.damped import DampedOscillator
 from tests.grids import tries
-from tests.scenes.presets import readout, taken
-
-FREE = {
-    "analogues": {
-        *(f"{system}_start" for system in ("circuit", "floating", "pipe", "shaft", "spring", "string", "wave")),
-        *(f"floating_{name}" for name in ("A", "m", "rho")),
-        *(f"rocking_{name}" for name in "mdr"),
-        *(f"pipe_{name}" for name in "Lcn"),
-        *("pendulum_g", "pendulum_m", "spring_k", "spring_m", "string_L", "string_n", "wave_g", "wave_rho"),
-    },
-    "energy": {"g"},
-    "phugoid": {"g", "m", "v_0"},
-    "modes": {"omega", "ratio", "x1_0", "x2_0"},
-    "coupled": {"X_slow", "X_fast", "phi_slow", "phi_fast"},
-    "absorber": {"_valley", "c", "lightest", "lightest_k2", "m2", "x1_0", "x2_0", "v1_0", "v2_0"},
-    "accuracy": {"F_0", "cost", "limit", "omega", "steps", "wanted", *(f"{q}{i}" for q in "mk" for i in (1, 2))}
-    | {f"{q}{i}_0" for q in "xv" for i in (1, 2)},
-}
-"""Quantities that no preset of a scene has to state: its sentences hold for each value, or they follow from a start."""
-COMPARING = {
-    ("oscillator", "Heavy", "Pulled"): {"m"},
-    ("oscillator", "Stiff", "Pulled"): {"k"},
-    ("energy", "Heavy", "Pulled down"): {"m"},
-    ("energy", "Soft", "Pulled down"): {"k"},
-    ("energy", "Pushed up", "Pulled down"): {"x_0"},
-    ("damped", "Worn", "Car"): {"c"},
-    ("damped", "Critical", "Light"): {"c"},
-    ("damped", "No dashpot", "Light"): {"c"},
-    ("driven", "Resonance", "Below"): {"omega"},
-    ("driven", "Above", "Below"): {"omega"},
-    ("driven", "Strong dashpot", "Resonance"): {"c"},
-    ("modes", "No wall", "Unequal masses"): {"k1"},
-    ("modes", "Loose", "Unequal masses"): {"k2"},
-    ("forced", "At slow", "All equal"): {"omega"},
-    ("forced", "At fast", "All equal"): {"omega"},
-    ("absorber", "Resonant", "Below"): {"omega"},
-    ("absorber", "Above", "Below"): {"omega"},
-}
-
-
-@pytest.mark.parametrize("slug", SCENES)
-def test_presets_say_what_to_watch_and_state_every_quantity_that_they_need(slug: str) -> None:
-    scene = SCENES[slug]
-    assert list(scene.watch) == list(scene.presets)
-    for label, values in scene.presets.items():
-        assert set(values) == set(scene.preset_names()), label
-    silent = scene.quantities() - set(scene.preset_names()) - scene().derived() - {"window"}
-    assert silent == FREE.get(slug, set())
-
-
-@pytest.mark.parametrize(("slug", "label", "other"), COMPARING)
-def test_a_preset_that_compares_changes_one_value(slug: str, label: str, other: str) -> None:
-    one, two = (SCENES[slug].presets[name] for name in (label, other))
-    assert {name for name in one if one[name] != two[name]} == COMPARING[slug, label, other]
+from tests.scenes.checks import taken
+from tests.scenes.sentences import number
 
 
 @settings(max_examples=tries(40), suppress_health_check=[HealthCheck.too_slow], deadline=None)
@@ -82,59 +32,185 @@ def test_a_preset_has_its_values_whatever_the_state_before(data: st.DataObject) 
             scene.set({name: value})
     scene.set(SCENES[slug].preset_all(label))
     assert {name: scene.values[name] for name in scene.presets[label]} == dict(scene.presets[label])
+    assert list(SCENES[slug].watch) == list(SCENES[slug].presets)
 
 
-def test_heavier_and_stiffer_oscillators() -> None:
-    usual = readout(taken("oscillator", "Pushed back"), "tau")
-    assert readout(taken("oscillator", "Heavy"), "tau") == pytest.approx(2 * usual)
-    assert readout(taken("oscillator", "Stiff"), "tau") == pytest.approx(usual / 2, rel=0.01)
-    still = taken("oscillator", "Pushed back")
-    assert still.x_0 * still.v_0 < 0
+def column(s: Any, name: str, source: str = "time") -> Any:
+    return s.shown.sources[source][name]
 
 
-def test_the_energies_of_the_hanging_mass() -> None:
-    pulled, pushed, heavy, soft = (taken("energy", label) for label in ("Pulled down", "Pushed up", "Heavy", "Soft"))
-    assert readout(pushed, "E_total") == readout(pulled, "E_total") == readout(heavy, "E_total")
-    assert readout(heavy, "delta_st") == pytest.approx(2 * readout(pulled, "delta_st"))
-    for one in (heavy, soft):
-        assert readout(one, "tau") > readout(pulled, "tau") and readout(one, "delta_st") > readout(pulled, "delta_st")
+def value(s: Any, name: str) -> float:
+    return float(s.numbers[name].value)
 
 
-def test_analogues_and_flights() -> None:
-    assert readout(taken("analogues", "Cavendish"), "period") > 600
-    for label, least, most in (("60°", 0.05, 0.1), ("Clock", 0.0, 0.001), ("Nearly over", 1.0, 10.0)):
-        scene = taken("analogues", label)
-        late = readout(scene, "period") * readout(scene, "omega") / (2 * math.pi) - 1
-        assert least < late < most, label
-    assert "speed falls to 0" in SCENES["phugoid"].watch["Cusp, 0.732"]
-    speed = {label: taken("phugoid", label) for label in SCENES["phugoid"].presets}
-    lowest = {label: scene.v_0 + scene.shown.sources["time"]["v"].min() for label, scene in speed.items()}
-    assert abs(lowest["Cusp, 0.732"]) < 0.01 * speed["Cusp, 0.732"].v_0
+def late(s: Any, share: float) -> float:
+    """The last time at which |x| is more than that share of |x_0|, from dense samples, and ten to each of them."""
+    one = DampedOscillator(m=s.m, c=s.c, k=s.k)
+    start, step = 0.0, 14.0 / one.rates[0]
+    for count in (40_000, 10):
+        t = start + np.arange(count + 1) * (step := step / count)
+        beyond = np.abs(one.motion(s.x_0, s.v_0, t).x) > share * abs(s.x_0)
+        start = float(t[np.flatnonzero(beyond)[-1]])
+    return start
 
 
-def test_the_modes_of_the_coupled_masses() -> None:
-    for label, other in (("Slow", "fast"), ("Fast", "slow")):
-        columns = taken("coupled", label).shown.sources["time"]
-        assert np.abs(columns[f"x1_{other}"]).max() < 1e-15
-        ways = np.sign(columns["x1"] * columns["x2"])
-        assert set(ways[np.abs(columns["x1"]) > 1e-9]) == {1.0 if label == "Slow" else -1.0}
-    omega = [readout(taken("coupled", "All equal"), name) for name in ("omega_minus", "omega_plus")]
-    assert omega == pytest.approx([0.618, 1.618], abs=5e-4)
-    assert omega[1] / omega[0] == pytest.approx((3 + math.sqrt(5)) / 2), "not rational"
-    beats = taken("coupled", "Beats").shown.sources["time"]
-    assert np.abs(beats["x1"][:40]).max() > 0.19
-    heavy = taken("coupled", "Heavy, light").shown.sources["time"]
-    assert np.abs(heavy["x1_fast"]).max() < 0.02 * np.abs(heavy["x1_slow"]).max()
-    assert np.abs(heavy["x2_fast"]).max() > 0.9 * np.abs(heavy["x2_slow"]).max()
+def kept(s: Any) -> float:
+    """The share of a swing that the next one keeps."""
+    return math.exp(-2 * math.pi * s.zeta / math.sqrt(1 - s.zeta**2))
 
 
-def test_the_driven_masses() -> None:
-    assert readout(taken("forced", "All equal"), "Xp1") < 0
-    still = taken("forced", "Still mass 1")
-    assert np.abs(still.shown.sources["time"]["x1"]).max() < 1e-15
-    light = taken("forced", "Light mass 2")
-    slow, fast = readout(light, "omega_minus"), readout(light, "omega_plus")
-    assert slow < 1 < fast < 1.3 * slow
-    below, at, above = (taken("absorber", label) for label in ("Below", "Resonant", "Above"))
-    own = math.sqrt(below.k1 / below.m1)
-    assert below.omega < own == at.omega < above.omega
+def heat(s: Any) -> float:
+    """The share of the energy that is heat after 0.2 s, in percent."""
+    return float(100 - 100 * np.interp(0.2, column(s, "t"), column(s, "E")) / column(s, "E_0")[0])
+
+
+def inertia(s: Any) -> float:
+    """The force of inertia over the push."""
+    return float(response(s) * s.omega**2 * s.m / s.k)
+
+
+def longer(s: Any) -> float:
+    """The period of the pendulum over that of small swings."""
+    return value(s, "period") / value(s, "small_period")
+
+
+def response(s: Any, r: Any = None, zeta: float | None = None) -> Any:
+    """The swing over that of a steady push, of the base or of the unbalance, at a frequency ratio r."""
+    r, zeta = s.omega / math.sqrt(s.k / s.m) if r is None else r, s.zeta if zeta is None else zeta
+    push = {"force": 1.0, "base": np.abs(1 + 2j * zeta * r), "unbalance": r**2}[s.kind]
+    return push / np.abs(1 - r**2 + 2j * zeta * r)
+
+
+def speeding_up(s: Any) -> tuple[float, float]:
+    """The frequency ratio of the largest response, and the response."""
+    r = np.linspace(0.5, 2.0, 100_001)
+    top = int(np.argmax(response(s, r)))
+    return float(r[top]), float(response(s, r)[top])
+
+
+def ripple(s: Any) -> float:
+    """The largest distance of both heights in the first period, in percent of the swing of the linear theory."""
+    t = column(s, "t")
+    off = np.abs(column(s, "h") - column(s, "h_lin"))[t <= value(s, "tau_exact")]
+    return float(100 * off.max() / (s.v_0**2 / s.g * abs(s.excess)))
+
+
+NUMBERS: list[tuple[str, str, str, Callable[[Any], Any]]] = [
+    ("damped", "Light", "0.532", kept),
+    ("damped", "Light", "7.13", lambda s: late(s, 0.01)),
+    ("damped", "Car", "0.306", lambda s: s.zeta),
+    ("damped", "Car", "36.4", lambda s: -100 * column(s, "x").min() / s.x_0),
+    ("damped", "Car", "0.976", lambda s: late(s, 0.05)),
+    ("damped", "Worn", "68", lambda s: 100 * kept(s)),
+    ("damped", "Worn", "5.84", lambda s: late(s, 0.05)),
+    ("damped", "Door closer", "1.5", lambda s: s.zeta),
+    ("damped", "Door closer", "8.31", lambda s: late(s, 0.01)),
+    ("damped", "Critical", "1.06", lambda s: late(s, 0.01)),
+    ("damped", "Critical", "4.30", lambda s: late(SCENES["damped"](zeta=3.0), 0.01)),
+    ("damped", "Critical", "0.674", lambda s: late(SCENES["damped"](zeta=0.83), 0.01)),
+    ("damped", "Thrown", "0.0506", lambda s: value(s, "zero")),
+    ("damped", "Thrown", "−0.0525", lambda s: column(s, "x").min()),
+    ("damped", "Thrown", "98.8", heat),
+    ("driven", "Below", "1.72", response),
+    ("driven", "Below", "0.842", inertia),
+    ("driven", "Below", "0.502", lambda s: value(s, "phi")),
+    ("driven", "Resonance", "2.5", response),
+    ("driven", "Above", "1.29", inertia),
+    ("driven", "Above", "2.88", lambda s: value(s, "phi")),
+    ("driven", "Strong dashpot", "0.625", lambda s: response(s, 1.0)),
+    ("driven", "Beats", "0.267", lambda s: response(s) * s.F_0 / s.k),
+    ("driven", "Beats", "0.505", lambda s: max(abs(s.shown.traces["time"].exact(np.linspace(0, 99, 20_000))["x"]))),
+    ("driven", "Beats", "10.0", lambda s: 2 * math.pi / (math.sqrt(s.k / s.m) - s.omega)),
+    ("driven", "Washboard", "0.704", response),
+    ("driven", "Washboard", "0.942", lambda s: response(s, zeta=1.0)),
+    ("driven", "Washboard", "0.646", lambda s: response(s, zeta=0.05)),
+    ("driven", "Spin-dry", "1.62", response),
+    ("driven", "Spin-dry", "2.55", lambda s: speeding_up(s)[1]),
+    ("driven", "Spin-dry", "1.04", lambda s: speeding_up(s)[0]),
+    ("driven", "Harmonic", "0.135", lambda s: value(s, "X_strongest")),
+    ("analogues", "10°", "0.2", lambda s: 100 * longer(s) - 100),
+    ("phugoid", "Ripple, 0.1", "5", ripple),
+    ("coupled", "All equal", "0.618", lambda s: value(s, "omega_minus")),
+    ("coupled", "All equal", "1.618", lambda s: value(s, "omega_plus")),
+    ("chain", "Two", "0.618", lambda s: value(s, "slowest")),
+    ("chain", "Two", "1.62", lambda s: value(s, "fastest")),
+]  # fmt: skip
+"""Numbers in the sentence of a preset, and how each is computed from its state."""
+
+
+@pytest.mark.parametrize(("slug", "label", "text", "true"), NUMBERS)
+def test_a_number_in_the_sentence_of_a_preset_is_right(
+    slug: str, label: str, text: str, true: Callable[[Any], Any]
+) -> None:
+    assert re.search(rf"(?<![\d.]){re.escape(text)}(?!\.?\d)", SCENES[slug].watch[label])
+    last = 10.0 ** -len(text.partition(".")[2])
+    assert true(taken(slug, label)) == pytest.approx(number(text), abs=0.5 * last)
+
+
+def swing(s: Any, name: str) -> float:
+    return float(np.abs(column(s, name)).max())
+
+
+def one_mode(s: Any, other: str, sign: float) -> bool:
+    """Whether both masses swing in one mode, with or against each other."""
+    moving = np.abs(column(s, "x1")) > 1e-9
+    ways = np.sign(column(s, "x1") * column(s, "x2"))[moving]
+    return swing(s, f"x1_{other}") < 1e-15 and set(ways) == {sign}
+
+
+def echo(s: Any) -> float:
+    """The largest displacement of a mass after the pulse has come back from the end."""
+    t, x = column(s, "t"), column(s, "x35")
+    back = x[(t > value(s, "traverse")) & (t < 1.5 * value(s, "traverse"))]
+    return float(back[np.abs(back).argmax()])
+
+
+def ratio(s: Any, name: str, label: str) -> float:
+    """The number of a preset over that of another one of its scene."""
+    return value(s, name) / value(taken(s.slug, label), name)
+
+
+def swing_at_end(s: Any) -> float:
+    """The largest displacement of a mass at the end of the window."""
+    return max(abs(column(s, f"x{p}")[-1]) for p in range(1, int(s.N) + 1))
+
+
+WORDS: list[tuple[str, str, Callable[[Any], Any]]] = [
+    ("oscillator", "Heavy", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(2)),
+    ("oscillator", "Stiff", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(0.5, rel=0.01)),
+    ("oscillator", "Pushed back", lambda s: s.x_0 * s.v_0 < 0),
+    ("energy", "Pushed up", lambda s: ratio(s, "T_max", "Pulled down") == 1),
+    ("energy", "Heavy", lambda s: ratio(s, "delta", "Pulled down") == pytest.approx(2)),
+    ("energy", "Heavy", lambda s: ratio(s, "T_max", "Pulled down") == 1 < ratio(s, "tau", "Pulled down")),
+    ("energy", "Soft", lambda s: ratio(s, "delta", "Pulled down") > 1 < ratio(s, "tau", "Pulled down")),
+    ("analogues", "Cavendish", lambda s: value(s, "period") > 600),
+    ("analogues", "60°", lambda s: 1.05 < longer(s) < 1.1),
+    ("analogues", "Clock", lambda s: 1 < longer(s) < 1.001),
+    ("analogues", "Nearly over", lambda s: 2 < longer(s) < 11),
+    ("phugoid", "Cusp, 0.732", lambda s: abs(s.v_0 + column(s, "v").min()) < 0.01 * s.v_0),
+    ("damped", "Worn", lambda s: s.c == taken("damped", "Car").c / 5),
+    ("driven", "Strong dashpot", lambda s: np.all(np.diff(response(s, np.linspace(0.01, 3, 300))) < 0)),
+    ("coupled", "Slow", lambda s: one_mode(s, "fast", 1.0)),
+    ("coupled", "Fast", lambda s: one_mode(s, "slow", -1.0)),
+    ("coupled", "Beats", lambda s: np.abs(column(s, "x1")[:40]).max() > 0.19),
+    ("coupled", "Heavy, light", lambda s: swing(s, "x1_fast") < 0.02 * swing(s, "x1_slow")
+     and swing(s, "x2_fast") > 0.9 * swing(s, "x2_slow")),
+    ("forced", "All equal", lambda s: value(s, "Xp1") < 0),
+    ("forced", "Still mass 1", lambda s: swing(s, "x1") < 1e-15),
+    ("forced", "Light mass 2", lambda s: 1 < value(s, "omega_plus") < 1.3 * value(s, "omega_minus") < 1.3),
+    ("absorber", "Below", lambda s: s.omega < math.sqrt(s.k1 / s.m1)),
+    ("absorber", "Resonant", lambda s: s.omega == math.sqrt(s.k1 / s.m1)),
+    ("absorber", "Above", lambda s: s.omega > math.sqrt(s.k1 / s.m1)),
+    ("chain", "Pulse", lambda s: echo(s) < -0.2),
+    ("chain", "Free end", lambda s: echo(s) > 0.2),
+    ("chain", "Broad", lambda s: swing_at_end(s) > 0.39),
+    ("chain", "Plucked", lambda s: column(s, "silent_j", "silent").tolist() == [3.0, 6.0]
+     and np.abs(s.of().drawn.energy[[2, 5]]).max() <= 1e-30),
+    ("chain", "One mass", lambda s: s.of().drawn.energy[25:].sum() > 0.5 * s.of().drawn.energy.sum()),
+]  # fmt: skip
+"""What the sentence of a preset says in words."""
+
+
+@pytest.mark.parametrize(("slug", "label", "true"), WORDS, ids=str)
+def test_what_the_sentence_of_a_preset_says_is_true(slug: str, label: str, true: Callable[[Any], Any]) -> None:
+    assert true(taken(slug, label))

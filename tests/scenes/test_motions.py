@@ -1,0 +1,273 @@
+"""The motions of every scene in any state: they begin as they are said to, obey their equation, and their parts and
+energies add up.
+
+Derivatives are differences of the exact motion between seven instants, so that no solution is shared with the physics.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import Phase, assume, given, settings
+
+from components.scene import Scene
+from components.scenes import SCENES
+from physics.analogues import ANALOGUES
+from tests.grids import tries
+from tests.states import values
+
+FIRST, SECOND = np.array([-1, 9, -45, 0, 45, -9, 1]) / 60, np.array([2, -27, 270, -490, 270, -27, 2]) / 180
+AT_START = np.array([-147, 360, -450, 400, -225, 72, -10]) / 60
+"""Coefficients of the first and second derivative at the middle of seven instants, and of the first at their start."""
+INSTANTS = np.array([3, 40, 333, 4001, 20_000])
+"""The middle of each seven instants, in their distance."""
+SHORT = 0.04
+"""The distance of instants, in radians of the fastest motion."""
+MOST_MASSES = 60
+STALLED = 0.2
+"""The share of the speed of steady flight below which the path of an aircraft turns too fast for differences."""
+
+
+class Moved(NamedTuple):
+    """A displacement, its velocity and its acceleration at INSTANTS, and its largest size in the window."""
+
+    x: Any
+    v: Any
+    a: Any
+    reach: float
+
+
+Terms = dict[str, list[Any]]
+"""The forces on each body, which add up to 0; the first is that of inertia."""
+Laws = Callable[[Any, Any, Mapping[str, Moved]], Terms]
+
+
+def push_on(s: Any, t: Any) -> Any:
+    """The force on a driven mass, from its drive."""
+    turn = s.omega * t
+    if s.kind == "base":
+        return s.Y * (s.k * np.sin(turn) + s.c * s.omega * np.cos(turn))
+    if s.kind == "unbalance":
+        return s.moment * s.omega**2 * np.sin(turn)
+    shapes = {
+        "sine": lambda: np.sin(turn),
+        "square": lambda: np.sign(np.sin(turn)),
+        "triangle": lambda: np.arcsin(np.sin(turn)) * 2 / math.pi,
+        "pulses": lambda: (turn / (2 * math.pi) % 1 < s.width) * 1.0,
+        "step": lambda: np.ones_like(t),
+    }
+    idle = np.zeros_like(t)
+    return idle if s.push.startswith("impulse") or not (s.omega or s.push == "step") else s.F_0 * shapes[s.push]()
+
+
+def one_mass(s: Any, t: Any, at: Mapping[str, Moved]) -> Terms:
+    x, push = at["x"], push_on(s, t) if s.slug == "driven" else 0.0
+    return {"x": [s.m * x.a, getattr(s, "c", 0.0) * x.v, s.k * x.x, -push]}
+
+
+def two_masses(s: Any, t: Any, at: Mapping[str, Moved]) -> Terms:
+    one, two = at["x1"], at["x2"]
+    push, c1, c2 = (s.F_0 * np.sin(s.omega * t), s.c1, s.c2) if s.slug == "forced" else (0.0, 0.0, 0.0)
+    tie, brake = s.k2 * (two.x - one.x), c2 * (two.v - one.v)
+    return {"x1": [s.m1 * one.a, s.k1 * one.x, c1 * one.v, -tie, -brake, -push], "x2": [s.m2 * two.a, tie, brake]}
+
+
+def many_masses(s: Any, t: Any, at: Mapping[str, Moved]) -> Terms:
+    N, none = int(s.N), np.zeros_like(t)
+    x = [none, *(at[f"x{p}"].x for p in range(1, N + 1)), none]
+    left, right = s.ends != "free-free", s.ends == "fixed-fixed"
+    found = {f"x{p}": [s.m * at[f"x{p}"].a, s.k * (x[p] - x[p - 1]), s.k * (x[p] - x[p + 1])] for p in range(1, N + 1)}
+    found["x1"][1] *= left
+    found[f"x{N}"][2] *= right
+    return found
+
+
+def analogue(s: Any, t: Any, at: Mapping[str, Moved]) -> Terms:
+    square = s.numbers["omega"].value ** 2
+    turned = np.sin(at["q"].x) if ANALOGUES[s.system].length_of else at["q"].x
+    return {"q": [at["q"].a, square * turned], "x": [at["x"].a, square * at["x"].x]}
+
+
+def flight(s: Any, t: Any, at: Mapping[str, Moved]) -> Terms:
+    """Lift square to the path, in proportion to the square of the speed, and weight."""
+    x, y = at["x"], at["y"]
+    turn = s.g * np.hypot(x.v, y.v) / s.v_0**2
+    return {"x": [x.a, turn * y.v], "y": [y.a, -turn * x.v, s.g]}
+
+
+def rate_of_one(s: Any) -> float:
+    return float(math.sqrt(s.k / s.m) + getattr(s, "c", 0.0) / s.m + 2 * getattr(s, "omega", 0.0))
+
+
+def rate_of_two(s: Any) -> float:
+    braked = 2 * (getattr(s, "c1", 0.0) + getattr(s, "c2", 0.0)) * (1 / s.m1 + 1 / s.m2)
+    return float(math.sqrt((s.k1 + 2 * s.k2) / s.m1 + 2 * s.k2 / s.m2) + braked + getattr(s, "omega", 0.0))
+
+
+class Kind(NamedTuple):
+    """The motions of a scene: the source of their curves, their forces, and a bound of their rates in rad/s."""
+
+    source: str
+    laws: Laws
+    rate: Callable[[Any], float]
+
+
+KINDS: dict[str, Kind] = {
+    **{slug: Kind("time", one_mass, rate_of_one) for slug in ("oscillator", "energy", "damped", "driven")},
+    "coupled": Kind("time", two_masses, rate_of_two),
+    "forced": Kind("time", two_masses, rate_of_two),
+    "modes": Kind("path", two_masses, rate_of_two),
+    "chain": Kind("time", many_masses, lambda s: 2 * math.sqrt(s.k / s.m)),
+    "analogues": Kind("time", analogue, lambda s: s.numbers["omega"].value),
+    "phugoid": Kind("path", flight, lambda s: 4 * s.g / s.v_0 * (1 + abs(s.excess))),
+}
+OWN_TESTS = {"absorber": "test_absorber", "accuracy": "tests/physics/test_accuracy"}
+
+
+def start(s: Any, name: str) -> tuple[float, float] | None:
+    """The displacement and the velocity from which a body starts, by the parameters."""
+    x, v = (f"{q}{name.removeprefix('x')}_0" for q in "xv")
+    if s.slug in ("chain", "phugoid") or name == "y" or (s.slug == "analogues" and name == "q"):
+        return None
+    if s.slug == "modes":
+        return getattr(s, x), 0.0
+    if s.slug == "analogues":
+        return (math.radians(s.theta_0) if ANALOGUES[s.system].length_of else getattr(s, f"{s.system}_start")), 0.0
+    kicked = s.slug == "driven" and s.kind == "force" and (s.push == "impulse" or (s.push == "impulses" and s.omega))
+    return getattr(s, x), getattr(s, v) + (s.J / s.m if kicked else 0.0)
+
+
+def sums(s: Any, at: Mapping[str, Moved], given: Mapping[str, Any]) -> Terms:
+    """Terms of each sum that a scene draws, without those that it leaves out."""
+    if s.slug in ("oscillator", "energy", "damped"):
+        x = at["x"]
+        T, V = [s.m * x.v**2 / 2], [s.k * x.x**2 / 2]
+        lost = [given["E_0"], -T[0], -V[0]] if "E_0" in given else []
+        if s.slug == "energy" and s.datum == "separate":
+            V.append(s.m * s.g**2 * s.m / s.k / 2)
+        found: Terms = {"v": [x.v], "a": [-s.k / s.m * x.x], "T": T, "V": V, "E": T + V, "total": T + V, "heat": lost}
+        return found | ({"P": [s.c * x.v**2]} if s.slug == "damped" else {})
+    if s.slug == "phugoid":
+        V = np.hypot(at["x"].v, at["y"].v)
+        return {"v": [V, -s.v_0], "lift": [(V / s.v_0) ** 2], "lift_linear": [2 * V / s.v_0, -1.0], "h": [at["y"].x]}
+    if s.slug == "coupled":
+        one, two = at["x1"], at["x2"]
+        stacked = [s.m1 * one.v**2 / 2, s.k1 * one.x**2 / 2, s.k2 * (two.x - one.x) ** 2 / 2, s.m2 * two.v**2 / 2]
+        names = ("T1", "T1_V1", "T1_V1_V2", "T1_V1_V2_T2")
+        found = {name: stacked[: i + 1] for i, name in enumerate(names)}
+    else:
+        found = {}
+    pairs = [(name, [f"{name}_{one}" for one in parts]) for name in at for parts in (("p", "c"), ("slow", "fast"))]
+    return found | {name: [given[one] for one in parts] for name, parts in pairs if set(parts) <= given.keys()}
+
+
+class Sampled(NamedTuple):
+    """The motion of a scene at groups of seven instants: their distance, the columns, the derivatives of each body,
+    which groups are smooth, the columns in the window, and at the first seven instants.
+    """
+
+    h: float
+    columns: dict[str, Any]
+    at: dict[str, Moved]
+    smooth: Any
+    window: Mapping[str, Any]
+    begun: Mapping[str, Any]
+
+
+def sampled(scene: Scene) -> Sampled | None:
+    kind = KINDS[scene.slug]
+    trace = scene.shown.traces.get(kind.source)
+    if not trace:
+        return None
+    h = 2.0 ** math.floor(math.log2(SHORT / (kind.rate(scene) or 1 / trace.end)))
+    t = h * (INSTANTS[:, None] + np.arange(-3, 4))
+    columns = {name: one.reshape(t.shape) for name, one in trace.exact(t.ravel()).items()}
+    window, begun = trace.exact(np.linspace(0.0, trace.end, 60)), trace.exact(h * np.arange(7))
+    bodies = {name: one for name, one in columns.items() if re.fullmatch(r"x\d*|y|q", name)}
+    reach = max(max(np.abs(one).max(), np.abs(window[name]).max()) for name, one in bodies.items())
+    at = {name: Moved(x[:, 3], x @ FIRST / h, x @ SECOND / h**2, reach) for name, x in bodies.items()}
+    middle = {name: one[:, 3] for name, one in columns.items()}
+    return Sampled(h, middle, at, is_smooth(scene, t, at), window, begun)
+
+
+def check_forces(scene: Scene, one: Sampled) -> int:
+    """Check that forces add up to 0 and return the number of comparisons in which rounding hides little."""
+    sharp, t = 0, one.h * INSTANTS
+    for name, terms in KINDS[scene.slug].laws(scene, t, one.at).items():
+        size, rest, a = sum(map(np.abs, terms)), np.abs(sum(terms)), one.at[name].a
+        inertia = np.divide(terms[0], a, out=np.zeros_like(size), where=a != 0).max()
+        rounding = 1e-12 * inertia * one.at[name].reach / one.h**2
+        assert np.all((rest <= 1e-7 * size + rounding) | ~one.smooth), (name, rest, size, dict(scene.values))
+        sharp += int(np.sum(one.smooth & (rounding < 1e-4 * size)))
+    return sharp
+
+
+def check_start(scene: Scene, one: Sampled) -> None:
+    for name in one.at:
+        if (said := start(scene, name)) is not None:
+            reach = one.at[name].reach
+            x, v = one.begun[name][0], one.begun[name] @ AT_START / one.h
+            assert x == pytest.approx(said[0], rel=1e-12, abs=1e-12 * reach), (name, dict(scene.values))
+            assert v == pytest.approx(said[1], rel=1e-7, abs=1e-8 * reach / one.h), (name, dict(scene.values))
+
+
+def check_sums(scene: Scene, one: Sampled) -> None:
+    rounded = {name: body._replace(v=body.v + 1e-12 * body.reach / one.h) for name, body in one.at.items()}
+    beside = sums(scene, rounded, one.columns)
+    for name, terms in sums(scene, one.at, one.columns).items():
+        if name in one.columns:
+            least = 1e-6 * one.at[name].reach if name in one.at else 1e-9 * np.abs(one.window[name]).max()
+            size, rounding = sum(map(np.abs, terms)) + least, np.abs(sum(beside[name]) - sum(terms))
+            off = np.abs(one.columns[name] - sum(terms))
+            assert np.all((off <= 1e-6 * size + rounding) | ~one.smooth), (name, off, size, dict(scene.values))
+
+
+def is_smooth(s: Any, t: Any, at: Mapping[str, Moved]) -> Any:
+    """At which instants no push jumps and no aircraft stalls between seven instants."""
+    if s.slug == "phugoid":
+        return np.hypot(at["x"].v, at["y"].v) > STALLED * s.v_0
+    if s.slug != "driven" or s.push in ("sine", "step", "impulse"):
+        return np.ones(len(t), bool)
+    shares = np.array([0.0, 0.25, 0.5, 0.75, s.width])
+    cycles = s.omega * t[:, [0, -1]] / (2 * math.pi)
+    turns = np.floor(cycles[:, :, None] - shares)
+    near = np.abs(cycles[:, :, None] - shares - np.round(cycles[:, :, None] - shares)) < 1e-9
+    return ~((turns[:, 0] != turns[:, 1]) | near.any(axis=1)).any(axis=1)
+
+
+@pytest.mark.parametrize("slug", KINDS)
+def test_a_motion_begins_as_it_is_said_and_obeys_its_equation(slug: str) -> None:
+    kind, sharp = SCENES[slug], 0
+    extra = {"view": "hunt"} if slug == "modes" else {}
+
+    def compare(state: dict[str, Any]) -> None:
+        nonlocal sharp
+        try:
+            scene = kind.at({**state, **extra})
+            _ = scene.shown
+        except ValueError:
+            assume(False)
+        if scene.values.get("N", 0) <= MOST_MASSES and (one := sampled(scene)):
+            sharp += check_forces(scene, one)
+            check_start(scene, one)
+            check_sums(scene, one)
+
+    for label in kind.presets:
+        compare(dict(kind.preset_all(label)))
+
+    @settings(max_examples=tries(120), phases=(Phase.explicit, Phase.generate))
+    @given(values(kind, 2.0))
+    def holds(state: dict[str, Any]) -> None:
+        compare(state)
+
+    holds()
+    assert sharp > 50
+
+
+def test_every_scene_has_its_motions_checked() -> None:
+    assert KINDS.keys() | OWN_TESTS.keys() == SCENES.keys()
