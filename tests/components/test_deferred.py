@@ -9,6 +9,7 @@ import pytest
 
 from components.paper.deferred import Attributes, book_of, deferred, number, recorded
 from components.paper.plots import either
+from components.quantities.declared import Declared, Family, LiveNumber, Scalar, by_name
 
 
 class Place(NamedTuple):
@@ -48,9 +49,21 @@ def test_an_expression_is_computed_for_each_case() -> None:
     assert recorded(c.places[1].y).compute(PointShown(3.0), {}) is None
 
 
-def test_a_misspelt_name_is_an_error() -> None:
+class Declarations(Declared[complex]):
+    size = LiveNumber[complex](abs, "|z|", "m")
+    side = Family((1, 2), lambda i: Scalar[complex](lambda z, a: i * z.real))
+
+
+def test_a_misspelt_name_is_an_error_also_of_types() -> None:
+    """mypy, which asks for each of these remarks, finds them."""
     with pytest.raises(AttributeError, match="a PointShown has no hlaf"):
         c.hlaf  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError):
+        Declarations.omga  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(KeyError):
+        Declarations.side[3]
+    with pytest.raises(AttributeError):
+        by_name({"x": 1.0})  # type: ignore[type-var]
 
 
 def test_nothing_is_decided_before_there_is_a_case() -> None:

@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.layout.sheet import axes_of_columns
 from components.quantities import formatting
 from components.quantities.axes import Axis, log_axis
 from components.quantities.formatting import (
@@ -24,13 +23,10 @@ from components.quantities.formatting import (
     tidy,
     with_error,
 )
-from components.quantities.instant import instant
 from components.quantities.measures import measure
 from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
-from components.scene import Scene
 from components.scenes import SCENES
-from tests.page.scripts import played
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
@@ -211,33 +207,9 @@ def test_a_log_axis_has_two_numbers_at_least_each_where_it_says(power: float, sp
         assert math.log10(parse_number(label)) == pytest.approx(tick, abs=0.003)
 
 
-def test_powers_of_ten_go_before_other_round_numbers() -> None:
-    assert log_axis(0.2, 30.0, "s").ruler.labels == ("1", "10¹ s")
-    assert log_axis(2.0, 80.0, "s").ruler.labels == ("2", "5", "10", "20", "50 s")
-    assert log_axis(3.0, 4.5).ruler.labels == ("3.2", "3.6", "4", "4.4")
-
-
 @pytest.mark.parametrize("size", [0.0, 5e-324, 1e-300, 1e-9, 2.5e-3, 1.0, 40.0, 1e300])
 @pytest.mark.parametrize("exponent", [-3, 0, 3])
 def test_a_moving_number_has_three_digits_and_no_more_decimals_than_can_be_shown(size: float, exponent: int) -> None:
     decimals = Axis(0.0, 1.0, "J", exponent, own=(0.0, size)).digits().decimals
     shown = size / 10.0**exponent
     assert decimals == (12 if shown < 1e-10 else max(0, 2 - math.floor(math.log10(shown) + 1e-12)))
-
-
-@pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
-def test_a_signal_has_the_values_of_its_curve_and_begins_as_it_is_played(kind: type[Scene]) -> None:
-    axes = axes_of_columns(kind.sheet())
-    for values in ({}, *kind.presets.values()):
-        picture = kind.at(values).shown
-        for source, traces in picture.traces.items():
-            for name in axes.get(source, {}).keys() & set(traces.names):
-                axis = picture.axes[axes[source][name]]
-                exact = axis.places(traces.columns[name])
-                for i in (0, len(exact) // 3, -1):
-                    now = instant(picture.signals, picture.scalars, picture.axes["t"].place(traces.t[i]))
-                    size = axis.ruler.end - axis.ruler.start
-                    assert now[traces.signals.get(name, name)] == pytest.approx(exact[i], abs=1e-6 * abs(size)), name
-    first, now = played(picture, 0.0), instant(picture.signals, picture.scalars)
-    for name in now.keys() & first.keys():
-        assert math.isclose(now[name], first[name], rel_tol=1e-12, abs_tol=1e-12), name

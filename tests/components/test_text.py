@@ -11,6 +11,7 @@ from fontTools.ttLib import TTFont
 
 from components.layout.text import SENTENCES, SHORT, kept, mathml, rich
 from components.scenes import SCENES
+from components.state.commands import sentence
 from components.state.scene_sheet import sheet_json
 from tools.math_font import FONT
 
@@ -81,3 +82,17 @@ def test_of_what_is_set_little_is_remembered() -> None:
         set_once(str(number))
     set_once("x")
     assert made[-1] == "x" and SENTENCES * SHORT < 2**20
+
+
+@pytest.mark.parametrize(
+    ("said", "shown"),
+    [
+        ("the amplitude B = v_0/omega_n = -2.668e+331 leaves", "The amplitude B = v₀/ωₙ = −2.668e331 leaves."),
+        ("x1_0 = nan: only finite numbers", "x₁(0) = nan: only finite numbers."),
+        ("the amplitude Xp1 at omega = 3 rad/s", "The amplitude Xₚ₁ at ω = 3 rad/s."),
+        ("above 2 sqrt(k1 m1), omega_+ and 9 m/s^2", "Above 2 √(k₁ m₁), ω₊ and 9 m/s²."),
+        ("“plot:x2” and “x1” of D31 stay, as 1e5 does", "“plot:x2” and “x1” of D31 stay, as 1e5 does."),
+    ],
+)
+def test_symbols_are_those_of_the_screen(said: str, shown: str) -> None:
+    assert sentence(ValueError(said)) == shown
