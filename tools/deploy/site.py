@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -65,10 +65,6 @@ class DeployedSite:
             self.end(number)
 
 
-Front = Callable[[DeployedSite], tuple[Sequence[str], Mapping[str, str]]]
-"""Returns the command that starts a proxy for a site, and its environment."""
-
-
 def caddy() -> str:
     """Return the path of the proxy's program, which comes with a package for tests."""
     return str(Path(sys.executable).with_name("caddy"))
@@ -87,12 +83,10 @@ def behind_caddy(site: DeployedSite) -> tuple[Sequence[str], Mapping[str, str]]:
 
 
 @contextmanager
-def deployed(
-    folder: Path, codes: Sequence[Path] = (ROOT, ROOT), front: Front = behind_caddy, **more: str
-) -> Iterator[DeployedSite]:
+def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT), **more: str) -> Iterator[DeployedSite]:
     """Yield a running site; each replica has the code of a folder. `more` are settings of all of them."""
     site = DeployedSite(folder, len(codes), more)
-    command, environment = front(site)
+    command, environment = behind_caddy(site)
     try:
         for number, code in enumerate(codes):
             site.start(number, code)
