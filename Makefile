@@ -38,10 +38,10 @@ test: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"
 	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) $(ONCE_MORE) -m "browser and not slow"
 
-# The slow tests: deployment, real timers, other browsers, whole walks.
+# The slow tests: real timers, an installed package, other browsers, whole walks.
 rest: $(VENV)/test.stamp
-	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow"
-	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) $(ONCE_MORE) -m "browser and slow"
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow and not nightly"
+	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) $(ONCE_MORE) -m "browser and slow and not nightly"
 
 # Installs Safari's engine and Firefox from Debian. Without them make rest skips their tests, and says so.
 browsers: $(VENV)/test.stamp
@@ -51,7 +51,7 @@ browsers: $(VENV)/test.stamp
 test-all:
 	GRIDS=whole $(MAKE) test rest
 
-# All tests with every scene, view and walk, and with examples of the day; then faults of the day.
+# All tests, with every scene, view and walk and with examples of the day; then faults of the day.
 # make nightly SEED=20261127 repeats a night.
 nightly: export SEED ?= $(shell date +%Y%m%d)
 nightly: export GRIDS = whole

@@ -38,6 +38,14 @@ def pytest_report_header() -> str:
     return f"examples of Hypothesis: {f'SEED={SEED}' if SEED else 'the same in every run'}"
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """A test for the night is slow too."""
+    for item in items:
+        if item.get_closest_marker("nightly"):
+            item.add_marker("slow")
+
+
 @pytest.fixture(autouse=True)
 def floating_point_errors_raise() -> Iterator[None]:
     """Overflows, invalid operations and divisions by zero raise, even if their result is not used."""

@@ -86,7 +86,7 @@ async def lesson(site: DeployedSite) -> None:
     assert await asyncio.to_thread(site.front.process.wait, 9) == 0  # despite the open stream
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
 @pytest.mark.timeout(300)  # three servers start
 def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_takes_over(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from tools.bench.soak import soak, still_open
 from tools.bench.tables import markdown
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.timeout(300)
 def test_visitors_of_every_scene_and_a_class_are_served_and_leave_nothing_behind(tmp_path: Path) -> None:
     async def visits() -> None:
@@ -54,7 +54,7 @@ def test_the_document_agrees_with_the_record() -> None:
         assert 0.0 < run.time < 2 * (error_vs_time.PATIENCE if long else 1.0)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_tiny_record_is_complete_and_each_option_changes_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -90,7 +90,7 @@ NEAR = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))
 RUBBED = SYSTEMS["dashpot"].problem()
 
 
-@pytest.mark.slow  # compilation
+@pytest.mark.nightly  # compilation
 @pytest.mark.parametrize(
     ("method", "problem"),
     [*((slug, NEAR) for slug in STEPPING), *((slug, RUBBED) for slug in ("rk4", "newmark", "radau5", "alpha"))],
