@@ -26,7 +26,7 @@ MUTANTS = (
     # physics
     Mutant(
         "sign", "physics/oscillator.py", "exact(v_0), -omega * omega", "exact(v_0), omega * omega",
-        "tests/physics/test_oscillator.py",
+        "tests/physics/test_one_mass.py",
     ),
     Mutant(
         "digits", "physics/forced.py", "float(exact(self.omega) - mode.omega)", "self.omega - float(mode.omega)",
@@ -38,7 +38,7 @@ MUTANTS = (
     ),
     Mutant(
         "seam", "physics/damped.py", '_SAME = Decimal("1e-6")', '_SAME = Decimal("0.5")',
-        "tests/physics/test_damped.py",
+        "tests/physics/test_one_mass.py",
     ),
     Mutant(
         "pairing", "physics/damped_chain.py", "(real[1], real[2]), (real[0], real[3])",
@@ -50,7 +50,7 @@ MUTANTS = (
     ),
     Mutant(
         "cubic", "physics/forced_vibration.py", "3 * rise - 2 * first - last", "3 * rise - 2 * first + last",
-        "tests/physics/test_driven.py",
+        "tests/physics/test_one_mass.py",
     ),
     # what a page says and hides
     Mutant(

@@ -127,24 +127,12 @@ def check_groups(case: Case) -> None:
         assert bool(definite) == (kind is Kind.CREEPING)
 
 
-def check_proportional(case: Case) -> None:
-    """s^2 + beta omega_j^2 s + omega_j^2 = 0 with beta = c/k, whatever the order of the moduli."""
-    beta = max(case.c1 / case.chain.k1, case.c2 / case.chain.k2)
-    natural, modes = case.chain.modes(), case.damped.free_motions.modes
-    for one, omega, ratio in zip(modes, natural.omega.tolist(), natural.ratio.tolist(), strict=True):
-        pair = one.exponents if len(one.exponents) == 2 else (one.exponents[0], one.exponents[0].conjugate())
-        assert math.prod(pair).real == pytest.approx(omega**2, rel=1e-14)
-        assert sum(pair).real == pytest.approx(-beta * omega**2, rel=1e-14)
-        assert one.shape[1] / one.shape[0] == pytest.approx(ratio, rel=1e-14)
-
-
 DRIFTS = (Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
 OF_KIND = {
     Kind.TWO_PAIRS: check_two_pairs,
     Kind.PARTED: check_parted,
     Kind.CREEPING: check_groups,
     Kind.FOUR_REAL: check_groups,
-    Kind.PROPORTIONAL: check_proportional,
 }
 
 

@@ -1,4 +1,6 @@
-"""The numerical foundation: error-free transformations, sines of any phase, exponentials, roots, sums of sinusoids."""
+"""Numbers with more digits than doubles, motions as values, and curves or bands of what a grid can resolve."""
+
+from __future__ import annotations
 
 import math
 from decimal import Decimal
@@ -11,8 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath.ctx_mp import MPContext
 
+from physics.damped import DampedOscillator
+from physics.free_decay import FreeDecay
+from physics.motion import Elementary, Harmonic, constant, harmonic_motion, superposed
 from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.precision.exact import (
+    Array,
     binary,
     exact,
     precise,
@@ -26,6 +32,14 @@ from physics.precision.exact import (
     within_an_ulp,
 )
 from physics.precision.roots import mismatch, roots
+from physics.sampling import (
+    SAMPLES_PER_CYCLE,
+    Sinusoid,
+    curve_or_band,
+    drawable,
+    periods,
+    time_window,
+)
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
 from tests.grids import tries
 from tests.physics.truth import U
@@ -196,3 +210,114 @@ def test_a_beat_that_has_not_begun(s, turned, a, b, c):
         slow = mp.sin(d * time) / mp.mpf(d) if d else time
         true = a * mp.cos(d * time) * mp.sin(s * time) + (b * mp.cos(s * time) + c * mp.sin(s * time)) * slow
         assert abs(value - true) <= math.ulp(value) / 2 + 0.1 * U * (abs(a) + (abs(b) + abs(c)) * time) + 1e-300
+
+
+def decay(m: float = 1.0, c: float = 0.4, k: float = 4.0, x_0: float = 1.0, v_0: float = 0.0) -> FreeDecay:
+    return FreeDecay(oscillator=DampedOscillator(m=m, c=c, k=k), x_0=x_0, v_0=v_0)
+
+
+@pytest.fixture
+def t() -> Array:
+    return np.linspace(0.0, 10.0, 101)
+
+
+def test_sums_products_and_quotients_are_those_of_the_values(t: Array) -> None:
+    free = decay()
+    x, v = free.x.at(t), free.v.at(t)
+    pairs = [
+        (free.x + free.v, x + v),
+        (2.0 - free.x, 2.0 - x),
+        (free.x - 1, x - 1),
+        (3.0 * free.x / 4.0, 0.75 * x),
+        (-free.v, -v),
+        (free.x * free.v, x * v),
+        (0.5 * free.x**2 + free.v**2, 0.5 * x**2 + v**2),
+        (constant(2.0), np.full_like(t, 2.0)),
+    ]
+    for motion, values in pairs:
+        assert np.array_equal(motion.at(t), values)
+
+
+@pytest.mark.parametrize(("k", "x_0"), [(1e-300, 1e200), (1e300, 1e-200)])
+def test_no_factor_alone_takes_a_product_out_of_range(t: Array, k: float, x_0: float) -> None:
+    """The square of the displacement leaves the range of doubles, the energy does not."""
+    free = decay(m=k, c=0.0, k=k, x_0=x_0)
+    assert (0.5 * k * free.x**2).at(t)[0] == pytest.approx(0.5 * k * x_0 * x_0, rel=1e-12)
+
+
+def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
+    free = decay(m=2.0, c=1e-3, k=50.0, v_0=1.0)
+    whole = np.linspace(0.0, 2 * math.pi / free.oscillator.omega_d, 4001)
+    for motion in (free.x, 25.0 * free.x**2, free.v**2, 3.0 - free.v**2, 2.0 * (free.x**2 + free.v**2)):
+        averaged = np.trapezoid(motion.at(whole), whole) / whole[-1]
+        size = np.max(np.abs(motion.at(whole)))
+        assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
+
+
+def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
+    free = decay(v_0=-2.0)
+    assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
+    for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
+        low, high = motion.band(0.0) or pytest.fail("it has no band")
+        margin = 1e-12 * np.max(np.abs(high.at(t)))
+        assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)
+
+
+def wave(omega: float) -> Elementary:
+    return harmonic_motion("x", Harmonic((Sinusoid(1.0, omega, 0.3),)), lambda t: np.sin(omega * t + 0.3))
+
+
+@pytest.mark.parametrize("omegas", [(1.0, 1000.0), (1000.0, 1001.0), (800.0, 1000.0)])
+def test_a_superposition_knows_its_band_and_its_averages(t: Array, omegas: tuple[float, float]) -> None:
+    """A slow part moves the band, close frequencies beat, others add up."""
+    whole, fine = superposed("x", *map(wave, omegas)), np.linspace(0.0, 10.0, 200_001)
+    values, averaged = whole.at(fine), whole * whole
+    low, high = (np.interp(fine, t, edge.at(t)) for edge in whole.band(10.0))
+    assert np.all(low <= values + 0.02) and np.all(values <= high + 0.02)
+    assert values.max() == pytest.approx(high.max(), abs=0.02)
+    assert np.trapezoid(averaged.mean.at(t), t) == pytest.approx(np.trapezoid(values**2, fine), rel=0.02)
+    assert whole.size() == 2.0 and whole.omega == max(omegas)
+
+
+T = np.linspace(0.0, 10.0, 601)
+
+
+WINDOWS = [(1.0, 2.0, 4), (1.0, 1.5, 4), (1.0, 1.25, 8), (1.0, 1.02, 100), (1.0, 1.0, 100), (1e-200, 2e-200, 4)]
+
+
+@pytest.mark.parametrize(("slow", "fast", "in_slow_periods"), WINDOWS)
+def test_the_window_is_4_slow_or_2_beat_periods(slow, fast, in_slow_periods):
+    assert time_window(slow, fast) == pytest.approx(in_slow_periods * 2 * math.pi / slow, rel=1e-12)
+    assert time_window(0.0, fast) == periods(fast, 4.0) == pytest.approx(8 * math.pi / fast)
+    assert time_window(0.0, 0.0) == 10.0
+
+
+def test_drawable_means_twelve_samples_a_cycle():
+    step = T[1] - T[0]
+    assert drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 0.999, T)
+    assert not drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 1.001, T)
+    assert drawable(0.0, T) and not drawable(1e300, T) and drawable(1e300, T[:1])
+
+
+def test_slow_components_are_a_curve():
+    components = [Sinusoid(1.0, 2.0, 0.3), Sinusoid(-0.5, 3.0, 0.0)]
+    base = 0.1 * T
+    found = curve_or_band(components, T, base)
+    assert np.array_equal(base, 0.1 * T), "an input is not changed"
+    assert found.curve is not None
+    assert found.curve == pytest.approx(0.1 * T + np.sin(2 * T + 0.3) - 0.5 * np.sin(3 * T), abs=1e-14)
+    assert np.array_equal(found.lo, found.curve) and np.array_equal(found.hi, found.curve)
+    assert np.array_equal(curve_or_band([], T).lo, np.zeros_like(T))
+
+
+@pytest.mark.parametrize(
+    ("components", "slow", "width"),
+    [
+        ([Sinusoid(1.0, 1.0, 0.0), Sinusoid(0.5, 1e6, 0.2)], np.sin(T), 0.5),
+        ([Sinusoid(1.0, 1e5, 0.0), Sinusoid(-0.5, 1e9, 0.0)], np.zeros_like(T), 1.5),
+    ],
+)
+def test_fast_components_are_a_band_about_the_slow_ones(components, slow, width):
+    found = curve_or_band(components, T)
+    assert found.curve is None
+    assert found.lo == pytest.approx(slow - width, abs=1e-14) and found.hi == pytest.approx(slow + width, abs=1e-14)

@@ -100,18 +100,6 @@ def test_files_named_in_code_and_documents_exist() -> None:
     assert [name for name in found if not ((ROOT / name).exists() or name.startswith(written))] == []
 
 
-def test_the_table_of_browsers_is_true_of_what_the_page_asks_them() -> None:
-    page = (ROOT / "components/serving/page.html").read_text(encoding="utf-8")
-    table = re.findall(r"^\| (.+?) \|.*\| (\d+) \| (\d+) \| ([\d.]+) \|$", DOCS["docs/browsers.md"], re.M)
-    *features, (all_of_it, *newest) = table
-    assert [name for name, *_ in features] == re.findall(r'^        "(.+)": ', page, re.M)
-    versions = [
-        max((row[i] for row in features), key=lambda text: [int(n) for n in text.split(".")]) for i in (1, 2, 3)
-    ]
-    assert (all_of_it, newest) == ("all of it", versions)
-    assert "Chrome or Edge {}, Firefox {}, Safari {} or a newer one".format(*versions) in page
-
-
 A = """1.1.1 1.2.1 1.2.2 1.2.3 1.3.1 1.3.2 1.3.3 1.4.1 1.4.2 2.1.1 2.1.2 2.1.4 2.2.1 2.2.2 2.3.1 2.4.1 2.4.2 2.4.3 2.4.4
 2.5.1 2.5.2 2.5.3 2.5.4 3.1.1 3.2.1 3.2.2 3.2.6 3.3.1 3.3.2 3.3.7 4.1.2"""
 AA = """1.2.4 1.2.5 1.3.4 1.3.5 1.4.3 1.4.4 1.4.5 1.4.10 1.4.11 1.4.12 1.4.13 2.4.5 2.4.6 2.4.7 2.4.11 2.5.7 2.5.8 3.1.2

@@ -1,0 +1,414 @@
+"""One mass: alone, hanging, damped and driven, against many digits, reference cases and limits."""
+
+import math
+import sys
+from fractions import Fraction
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import cumulative_trapezoid
+
+from physics.bode import driven_resonances
+from physics.damped import DampedOscillator
+from physics.driven import Drive, DrivenOscillator, drawn, lag
+from physics.forced_vibration import ForcedVibration, SampledVibration
+from physics.free_decay import FreeDecay
+from physics.free_oscillation import FreeOscillation
+from physics.hanging import HangingMass
+from physics.magnification import half_power, highest, magnification, ratios
+from physics.oscillator import Oscillator
+from physics.sampling import drawable
+from tests.grids import tries
+from tests.physics.chain_families import log_uniform
+from tests.physics.references import each, reference
+from tests.physics.truth import U, ulps
+
+TINY = 2.0**-1074
+LARGEST = sys.float_info.max
+PRECISION = 2600  # bits: omega t may reach 2^2600
+MAGNITUDES = {
+    "moderate": st.floats(0.1, 10.0),
+    "1e+-8": log_uniform(-27, 27),
+    "1e+-150": log_uniform(-498, 498),
+    "all doubles": log_uniform(-1074, 1024),
+}
+each_family = pytest.mark.parametrize("magnitudes", MAGNITUDES.values(), ids=MAGNITUDES)
+SIGNS = st.lists(st.sampled_from([-1.0, 0.0, 1.0]), min_size=3, max_size=3)
+
+
+def drawn_numbers(data, magnitudes):
+    """m, k, x_0, v_0 and t; the last three may be negative or 0."""
+    m, k, *sizes = (data.draw(magnitudes) for _ in range(5))
+    return m, k, *(sign * size for sign, size in zip(data.draw(SIGNS), sizes, strict=True))
+
+
+def is_within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float) -> bool:
+    step = TINY if scale < 1e-291 else 0
+    return bool(abs(mp.mpf(value) - true) <= rounding_errors * U * scale + step)
+
+
+@each_family
+@settings(max_examples=tries(150))
+@given(data=st.data())
+def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes, data):
+    m, k, x_0, v_0, t = drawn_numbers(data, magnitudes)
+    with mp.workprec(PRECISION):
+        omega = mp.sqrt(mp.mpf(k) / m)
+        known = omega * abs(t) < 1e60  # beyond, 80 digits of omega_n leave only the amplitude
+        C = mp.hypot(x_0, v_0 / omega)
+        sine, cosine = mp.sin(omega * t), mp.cos(omega * t)
+        x = x_0 * cosine + v_0 / omega * sine
+        true = {"x": x, "v": v_0 * cosine - x_0 * omega * sine, "a": -(omega**2) * x}
+        scale = {"x": C, "v": omega * C, "a": omega**2 * C}
+        try:
+            motion = Oscillator(m=m, k=k).motion(x_0, v_0, [t])
+        except ValueError as refusal:
+            name = {"displacement": "x", "velocity": "v", "acceleration": "a"}[str(refusal).split()[1]]
+            assert (abs(true[name]) if known else scale[name]) >= LARGEST * (1 - 8 * U)
+            return
+        for name in true:
+            aim, errors = (true[name], 4.0) if known else (mp.mpf(0), 2**53 + 4)
+            assert is_within(getattr(motion, name)[0], aim, scale[name], errors), name
+
+
+@each_family
+@settings(max_examples=tries(150))
+@given(data=st.data())
+def test_frequency_and_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes, data):
+    m, k, x_0, v_0, _ = drawn_numbers(data, magnitudes)
+    oscillator = Oscillator(m=m, k=k)
+    with mp.workprec(PRECISION):
+        omega = mp.sqrt(mp.mpf(k) / m)
+        for value, true in ((oscillator.omega_n, omega), (oscillator.period, 2 * mp.pi / omega)):
+            beyond = true >= LARGEST * (1 + mp.mpf(U) / 2)
+            assert beyond if math.isinf(value) else abs(mp.mpf(value) - true) <= 0.51 * math.ulp(value)
+        B = v_0 / omega
+        C = mp.hypot(x_0, B)
+        try:
+            constants = oscillator.constants(x_0, v_0)
+        except ValueError as refusal:
+            assert "amplitude" in str(refusal)
+            assert C > LARGEST
+            return
+        assert x_0 == constants.A
+        assert abs(mp.mpf(constants.B) - B) <= 0.51 * math.ulp(constants.B)
+        assert abs(mp.mpf(constants.C) - C) <= 0.51 * math.ulp(constants.C)
+        phi = mp.atan2(x_0, B) if C else mp.mpf(0)
+        error = abs(mp.mpf(constants.phi) - phi)
+        assert min(error, abs(error - 2 * mp.pi)) <= 2 * math.ulp(constants.phi)  # -pi + 1e-300 may round to pi
+        assert -math.pi <= constants.phi <= math.pi
+
+
+def test_without_a_spring_the_mass_drifts():
+    free = Oscillator(m=1.0, k=0.0)
+    assert (free.omega_n, free.period) == (0.0, math.inf)
+    motion = free.motion(1.0, 2.0, [0.0, 0.5, 3.0])
+    np.testing.assert_array_equal([motion.x, motion.v, motion.a], [[1.0, 2.0, 7.0], [2.0] * 3, [0.0] * 3])
+    c = free.constants(-1.0, 2.0)
+    assert (c.A, c.B, c.C, c.phi, c.drift) == (-1.0, 0.0, 1.0, -math.pi / 2, 2.0)
+
+
+@pytest.mark.parametrize(("x_0", "v_0"), [(0.2, -0.3), (0.2, 0.0), (0.0, 0.4), (-0.1, -0.5)])
+def test_the_last_peak(x_0, v_0):
+    free = FreeOscillation(oscillator=Oscillator(m=0.7, k=11.0), x_0=x_0, v_0=v_0)
+    period = free.oscillator.period
+    for end in (0.1 * period, 1.3 * period, 2.9 * period):
+        last = free.last_peak(end)
+        assert last * period <= end < (last + 1) * period
+        assert free.x.at(np.array([last * period]))[0] == pytest.approx(free.constants.C, rel=1e-14)
+
+
+MASS = HangingMass(m=2.0, k=50.0, g=9.81)
+positive = st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-60, 60))
+signed = st.builds(lambda x, sign: sign * x, positive, st.sampled_from([-1.0, 1.0]))
+
+
+@settings(max_examples=tries(300))
+@given(m=positive, k=positive, g=positive, x=signed)
+def test_energies_against_rational_arithmetic(m, k, g, x):
+    K, W, X = (Fraction(value) for value in (k, Fraction(m) * Fraction(g), x))
+    mass = HangingMass(m=m, k=k, g=g)
+    true = {mass.well: K * X**2 / 2, mass.spring: K * (X + W / K) ** 2 / 2, mass.gravity: -W * X}
+    for energy, value in true.items():
+        assert abs(Fraction(float(energy([x])[0])) - value) <= 4 * Fraction(U) * abs(value), energy
+    assert mass.well([x], "separate")[0] == pytest.approx(float(true[mass.spring] + true[mass.gravity]), rel=4 * U)
+    relaxed = Fraction(m) * Fraction(g) / Fraction(k) - Fraction(mass.delta_st)  # what is left is the rounding of x
+    assert mass.spring([-mass.delta_st])[0] == pytest.approx(float(K * relaxed**2 / 2), rel=1e-14)
+
+
+def test_the_spring_along_a_motion_is_that_of_each_place():
+    t = np.linspace(0, 4, 300)
+    x = FreeOscillation(oscillator=MASS.oscillator, x_0=-MASS.delta_st, v_0=0.0).x
+    along = MASS.spring_along(x)
+    np.testing.assert_array_equal(along.at(t), MASS.spring(x.at(t)))
+    low, high = along.band(0.0)
+    assert np.all(low.at(t) <= along.at(t)) and np.all(along.at(t) <= high.at(t) * (1 + U))
+    np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
+
+
+@pytest.mark.parametrize("periods", [1.0, 1e6])
+def test_total_energy_is_constant_within_8_u(periods):
+    tau = 2 * math.pi / MASS.omega_n
+    t = np.random.default_rng(3).uniform(periods - 1, periods, 2000) * tau
+    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.13, v_0=-0.4)
+    total = (0.5 * MASS.m * free.v**2).at(t) + MASS.well(free.x.at(t))
+    assert np.max(np.abs(total / free.E - 1)) <= 8 * U
+
+
+BITS = 4000
+BOUND = 2.0  # u of the sum of the sizes of both parts
+NEAR_CRITICAL = [2.0, math.nextafter(2.0, 3.0), math.nextafter(2.0, 1.0)]  # m = k = 1 is critical at c = 2
+NEAR_CRITICAL += [2 * (1 + apart) for apart in (1e-9, -1e-9, 1e-5, -1e-5)]
+SPECIAL = [
+    *(((1.0, c, 1.0), (1.0, -0.4), (0.0, 1e-9, 0.1, 1.0, 5.0, 30.0, 300.0)) for c in NEAR_CRITICAL),
+    # Stiff: rates c and 1/c; the start of the fast part alone, too, keeps its digits.
+    *(
+        ((1.0, c, 1.0), start, (0.0, 1e-3 / c, 1 / c, 30 / c, 1.0, c, 100 * c))
+        for c in (1e3, 1e8, 1e150)
+        for start in ((1.0, 0.0), (1.0, -c), (0.0, 1.0))
+    ),
+    # At the ends of the doubles. A motion whose acceleration exceeds doubles is refused, so x starts small.
+    ((1e-300, 1e-10, 1e280), (1e-300, 0.0), (0.0, 1e-293, 1e-290)),
+    ((1e300, 1e-300, 1e-300), (1.0, 0.0), (0.0, 1e287, 1e290)),
+    ((5e-324, 1.0, 1e-300), (1e-300, 0.0), (0.0, 1e-15, 1e-12)),
+    ((1.0, 1e-300, 1.0), (1.0, 0.0), (0.0, 1e-3, 1.0)),
+    ((1e-150, 2e150, 1e300), (1e-300, 0.0), (0.0, 1e-228, 1e-225)),
+    # Without damping or without a spring.
+    ((2.0, 0.0, 3.0), (0.3, -1.0), (0.0, 1.0, 1e3, 1e6)),
+    ((2.0, 4.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+    ((2.0, 0.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+]
+
+
+def truth(oscillator, x_0, v_0, t):
+    """(value, size) of x, v and a: the sum of two exponentials, at critical damping its limit."""
+    m, c, k, x, v, t = map(mp.mpf, (oscillator.m, oscillator.c, oscillator.k, x_0, v_0, t))
+    root = mp.sqrt(c * c - 4 * m * k)
+    p, q = (-c + root) / (2 * m), (-c - root) / (2 * m)
+    a = -(c * v + k * x) / m
+    return [part(start, rate, p, q, t) for start, rate in ((x, v), (v, a), (a, -(c * a + k * v) / m))]
+
+
+def part(start, rate, p, q, t):
+    """While both exponentials are still equal, sizes are measured in the initial displacement and velocity."""
+    if p == q:
+        bent = rate - p * start
+        return mp.exp(p * t) * (start + bent * t), mp.exp(p * t) * (abs(start) + abs(bent) * t)
+    A, B = (rate - q * start) / (p - q), (p * start - rate) / (p - q)
+    value = mp.re(A * mp.exp(p * t) + B * mp.exp(q * t))
+    apart = abs(A) * mp.exp(mp.re(p) * t) + abs(B) * mp.exp(mp.re(q) * t)
+    together = mp.exp(mp.re(p) * t) * (abs(start) + abs(rate - mp.re(p) * start) * t)
+    return value, min(apart, together) if abs(p - q) * t < 1 else apart
+
+
+def check(oscillator, x_0, v_0, times):
+    motion = oscillator.motion(x_0, v_0, times)
+    for n, t in enumerate(times):
+        for row, (value, size) in zip((motion.x, motion.v, motion.a), truth(oscillator, x_0, v_0, t), strict=True):
+            assert abs(mp.mpf(row[n]) - value) <= BOUND * U * size + mp.mpf("1e-255") * (abs(x_0) + abs(v_0))
+
+
+def logarithmic(low, high):
+    return st.floats(low, high).map(lambda exponent: 10.0**exponent)
+
+
+@settings(max_examples=tries(150))
+@given(
+    logarithmic(-3, 3), logarithmic(-3, 3), logarithmic(-8, 8), st.floats(-1, 1), st.floats(-1, 1), logarithmic(-6, 3)
+)
+@example(1.0, 1.0, 1.0, 1.0, 0.0, 1.0)
+def test_motion_is_within_two_u(m, k, zeta, x_0, v_0, turns):
+    omega = math.sqrt(k / m)
+    oscillator = DampedOscillator(m=m, c=2 * zeta * math.sqrt(k * m), k=k)
+    check(oscillator, x_0, v_0 * omega, [0.0, turns / omega, turns / omega / zeta, turns * zeta / omega])
+
+
+@pytest.mark.parametrize(("numbers", "start", "times"), SPECIAL)
+def test_motion_in_limits_is_within_two_u(numbers, start, times):
+    with mp.workprec(12000):
+        check(DampedOscillator(**dict(zip("mck", numbers, strict=True))), *start, times)
+
+
+@pytest.mark.parametrize("c", [0.0, 0.1, 1.9, 2 - 1e-12, 2.0, 2 + 1e-12, 2.1, 50.0, 1e6])
+def test_decays_add_up_to_the_motion(c):
+    oscillator, t = DampedOscillator(m=1.0, c=c, k=1.0), np.linspace(0.0, 40.0, 200)
+    total = np.zeros_like(t)
+    for amplitude, slope, rate, omega, phase in oscillator.decays(0.7, -0.4):
+        total += (amplitude + slope * t) * np.exp(-rate * t) * np.sin(omega * t + phase)
+    assert np.max(np.abs(total - oscillator.motion(0.7, -0.4, t).x)) < 1e-9
+
+
+@given(*[logarithmic(-100, 100)] * 3)
+def test_frequencies_are_rounded_once(m, c, k):
+    oscillator = DampedOscillator(m=m, c=c, k=k)
+    a, square = mp.mpf(c) / (2 * mp.mpf(m)), mp.mpf(k) / mp.mpf(m)
+    assert ulps(oscillator.omega_n, mp.sqrt(square)) <= 0.51
+    assert ulps(oscillator.omega_d, mp.sqrt(max(square - a**2, 0))) <= 0.51
+    assert ulps(oscillator.zeta, a / mp.sqrt(square)) <= 0.51
+
+
+def near(value, text, most):
+    """Return True if a value is within `most` ulps of the case's number, or both are missing."""
+    if text is None:
+        return value is None or not math.isfinite(value)
+    return ulps(value, mp.mpf(text)) <= most
+
+
+@each(reference("beyond", "damped"))
+def test_rates_moments_and_the_energy_lost_are_those_of_the_reference(case):
+    one = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    motion = FreeDecay(oscillator=one, x_0=case["x_0"], v_0=case["v_0"])
+    assert one.regime == ("critical" if case["critical_within_an_ulp"] else case["regime"])
+    assert all(near(value, text, 1) for value, text in zip(one.rates, case["rates"], strict=True))
+    assert near(one.log_decrement, case["log_decrement"], 4)
+    if case["x_0"]:  # the cases do not look for a second zero after the one at the start
+        assert near(motion.first_zero, case["first_zero"], 8)
+    assert near(motion.first_turn, case["first_turn"], 8)
+    for share, true in case["settled"].items():
+        found = motion.settled(float(share))
+        assert (found is None) == (true is None)
+        assert found is None or found == pytest.approx(float(true), rel=1e-8)
+    lost = motion.lost(case["t"])
+    assert np.all(np.diff(lost) >= 0)
+    for t, value, text in zip(case["t"], lost, case["lost"], strict=True):
+        true = mp.mpf(text) if case["c"] and t else 0
+        assert abs(mp.mpf(float(value)) - true) <= 64 * U * abs(true) + mp.mpf("1e-300")
+
+
+def test_top_speed_is_where_the_acceleration_is_zero_and_a_mass_at_rest_has_no_moments():
+    one = DampedOscillator(m=1.0, c=0.4, k=4.0)
+    found = one.motion(1.0, 0.0, [FreeDecay(oscillator=one, x_0=1.0, v_0=0.0).first_top_speed])
+    assert abs(found.a[0]) < 1e-14 and found.x[0] == pytest.approx(-0.1 * found.v[0])
+    rest = FreeDecay(oscillator=one, x_0=0.0, v_0=0.0)
+    assert (rest.first_zero, rest.first_turn, rest.settled(0.02)) == (None, None, None)
+    assert not rest.lost([0.0, 1.0]).any()
+
+
+KINDS = ("force", "base", "unbalance")
+
+each_case = each(reference("beyond", "driven"))
+
+
+def system(case):
+    return DrivenOscillator(m=case["m"], c=case["c"], k=case["k"])
+
+
+def given_drive(case):
+    size = {"force": "F_0", "base": "Y"}.get(case["kind"])
+    return {"omega": case["omega"], "size": case[size] if size else case["mu"] * case["e"], "kind": case["kind"]}
+
+
+@each_case
+def test_motion_is_within_four_u_of_the_amplitude_and_drawn_as_it_is(case):
+    one, t = system(case), np.array(case["t"])
+    motion = one.motion(**given_drive(case), x_0=case["x_0"], v_0=case["v_0"], t=t)
+    free, turns = one.free.motion(case["x_0"], case["v_0"], t), 1 + max(case["omega"], one.free.omega_n) * t
+    x, v = drawn(one.push(**given_drive(case)), t)
+    for row, plain, name, sizes in (
+        (motion.x, x + free.x, "x", case["size"][0]),
+        (motion.v, v + free.v, "v", case["size"][1]),
+    ):
+        for n, text in enumerate(case[name]):
+            assert abs(mp.mpf(row[n]) - mp.mpf(text)) <= 4 * U * 1.001 * sizes[n]
+            assert abs(mp.mpf(plain[n]) - mp.mpf(text)) <= 6 * turns[n] * U * sizes[n]
+
+
+@each_case
+def test_steady_part(case):
+    X = system(case).response(**given_drive(case))
+    if case["X"] is None:
+        assert math.inf == X and system(case).at_resonance(case["omega"])
+        return
+    for value, text in zip((X.real, X.imag), case["X"], strict=True):
+        assert ulps(value, mp.mpf(text)) <= 4 if float(text) else value == 0
+    assert ulps(abs(X), mp.mpf(case["amplitude"])) <= 4
+    assert abs(lag(X) - mp.mpf(case["lag"])) <= 4 * U * lag(X)
+    size, turned = system(case).bode([case["omega"]], given_drive(case)["size"], case["kind"])
+    assert (size[0], turned[0]) == (abs(X), lag(X))
+
+
+@each_case
+def test_magnification_peak_and_half_power(case):
+    zeta, r = float(case["zeta"]), float(case["r"])
+    if math.isinf(r) or case["X"] is None:
+        return
+    near_resonance = 1 + min(1 / abs(1 - r) if r != 1 else math.inf, 1 / zeta if zeta else math.inf)
+    size, over = given_drive(case)["size"], {"force": case["k"], "base": 1.0, "unbalance": case["m"]}[case["kind"]]
+    true = float(case["amplitude"]) * over / size
+    assert abs(magnification(r, zeta, case["kind"])[0]) == pytest.approx(true, rel=8 * U * near_resonance)
+    found = highest(zeta, case["kind"])
+    if found and zeta:
+        assert ulps(found[0], mp.mpf(case["peak"]["r"])) <= 4 and ulps(found[1], mp.mpf(case["peak"]["ratio"])) <= 8
+    resonances = driven_resonances(system(case), case["kind"])
+    assert resonances.poles == (() if zeta else (system(case).free.omega_n,))
+    assert len(resonances.peaks) == (case.get("peak") is not None and zeta > 0)
+    for one in resonances.peaks:
+        assert one.omega / system(case).free.omega_n == pytest.approx(float(case["peak"]["r"]), rel=2e-15)
+        assert one.height * over == pytest.approx(float(case["peak"]["ratio"]), rel=1e-14)
+    low, high = half_power(zeta)
+    assert high - low == pytest.approx(2 * zeta, rel=1e-13, abs=4 * U)
+
+
+@pytest.mark.parametrize("c", [0.0, 0.3, 9.0])
+@pytest.mark.parametrize("kind", KINDS)
+def test_mean_powers_are_work_over_a_period(kind, c):
+    """The work of each force along the motion, in fine steps. Before t = 0 no work was done."""
+    w, k, m, size, steps, end = 1.7, 8.0, 2.0, 0.7, 200_000, 14.0
+    one = ForcedVibration(oscillator=DrivenOscillator(m=m, c=c, k=k), kind=kind, size=size, omega=w, x_0=0.2, v_0=-0.5)
+    t = np.linspace(0.0, end, steps + 1)
+    (x, v), (y, rate) = one.at(t), (size * np.sin(w * t), size * w * np.cos(w * t))
+    if kind == "base":
+        lost, put_in = c * (rate - v) ** 2, (k * (y - x) + c * (rate - v)) * rate
+    else:
+        lost, put_in = c * v**2, (w**2 if kind == "unbalance" else 1.0) * y * v
+    found = one.mean_powers(end, 400)
+    before = np.maximum(found.t - 2 * math.pi / w, 0.0)
+    for power, mean in ((put_in, found.P_in), (lost, found.P_lost)):
+        work = cumulative_trapezoid(power, t, initial=0.0)
+        expected = (np.interp(found.t, t, work) - np.interp(before, t, work)) * w / (2 * math.pi)
+        assert np.abs(mean - expected).max() < 1e-5 * np.abs(expected).max() + 1e-12
+
+
+@settings(max_examples=tries(200))
+@given(log_uniform(-13, 2), log_uniform(-6, -1), log_uniform(1, 6), st.booleans())
+def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(
+    zeta: float, low: float, high: float, log: bool
+) -> None:
+    r = ratios(zeta, low, high, log)
+    assert np.all(np.diff(r) > 0) and 1.0 in r and low <= r[0] <= low + high / 90 and high * (1 - 1e-9) <= r[-1] <= high
+    assert np.all(r[1:] - r[:-1] <= high / 89) if not log else np.all(r[1:] / r[:-1] <= (high / low) ** (1 / 89))
+    middle = (r[1:] + r[:-1]) / 2
+    for kind in KINDS:
+        curve, between = (np.abs(magnification(one, zeta, kind)) for one in (r, middle))
+        assert np.all(np.abs((curve[1:] + curve[:-1]) / 2 - between) <= 0.05 * curve.max())
+
+
+@settings(max_examples=tries(200))
+@given(st.sampled_from(KINDS), log_uniform(-3, 6), *[log_uniform(-3, 13)] * 2, log_uniform(-10, -1))
+def test_what_is_too_fast_for_a_line_is_a_band_until_it_has_died(
+    kind: Drive, end: float, omega: float, omega_n: float, zeta: float
+) -> None:
+    """The transient is seen while its amplitude is more than 0.2 % of the largest displacement."""
+    one = DrivenOscillator(m=1.0, c=2 * zeta * omega_n, k=omega_n**2)
+    forced = ForcedVibration(oscillator=one, kind=kind, size=0.1, omega=omega, x_0=0.2, v_0=0.0)
+    t = np.linspace(0.0, end, 300)
+    sampled = SampledVibration(vibration=forced, t=t, is_split=True)
+    fast = [not drawable(each, t) for each in (one.free.omega_d, omega)]
+    if not any(fast):
+        assert not sampled.bands
+    if not sampled.split:
+        return
+    rest = 0.2 - forced.X.imag, -omega * forced.X.real
+    size = math.hypot(rest[0], (rest[1] + zeta * omega_n * rest[0]) / one.free.omega_d) * np.exp(-zeta * omega_n * t)
+    seen = size > 0.002 * sampled.tallest
+    assert ("x_c" in sampled.bands) == bool(fast[0] and seen[0])
+    x = forced.at(t)[0]
+    for name, (low, high, late) in sampled.bands.items():
+        if name == "x":
+            assert np.all(low - x <= 1e-9 * sampled.tallest) and np.all(x - high <= 1e-9 * sampled.tallest)
+        if late is not None:
+            assert late.size == np.count_nonzero(~seen)
+            assert name != "x" or late == pytest.approx(x[seen.sum() :])
