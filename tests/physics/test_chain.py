@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from physics.chain import UniformChain
 from physics.reference.uniform_chain import chain_frequencies, chain_points
 from tests.grids import tries
-from tests.physics.chain_families import log_uniform
 from tests.physics.references import each, reference
+from tests.physics.truth import log_uniform
 
 U = 2.0**-53
 ENDS = ("fixed-fixed", "fixed-free", "free-free")

@@ -19,7 +19,6 @@ from scipy.integrate import solve_ivp
 from physics.chain_fit import chain_of_fit
 from physics.coupled import TwoMassChain
 from physics.fit import Caution, fit_damped
-from physics.means import before_means
 from physics.residuals import Cause, cause_of
 from physics.transient import DampedModes
 from tests.grids import tries
@@ -193,16 +192,6 @@ def test_evenly_spaced_rows_fit_two_frequencies() -> None:
     assert fast == pytest.approx(fit.at(t)[0], abs=1e-12)
     uneven = np.sort(np.random.default_rng(2).uniform(0, 12, 60))
     assert fit_damped(uneven, wave(uneven)).aliases == ()
-
-
-@pytest.mark.parametrize("size", [1, 2, 10])
-@pytest.mark.parametrize("exponent", [complex(-0.1, 6.3), complex(0.02, 40.0), 0j])
-def test_an_amplitude_comes_back_from_means_of_neighbouring_rows(size: int, exponent: complex) -> None:
-    step, amplitude = 0.01, 0.3 - 0.2j
-    t = step * np.arange(40 * size)
-    means = (amplitude * np.exp(exponent * t)).reshape(-1, size).mean(axis=1)
-    seen = means[7] / np.exp(exponent * t.reshape(-1, size).mean(axis=1)[7])
-    assert before_means(complex(seen), exponent, step, size) == pytest.approx(amplitude, rel=1e-12)
 
 
 ROWS = np.arange(40.0)

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from scipy import integrate
 
-from components.scenes.accuracy.recorded import recorded
 from physics.coupled import TwoMassChain
 from physics.integrators import solvers
 from physics.integrators.accuracy import SYSTEMS, Limits, Run, System, entered
@@ -393,7 +392,7 @@ def test_a_price_is_the_cheapest_on_the_line_between_runs(runs, error, time, rep
         assert 1000 <= found.evaluations <= 16000
 
 
-# Motions in steps over a few periods, and stiffness, read off the recorded runs.
+# Motions in steps over a few periods, and stiffness.
 
 THREE = ("euler", "verlet", "rk4")
 
@@ -409,17 +408,6 @@ def test_a_method_explodes_below_its_least_steps_and_ends_there(slug):
                 assert math.isinf(drift.error) == (steps < least), (method, steps)
             assert (drift.t.size == PERIODS * steps + 1) or drift.error == math.inf
             assert np.max(np.abs(drift.x)) <= 100 * size and drift.x.size == drift.t.size
-
-
-OSCILLATORY = ("wide", "light")
-STIFF_ONES = ("wider", "dashpot")
-
-
-@pytest.mark.parametrize("slug", SYSTEMS)
-def test_each_system_is_called_what_it_is(slug):
-    kind = "stiff" if slug in STIFF_ONES else "highly oscillatory" if slug in OSCILLATORY else "neither"
-    found = stiffness(SYSTEMS[slug], (*recorded(slug).runs.every, *recorded(slug).compiled.every))
-    assert found.kind == kind and found.stable == pytest.approx(2.79 if slug == "dashpot" else 2.83, abs=0.01)
 
 
 def test_the_step_of_accuracy_is_read_between_two_runs():

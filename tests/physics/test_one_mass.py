@@ -22,9 +22,8 @@ from physics.magnification import half_power, highest, magnification, ratios
 from physics.oscillator import Oscillator
 from physics.sampling import drawable
 from tests.grids import tries
-from tests.physics.chain_families import log_uniform
 from tests.physics.references import each, reference
-from tests.physics.truth import U, ulps
+from tests.physics.truth import U, log_uniform, ulps
 
 TINY = 2.0**-1074
 LARGEST = sys.float_info.max

@@ -19,9 +19,8 @@ from physics.pushed import PushedMass
 from physics.pushed_vibration import PushedVibration, PushHarmonics
 from physics.steady_motions import RestAfterPush, SteadyMotion
 from tests.grids import tries
-from tests.physics.chain_families import log_uniform
 from tests.physics.references import each, reference
-from tests.physics.truth import closed_form
+from tests.physics.truth import closed_form, log_uniform
 
 U = 2.0**-53
 each_case = each(reference("periodic"))

@@ -28,9 +28,8 @@ from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
 from physics.forced import antiresonance, particular_solution
 from tests.grids import tries
-from tests.physics.chain_families import log_uniform
 from tests.physics.references import each, reference
-from tests.physics.truth import LARGEST, ulps
+from tests.physics.truth import LARGEST, log_uniform, ulps
 
 U = 2.0**-53
 NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")

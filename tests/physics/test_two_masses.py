@@ -19,8 +19,7 @@ from physics.precision.polynomials import context
 from physics.reference.damped_chain import braked_points
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes
 from tests.grids import tries
-from tests.physics.chain_families import FAMILIES, chain_with, drawn, each_family
-from tests.physics.truth import Truth, U, rows, ulps, units, worst
+from tests.physics.truth import FAMILIES, Truth, U, chain_with, drawn, each_family, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))

@@ -19,8 +19,7 @@ from random import Random
 import mpmath as mp
 import numpy as np
 
-from tests.physics.chain_families import FAMILIES
-from tests.physics.truth import WORKING_BITS, Truth, U, ulps, units
+from tests.physics.truth import FAMILIES, WORKING_BITS, Truth, U, ulps, units
 from tools.bench import braked_chain, one_mass
 from tools.bench.float_chains import METHODS
 

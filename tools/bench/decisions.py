@@ -30,8 +30,7 @@ from components.serving.scripts import FIRST
 from components.state.scene_sheet import plots as scene_plots
 from physics.coupled import TwoMassChain, free_motion
 from physics.precision import exact
-from tests.physics.chain_families import FAMILIES
-from tests.physics.truth import WORKING_BITS
+from tests.physics.truth import FAMILIES, WORKING_BITS
 from tools.bench.accuracy_table import drawn, errors
 from tools.bench.float_chains import METHODS
 
