@@ -8,10 +8,6 @@ from typing import Any, get_args
 
 import panel as pn
 import pytest
-from bokeh.document import Document
-from bokeh.document.events import ColumnDataChangedEvent, ColumnsPatchedEvent
-from panel.io import notebook
-from pyviz_comms import Comm
 
 from components.language.controls import SliderRow
 from components.language.shapes import AnyShape
@@ -250,16 +246,6 @@ def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None
     assert [model for model in root.references() if type(model).__name__ == "TextInput"], "as any object"
 
 
-def test_a_change_is_pushed_to_the_page_of_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
-    face, document, pushed = SCENES["coupled"]().panel(), Document(), []
-    face.__panel__()._render_model(document, Comm())
-    document.hold()  # as Panel does in a notebook, which sends collected changes
-    monkeypatch.setattr(notebook, "push", lambda document, *_: pushed.extend(document.callbacks._held_events))
-    face.widgets["k2"].value = "5"
-    changed = {event.model for event in pushed if isinstance(event, ColumnDataChangedEvent)}
-    assert changed >= {renderer.data_source for renderer in face.figures["x1"].parts}
-
-
 def test_sliders_have_the_scales_of_the_page() -> None:
     sliders = {
         (row.scale, row.soft)
@@ -280,19 +266,3 @@ def test_sliders_have_the_scales_of_the_page() -> None:
     assert [slider_value(*case) for case in cases] == values
     found = [slider_place(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]
     assert found == pytest.approx(places, abs=1e-12)
-
-
-def test_a_frame_sends_little() -> None:
-    """A frame of the player changes only the rows of moving items: no curve, and a few thousand bytes."""
-    face, document = SCENES["oscillator"]().panel(), Document()
-    face.__panel__().server_doc(document)
-    events: list[Any] = []
-    face.player.value = 1
-    document.on_change(events.append)
-    face.player.value = 2
-    curves = {renderer.data_source for figure in face.figures.values() for renderer in figure.parts}
-    assert not curves & {getattr(event, "model", None) for event in events}
-    patched = [event for event in events if isinstance(event, ColumnsPatchedEvent)]
-    assert face.stages["stage"].drawing.sources["lines"] in {event.model for event in patched}
-    assert len(events) < 12
-    assert len(json.dumps([event.patches for event in patched])) < 2500

@@ -18,7 +18,6 @@ from components.scene import Scene
 from components.scene.about import NO_BAND, About, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
 from tests.grids import sample
-from tests.page.headless_page import Page
 from tests.scenes.hard import HARD, STIFF
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
@@ -145,11 +144,3 @@ def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> No
     told = about_numbers(partial(scene.about, scene.shown))
     assert (told.reading, told.tables) == ("", ())
     assert told.notes == ("These numbers cannot be recomputed: the phase leaves the range of doubles.",)
-
-
-def test_the_page_is_answered_and_nothing_changes() -> None:
-    page = Page(SCENES["coupled"]())
-    before = page.shown
-    told = page.send({"type": "about", "number": 7})
-    assert told == msgspec.json.decode(msgspec.json.encode(about_numbers(partial(page.scene.about, before), 7)))
-    assert page.shown is before

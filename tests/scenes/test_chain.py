@@ -9,12 +9,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from components.language.signals import Modal
 from components.scenes import SCENES
 from components.scenes.chain import Chain
 from components.session.exports import link_file
-from components.state.covers import without
-from tests.page.scripts import call
 
 STARTS = ("pulse", "pluck", "mass", "mode")
 
@@ -65,16 +62,6 @@ def test_masses_along_the_chain_never_meet_on_the_stage() -> None:
     assert "times as large" in scene.shown.to_scale
     x = displacements(scene) * scene.shown.scale
     assert np.diff(x, axis=1).min() > -0.9 * scene.a
-
-
-def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
-    scene = Chain(ends="free-free")
-    left, _ = without(Chain, scene.shown, ("plot:field",))
-    signal, axis = left.signals["x"], left.axes["y"]
-    assert isinstance(signal, Modal) and not any(signal.omega)
-    for t in (0.0, 0.7):
-        found = call("static/core/modal.displaced", signal, t)
-        np.testing.assert_allclose(found, axis.places(displacements(scene)[0]), atol=1e-12)
 
 
 def motions(given: dict[str, str]) -> pd.DataFrame | None:

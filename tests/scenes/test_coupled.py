@@ -19,7 +19,6 @@ from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from tests.grids import tries
 from tests.page.hand import Hand, grabs
 from tests.page.headless_page import Page, say, set_values
-from tests.page.scripts import values_of
 
 
 @pytest.mark.parametrize(
@@ -41,23 +40,6 @@ def test_the_clock_plays_a_slow_period_in_four_to_ten_seconds() -> None:
         slow, fast = (sum(one.omega for one in scene.shown.signals[name].sines) for name in ("x1_slow", "x1_fast"))
         unit = 10.0 ** scene.shown.axes["t"].exponent
         assert 4 <= 2 * math.pi / (slow or fast) * unit / scene.shown.pace.auto <= 10 + 1e-9
-
-
-def test_labels_are_on_the_directions_inside_the_plane() -> None:
-    for values in ({}, {"k2": 0.0}, {"m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0}):
-        scene = Coupled(**values)
-        scalars, axis = scene.shown.scalars, scene.shown.axes["x"]
-        for mode in ("slow", "fast"):
-            x, y = scalars[f"{mode}_name1"], scalars[f"{mode}_name2"]
-            lines = scene.sources["modes"].data
-            assert x * lines[f"{mode}2"][1] == pytest.approx(y * lines[f"{mode}1"][1])
-            assert all(axis.place(axis.start) < at < axis.place(axis.end) for at in (x, y))
-
-
-def test_forces_are_the_springs_pull() -> None:
-    scene = Coupled(view="forces", x1_0=0.4, x2_0=0.8)
-    now = values_of(scene.shown.signals, scene.shown.scalars, 0.0)
-    np.testing.assert_allclose([now["F1"], now["F2"]], [-4 * 0.4 - 2 * (0.4 - 0.8), 2 * (0.4 - 0.8)])
 
 
 U = 2.0**-53
@@ -145,21 +127,6 @@ def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_
         assert values
         hand.set(values)
         assert hand.scene.of().free.amplitude[1] == pytest.approx(before, rel=1e-14)
-
-
-def test_a_hand_on_a_mass_sets_the_modes_that_give_the_motion() -> None:
-    page = Page(SCENES["coupled"]())
-    set_values(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
-    shape = next(shape for shape, grab in grabs(SCENES["coupled"]) if grab.label == "Mass 1, start")
-    held = Hand(page.now, shape, wide=True, t=0.7).take()
-    told = say(page, "set", values=held, holding=True)
-    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
-    assert page.scene.v1_0 == 0 and abs(page.scene.phi_slow) == abs(page.scene.phi_fast) == math.pi / 2
-    told = say(page, "set", values={"v1_0": 0.3}, holding=False)
-    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes", "a flick as well"
-    assert set_values(page, x1_0=0.25)["state"]["parameters"].get("given_by") is None, (
-        "a typed start gives the motion itself"
-    )
 
 
 def test_a_drift_is_not_given_by_a_phase() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from typing import Any
 
@@ -14,7 +13,6 @@ from hypothesis import strategies as st
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.driven.case import LEFT, RIGHT
-from components.scenes.driven.forces import BASE, PX
 from physics.bode import driven_resonances
 from physics.convolution import SlicedPush
 from physics.damped import DampedOscillator
@@ -23,7 +21,6 @@ from physics.magnification import magnification
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
 from tests.grids import tries
-from tests.page.scripts import each
 from tests.scenes.textbook import SIZES, harmonics
 
 DRIVEN = SCENES["driven"]
@@ -75,19 +72,6 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
     assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
-    """No part of it, including its circle, overlaps the formulas below; a label fits above its highest arrow."""
-    height, names = 260.0, {"wide": 0, "narrow": 1, "W": 358, "H": 260, "response.y0": 0, "response.y1": 0}
-    for r, zeta in itertools.product((0.05, 0.5, 0.9, 1.0, 1.4, 2.4), (0.01, 0.2, 1.0, 1.5)):
-        scene = DRIVEN(kind=kind, zeta=zeta, omega=r * math.sqrt(39.48))
-        at, named = corners(scene), {**scene.shown.scalars, **names}
-        tail, push = each("static/core/signals.polynomial", ((one, named) for one in (BASE, PX)))
-        unit = push * at["scale"]
-        assert tail + unit * max(1.0, -at["end"]) < height, (r, zeta)
-        assert tail - unit * max(at["up"], at["end"]) > 18, (r, zeta)
-
-
 def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
     follows a band."""
@@ -116,20 +100,6 @@ def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
     x = one.motion(scene.omega, getattr(scene, SIZES[kind]), x_0=x_0, t=t[rows], kind=kind).x
     assert np.all(low[rows] - pixel <= x) and np.all(x <= high[rows] + pixel)
     assert max(-low.min(), high.max()) <= scene.shown.axes["x"].end
-
-
-@pytest.mark.parametrize("omega", [0.01, 0.05, 0.1, 0.2])
-def test_the_quasi_static_limit_is_seen(omega: float) -> None:
-    """So slow a push is followed at once: from a tenth of the window on x is a line, the static one to 1 %."""
-    scene = DRIVEN(omega=omega)
-    t, low, high = shown_x(scene)
-    later, static = t > 0.1 * scene.shown.axes["t"].end, scene.F_0 / scene.k
-    assert np.array_equal(low[later], high[later]), "a line"
-    np.testing.assert_allclose(low[later], static * np.sin(omega * t[later]), atol=0.02 * static)
-    rings = np.any(low != high)
-    assert rings == any(note.startswith("At first x rings") for note in scene.shown.notes)
-    assert not any(note.startswith("The motion is too fast") for note in scene.shown.notes)
-    assert "x" in DRIVEN(omega=1e6).shown.traces["time"].names, "what is too fast is too small to be seen"
 
 
 @settings(max_examples=tries(100), deadline=None)

@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from components.chain import of_scene, start_of
 from components.chain.forces import LENGTH, on_masses
 from components.language.shapes import AnyShape
-from components.language.state import Frame
 from components.scenes import SCENES
 from components.scenes.forced import Forced
 from components.scenes.forced.damped_case import DampedForcedCase
@@ -44,17 +43,6 @@ DASHPOTS = [(0.0, 0.0), (0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0
 LIGHT = {"c1": 0.1, "c2": 0.1}
 STRONG = {"c1": 1.0, "c2": 2.0}
 UNEVEN = {"m1": 2.0, "k1": 4.0, "k2": 2.0, "c1": 0.2}
-
-
-def test_the_lectures_figure() -> None:
-    """Slide 8: axes 0 to 2.5 and -5 to 5, signs change at each pole."""
-    scene = Forced(curve="signed", axes="lecture")
-    axes = scene.shown.axes
-    assert axes["omega"].ruler.start == 0.0 and axes["omega"].ruler.end == pytest.approx(2.5, rel=0.05)
-    assert (axes["X"].ruler.start, axes["X"].ruler.end) == (-5.0, 5.0)
-    branches = [scene.sources[f"branch{i}"].data for i in range(4)]
-    signs = [(np.sign(b["Xp1"][5]), np.sign(b["Xp2"][5])) for b in branches]
-    assert signs == [(1, 1), (-1, -1), (1, -1), (-1, 1)]
 
 
 @pytest.mark.parametrize("values", [{}, {"k1": 0.0}, {"k2": 0.0}, {"m1": 2.0, "k1": 2.0, "m2": 0.1, "k2": 0.1}])
@@ -91,14 +79,6 @@ def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None
         assert scene.shown is before
     # The frequency is between two doubles; only these two are at most an ulp away.
     assert seen[0] == "resonance" and seen.count("resonance") == 2
-
-
-@pytest.mark.parametrize(("shown", "least"), [("size", 0.0), ("signed", 0.0), ("log", 1e-3)])
-def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> None:
-    scene = Forced(m1=2.0, k1=2.0, m2=0.1, k2=0.1, curve=shown)
-    swing = scene.sources["response"].data["Xp1"]
-    assert np.abs(swing).min() <= least
-    assert np.all(np.abs(swing) > 0) == (shown == "log")
 
 
 def modes_of(scene: Forced) -> DampedModes:
@@ -153,19 +133,6 @@ def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, floa
     steady = free.forms["steady"]
     assert braked.forms["steady"] == (steady if steady in UNDRIVEN else "braked")
     assert set(free.notes) <= set(braked.notes)
-
-
-@pytest.mark.parametrize("c2", [0.0, 0.86])
-@pytest.mark.parametrize("curve", ["size", "signed", "log"])
-def test_a_frame_from_right_to_left_has_the_same_curves(c2: float, curve: str) -> None:
-    forward, back = (
-        Forced(c2=c2, curve=curve).picture(Frame(ranges={"omega": ends}, given=True)).columns
-        for ends in ((0.3, 3.0), (3.0, 0.3))
-    )
-    for source in ("response", *(f"branch{i}" for i in range(4))):
-        assert forward[source].keys() == back[source].keys()
-        for name, values in forward[source].items():
-            np.testing.assert_array_equal(values, back[source][name])
 
 
 def chain_of(values: dict[str, float]) -> DampedChain:

@@ -33,7 +33,6 @@ Given = dict[str, Any]
 STATES: dict[str, list[tuple[Given, Given]]] = {
     "oscillator": [
         ({"view": "force", "k": 1e5, "x_0": 0.2, "v_0": 0.0}, {"values.F_unit": "·10³ N", "scalars.forced": 1}),
-        ({"view": "force", "k": 0.0}, {"scalars.forced": 0}),
         ({}, {"signals.F": None, "scalars.forced": 0}),
     ],
     "energy": [
@@ -42,29 +41,19 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
     "analogues": [
         ({"theta_0": 0.0}, {"values.end_left": "0°", "values.end_right": "0°"}),
         ({"system": "string", "string_n": 100.0}, {"scalars.half_waves": 12, "notes": "12 half waves"}),
-        ({"system": "string", "string_n": 3.0}, {"scalars.half_waves": 3, "notes": None}),
     ],
     "phugoid": [
         ({"excess": 0.0}, {"values.verdict": "Steady level flight: nothing swings."}),
         ({"v_0": 250.0, "unit": "ft/s"}, {"values.h_size": "−12500", "axes.h.exponent": 3}),
         ({"view": "limits"}, {"scalars.family_named": 1}),
-        ({"view": "limits", "excess": 3.0}, {"scalars.family_named": 0}),
         ({}, {"values.tau": "20.7", "values.omega": "0.303", "values.tau_model": "4.83 s"}),
         ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
     ],
     "damped": [
-        ({"c": 0.0, "x_0": 0.15, "v_0": 0.4}, {"said": "Nothing is lost: every swing is as large as the last."}),
-        ({"x_0": 0.0, "v_0": 1.0, "c": 40.0}, {"said": "It never passes 0 again."}),
-        ({"x_0": 1e-12, "v_0": 1.0, "c": 40.0}, {"said": "It goes out to +0.0"}),
-        ({"k": 0.0, "v_0": 1.0}, {"said": "No spring: it glides to rest 0.796 m further on."}),
-        ({"c": 12.566622}, {"said": "It has fallen to 1 % of its start after 1.06 s and never passes 0; with three"}),
-        ({"c": 12.566622}, {"said": "with three times the damping after 4.30"}),
     ],
     "driven": [
         ({"omega": 0.0}, {"holds": "At ω = 0 nothing pushes", "scalars.polygon_idle": 1, "columns.power": None}),
         ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),
-        ({"omega": 6.28331}, {"holds": "At resonance the dashpot alone"}),
-        ({"omega": OWN, "c": 0.0, "v_0": 1.0}, {"holds": "Nothing balances the push: in the end each swing grows"}),
         (
             {"omega": OWN, "c": 0.0},
             {
@@ -73,10 +62,7 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
                 "scalars.polygon_growing": 1,
             },
         ),
-        ({"c": 0.0, "omega": 4.0}, {"scalars.lag_at": 0.0}),
-        ({"c": 0.0, "omega": 8.0}, {"scalars.lag_at": math.pi}),
         ({"axes": "log", "omega": 0.0}, {"scalars.omega_at": None}),
-        ({"axes": "log", "view": "forces"}, {"scalars.natural": None, "axes.M.log": False}),
         ({}, {"scalars.natural": None, "scalars.peak_up": None}),
         # The power has a peak of the width Δω under a force; under an unbalance it rises without end.
         ({"zeta": 0.2, "view": "formulas"}, {"text": "Δω"}),
@@ -84,21 +70,15 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"zeta": 0.2, "view": "formulas", "kind": "base"}, {"not text": "Δω"}),
         ({"view": "formulas"}, {"forms.law": "force", "forms.x_p": "dies_formula"}),
         ({"view": "formulas", "push": "square"}, {"forms.law": "push", "not forms.x_p": "formula"}),
-        ({"view": "formulas", "push": "step"}, {"forms.law": "push", "not forms.x_p": "formula"}),
         ({"view": "response", "push": "pulses"}, {"holds": "The push is not a sine", "numbers.X": None}),
         ({"view": "power", "push": "step"}, {"no_powers": "no mean power", "numbers.P_in": None}),
         ({"view": "power", "push": "impulse"}, {"forms.has_power": "", "numbers.P_lost": None}),
-        ({"view": "harmonics"}, {"forms.meets": "sine"}),
         ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "Harmonic 3 has exactly the natural frequency"}),
         ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "0.0707"}),  # 4 F_0/(3 π) over 2 m 3 ω
         ({**EXACT, "push": "square", "omega": 2.0}, {"sources.time.x_p": None, "notes": None}),
-        ({**EXACT, "push": "square", "omega": math.nextafter(2.0, 3.0)}, {"not meets": "grows"}),
         ({**EXACT, "push": "square", "omega": 3.0}, {"meets": "Harmonic 2 would be at the peak, but this push"}),
-        ({**EXACT, "push": "pulses", "omega": 3.0, "width": 0.2}, {"meets": "Harmonic 2 has exactly"}),
-        ({**EXACT, "push": "pulses", "omega": 3.0, "width": 0.5}, {"meets": "would be"}),
         ({"view": "convolution", "kind": "base"}, {"sums": "about a force", "sources.time.x_sliced": None}),
         ({"view": "convolution", "F_0": 0.0}, {"sums": "No push", "columns.outline": None}),
-        ({"view": "convolution", "omega": 0.0}, {"sums": "No push", "columns.outline": None}),
         ({"view": "convolution", "push": "step", "window": 1e3}, {"sums": "too fast for a line"}),
         ({"view": "convolution", "push": "impulses", "omega": 1e5}, {"sums": "too fast for a line"}),
         (
@@ -108,7 +88,6 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
     ],
     "coupled": [
         ({"k1": 0.0, "k2": 0.0, "v1_0": 1.0}, {"sources.time.x1_fast": None, "forms.slow_omega": "two"}),
-        ({"view": "forces"}, {"values.force_unit": "N"}),
         ({}, {"signals.F1": None}),
     ],
     "modes": [
@@ -132,8 +111,6 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
             {"scalars.mark_minus": GOLDEN, "scalars.mark_plus": 1 / GOLDEN, "scalars.mark_still": 1.0},
         ),
         ({"k1": 0.0, "axes": "lecture"}, {"forms.lecture": "", "notes": "k₁", "axes.X.unit": "m"}),
-        ({"omega": 0.3}, {"values.way1": "with F", "values.way2": "with F"}),
-        ({"omega": 0.8}, {"values.way1": "against F", "values.way2": "against F"}),
         ({"omega": 1.3}, {"values.way1": "with F", "values.way2": "against F"}),
         ({"m1": 2.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}, {"values.growth1": "0.0833", "values.growth2": "0.167"}),
         ({"omega": GOLDEN + 2e-5}, {"forms.x1_limit": "grows", "sources.limit.x1_growth": None}),
@@ -141,13 +118,10 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"omega": (1 + 1e-9) * GOLDEN}, {"sources.time.x1_p": None, "notes": "far larger than their sum"}),
         ({"view": "bode", "omega": 1.0}, {"text": "Mass 1 is still: no lag"}),
         ({"view": "bode", "omega": 1.0}, {"text": "mass 2 lags 180°"}),
-        ({"view": "nyquist"}, {"scalars.unit": None}),
         ({"view": "bode", "c1": 0.1, "c2": 0.1}, {"axes.omega.log": True, "axes.X.log": True}),
         ({"view": "bode", "c1": 0.1, "c2": 0.1, "scale": "size"}, {"axes.omega.log": False}),
         ({"view": "response", "c1": 0.1, "c2": 0.1, "scale": "log"}, {"axes.omega.log": False}),
         ({"c1": 0.2, "omega": 1.0}, {"numbers.Xp1": 0.0, "scalars.mark_still": 1.0}),
-        ({"c2": 0.2}, {"scalars.mark_still": None}),
-        ({"c1": 0.2, "k1": 0.0}, {"scalars.mark_minus": 0.0}),
         ({"k1": 0.0}, {"scalars.mark_minus": 0.0}),
         ({"c1": 0.4, "omega": 0.0}, {"notes": "At ω = 0 the force F₀ sin ωt is 0 at all times."}),
     ],
@@ -171,12 +145,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
             {**MACHINE, "tuning": "free", "omega": slow(m1=3.0, m2=1.0, k1=1.0, k2=1 / 3), "k2": 1 / 3},
             {"values.found1": "no Xₚ here: it grows without limit", "forms.first": "none"},
         ),
-        ({"omega": 50.0001, "tuning": "detached"}, {"forms.why": "detached", "forms.why_rest": "beat"}),
         (ALONE_BESIDE, {"scalars.alone_beats": 1, "scalars.alone_grows": 0}),
-        (BESIDE, {"scalars.is_beat": 1, "forms.why": "beat", "forms.why_rest": "beat"}),
         ({**BESIDE, "view": "rest"}, {"forms.why_rest": "beat"}),
-        ({"k2": 30e3}, {"scalars.met0": 0, "scalars.met1": 0, "scalars.met2": 1}),
-        ({"m2": 10.0}, {"scalars.met0": 0, "scalars.met1": 1, "scalars.met2": 0}),
     ],
 }
 """States of each scene and what they show: numbers, scalars, forms and values by name, None if there is none; a part
