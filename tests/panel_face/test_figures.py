@@ -82,18 +82,6 @@ def check_words(face: PanelFace, one: LiveFigure, wide: int) -> None:
         assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < wide
 
 
-def test_a_legend_lists_the_curves_that_are_drawn() -> None:
-    face = fitted("driven", WIDE, WIDE)
-    face.scene.view = "motion"
-    figure = face.figures["x"]
-    shown = [item for item in figure.items if item.visible]
-    assert [item.label.value for item in shown] == ["x", "steady part", "complementary part"]
-    assert all(renderer.visible for item in shown for renderer in item.renderers)
-    energy = fitted("coupled", WIDE, WIDE).figures["energy"]
-    assert [item.label.value for item in energy.items] == ["T₂", "V₂", "V₁", "T₁"]
-    assert figure.legend.visible and not fitted("energy", WIDE, WIDE).figures["well"].legend.visible
-
-
 def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:
     """Bokeh does not clip what is over a plot."""
     face, document = fitted("coupled", WIDE, WIDE), Document()

@@ -114,26 +114,6 @@ def test_presets_actions_and_rows_are_those_of_the_scene(kind: type[Scene]) -> N
         assert face.problems or {one: scene.values[one] for one in wanted} == dict(wanted)
 
 
-def test_a_choice_shows_another_curve_plot_or_group() -> None:
-    face = first_face("forced")
-    scene = face.scene
-    response = face.figures["response"]
-    before = list(response.model.yaxis[0].major_label_overrides.values())
-    face.widgets["curve"].value = "log"
-    assert scene.curve == "log"
-    assert list(response.model.yaxis[0].major_label_overrides.values()) != before
-    face = first_face("coupled")
-    face.scene.view = "energy"
-    modes = face.figures["mode_energy"]
-    assert modes not in face.seen
-    face.widgets["energy"].value = "modes"
-    assert modes in face.seen and all(renderer.visible for renderer in modes.parts)
-    column = {part for part, form, _ in face.parts if form == "start_modes"}
-    assert not any(view.visible for view in column)
-    face.widgets["given_by"].value = "modes"
-    assert all(view.visible for view in column)
-
-
 def test_a_tab_shows_its_view_and_follows_the_scene() -> None:
     scene = SCENES["damped"]()
     face = PanelFace(scene)

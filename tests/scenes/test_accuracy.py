@@ -149,21 +149,6 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
     assert reached_text(replace(run, mode_errors=())).endswith("at the end 4·10⁻⁵")
 
 
-def test_the_compiled_view_has_the_compiled_methods_and_those_without_steps() -> None:
-    scene, python = (Accuracy(view="time", clock=clock, hidden=[]) for clock in ("compiled", "python"))
-    drawn = {slug for slug in METHODS if scene.sources[f"rec_{slug}"].data}
-    assert drawn | {"euler"} == set(METHODS) | {"euler"}
-    assert not scene.shown.forms["in_units"] and python.shown.forms["in_units"]
-    texts = scene.shown.values.values()
-    assert {"DOP853 °", "DOP853 C", "RK4"} <= set(texts), "marked where Python or C are compared with compiled"
-    for slug in ("rk4", "gauss4", "nystrom6"):
-        one, other = (each.sources[f"rec_{slug}"].data for each in (scene, python))
-        assert one["time"][-1] != other["time"][-1] and one["error"][3] == other["error"][3]
-    own = Accuracy(system="own", clock="compiled")
-    assert not any(own.sources[f"rec_{slug}"].data for slug in METHODS)
-    assert own.shown.forms["origin"] == "none"
-
-
 def test_growth_at_equal_error_and_at_equal_cost() -> None:
     scene = measured(view="growth", wanted=1e-3)
     assert scene.sources["error_growth_verlet"].data["error_growth"][-1] == pytest.approx(1e-4)

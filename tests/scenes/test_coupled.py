@@ -117,18 +117,6 @@ def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -
     assert scene.X_fast == 0.1 + 0.2 and scene.x1_0 == pytest.approx(0.3 * math.sin(turned) - scene.X_slow)
 
 
-def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_motion() -> None:
-    page = Page(SCENES["coupled"](x1_0=0.7, v2_0=1 / 3))
-    scene = page.scene
-    before = scene.of().free.amplitude[1]
-    shape, _ = (shape for shape, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
-    hand = Hand(page.now, shape, wide=True, t=0.7)
-    for values in (hand.take(), hand.move((300.0, 0.0))):
-        assert values
-        hand.set(values)
-        assert hand.scene.of().free.amplitude[1] == pytest.approx(before, rel=1e-14)
-
-
 def test_a_drift_is_not_given_by_a_phase() -> None:
     page = Page(SCENES["coupled"](k1=0.0, v1_0=0.5))
     told = say(page, "choose", name="given_by", value="modes")

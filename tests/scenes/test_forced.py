@@ -15,7 +15,6 @@ from components.scenes import SCENES
 from components.scenes.forced import Forced
 from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.response import response_plot
-from components.scenes.forced.words import UNDRIVEN
 from components.state.link import Link
 from components.state.page_state import fitted
 from physics.bode import chain_resonances
@@ -119,20 +118,6 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
     data = steady.sources["time"].data
     assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
     assert not any(Forced(F_0=0.0).action("steady").values())
-
-
-@pytest.mark.parametrize("drive", [{}, {"omega": 0.0, "x1_0": 0.1}, {"F_0": 0.0, "x2_0": 0.1}])
-@pytest.mark.parametrize("chain", [CHAINS[0], CHAINS[1], CHAINS[5]])
-def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, float], drive: dict[str, float]) -> None:
-    free, braked = (Forced(**{**chain, **drive}, c1=c1).shown for c1 in (0.0, 1e-6))
-    dots = ("drive_at", "Xp1_at", "Xp2_at") if drive.get("omega", 0.8) else ()
-    for name in ("mark_minus", "mark_still", "mark_plus", *dots):
-        assert braked.scalars[name] == pytest.approx(free.scalars[name], rel=1e-5), name
-    for name in ("Xp1", "Xp2"):
-        assert braked.values[name] == free.values[name].lstrip("+−")
-    steady = free.forms["steady"]
-    assert braked.forms["steady"] == (steady if steady in UNDRIVEN else "braked")
-    assert set(free.notes) <= set(braked.notes)
 
 
 def chain_of(values: dict[str, float]) -> DampedChain:

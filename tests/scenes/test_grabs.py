@@ -12,7 +12,6 @@ from components.scenes import SCENES
 from components.scenes.coupled import BY_MODES
 from components.state.page_state import fitted
 from tests.page.hand import Hand, grabs, sets
-from tests.page.headless_page import Page
 from tests.page.scripts import played
 from tests.scenes.checks import choices
 
@@ -97,16 +96,3 @@ def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff:
                 assert begun[one.parameter] == pytest.approx(slope, rel=1e-6), grab.label
                 going += 1
     assert going == 8
-
-
-def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() -> None:
-    for slug, name, value, seen in (
-        ("oscillator", "x_0", 0.9, "peak0_seen"),
-        ("analogues", "theta_0", 95.0, "late_seen"),
-    ):
-        page = Page(SCENES[slug](**({"view": "speed"} if slug == "oscillator" else {})))
-        assert page.shown.scalars[seen]
-        page.send({"type": "set", "values": {name: value}, "holding": True, "number": 1})
-        assert not page.shown.scalars.get(seen)
-        page.send({"type": "set", "values": {}, "holding": False, "number": 2})
-        assert page.shown.scalars[seen], "in the frame that has grown"

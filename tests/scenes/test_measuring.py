@@ -80,25 +80,6 @@ def test_a_measurement_comes_run_by_run_and_is_remembered(two: None) -> None:
     assert again is job
 
 
-def test_one_at_a_time_shared_by_all_and_one_for_each_visitor(two: None) -> None:
-    queue = Measuring(budget=60.0)
-    first = queue.ask(BENIGN, 30.0, nothing)
-    assert queue.ask(BENIGN, 30.0, nothing) is first and first.listeners == [nothing]
-    other, heard = visitors(2)
-    second = queue.ask(SYSTEMS["beats"], 30.0, heard)
-    assert queue.ask(SYSTEMS["beats"], 30.0, other) is second
-    assert (queue.place(first), queue.place(second)) == (0, 1)
-    assert (first.state, second.state) == ("running", "waiting")
-    queue.leave(second, heard)
-    assert queue.place(second) == 1
-    queue.leave(second, other)
-    third = queue.ask(replace(BENIGN, slug="own"), 0.01, nothing)  # in place of the first, which is cancelled
-    wait(lambda: third.state == "done")
-    assert (first.state, first.reason) == ("done", "cancelled")
-    assert second.state == "waiting" and queue.place(second) == 0
-    assert {run.method for run in third.runs} == set(TWO)
-
-
 def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting(full: Full) -> None:
     queue, jobs, people = full
     late, ours, other, again = visitors(4)

@@ -49,8 +49,7 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"values.tau": "20.7", "values.omega": "0.303", "values.tau_model": "4.83 s"}),
         ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
     ],
-    "damped": [
-    ],
+    "damped": [],
     "driven": [
         ({"omega": 0.0}, {"holds": "At ω = 0 nothing pushes", "scalars.polygon_idle": 1, "columns.power": None}),
         ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),

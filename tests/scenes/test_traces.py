@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import Phase, given, settings
 
 from components.language.signals import Sampled
 from components.quantities.axes import TIME_AXIS, Axis
@@ -15,25 +15,20 @@ from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from physics.sampling import drawable
+from tests.grids import tries
 from tests.page.headless_page import picture_wire
 from tests.scenes.checks import choices
-from tests.scenes.hard import HARD
+from tests.states import values
 
 pytestmark = pytest.mark.timeout(600)
+TABLES = {"driven", "absorber"}
+"""Scenes whose motions are tables in some states."""
 NEAR = {"absorber": 1e-7}
 """Of the frame."""
 CORNERS = {"x_sliced": 5e-3}
 """The velocity of a sum of slices has a corner at each slice, which sampling cuts off."""
 TOLD, CLOSED = 1e-6, 1e-9
 """Error of a motion sent as a table of one period, and of one sent as a formula."""
-
-
-def states(slug: str) -> Iterator[dict[str, Any]]:
-    """Presets and ways of showing things, and hard states where these are not drawn from tables."""
-    scene = SCENES[slug]
-    ways = (way for way in choices(scene) if not any(scene.linked()[name] in scene.physical for name in way))
-    yield from ({}, *scene.presets.values(), *ways)
-    yield from () if slug in ("driven", "absorber") else HARD.get(slug, [])
 
 
 def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
@@ -47,16 +42,30 @@ def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axi
 
 @pytest.mark.parametrize("slug", SCENES)
 def test_what_is_drawn_is_the_motion_of_the_physics_with_enough_points(slug: str) -> None:
-    scene, checked = SCENES[slug], 0
-    for values in states(slug):
-        one = scene.at(values)
-        checked += check_drawn(one, values)
-        if values.get("N") != 500:  # so many masses are drawn by colour, with fewer instants
-            check_points(one, values)
-    assert checked or not any(plot.time for plot in plots(scene))
+    kind, checked = SCENES[slug], 0
+
+    @settings(max_examples=tries(80), phases=(Phase.explicit, Phase.generate))
+    @given(values(kind, 2.0))
+    def holds(state: dict[str, Any]) -> None:
+        nonlocal checked
+        try:
+            scene = kind.at(state)
+            _ = scene.shown
+        except ValueError:
+            return
+        checked += check_drawn(scene)
+
+    ways = (way for way in choices(kind) if not any(kind.linked()[name] in kind.physical for name in way))
+    for state in (*map(kind.preset_all, kind.presets), *ways):
+        scene = kind.at(state)
+        checked += check_drawn(scene)
+        check_points(scene)
+    if slug not in TABLES:
+        holds()
+    assert checked or not any(plot.time for plot in plots(kind))
 
 
-def check_drawn(scene: Scene, values: dict[str, Any]) -> int:
+def check_drawn(scene: Scene) -> int:
     """Compare each curve that the browser draws with the physics, and return how many there are."""
     shown, wire = scene.shown, picture_wire(scene)["columns"]
     by_table = any(isinstance(one, Sampled) for one in shown.signals.values())
@@ -64,13 +73,13 @@ def check_drawn(scene: Scene, values: dict[str, Any]) -> int:
     for (source, name), exact in curves.items():
         axis = axis_of(type(scene), shown, source, name)
         off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(axis.place(axis.end) - axis.place(axis.start))
-        assert off < CORNERS.get(name, near), (values, source, name, off)
+        assert off < CORNERS.get(name, near), (dict(scene.values), source, name, off)
     for source, one in shown.traces.items():
         np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
     return len(curves)
 
 
-def check_points(scene: Scene, values: dict[str, Any]) -> None:
+def check_points(scene: Scene) -> None:
     """With eight times as many instants a curve reaches as far, apart from what twelve points per cycle miss."""
     for source, one in scene.shown.traces.items():
         dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
@@ -78,7 +87,7 @@ def check_points(scene: Scene, values: dict[str, Any]) -> None:
             axis, drawn = axis_of(type(scene), scene.shown, source, name), one.columns[name]
             reached = dense[name].max() - drawn.max(), drawn.min() - dense[name].min()
             roundings = 1e-12 * abs(axis.end - axis.start)
-            assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (values, source, name)
+            assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (dict(scene.values), source, name)
 
 
 @pytest.mark.parametrize("cycles", [0.0, 1e-300, 3.0, 56.6, 56.7, 1e4, 1e300])

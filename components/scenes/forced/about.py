@@ -55,9 +55,7 @@ def damped_about(picture: Picture, modes: DampedModes) -> About:
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", points(MASSES, columns, true)),
         bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, DRIVE)),
-        bounded(
-            "the lags", 8, "one radian", points({"phi1": r"$\psi_1$", "phi2": r"$\psi_2$"}, lags, turns, FREQUENCY)
-        ),
+        bounded("the lags", 8, "one radian", points(LAGS if driven else {}, lags, turns, FREQUENCY)),
     )
     return About(tables, _heat_gap(modes, columns["t"]), bands_among(picture.sources, BANDS))
 
