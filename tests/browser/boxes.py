@@ -6,9 +6,6 @@ from typing import cast
 
 from playwright.sync_api import Page
 
-BROKEN = """() => [...document.querySelectorAll('svg *')].filter(one =>
-  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
-
 FAULTS = r"""([least, leastIndex]) => {
   const faults = []
   const style = element => getComputedStyle(element)
