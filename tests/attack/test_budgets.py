@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import closing
-
 import pytest
 from hypothesis import given, settings
 
@@ -11,17 +9,15 @@ from app import SHEETS
 from components.language.state import State
 from components.quantities.refusals import SORRY
 from components.scenes import SCENES
-from components.serving.worker_process import ReadingProcess
 from components.session.exports import AboutExport, LinkExport, PageExport
 from components.session.opening import opened
-from components.session.worker import Reading, WorkerJob, replied
+from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
 from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.grids import spread, tries
 from tests.scenes.checks import as_arguments
 from tests.states import links
 from tools.attack.extremes import ExtremeValues, values
-from tools.attack.greedy import GREEDY
 
 HERE = "http://here/"
 WORST = (
@@ -98,11 +94,3 @@ def test_any_state_stays_within_the_budget_of_its_pictures(slug: str) -> None:
         check_page(link)
 
     page()
-
-
-def test_a_huge_walk_is_read_in_the_worker_process_or_gets_a_reason() -> None:
-    with closing(ReadingProcess("reading")) as process:
-        for name in (name for name, message in GREEDY.items() if message["type"] == "walk"):
-            reply = process.ask(Reading("mine", GREEDY[name]["text"])).result(120)
-            assert (reply.sheet is None) == bool(reply.refused) and process.pending == 0, name
-            assert reply.refused != SORRY and (not reply.refused or reply.refused.endswith(".")), name

@@ -13,6 +13,7 @@ import msgspec
 import pytest
 
 from components.language.messages import Given
+from components.quantities.refusals import SORRY
 from components.scenes import SCENES
 from components.serving import worker_process
 from components.serving.worker_process import (
@@ -36,6 +37,7 @@ from components.session.worker import Reading, Replied, Teaching, WorkerJob
 from components.state.page_state import fitted
 from components.state.wire import Packet
 from tests.page.headless_page import unpacked
+from tools.attack import greedy
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 READ, ENDLESS = Reading("mine", MINE), Reading("endless", MINE)
@@ -54,6 +56,9 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own() -> None:
         told = beside.ask(Teaching(given, read.walk.steps[0])).result(30)
         assert told.taught and told.taught.lesson and told.taught.lesson.right
         assert beside.ask(Reading("mine", "title = 1")).result(30).refused.startswith("mine: ")
+        for walk in (message for message in greedy.GREEDY.values() if message["type"] == "walk"):
+            reply = beside.ask(Reading("mine", walk["text"])).result(120)
+            assert (reply.sheet is None) == bool(reply.refused) and reply.refused != SORRY
         assert beside.pending == 0
 
 
