@@ -13,7 +13,7 @@ from tests.browser.classroom import Open, taught
 from tests.browser.engines import Window
 from tests.browser.fixtures import READY
 from tests.browser.hands import CONNECTED, click, drag, middle, opened, press, stroke
-from tests.browser.waiting import QUIET
+from tests.browser.waiting import PASSED, QUIET
 from tests.serving.server import Server, free_port, serving
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -42,6 +42,7 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
     assert engine.evaluate(HEADLINE) == SCENES["coupled"].headline
     click(engine, "button", "Pause")
     click(engine, "button", "Restart")
+    engine.evaluate(PASSED, 3)  # until the mass is drawn where it starts
     drag(engine, "[data-grab=x1_0]", 40)
     engine.wait_for_function("oscillations.shown.settings.x1_0.value > 1")
     before = value(engine, "k2")
