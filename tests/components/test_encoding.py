@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zlib
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from components.language.messages import File
 from components.language.picture import Ruler
 from components.language.signals import Sampled
 from components.quantities.axes import Axis
@@ -61,13 +59,3 @@ def test_what_is_near_the_frame_is_within_half_a_step_and_the_rest_is_outside(
     step = (high - low) / COARSE
     assert np.all(np.abs(low + step * whole[near] - numbers[near]) <= 0.501 * step)
     assert np.all(whole[numbers < low] == 0) and np.all(whole[numbers > high] == COARSE)
-
-
-def test_what_a_message_repeats_of_the_usual_text_costs_next_to_nothing() -> None:
-    name = "".join(np.random.default_rng(1).choice(list("abcdefghijklmnopqrstuvwxyz"), 2000))
-    file = File(name=name, kind="text/plain", content=b"")
-    alone, known = packed(file), packed(file, sheet="s", preset_dictionary=name.encode())
-    assert len(known["data"]) < 0.1 * len(alone["data"])
-    inflated = zlib.decompressobj(-15, name.encode()).decompress(known["data"])
-    assert inflated == zlib.decompress(alone["data"], -15)
-    assert unpacked(known, name.encode()) == unpacked(alone) == {**unpacked(alone), "name": name}

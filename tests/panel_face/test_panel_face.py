@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
 from typing import Any, get_args
 
 import panel as pn
@@ -22,9 +20,8 @@ from components.scene.face import SceneFace
 from components.scene.picture import draw
 from components.scenes import SCENES
 from components.state.scene_sheet import scene_sheet
-from tests.page.scripts import NODE
+from tests.page.scripts import each
 from tests.panel_face.faces import check_figures, first_face
-from tests.serving.server import ROOT
 
 scenes = pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
 
@@ -227,22 +224,11 @@ def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_sliders_have_the_scales_of_the_page() -> None:
-    sliders = {
-        (row.scale, row.soft)
-        for kind in SCENES.values()
-        for group in scene_sheet(kind).panel.groups
-        for row in group.rows
-        if isinstance(row, SliderRow)
-    }
-    assert {scale for scale, _ in sliders} == {"linear", "log", "near0", "count"}
+    rows = [row for kind in SCENES.values() for group in scene_sheet(kind).panel.groups for row in group.rows]
+    sliders = {(row.scale, row.soft) for row in rows if isinstance(row, SliderRow)}
     cases = [(scale, i / 37, soft) for scale, soft in sliders for i in range(38)]
-    script = """import {sliderPlace, sliderValue} from "./static/controls/scales.js"
-        const cases = JSON.parse(process.argv[1])
-        const values = cases.map(one => sliderValue(...one))
-        console.log(JSON.stringify([values, cases.map(([scale, , soft], i) => sliderPlace(scale, values[i], soft))]))"""
-    command = [str(NODE), "--input-type=module", "-e", script, json.dumps(cases)]
-    ran = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
-    values, places = json.loads(ran.stdout)
+    values = each("static/controls/scales.sliderValue", cases)
     assert [slider_value(*case) for case in cases] == values
-    found = [slider_place(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]
-    assert found == pytest.approx(places, abs=1e-12)
+    placed = [(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]
+    places = each("static/controls/scales.sliderPlace", placed)
+    assert [slider_place(*one) for one in placed] == pytest.approx(places, abs=1e-12)

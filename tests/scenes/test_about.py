@@ -47,7 +47,7 @@ def beyond(tables: tuple[Table, ...]) -> list[tuple[str, str, float]]:
 
 @each_scene
 def test_every_point_of_any_state_is_within_its_bound(slug: str) -> None:
-    @settings(max_examples=tries(160), phases=(Phase.explicit, Phase.generate))
+    @settings(max_examples=tries(80), phases=(Phase.explicit, Phase.generate))
     @given(values(SCENES[slug], 4.0))
     @example({})
     @example({"c1": 0.1, "omega": 0.0} if slug == "forced" else {})

@@ -132,7 +132,10 @@ OWN_TESTS = {"absorber": "test_absorber", "accuracy": "tests/physics/test_accura
 def start(s: Any, name: str) -> tuple[float, float] | None:
     """The displacement and the velocity from which a body starts, by the parameters."""
     x, v = (f"{q}{name.removeprefix('x')}_0" for q in "xv")
-    if s.slug in ("chain", "phugoid") or name == "y" or (s.slug == "analogues" and name == "q"):
+    if s.slug == "chain":
+        at = name == f"x{int(s.p)}"
+        return (s.h * at, s.v_0 * at) if s.starts == "mass" else (s.h, 0.0) if s.starts == "pluck" and at else None
+    if s.slug == "phugoid" or name == "y" or (s.slug == "analogues" and name == "q"):
         return None
     if s.slug == "modes":
         return getattr(s, x), 0.0
