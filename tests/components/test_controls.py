@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import pytest
 
@@ -19,7 +18,6 @@ from components.quantities.typed import typed_number
 from components.quantities.units import Unit
 from components.scenes import SCENES
 from components.state.scene_sheet import scene_sheet
-from tests.page.headless_page import apply_message
 from tests.serving.server import ROOT
 
 STATIC = ROOT / "static"
@@ -87,19 +85,6 @@ def test_a_quantity_in_another_unit_has_four_digits_and_round_numbers_come_back_
     assert (KNOT.field(45.72), FOOT_PER_SECOND.field(1 / 3), FOOT_PER_SECOND.field(0.0)) == ("88.87", "1.094", "0.00")
     for value in (1e-300, 1e300, -2.5):
         assert float(FOOT_PER_SECOND.field(value)) == pytest.approx(value / 0.3048, rel=1e-3)
-
-
-def test_typed_numbers_are_in_the_unit_shown_and_an_empty_window_is_the_scenes_own() -> None:
-    scene: Any = SCENES["phugoid"](window=5.0)
-    for unit, name, text, value in (
-        ("ft/s", "v_0", "200", 60.96),
-        ("ft/s", "excess", "50", 0.25),
-        ("knots", "v_0", "100", 100 * 1852 / 3600),
-    ):
-        scene.unit = unit
-        assert apply_message(scene, {"type": "typed", "name": name, "text": text}) == {}
-        assert getattr(scene, name) == pytest.approx(value, rel=1e-14)
-    assert apply_message(scene, {"type": "typed", "name": "window", "text": " "}) == {} and scene.window is None
 
 
 def test_a_block_that_its_neighbours_leave_no_room_is_refused() -> None:

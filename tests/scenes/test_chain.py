@@ -64,34 +64,15 @@ def test_masses_along_the_chain_never_meet_on_the_stage() -> None:
     assert np.diff(x, axis=1).min() > -0.9 * scene.a
 
 
-def motions(given: dict[str, str]) -> pd.DataFrame | None:
-    """The table of the motions in the file of a link, if it has one."""
-    query = {"scene": [b"chain"], **{name: [text.encode()] for name, text in given.items()}}
-    content = link_file(query, "", SCENES, {}).content
-    found = pd.read_csv(io.BytesIO(content), comment="#")
-    return found if "t [s]" in found.columns else None
-
-
 @pytest.mark.parametrize("N", [1, 8, 60, 500])
 def test_a_file_has_the_displacements_of_all_masses_over_the_whole_window(N: int) -> None:
-    table = motions({"N": str(N)})
-    assert table is not None
+    content = link_file({"scene": [b"chain"], "N": [str(N).encode()]}, "", SCENES, {}).content
+    table = pd.read_csv(io.BytesIO(content), comment="#")
     assert table.columns.tolist() == ["t [s]", *(f"x{p} [m]" for p in range(1, N + 1))]
     scene = Chain(N=N)
     assert table["t [s]"].iloc[-1] == scene.of().end
     np.testing.assert_array_equal(table.to_numpy()[:, 1:], displacements(scene))
     assert len(table) >= 201 and table.size <= 101_000
-
-
-def test_a_covered_picture_has_no_displacements_in_the_file() -> None:
-    assert motions({"N": "8", "cover": "plot:field"}) is None
-    assert motions({"N": "8", "cover": "plot:energy"}) is not None
-
-
-def moves(scene: Any, t: np.ndarray) -> dict[str, np.ndarray]:
-    """The displacements of a scene of one or two masses, by the number of the mass."""
-    columns = scene.shown.traces["time"].exact(t)
-    return {"x1": columns["x"]} if "x" in columns else {name: columns[name] for name in ("x1", "x2")}
 
 
 @pytest.mark.parametrize("starts", STARTS)
@@ -101,19 +82,6 @@ def test_a_small_chain_leads_to_the_scene_with_the_same_motion(N: int, ends: str
     (way,) = scene.shown.onward
     other = SCENES[way.scene](**way.given)
     t = np.linspace(0.0, 20.0, 41)
-    here, there = scene.shown.traces["time"].exact(t), moves(other, t)
-    assert here.keys() == there.keys()
-    for name, x in there.items():
-        np.testing.assert_allclose(here[name], x, atol=1e-14)
-
-
-@pytest.mark.parametrize(
-    "scene", [SCENES["oscillator"](x_0=0.2, v_0=-0.5), SCENES["coupled"](m1=3, m2=3, k1=2, k2=2, x1_0=0.4, v1_0=0.1)]
-)
-def test_one_mass_and_two_lead_to_their_chain(scene: Any) -> None:
-    (way,) = (way for way in (*SCENES[scene.slug].onward, *scene.shown.onward) if way.scene == "chain")
-    chain = Chain(**way.given, **{name: getattr(scene, own) for name, own in way.taken.items()})
-    t = np.linspace(0.0, 20.0, 41)
-    here = chain.shown.traces["time"].exact(t)
-    for name, x in moves(scene, t).items():
-        np.testing.assert_allclose(here[name], x, atol=1e-14)
+    here, there = (one.shown.traces["time"].exact(t) for one in (scene, other))
+    for name in here:
+        np.testing.assert_allclose(here[name], there["x" if N == 1 else name], atol=1e-14)

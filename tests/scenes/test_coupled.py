@@ -84,19 +84,6 @@ def test_the_choice_changes_nothing_and_leads_back_exactly() -> None:
     assert {name: told["state"]["parameters"][name] for name in start} == start
 
 
-def test_one_mode_alone_is_that_mode_exactly() -> None:
-    page = Page(SCENES["coupled"]())
-    told = set_values(page, X_fast=0.0, X_slow=0.5, phi_slow=0.3)
-    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
-    assert told["view"]["forms"]["beat"] == "one" and told["view"]["values"]["X1_plus"] == "+ 0.00"
-    assert page.scene.x1_0 == pytest.approx(0.5 * math.sin(0.3), rel=1e-15)
-    assert page.scene.x2_0 == pytest.approx(2 * 0.5 * math.sin(0.3), rel=1e-15)
-    told = set_values(page, k2=7.0)
-    assert told["view"]["values"]["X1_plus"] == "+ 0.00", "the mode of the new chain"
-    told = set_values(page, x1_0=0.25)
-    assert told["state"]["parameters"].get("given_by") is None, "a start is given by starting values"
-
-
 LABEL = "Slow mode, start, by mass 1"
 
 

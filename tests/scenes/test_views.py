@@ -146,10 +146,3 @@ def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
     now = changed(now, Choose(name="view", value="roots"), SCENES)
     assert now.show == ()
     assert "roots" in drawn_on(now) or "locus" in drawn_on(now)
-
-
-def test_a_list_with_an_unknown_part_is_refused_in_words() -> None:
-    link = read_query({"scene": [b"damped"], "show": [b"stage,plot:z"]}, SCENES)
-    (problem,) = link.problems
-    assert problem.startswith("show: “plot:z” is not possible: choose from stage, plot:x, ")
-    assert link.show == ()
