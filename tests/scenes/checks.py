@@ -24,13 +24,6 @@ LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNOR
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """Matches a hyphen that is used as a minus sign."""
 
-EXTREME_LINKS = (
-    "scene=forced&m1=1e175&v2_0=1e308",
-    "scene=absorber&omega=5e-324&window=1e-80",
-    "scene=modes&view=hunt&window=5e-324&m2=2.035838133457214e-146&x2_0=-1.7976931348623157e308",
-)
-"""Their pictures need numbers beyond the range of doubles."""
-
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:
     return {name: p for name in scene.param if isinstance(p := scene.param[name], Quantity) and p.default is not None}

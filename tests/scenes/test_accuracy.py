@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
-from components.scenes.accuracy.data import Known, Series, compiled_only, picked_run, reached_text, setting_text
+from components.scenes.accuracy.data import Known, Series, picked_run, reached_text, setting_text
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.measuring import LIVE, Job
 from components.scenes.accuracy.prices import price_list, time_text, unreached
@@ -114,22 +114,6 @@ def test_rows_of_prices_are_of_one_machine_and_say_what_was_not_reached() -> Non
     unsteady = a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3)
     ((_, cells),) = price_list(Known(Series((unsteady,)), Series()), ("rk4",), 1e-3)
     assert cells[2] == "4.00 ±", "a time that does not repeat"
-
-
-def test_compiled_steps_are_priced_against_the_closed_form_of_the_record() -> None:
-    fast = tuple(replace(run, compiled=True) for run in (a_run("rk4", 3, 1e-3, 1e-4), a_run("rk4", 9, 1e-2, 1e-9)))
-    before = Series((*BEFORE, a_run("eigh", 0, 1e-4, 1e-13)))
-    found = Known(Series(HERE), before, compiled=Series(fast))
-    compiled = compiled_only(found)
-    for runs, wanted, unit, cells in (
-        (found, 1e-4, "app", ("1000", "4.00", "2")),
-        (found, 1e-4, "doubles", ("1000", "4.00", "40")),
-        (compiled, 1e-4, "app", ("1000", "1.00", "0.5")),
-        (compiled, 1e-9, "doubles", ("1000", "10.0", "100")),
-    ):
-        assert dict(price_list(runs, ("rk4",), wanted, unit))["rk4"][1:] == cells
-    rows = dict(price_list(compiled, ("eigh", "bdf"), 1e-9, "doubles", compiled=True))
-    assert rows["bdf"] == ("BDF (Python)", "1000", "500", ""), "a solver that was not compiled is there, with a mark"
 
 
 def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
