@@ -40,5 +40,7 @@ def check_figures(face: PanelFace) -> None:
             if renderer.visible:
                 assert np.array_equal(renderer.data_source.data[part.x], picture.axes[block.x].places(given))
                 drawn += 1
+        for item, renderers in figure.items.items():
+            assert item.visible == any(renderer.visible for renderer in renderers), "the legend has what is drawn"
         drawn += figure.field is not None and len(figure.field.data["image"])
     assert drawn or not any(isinstance(one, LiveFigure) for one in face.seen)

@@ -17,6 +17,7 @@ from physics.bode import driven_resonances
 from physics.convolution import SlicedPush
 from physics.damped import DampedOscillator
 from physics.driven import Drive, DrivenOscillator
+from physics.magnification import magnification
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
 from tests.grids import tries
@@ -90,6 +91,16 @@ def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
     x = one.motion(scene.omega, getattr(scene, SIZES[kind]), x_0=x_0, t=t[rows], kind=kind).x
     assert np.all(low[rows] - pixel <= x) and np.all(x <= high[rows] + pixel)
     assert max(-low.min(), high.max()) <= scene.shown.axes["x"].end
+
+
+@settings(max_examples=tries(60), deadline=None)
+@given(st.floats(0.021, 0.59), SOME)
+def test_both_points_of_half_power_are_where_the_dashpot_takes_half_of_the_most(zeta: float, m: float) -> None:
+    scene = DRIVEN(zeta=zeta, m=m)
+    at, axes, zeta = scene.shown.scalars, scene.shown.axes, scene.zeta
+    r = np.array([at["half_low"], at["half_high"]]) * axes["r"].factor * math.sqrt(m / scene.k)
+    np.testing.assert_allclose(2 * zeta * (r * np.abs(magnification(r, zeta))) ** 2, 0.25 / zeta, rtol=1e-9)
+    assert axes["M"].place(0.25 / zeta) == pytest.approx(at["half_peak"])
 
 
 @pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
