@@ -16,23 +16,11 @@ from tests.live_class.caller import Answered, call
 
 PATIENCE = 60.0
 """Seconds to wait for an answer of the server."""
-TRACES = ("Traceback", 'File "', "site-packages", "Error:")
 
 
-class Reply(Answered):
-    @property
-    def refused(self) -> bool:
-        """True for a client error (4xx) whose text shows nothing of the program."""
-        return 400 <= self.status < 500 and self.quiet
-
-    @property
-    def quiet(self) -> bool:
-        return not any(sign in self.text for sign in TRACES)
-
-
-def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Reply:
-    """One request; the names of headers are written with underscores."""
-    return Reply(*call(url, path, method, **headers))
+def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Answered:
+    """Send one request without a body."""
+    return call(url, path, method, **headers)
 
 
 def token_of(page: str) -> str:

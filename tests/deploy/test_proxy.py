@@ -14,8 +14,9 @@ import pytest
 
 from components.serving.assets import assets
 from components.serving.headers import SAFE
-from tests.attack.caller import Reply, ask
+from tests.attack.caller import ask
 from tests.deploy.health import health_check
+from tests.live_class.caller import Answered
 from tests.serving.server import ROOT, free_port, serving
 from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
@@ -28,7 +29,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeployedSite]:
         yield running
 
 
-def safety_headers(reply: Reply) -> dict[str, str]:
+def safety_headers(reply: Answered) -> dict[str, str]:
     return {name: reply.headers.get(name, "") for name in SAFE}
 
 

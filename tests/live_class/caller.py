@@ -14,6 +14,9 @@ from urllib.parse import urlsplit
 PATIENCE = 60.0
 
 
+TRACES = ("Traceback", 'File "', "site-packages", "Error:")
+
+
 class Answered(NamedTuple):
     status: int
     text: str
@@ -22,6 +25,15 @@ class Answered(NamedTuple):
     @property
     def json(self) -> Any:
         return json.loads(self.text)
+
+    @property
+    def refused(self) -> bool:
+        """True for a client error (4xx) whose text shows nothing of the program."""
+        return 400 <= self.status < 500 and self.quiet
+
+    @property
+    def quiet(self) -> bool:
+        return not any(sign in self.text for sign in TRACES)
 
 
 def call(url: str, path: str, method: str = "GET", body: object = None, word: str = "", **headers: str) -> Answered:

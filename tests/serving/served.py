@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from concurrent.futures import Future
 from contextlib import asynccontextmanager
 from typing import Any
 
@@ -13,7 +14,9 @@ from bokeh.server.session import ServerSession
 from app import SHEETS, open_page
 from components.serving.server import Extension, Server
 from components.serving.settings import Settings
-from tests.attack.caller import Reply, ask
+from components.session.worker import Replied, WorkerJob
+from tests.attack.caller import ask
+from tests.live_class.caller import Answered
 
 MUCH = 10**6
 
@@ -35,11 +38,27 @@ async def served(
         await server.end()
 
 
+class FakeWorker:
+    """A worker that keeps its jobs. It gives each the same reply at once, or none."""
+
+    def __init__(self, reply: Replied | None = None) -> None:
+        self.reply = reply
+        self.jobs: list[tuple[WorkerJob, str]] = []
+        self.replies: list[Future[Replied]] = []
+
+    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
+        self.jobs.append((asked, network))
+        self.replies.append(Future())
+        if self.reply:
+            self.replies[-1].set_result(self.reply)
+        return self.replies[-1]
+
+
 def url(server: Server) -> str:
     return f"http://127.0.0.1:{server.port}/"
 
 
-async def page_of(server: Server, path: str = "/", method: str = "GET", **headers: str) -> Reply:
+async def page_of(server: Server, path: str = "/", method: str = "GET", **headers: str) -> Answered:
     """Return the reply to a request that another thread sends."""
     return await asyncio.to_thread(ask, url(server), path, method, **headers)
 

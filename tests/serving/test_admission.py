@@ -8,7 +8,8 @@ from html import unescape
 import pytest
 
 from components.serving.admission import FORGOTTEN, IDLE, Guest, Queue, ordinal, visitor_to_drop
-from tests.attack.caller import Caller, Reply, connect, contents, token_of
+from tests.attack.caller import Caller, connect, contents, token_of
+from tests.live_class.caller import Answered
 from tests.serving.served import page_of, served, sessions, until, url
 
 
@@ -73,7 +74,7 @@ def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_netwo
 async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
     async with served(sessions=4, trusted_proxies=("127.0.0.1",)) as server:
 
-        async def page(address: str) -> Reply:
+        async def page(address: str) -> Answered:
             return await page_of(server, "/?scene=coupled", X_Forwarded_For=address)
 
         first = await page("192.0.2.1")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import io
 import zipfile
-from concurrent.futures import Future
 from functools import partial
 
 import pandas as pd
@@ -16,11 +15,11 @@ from components.language.messages import File
 from components.scenes import SCENES
 from components.serving.csv_route import NumbersRoute
 from components.session.exports import LinkExport, link_file
-from components.session.worker import Replied, WorkerJob
+from components.session.worker import Replied
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
 from tests.scenes.checks import as_arguments
-from tests.serving.served import page_of, served, until, url
+from tests.serving.served import FakeWorker, page_of, served, until, url
 from tests.serving.server import Server
 from tests.serving.visitor import Visitor
 
@@ -82,19 +81,6 @@ def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sen
     assert reply.refused and reply.status == 400
     assert reply.headers["Content-Type"] == "text/plain; charset=utf-8"
     assert sentence in reply.text and "<" not in reply.text
-
-
-class FakeWorker:
-    """A worker that holds jobs and their replies."""
-
-    def __init__(self) -> None:
-        self.jobs: list[tuple[WorkerJob, str]] = []
-        self.replies: list[Future[Replied]] = []
-
-    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
-        self.jobs.append((asked, network))
-        self.replies.append(Future())
-        return self.replies[-1]
 
 
 async def test_the_worker_makes_the_file_for_the_network_that_asks() -> None:

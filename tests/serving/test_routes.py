@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from concurrent.futures import Future
 from typing import NamedTuple
 
 import pytest
@@ -13,9 +12,9 @@ from components.serving.assets import assets
 from components.serving.csv_route import NumbersRoute
 from components.serving.incoming import MOST_BYTES
 from components.serving.server import Server
-from components.session.worker import Replied, WorkerJob
-from tests.attack.caller import Reply
-from tests.serving.served import MUCH, page_of, served, sessions
+from components.session.worker import Replied
+from tests.live_class.caller import Answered
+from tests.serving.served import MUCH, FakeWorker, page_of, served, sessions
 from tests.serving.server import Server as Running
 from tools.attack.protocol import attack
 
@@ -68,18 +67,10 @@ ABUSES = {
 }
 
 
-class FakeWorker:
-    """A worker that replies at once: with a file, or that its client has to wait."""
-
-    def __init__(self, seconds: float) -> None:
-        self.seconds = seconds
-
-    def ask(self, asked: WorkerJob, network: str = "") -> Future[Replied]:
-        reply: Future[Replied] = Future()
-        file = File(answer=None, name="coupled.csv", kind="text/csv", content=b"x1 [m]\n")
-        busy = Replied(refused="Later.", is_busy=True, after=self.seconds)
-        reply.set_result(busy if self.seconds else Replied(file=file))
-        return reply
+def worker(seconds: float = 0.0) -> FakeWorker:
+    """A worker that replies with a file, or that its client has to wait."""
+    file = File(answer=None, name="coupled.csv", kind="text/csv", content=b"x1 [m]\n")
+    return FakeWorker(Replied(refused="Later.", is_busy=True, after=seconds) if seconds else Replied(file=file))
 
 
 def routes(server: Server) -> list[str]:
@@ -92,7 +83,7 @@ def routes(server: Server) -> list[str]:
     return found
 
 
-def check_safe(reply: Reply) -> None:
+def check_safe(reply: Answered) -> None:
     headers = reply.headers
     assert reply.quiet and (reply.status < 500 or reply.status == 503)
     assert headers["X-Content-Type-Options"] == "nosniff" and headers["Referrer-Policy"] == "no-referrer"
@@ -106,7 +97,7 @@ def check_safe(reply: Reply) -> None:
 
 @pytest.mark.parametrize("abuse", ABUSES.values(), ids=ABUSES)
 async def test_every_route_refuses_abuse_in_words_and_serves_others(abuse: Abuse) -> None:
-    numbers = NumbersRoute(FakeWorker(abuse.seconds), abuse.settings.get("arrivals", MUCH))
+    numbers = NumbersRoute(worker(abuse.seconds), abuse.settings.get("arrivals", MUCH))
     async with served(extensions=[numbers], **abuse.settings) as server:
         for path in (paths := routes(server)):
             if abuse.settings:
@@ -123,7 +114,7 @@ async def test_every_route_refuses_abuse_in_words_and_serves_others(abuse: Abuse
 
 
 async def test_every_route_refuses_a_body_that_is_too_large() -> None:
-    async with served(extensions=[NumbersRoute(FakeWorker(0.0), MUCH)]) as server:
+    async with served(extensions=[NumbersRoute(worker(), MUCH)]) as server:
         for path in routes(server):
             assert (await page_of(server, path, "POST", Content_Length=str(2 * MOST_BYTES))).status == 400, path
 

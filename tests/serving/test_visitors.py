@@ -7,7 +7,8 @@ from bokeh.util.token import generate_jwt_token, generate_session_id
 
 from components.serving.admission import RETURNS
 from components.serving.visitors import MINUTE, Arrivals, Rate, networks, visitor
-from tests.attack.caller import Reply, contents, token_of
+from tests.attack.caller import contents, token_of
+from tests.live_class.caller import Answered
 from tests.serving.served import page_of, served, sessions
 
 TRUSTED = networks(["10.0.0.0/24", "fd00::1"])
@@ -89,7 +90,7 @@ async def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
         for rate in (admission.arrivals, admission.returns, admission.returning):
             rate._clock = lambda: 0.0
 
-        async def page(token: str = "") -> Reply:
+        async def page(token: str = "") -> Answered:
             return await page_of(server, Page_Token=token)
 
         first, other, _ = [await page() for _ in range(3)]
