@@ -38,6 +38,7 @@ from physics.sampling import (
     curve_or_band,
     drawable,
     periods,
+    root_mean_square,
     time_window,
 )
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
@@ -321,3 +322,15 @@ def test_fast_components_are_a_band_about_the_slow_ones(components, slow, width)
     found = curve_or_band(components, T)
     assert found.curve is None
     assert found.lo == pytest.approx(slow - width, abs=1e-14) and found.hi == pytest.approx(slow + width, abs=1e-14)
+
+
+def test_mean_squares_average_the_fast_part_only():
+    carrier = 2 * math.pi * 4 * 60  # four cycles from one sample to the next
+    slow, fast = Sinusoid(2.0, 1.0, 0.0), [Sinusoid(1.0, carrier, 0.0), Sinusoid(0.6, carrier + 2.0, 1.0)]
+    found = root_mean_square([slow, *fast], T) ** 2
+    fine = np.linspace(0.0, 10.0, 600 * 400 + 1)
+    x = 2 * np.sin(fine) + sum(a * np.sin(w * fine + phase) for a, w, phase in fast)
+    assert np.mean((x**2)[200:-201].reshape(599, 400), axis=1) == pytest.approx(found[1:-1], abs=0.02)
+    assert root_mean_square([slow], T, 0.5 * T) == pytest.approx(np.abs(2 * np.sin(T) + 0.5 * T), abs=1e-14)
+    assert root_mean_square([Sinusoid(1e200, 1e9, 0.0)], T) == pytest.approx(np.full_like(T, 1e200 / math.sqrt(2.0)))
+    assert not np.any(root_mean_square([], T))
