@@ -315,6 +315,16 @@ def test_motion_is_within_four_u_of_the_amplitude_and_drawn_as_it_is(case):
             assert abs(mp.mpf(plain[n]) - mp.mpf(text)) <= 6 * turns[n] * U * sizes[n]
 
 
+@settings(max_examples=tries(200))
+@given(*[log_uniform(-300, 300)] * 2, st.floats(0.0, 1.5), st.floats(-17.0, 2.0), st.sampled_from([-1, 0, 1]))
+def test_the_detuning_is_rounded_once(m, k, zeta, decades, side):
+    """The difference of two rounded frequencies would have no digit next to omega_d."""
+    one = DrivenOscillator(m=m, c=zeta * math.sqrt(k) * math.sqrt(m), k=k)
+    omega = max(one.free.omega_d * (1 + side * 10.0**decades), 0.0) or one.free.omega_n
+    square = mp.mpf(k) / mp.mpf(m) - (mp.mpf(one.c) / (2 * mp.mpf(m))) ** 2
+    assert ulps(one.push(omega).detuning, omega - mp.sqrt(max(square, 0))) <= 0.51
+
+
 @each_case
 def test_steady_part(case):
     X = system(case).response(**given_drive(case))

@@ -19,7 +19,7 @@ from physics.precision.polynomials import context
 from physics.reference.damped_chain import braked_points
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes
 from tests.grids import tries
-from tests.physics.truth import FAMILIES, Truth, U, chain_with, drawn, each_family, rows, ulps, units, worst
+from tests.physics.truth import FAMILIES, SETUP_BITS, Truth, U, chain_with, drawn, each_family, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
@@ -98,6 +98,19 @@ def test_amplitudes_at_every_frequency(family, data):
     parameters = data.draw(drawn(family))
     omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
     check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
+
+
+@each_family
+@thorough
+@given(data=st.data())
+def test_detunings_are_rounded_once(family, data):
+    """Differences of two rounded frequencies would have no digit next to a resonance."""
+    parameters = data.draw(drawn(family))
+    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    assume(true.omega[1] < LARGEST)
+    found = driven_modes(chain_with(parameters), 1.0, omega).detuning
+    with mp.workprec(SETUP_BITS):
+        assert all(ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
 
 
 @st.composite
