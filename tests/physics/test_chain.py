@@ -88,6 +88,13 @@ def test_shapes_are_orthonormal_and_swing_by_themselves(N: int, ends: Any) -> No
     assert np.all(chain.string_omega >= omega) and chain.string_omega == pytest.approx(chain.theta)
 
 
+def test_a_pulse_runs_to_the_right_alone() -> None:
+    chain = UniformChain(N=200, m=1.0, k=1.0)
+    x, v = chain.pulse(60.0, 6.0, 0.2)
+    moved = chain.motion(x, v, [40.0]).x[:, 0]
+    assert moved.argmax() == pytest.approx(99, abs=1) and np.abs(moved[:60]).max() < 1e-3
+
+
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize("N", [1, 2, 9, 300])
 def test_mirror_images_give_the_sum_of_modes(N: int, ends: Any) -> None:

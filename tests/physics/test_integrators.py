@@ -13,11 +13,11 @@ from scipy import integrate
 
 from physics.coupled import TwoMassChain
 from physics.integrators import solvers
-from physics.integrators.accuracy import SYSTEMS, Limits, Run, System, entered
+from physics.integrators.accuracy import MARKS, SYSTEMS, Limits, Run, System, entered
 from physics.integrators.drift import PERIODS, drifts, exact
 from physics.integrators.fixed_steps import FIXED_STEP, STEPPING, TABLEAUX, WEIGHTS, run_fixed
 from physics.integrators.implicit_steps import RHO
-from physics.integrators.price import price
+from physics.integrators.price import at_cost, at_error, price
 from physics.integrators.problem import Problem, StoppedError, Watch
 from physics.integrators.race import STANDS, Ladder, bench_of, measure, yardstick
 from physics.integrators.solvers import METHODS
@@ -275,6 +275,22 @@ def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
     assert [run.rounds for run in runs] == [1, 2]
 
 
+def test_a_run_records_its_errors_as_they_grow_at_the_end_and_mode_by_mode():
+    """Verlet loses the phase of the fast mode first; with a dashpot the velocity is judged too."""
+    run = visited(SYSTEMS["benign"], "verlet", 56)
+    assert len(run.error_growth) == len(run.energy_growth) == len(MARKS)
+    assert run.error_growth[0] < 1e-90 and np.all(np.diff(run.error_growth) >= 0)
+    assert (run.error_growth[-1], run.energy_growth[-1]) == (run.error, run.energy_error)
+    assert (run.steps, run.evaluations, run.rounds) == (56000, 56000, 1)
+    assert run.time == run.time_low == run.time_high > 0
+    slow, fast = run.mode_errors
+    assert slow < fast / 30 and fast <= run.error * 2 and run.error <= slow + fast
+    assert run.error / 10 < run.final_error <= run.error
+    stiff = visited(SYSTEMS["dashpot"], "newmark", 1)
+    assert stiff.final_error > 0.5 and not stiff.mode_errors
+    assert np.max(np.abs(stiff.error)) > 100 * 2e-3, "x alone is right to 2e-3"
+
+
 def ladder(method, errors=(), steps=1e9, limits=ONCE):
     """The ladder of a method after runs with these errors, all at so many steps."""
     found = Ladder(bench_of(SYSTEMS["benign"], limits, lambda method: False, yardstick()), METHODS[method])
@@ -390,6 +406,12 @@ def test_a_price_is_the_cheapest_on_the_line_between_runs(runs, error, time, rep
     else:
         assert (found.time, found.repeats) == (pytest.approx(time), repeats)
         assert 1000 <= found.evaluations <= 16000
+
+
+def test_runs_at_equal_error_and_at_equal_cost():
+    runs = [CHEAP, DEAR, LATE]
+    assert (at_error(runs, 1e-2), at_error(runs, 1e-3), at_error(runs, 1e-5)) == (CHEAP, DEAR, None)
+    assert (at_cost(runs, 1.0), at_cost(runs, 0.05), at_cost(runs, 1e-3)) == (DEAR, CHEAP, None)
 
 
 # Motions in steps over a few periods, and stiffness.

@@ -21,6 +21,10 @@ from physics.precision.exact import (
     Array,
     binary,
     exact,
+    on_circle,
+    pair_product,
+    pair_quotient,
+    pair_sum,
     precise,
     rounded,
     sin_cos,
@@ -58,6 +62,18 @@ def test_sums_and_products_lose_nothing(a, b):
     assert p == a * b and Fraction(p) + Fraction(e) == Fraction(a) * Fraction(b)
 
 
+@thorough
+@given(*[st.floats(0.5, 2.0)] * 2, *[st.floats(-1.0, 1.0)] * 2)
+def test_pairs_carry_100_bits(a, b, a_lo, b_lo):
+    x, y = two_sum(a, a_lo * U / 2), two_sum(b, b_lo * U / 2)
+    exactly = [Fraction(hi) + Fraction(lo) for hi, lo in (x, y)]
+    for (hi, lo), true in ((pair_sum(x, y), sum(exactly)), (pair_product(x, y), math.prod(exactly))):
+        assert abs(Fraction(hi) + Fraction(lo) - true) <= Fraction(2) ** -100 * 4
+    quotient = exactly[0] / exactly[1]
+    assert abs(Fraction(pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
+    assert pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
+
+
 @pytest.mark.parametrize("digits", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
 def test_binary_has_no_bounds(digits):
     hi, lo, exponent = binary(Decimal(digits))
@@ -89,6 +105,19 @@ def test_noise_is_not_a_number():
         third = Decimal(1) / 3
         assert sum_of(third * 3, Decimal(-1)) == 0 and sum_of(third, Decimal(-1)) != 0
         assert snapped(third * 3) == 1 and snapped(third) == third
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-8, 0.3, 10.0, 1e5, 1e10, 1e15])
+def test_sine_and_cosine_to_100_bits(size):
+    random = np.random.default_rng(1)
+    near = np.arange(1.0, 1e6, 9331.0) * np.pi
+    theta = np.append(size * random.uniform(-1.0, 1.0, 200), near)
+    rest = np.append(np.spacing(np.abs(theta[:200])) * random.uniform(-0.5, 0.5, 200), np.zeros_like(near))
+    sines, cosines = on_circle(theta, rest)
+    for n in range(theta.size):
+        phase = mp.mpf(theta[n]) + mp.mpf(rest[n])
+        for (hi, lo), true in ((sines, mp.sin(phase)), (cosines, mp.cos(phase))):
+            assert abs(mp.mpf(hi[n]) + mp.mpf(lo[n]) - true) <= 0.1 * U * min(1, 2 * abs(phase) or 1)
 
 
 @thorough
