@@ -110,6 +110,14 @@ def test_without_a_spring_the_mass_drifts():
     assert (c.A, c.B, c.C, c.phi, c.drift) == (-1.0, 0.0, 1.0, -math.pi / 2, 2.0)
 
 
+def test_terms_that_overflow_may_have_a_sum_that_does_not():
+    """At a zero of x both terms of a are 7e309 and cancel."""
+    x_0, v_0, t, omega = 1e300, 1e305, 0.75e-5 * math.pi, mp.mpf(10) ** 5
+    motion = Oscillator(m=1.0, k=1e10).motion(x_0, v_0, [t])
+    true = -(omega**2) * x_0 * mp.cos(omega * t) - omega * v_0 * mp.sin(omega * t)
+    assert abs(mp.mpf(motion.a[0]) - true) <= 4 * U * omega**2 * mp.hypot(x_0, v_0 / omega)
+
+
 @pytest.mark.parametrize(("x_0", "v_0"), [(0.2, -0.3), (0.2, 0.0), (0.0, 0.4), (-0.1, -0.5)])
 def test_the_last_peak(x_0, v_0):
     free = FreeOscillation(oscillator=Oscillator(m=0.7, k=11.0), x_0=x_0, v_0=v_0)

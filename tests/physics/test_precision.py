@@ -293,6 +293,21 @@ def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
         assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)
 
 
+def test_the_slow_part_of_a_band_is_a_line(t: Array) -> None:
+    """If x is slow enough for a line and its square is not, the band of their sum follows x."""
+    free = decay(v_0=-2.0)
+    low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
+    assert np.array_equal(low.at(t), free.x.at(t))
+    assert np.all(high.at(t) >= (free.x**2 + free.x).at(t))
+
+
+def test_a_motion_that_stays_whole_is_one_factor_and_others_are_multiplied_out() -> None:
+    x = decay().x
+    V = 2.0 * x**2
+    assert [*(3.0 * V).flat()] == [(6, (x, x))]
+    assert [*(5.0 * (3.0 * V)).flat(whole=lambda motion: motion is V)] == [(15, (V,))]
+
+
 def wave(omega: float) -> Elementary:
     return harmonic_motion("x", Harmonic((Sinusoid(1.0, omega, 0.3),)), lambda t: np.sin(omega * t + 0.3))
 
