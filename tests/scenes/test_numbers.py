@@ -242,8 +242,8 @@ def chain(scene: Any) -> Truth:
     found = {"ceiling": 2 * own, "wave_speed": a * own, "traverse": parts / own, "L": parts * a}
     found |= {"string_slowest": more * own * mp.pi / parts, "string_fastest": own * mp.pi * (N - 1 + more) / parts}
     if scene.starts == "pluck" and scene.ends == "fixed-fixed":
-        h, p = _of(scene, "h", "p")
-        found["E"] = k * h**2 / 2 * (1 / p + 1 / (N + 1 - p))
+        h, p, v = _of(scene, "h", "p", "v_0")
+        found["E"] = m * v**2 / 2 + k * h**2 / 2 * (1 / p + 1 / (N + 1 - p))
     if N <= MOST_MASSES:
         squares = np.linalg.eigvalsh(_springs(int(scene.N), scene.ends))
         found |= {"fastest": own * mp.sqrt(squares[-1]), "slowest": own * mp.sqrt(squares[0]) if more else mp.mpf(0)}
