@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from components.chain import of_scene, start_of
 from components.chain.forces import LENGTH, on_masses
 from components.language.shapes import AnyShape
+from components.language.state import Frame
 from components.scenes import SCENES
 from components.scenes.forced import Forced
 from components.scenes.forced.damped_case import DampedForcedCase
@@ -118,6 +119,15 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
     data = steady.sources["time"].data
     assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
     assert not any(Forced(F_0=0.0).action("steady").values())
+
+
+@pytest.mark.parametrize("c2", [0.0, 0.86])
+def test_a_frame_from_right_to_left_has_the_same_curves(c2: float) -> None:
+    frames = (Frame(ranges={"omega": ends}, given=True) for ends in ((0.3, 3.0), (3.0, 0.3)))
+    forward, back = (Forced(c2=c2).picture(frame).columns for frame in frames)
+    for source in ("response", *(f"branch{i}" for i in range(4))):
+        for name, values in forward[source].items():
+            np.testing.assert_array_equal(values, back[source][name])
 
 
 def chain_of(values: dict[str, float]) -> DampedChain:
