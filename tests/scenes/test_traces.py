@@ -10,6 +10,7 @@ from hypothesis import Phase, given, settings
 
 from components.language.signals import Sampled
 from components.quantities.axes import TIME_AXIS, Axis
+from components.quantities.instant import instant
 from components.scene import Picture, Scene
 from components.scene.traces import resolved, samples
 from components.scenes import SCENES
@@ -74,6 +75,11 @@ def check_drawn(scene: Scene) -> int:
         axis = axis_of(type(scene), shown, source, name)
         off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(axis.place(axis.end) - axis.place(axis.start))
         assert off < CORNERS.get(name, near), (dict(scene.values), source, name, off)
+        trace, third = shown.traces[source], len(exact) // 3
+        now = instant(shown.signals, shown.scalars, shown.axes[TIME_AXIS].place(trace.t[third]))
+        signal, size = trace.signals.get(name, name), abs(axis.place(axis.end) - axis.place(axis.start))
+        if signal in now:  # not a mass of a chain
+            assert now[signal] == pytest.approx(axis.places(exact)[third], abs=1e-6 * size), "in Python too"
     for source, one in shown.traces.items():
         np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
     return len(curves)
