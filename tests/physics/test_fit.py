@@ -153,6 +153,16 @@ def test_correlated_noise_widens_the_errors() -> None:
     assert 0.5 * SEEDS <= sum(abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0] for fit in fits) <= 0.86 * SEEDS
 
 
+@pytest.mark.parametrize(("noise", "c", "room"), [(1e-9, 0.0, 1e-7), (1e-4, 0.1, 1e-2)])
+def test_the_chain_of_a_fit_with_two_modes(noise: float, c: float, room: float) -> None:
+    """A dashpot turns the shapes and hardly changes the chain; columns in the wrong order are no chain."""
+    rng = np.random.default_rng(1)
+    chain = chain_of_fit(fit_damped(T, record(rng, (noise, noise), c), modes=2))
+    assert chain.parts == pytest.approx([8.0, 4.5, 0.5], rel=room)
+    assert chain.ratio == pytest.approx(CHAIN.modes().ratio, rel=room)
+    assert chain_of_fit(fit_damped(T, record(rng)[::-1], modes=2)).parts is None
+
+
 def wave(t: np.ndarray) -> np.ndarray:
     return np.asarray(0.3 + np.exp(-0.1 * t) * np.sin(3 * t + 0.4))
 
