@@ -45,6 +45,16 @@ def test_the_clock_plays_a_slow_period_in_four_to_ten_seconds() -> None:
 U = 2.0**-53
 
 
+@pytest.mark.parametrize("values", [{}, {"k2": 0.0}, {"m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0}])
+def test_labels_are_on_the_directions_inside_the_plane(values: dict[str, float]) -> None:
+    scene = Coupled(**values)
+    scalars, axis, lines = scene.shown.scalars, scene.shown.axes["x"], scene.sources["modes"].data
+    for mode in ("slow", "fast"):
+        x, y = scalars[f"{mode}_name1"], scalars[f"{mode}_name2"]
+        assert x * lines[f"{mode}2"][1] == pytest.approx(y * lines[f"{mode}1"][1])
+        assert all(axis.place(axis.start) < at < axis.place(axis.end) for at in (x, y))
+
+
 SIZE, TWO_SIZES = st.floats(-6, 6).map(lambda power: 10**power), st.tuples(*2 * (st.floats(0.01, 2),))
 TWO_PHASES = st.tuples(*2 * (st.integers(-3000, 3000).map(lambda one: one / 1000),))
 
