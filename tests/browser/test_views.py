@@ -31,7 +31,10 @@ SPECIAL: list[State] = [
     ("modes", {"view": "guess", "ratio": 3.0}),
 ]
 OPTIONS: list[State] = [
-    (slug, dict(choice)) for slug, scene in SCENES.items() for choice in choices(scene) if scene.at().differing(choice)
+    (slug, dict(choice))
+    for slug, scene in SCENES.items()
+    for choice in choices(scene)
+    if scene.at().differing(choice) and (slug, choice) not in VIEWS
 ]
 CROWDED: State = ("forced", {"view": "bode"})  # the numbers at its axes have no room
 KINDS = {"coupled", "analogues", "accuracy", "phugoid"}
@@ -72,11 +75,12 @@ def test_nothing_is_wrong_on_a_desk(desk: Page, state: State) -> None:
     desk.evaluate(FOLD)
     desk.locator("#theme").click()
     theme = desk.evaluate("document.documentElement.dataset.theme")
+    panel = [looks.panel] if state in OPENING else []
     found = []
     for size in DESKS:
-        found += at_size(desk, size, *([looks.desk] if size[0] > 1249 else []))
+        found += at_size(desk, size, *([looks.desk, *panel] if size[0] > 1249 else []))
         found += looks.order(desk) if size in READ else []
-        found += looks.heads(desk) if slug == "driven" and size[1] >= 720 else []
+        found += looks.heads(desk) if (slug, given.get("view")) == ("driven", "motion") and size[1] >= 720 else []
     found += at_size(desk, (1280, 720), looks.scrolled, text="200%")
     unfold(desk)
     found += at_size(desk, (1280, 720), looks.targets(24), looks.wider, looks.axe)
