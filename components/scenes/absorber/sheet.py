@@ -66,13 +66,10 @@ def _rest_plot() -> Block:
     )
 
 
-KNOB = Handle(
-    parameter="_valley",
-    symbol="tuned to",
-    label="Frequency to which the absorber is tuned",
-    tint="m2",
-    covering="rad/s",
-)
+def _knob(beside: str = "") -> Handle:
+    """The handle at the frequency to which the absorber is tuned; a second one is named after its plot."""
+    label = "Frequency to which the absorber is tuned" + beside
+    return Handle(parameter="_valley", symbol="tuned to", label=label, tint="m2", covering="rad/s")
 
 
 def _swing_plot() -> Block:
@@ -96,7 +93,7 @@ def _swing_plot() -> Block:
             phrase(F.helped, "band", "k2fill", form=F.helped, **HELPED),
         ),
         room=Room(52, 8, top=42),
-        handles=(KNOB,),
+        handles=(_knob(),),
         marks=tuple(mark(at, tint=tint, html=rich(flag), lift=35, flag="one") for at, _, tint, flag in FREQUENCIES),
         shapes=swing_shapes(),
         phone=10,
@@ -120,7 +117,7 @@ def _stroke_plot() -> Block:
         heading=(phrase(Sweep.stroke, "sum", "m2", words=r"stroke $|X_{\mathrm{p}2} - X_{\mathrm{p}1}|$"),),
         room=Room(52, 8, top=42),
         marks=tuple(mark(at, tint=tint) for at, _, tint, _ in FREQUENCIES),
-        handles=(KNOB,),
+        handles=(_knob(", at its stroke"),),
         shapes=stroke_shapes(),
         phone=11,
         height=190,
