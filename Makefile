@@ -97,7 +97,7 @@ OF_SCENES = $(shell grep -rlE --include='test_*.py' 'SCENES|"$(SCENE)"' tests/sc
 scene: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow" -k "$(SCENE) or table_of_scenes" $(OF_SCENES) \
 		tests/tooling/test_commands.py
-	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and not slow" -k "$(SCENE)" \
+	GRIDS=whole $(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
 		tests/browser/test_views.py tests/browser/test_page.py tests/browser/test_gestures.py tests/browser/test_files.py
 
 # The tests that need no browser.

@@ -124,7 +124,7 @@ def test_what_appears_above_does_not_move_what_is_in_sight(engine: Window, serve
 
 
 SIZE = 80  # px of the text
-SET = f"""formula => {{
+SHOW = f"""formula => {{
   document.body.innerHTML = `<div style="padding: 100px; font-size: {SIZE}px">${{formula}}</div>`
   return document.fonts.ready.then(() => new Promise(drawn => requestAnimationFrame(() => setTimeout(drawn, 100))))
 }}"""
@@ -134,7 +134,7 @@ class Ink:
     """The dark pixels of one formula, in the lecture's style, independent of the boxes that an engine reports."""
 
     def __init__(self, window: Window, latex: str, path: Path) -> None:
-        window.evaluate(SET, mathml(latex))
+        window.evaluate(SHOW, mathml(latex))
         window.screenshot(path=path)
         self._dark = np.asarray(Image.open(path).convert("L")) < 128
 

@@ -39,7 +39,8 @@ def printed(page: Page, steps: int, name: str = HANDOUT) -> Locator:
 def counted(page: Page) -> list[int]:
     """The number of pages on each paper."""
     page.emulate_media(media="print")
-    return [int(re.findall(rb"/Count (\d+)", page.pdf(format=paper))[0]) for paper in ("A4", "Letter")]
+    # The tree of pages has several nodes, each with its number of pages; the root has all.
+    return [max(map(int, re.findall(rb"/Count (\d+)", page.pdf(format=paper)))) for paper in ("A4", "Letter")]
 
 
 def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
@@ -81,7 +82,7 @@ def test_a_handout_that_is_printed_during_a_class_moves_nothing_and_fills_its_pa
     assert phone.evaluate(NEWS) == news and lecture.evaluate(f"{LED}.news.here") == 1
     filled = lecture.evaluate(FILLED)
     assert min(filled) > 0.6 * max(filled), "no page is half empty"
-    assert counted(lecture) == [12, 12]
+    assert 6 < len(filled) < 21 and counted(lecture) == [len(filled)] * 2
 
 
 @pytest.mark.slow  # a walk of 16 steps

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -56,8 +57,9 @@ def registered(line: str) -> str:
 
 
 def run(project: Path, *command: str) -> str:
+    every = {**os.environ, "GRIDS": "whole"}
     done = subprocess.run(
-        [sys.executable, "-m", *command], cwd=project, capture_output=True, text=True, timeout=300, check=False
+        [sys.executable, "-m", *command], cwd=project, env=every, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
@@ -79,7 +81,8 @@ def test_the_scene_is_typed_and_passes_its_own_tests_and_those_of_every_scene(pr
 
 @pytest.mark.browser
 @pytest.mark.slow
+@pytest.mark.timeout(300)
 def test_the_scene_is_served_and_drawn(project: Path) -> None:
-    """A phone's first screen shows everything that its tasks name."""
+    """Nothing is wrong in its view, and a phone's first screen shows everything that its tasks name."""
     told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction", "tests/browser/test_views.py")
     assert " passed" in told and "skipped" not in told, told
