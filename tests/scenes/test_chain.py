@@ -9,9 +9,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from components.language.signals import Modal
 from components.scenes import SCENES
 from components.scenes.chain import Chain
 from components.session.exports import link_file
+from components.state.covers import without
+from tests.page.scripts import call
 
 STARTS = ("pulse", "pluck", "mass", "mode")
 
