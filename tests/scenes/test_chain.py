@@ -88,3 +88,13 @@ def test_a_small_chain_leads_to_the_scene_with_the_same_motion(N: int, ends: str
     here, there = (one.shown.traces["time"].exact(t) for one in (scene, other))
     for name in here:
         np.testing.assert_allclose(here[name], there["x" if N == 1 else name], atol=1e-14)
+
+
+def test_under_a_cover_the_chain_rests_in_its_initial_shape() -> None:
+    scene = Chain(ends="free-free")
+    left, _ = without(Chain, scene.shown, ("plot:field",))
+    signal, axis = left.signals["x"], left.axes["y"]
+    assert isinstance(signal, Modal) and not any(signal.omega)
+    for t in (0.0, 0.7):
+        found = call("static/core/modal.displaced", signal, t)
+        np.testing.assert_allclose(found, axis.places(displacements(scene)[0]), atol=1e-12)
