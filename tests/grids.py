@@ -18,8 +18,3 @@ def tries(count: int) -> int:
 def sample(values: Sequence[Value], every: int = 2) -> Sequence[Value]:
     """Return every value, or the first and each `every`-th after it."""
     return values if WHOLE else values[::every]
-
-
-def spread(values: Sequence[Value], every: int = 3) -> Sequence[Value]:
-    """Return every value, or the first and each `every`-th after it: for tests with a page."""
-    return sample(values, every)

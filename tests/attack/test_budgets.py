@@ -14,7 +14,7 @@ from components.session.opening import opened
 from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
 from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
-from tests.grids import spread, tries
+from tests.grids import sample, tries
 from tests.scenes.checks import as_arguments
 from tests.states import links
 from tools.attack.extremes import ExtremeValues, values
@@ -35,7 +35,7 @@ WORST = (
     "scene=coupled&window=1e176",
 )
 """Links that once took seconds or failed without a reason."""
-scenes = pytest.mark.parametrize("slug", spread(list(SCENES), 2))
+scenes = pytest.mark.parametrize("slug", sample(list(SCENES), 2))
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -9,7 +9,7 @@ from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from tests.browser.classroom import Open, explained, joined, put, sent, taught
 from tests.browser.hands import stroke
-from tests.grids import spread
+from tests.grids import sample
 from tests.walks.strokes import strokes
 
 pytestmark = pytest.mark.browser
@@ -34,7 +34,7 @@ SKETCHED = sorted(
 """Walks and steps; first one with two curves."""
 
 
-@pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 20))
+@pytest.mark.parametrize("step", sample([step.id for _, step in SKETCHED], 20))
 def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
     walk, asked = next(one for one in SKETCHED if one[1].id == step)
     lecture, code = taught(window, f"walk={walk.name}&step={step}")

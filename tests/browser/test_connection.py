@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 from tests.browser.fixtures import READY, another_version
 from tests.browser.tabs import calm_context
 from tests.browser.waiting import unfold
-from tests.grids import spread
+from tests.grids import sample
 from tests.serving.server import Server
 from tools.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
 from tools.reconnect.site import GatedSite
@@ -53,7 +53,7 @@ def lost(page: Page) -> None:
     page.wait_for_function(CONNECTED.format("false"))
 
 
-@pytest.mark.parametrize("name", spread([*LOSSES], 20))
+@pytest.mark.parametrize("name", sample([*LOSSES], 20))
 def test_every_last_value_is_kept_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 

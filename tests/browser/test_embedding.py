@@ -48,7 +48,7 @@ def opened(browser: Browser) -> Iterator[Callable[[str], Page]]:
 def test_a_frame_reports_its_height_takes_no_focus_and_copies_its_link(
     framed: Server, opened: Callable[[str], Page]
 ) -> None:
-    """Where nothing may be copied the link is shown."""
+    """If a page may not copy, it shows the link instead."""
     low = FRAME.replace('height="760"', 'height="500"')
     html = f"<!DOCTYPE html><title>A course</title><label>Name <input></label>{low}{LISTENER}"
     with elsewhere(html.replace("https://lecture.example/", framed.url)) as address:

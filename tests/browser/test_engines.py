@@ -15,7 +15,7 @@ from tests.browser.engines import Window
 from tests.browser.fixtures import READY
 from tests.browser.hands import CONNECTED, middle, opened, stroke
 from tests.browser.waiting import FRAMES, PASSED, QUIET
-from tests.grids import spread
+from tests.grids import sample
 from tests.serving.server import Server
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -33,7 +33,7 @@ MOST_LIKELY = {"m1": 1.5, "m": 1.5, "theta_0": 0.5, "limit": 2.0}
 
 
 @pytest.mark.parametrize("engine", ("webkit", "firefox"), indirect=True)
-@pytest.mark.parametrize("slug", spread([*SCENES]))
+@pytest.mark.parametrize("slug", sample([*SCENES], 3))
 def test_a_scene_is_drawn_moves_and_answers(engine: Window, server: Server, slug: str) -> None:
     engine.goto(f"{server.url}?scene={slug}")
     engine.evaluate(WATCH)

@@ -16,7 +16,7 @@ from components.scenes import SCENES
 from components.state.page_state import fitted
 from tests.browser import looks
 from tests.browser.waiting import QUIET, passed, seek, turned, unfold
-from tests.grids import spread
+from tests.grids import sample
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -84,7 +84,7 @@ def put_away(page: Page) -> None:
     page.emulate_media(media="null")
 
 
-@pytest.mark.parametrize("slug", spread([*SCENES], 20))
+@pytest.mark.parametrize("slug", sample([*SCENES], 20))
 def test_what_every_scene_gives_away(slug: str, new_page: Callable[..., Page], open_scene: Open) -> None:
     """The numbers about its numbers stay within the panel. Printed it is one sheet in ink. Every picture is light, says
     what it is of, and needs nothing from the page.

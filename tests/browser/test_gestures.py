@@ -14,7 +14,7 @@ from components.scenes import SCENES
 from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, Mouse, middle, stopped, swipe, value
 from tests.browser.views import seen
 from tests.browser.waiting import QUIET, passed, turned
-from tests.grids import WHOLE, spread
+from tests.grids import WHOLE, sample
 from tests.page.hand import grabs
 
 pytestmark = pytest.mark.browser
@@ -83,7 +83,7 @@ TURNS = [*zip(SCENES, itertools.cycle(["phone", *OTHERS]), strict=False)]
 """Every scene on one of the screens."""
 
 
-@pytest.mark.parametrize("turn", [*itertools.product(SCENES, SCREENS)] if WHOLE else spread(TURNS, 5), ids="-".join)
+@pytest.mark.parametrize("turn", [*itertools.product(SCENES, SCREENS)] if WHOLE else sample(TURNS, 5), ids="-".join)
 def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Callable[..., Page], open_scene: Open) -> None:
     """Each grip follows within two frames, by mouse on a desk with late answers, by finger on phones. A finger shows no
     ring. A finger that scrolls sets nothing.
@@ -206,7 +206,7 @@ def test_a_finger_sets_the_height_of_the_aircraft_as_finely_as_it_can(phone: Pag
 
 
 def test_the_dot_of_nyquist_goes_round_its_loop(desk: Page) -> None:
-    """By pointer, which it follows along the curve, and by keys."""
+    """The pointer moves it along the curve; keys move it, too."""
     turned(desk, "forced", {"view": "nyquist", "c1": 0.2, "c2": 0.2, "omega": 0.5})
     grip, omega = desk.get_by_role("slider", name="on the loops of mass 1"), "oscillations.shown.settings.omega.value"
     stopped(desk)

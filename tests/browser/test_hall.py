@@ -12,7 +12,7 @@ from tests.browser.boxes import faults
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.waiting import passed, seek, turned
-from tests.grids import spread
+from tests.grids import sample
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -79,7 +79,7 @@ def looked_at(page: Page, width: int, height: int) -> Iterator[str]:
     yield from (f"no room for {part}" for part in page.evaluate(THIN))
 
 
-@pytest.mark.parametrize("slug", spread([*SCENES], 20))
+@pytest.mark.parametrize("slug", sample([*SCENES], 20))
 def test_every_view_has_the_halls_type_and_fits_with_plots_that_can_be_read(
     slug: str, server: Server, page: Page
 ) -> None:

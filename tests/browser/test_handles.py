@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, middle, stopped, top
 from tests.browser.waiting import passed, turned
-from tests.grids import spread
+from tests.grids import sample
 
 pytestmark = pytest.mark.browser
 
@@ -24,7 +24,7 @@ DRAGS: list[tuple[str, dict[str, object], str, tuple[int, int], str]] = [
 ]
 
 
-@pytest.mark.parametrize("drag", spread(DRAGS, 4), ids=lambda drag: drag[2])
+@pytest.mark.parametrize("drag", sample(DRAGS, 4), ids=lambda drag: drag[2])
 def test_a_finger_drags_a_handle_from_where_it_has_taken_it(
     drag: tuple[str, dict[str, object], str, tuple[int, int], str], phone: Page
 ) -> None:

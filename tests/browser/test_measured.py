@@ -14,7 +14,7 @@ from playwright.sync_api import FilePayload, Page, expect
 
 from tests.browser.dropping import drop
 from tests.browser.waiting import passed, turned
-from tests.grids import spread
+from tests.grids import sample
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 POINTS = """() => document.querySelector(".plot-area path.measured-points").getAttribute("d")
@@ -241,7 +241,7 @@ def test_a_phone_records_its_own_acceleration(
     expect(phone.get_by_role("row", name=re.compile("natural frequency"))).to_contain_text(re.compile(r"8\.0|7\.9"))
 
 
-@pytest.mark.parametrize("scene", spread(["coupled", "damped"]))
+@pytest.mark.parametrize("scene", sample(["coupled", "damped"], 3))
 def test_a_phone_has_the_file_over_the_plot_and_nothing_beside_the_screen(scene: str, phone: Page) -> None:
     phone.set_viewport_size({"width": 390, "height": 844})
     turned(phone, scene, {"view": "measured"})

@@ -14,7 +14,7 @@ from components.quantities.formatting import short
 from components.scenes import SCENES
 from tests.browser.fixtures import READY
 from tests.browser.waiting import QUIET, passed, played, turned
-from tests.grids import spread
+from tests.grids import sample
 from tests.page import scripts
 
 pytestmark = pytest.mark.browser
@@ -37,7 +37,7 @@ def layouts(page: Page) -> Iterator[Callable[[], tuple[float, float]]]:
     session.detach()
 
 
-@pytest.mark.parametrize("slug", spread(list(SCENES), 20))
+@pytest.mark.parametrize("slug", sample(list(SCENES), 20))
 def test_a_frame_is_laid_out_once(slug: str, desk: Page) -> None:
     """A timer that starts with a change does not measure the page either."""
     turned(desk, slug, {})

@@ -53,6 +53,11 @@ ON_STAGE = {
     ("modes", "hunt"): ("text", "line.ln.thick"),
 }
 """Parts of a stage that its names keep off."""
+BELOW = {
+    ("analogues", "string"): 4, ("damped", "formulas"): 44, ("driven", "power"): 11, ("absorber", "stroke"): 28,
+    ("driven", "forces"): 35, ("driven", "formulas"): 9,
+}  # fmt: skip
+"""How far below the first screen of a phone parts that a task names end, in px. Rows for fingers take this room."""
 FOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = false })"
 
 
@@ -102,10 +107,11 @@ def test_nothing_is_wrong_on_a_phone(phone: Page, state: State) -> None:
     phone.evaluate(FOLD)
     (view,) = [view for view in SCENES[slug].views if view.slug == SCENES[slug](**given).view]
     found = []
-    apart = looks.apart(ON_STAGE.get((slug, view.slug), ()))
+    apart = looks.apart(ON_STAGE.get((slug, str(given.get("view", ""))), ()))
+    below = BELOW.get((slug, str(given.get("system") or view.slug)), 0)
     stacked = [looks.stacked] if state in OPENING and slug in ("forced", "coupled") else []
-    for size, most in (((390, 844), 844), ((320, 568), 2 * 568)):
-        found += at_size(phone, size, looks.order, looks.first(view.names, most), apart, *stacked)
+    for size, first in (((390, 844), looks.first(view.names, 1, below)), ((320, 568), looks.first(view.names, 2))):
+        found += at_size(phone, size, looks.order, first, apart, *stacked)
     found += at_size(phone, (844, 390), looks.order, looks.sideways)
     unfold(phone)
     found += at_size(phone, (360, 640))

@@ -1,4 +1,4 @@
-"""A page opens the state of its address. A click in the navigation opens a scene alike, or with the same system."""
+"""A page opens the state of its address. The navigation opens a scene in the same state, or with the same system."""
 
 from __future__ import annotations
 

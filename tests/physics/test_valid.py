@@ -160,7 +160,7 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     (r"Simple pendulum: the role of m = 1\.000e-600 leaves the range of doubles",
      lambda: ANALOGUES["pendulum"].at({"l": 1e-300, "g": 9.81, "m": 1.0}).inertia),
     (r"energy.*range of doubles", lambda: ANALOGUES["spring"].at({"m": 1.0, "k": 40.0}).energy(1e300)),
-    # What has no answer.
+    # Questions without an answer.
     *(("t = inf", lambda f=f: f(1.0, 1.0, 0.1, [math.inf])) for f in (flight, linear_flight)),
     *(("at the cusp", lambda bad=bad: excess_at_period_excess(bad)) for bad in (-1e-3, 0.03, math.nan)),
     *(("T/T_0 - 1", lambda bad=bad: amplitude_at_excess(bad)) for bad in (-1e-3, 1.001 * excess(math.pi), math.nan)),

@@ -409,7 +409,7 @@ MACHINES = [{"own": True, "tuning": "free", **one} for one in machines()] + [
     {"tuning": "detached"},
 ]
 NOT_DRAWN = {"near"}
-"""Of a driven mass whose response overflows next to a resonance, but not at it."""
+"""The sentence about a driven mass whose response overflows next to a resonance, but not at it."""
 CLAIMS: list[tuple[str, str, str, Check, list[dict[str, Any]]]] = [
     ("oscillator", "why", "motion", oscillator_arrow, [{"k": 0.0, "v_0": 0.0}]),
     ("energy", "claim", "energy", energies, DATUMS),

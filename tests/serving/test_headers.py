@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
 from tests.attack.caller import ask
-from tests.grids import spread
+from tests.grids import sample
 from tests.serving.server import Server
 
 
@@ -27,7 +27,7 @@ def test_the_scripts_of_a_page_are_named_by_their_hash_and_nothing_else_runs(pat
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("slug", spread([*SCENES], 4))
+@pytest.mark.parametrize("slug", sample([*SCENES], 4))
 def test_a_scene_needs_nothing_that_its_page_does_not_allow(
     server: Server, new_page: Callable[..., Page], slug: str
 ) -> None:
