@@ -5,7 +5,8 @@ The same seed gives the same faults while the code is the same. Faults are sprea
 that the many numbers of the scenes do not outweigh everything else.
 
 Some numbers are choices, which a test should not repeat: places and sizes in drawings, limits and other constants of
-`components`, and options of a class such as `frozen=True`. There are no faults in these.
+modules and classes of `components`, and options such as `frozen=True` of a class or `strict=True` of `zip`. There are
+no faults in these.
 """
 
 from __future__ import annotations
@@ -81,8 +82,10 @@ def sites(root: Path, area: str) -> Iterator[Site]:
 
 def _choices(file: str, tree: ast.Module) -> Iterator[ast.AST]:
     """Yield the numbers of a module that are choices."""
+    yield from (one.value for one in ast.walk(tree) if isinstance(one, ast.keyword) and one.arg == "strict")
     if file.startswith("components"):
-        constants = (one for one in tree.body if isinstance(one, ast.Assign | ast.AnnAssign))
+        bodies = [tree.body, *(one.body for one in ast.walk(tree) if isinstance(one, ast.ClassDef))]
+        constants = [one for body in bodies for one in body if isinstance(one, ast.Assign | ast.AnnAssign)]
         for part in [tree] if file.endswith(DRAWINGS) else constants:
             yield from (node for node in ast.walk(part) if isinstance(node, ast.Constant))
 

@@ -102,6 +102,15 @@ def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) 
         assert all(left.signals[name] != scene.shown.signals[name] for name in hides), hides
 
 
+@pytest.mark.parametrize("view", ["solve", "roots"])
+def test_a_covered_stage_tells_no_amplitudes_of_modes(view: str) -> None:
+    """Their motions begin at them, and nobody can drag them."""
+    page = page_state_at(f"?scene=modes&view={view}", SCENES)
+    left, _ = without(page.kind, page.shown, (STAGE,))
+    now = played(left, 0.0)
+    assert left.signals.keys() and not any(now[name] for name in left.signals)
+
+
 @scenes
 def test_a_covered_axis_is_wider_and_begins_at_0_where_it_did(slug: str) -> None:
     page = page_state_at(f"?scene={slug}", SCENES)

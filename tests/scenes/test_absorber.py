@@ -122,6 +122,18 @@ def lightest_tuned(omega: float) -> float:
     return max(below, above)
 
 
+@pytest.mark.parametrize("damping", [0.02, 1e5])
+def test_the_highest_peak_is_drawn(damping: float) -> None:
+    """With much damping the two masses move as one, at another natural frequency than those without damping."""
+    scene = Absorber(damping="added", c=damping)
+    w, swing = (scene.sources["sweep"].data[name] for name in ("w", "swing"))
+    fine = np.linspace(w[0], w[-1], 400_001)
+    s, link = 1j * fine, scene.k2 + 1j * fine * scene.c
+    other = scene.m2 * s**2 + link
+    exact = np.abs(scene.F_0 * other / ((scene.m1 * s**2 + scene.k1 + link) * other - link**2))
+    assert swing.max() > 0.99 * exact.max()
+
+
 @pytest.mark.parametrize("label", ["Below", "Resonant", "Above"])
 def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
     scene = Absorber()

@@ -148,6 +148,7 @@ def test_impulses_are_drawn_where_they_act() -> None:
     assert jolts["jolt_t"][::3] == pytest.approx(math.pi * np.arange(4))
     assert jolts["jolt"][1::3] == pytest.approx(0.3 / math.sqrt(39.48)) and not jolts["jolt"][::3].any()
     assert len(DRIVEN(view="harmonics", push="impulses", omega=1e6).sources["jolts"].data["jolt_t"]) == 600
+    assert 10.0 * scene.shown.scalars["period_share"] == pytest.approx(math.pi)
     assert max(flash.y) == pytest.approx(0.3) and min(flash.y) == 0.0 and flash.period == pytest.approx(math.pi)
 
 

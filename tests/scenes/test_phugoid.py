@@ -88,6 +88,17 @@ def test_cusp_and_loop_are_drawn_without_a_break() -> None:
         assert path["y"].max() == pytest.approx(0.5 * scene.v_0**2 / scene.g, rel=0.05)
 
 
+def test_an_aircraft_points_along_its_path() -> None:
+    """The nose of each drawing is along the velocity: by differences of where it is drawn."""
+    shown = Phugoid(excess=0.3).shown
+    end, h = shown.axes["t"].place(shown.axes["t"].end), 1e-4
+    for t in np.array([0.02, 0.3, 0.7]) * end:
+        now, (before, after) = played(shown, t), (played(shown, t + way * h * end) for way in (-1, 1))
+        for of in ("", "_lin"):
+            forward, up = (after[name + of] - before[name + of] for name in "xy")
+            assert now["w" + of] / now["u" + of] == pytest.approx(up / forward, rel=1e-4)
+
+
 def test_lift_is_upright_to_the_path() -> None:
     shown = Phugoid(view="lift", excess=0.3).shown
     for share in (0.0, 0.3, 0.7):
