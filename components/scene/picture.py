@@ -73,6 +73,13 @@ class Picture:
         traced = {source: traces.columns for source, traces in self.traces.items()}
         return {name: {**traced.get(name, {}), **self.columns.get(name, {})} for name in {**traced, **self.columns}}
 
+    @cached_property
+    def ends(self) -> dict[str, float]:
+        """The end of each trace in the unit of the time axis, by source. Raises OverflowError beyond the range of
+        doubles: a period can be that much longer than the window.
+        """
+        return {source: self.axes[TIME_AXIS].place(one.end) for source, one in self.traces.items()}
+
 
 def frame_of(picture: Picture) -> Frame:
     """Return the frame that a picture is drawn in."""
@@ -201,4 +208,5 @@ def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
 def _check(picture: Picture) -> None:
     rulers = [axis.ruler for axis in picture.axes.values()]
     axes = [(ruler.start, ruler.end, ruler.ticks) for ruler in rulers]  # labels are texts
-    check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])
+    numbers = [picture.columns, picture.pace, picture.signals, picture.scalars, picture.spans]
+    check_sendable([*numbers, axes, picture.ends])

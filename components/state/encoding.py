@@ -56,7 +56,7 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
 def traces_of(picture: Picture) -> dict[str, Trace]:
     """Return the signals that the browser draws over time, by source."""
     return {
-        source: Trace(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
+        source: Trace(picture.ends[source], one.count, one.names, dict(one.signals))
         for source, one in picture.traces.items()
     }
 

@@ -51,6 +51,8 @@ def state(scene: str = "forced", *, carried: bool = False, **parts: Any) -> Mess
 NO_AXIS = {"kind": "base", "omega": 4.398, "m": 1e-06, "zeta": 2e299, "keep": "zeta"}
 NO_TICKS = {"own": "true", "m1": 1e152, "k1": 2.5e-295, "k2": 3.6864e10, "view": "rest"}
 """Once refused in the words of Python, "cannot convert float NaN to integer"."""
+ENDLESS = {"view": "formulas", "window": 1.04e-268, "m": 1e-160, "k": 5e-324}
+"""A period that is 1e350 windows long: once an error, because the end of its path had no place on the time axis."""
 WORDED: list[tuple[str, Message, str, str]] = [
     ("coupled", put(k2=-1.0), "k2", "−1 N/m is not possible: a stiffness is a finite number, 0 or more. Still drawn"),
     ("coupled", put(k2=3.0, m1=-1.0), "m1", f"{MASS} Still drawn with 2.00."),
@@ -79,6 +81,7 @@ WORDED: list[tuple[str, Message, str, str]] = [
     ("coupled", state("coupled", frame={"speed": -1.0}), "state", "The speed of a frame is −1.0"),
     ("coupled", state("driven", parameters=NO_AXIS), "state", BEYOND),
     ("coupled", state("absorber", parameters=NO_TICKS), "state", BEYOND),
+    ("coupled", state("oscillator", parameters=ENDLESS), "state", BEYOND),
 ]  # fmt: skip
 """A scene, a message, and where and how it is refused; "" for a reason of the physics."""
 MALFORMED: list[Any] = [
