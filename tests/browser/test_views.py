@@ -86,7 +86,7 @@ def test_nothing_is_wrong_on_a_desk(desk: Page, state: State) -> None:
         fits = size[0] > 1249 and (slug != "accuracy" or size[1] > 680)  # the names of methods need a high plot
         found += at_size(desk, size, *([looks.desk, *panel] if fits else []))
         found += looks.order(desk) if size in READ else []
-        found += looks.heads(desk) if (slug, given.get("view")) == ("driven", "motion") and size[1] >= 720 else []
+        found += looks.heads(desk) if size[1] >= 720 else []
     found += at_size(desk, (1280, 720), looks.scrolled, text="200%")
     unfold(desk)
     found += at_size(desk, (1280, 720), looks.targets(24), looks.wider, looks.axe)

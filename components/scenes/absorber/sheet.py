@@ -87,7 +87,7 @@ def _swing_plot() -> Block:
             curve(Sweep.swing, tint="m1", width="sum", read="with absorber"),
         ),
         heading=(
-            phrase(Sweep.swing, "sum", "m1", words=r"swing $|X_{\mathrm{p}1}|$ with the absorber"),
+            phrase(Sweep.swing, "sum", "m1", words=r"swing $|X_{\mathrm{p}1}|$ with absorber"),
             phrase(Sweep.alone, "dash", "m1", words="alone"),
             phrase(Sweep.free, "dots", "m1", undamped="undamped"),
             phrase(F.helped, "band", "k2fill", form=F.helped, **HELPED),

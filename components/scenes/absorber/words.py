@@ -21,8 +21,8 @@ WATCH = {
 """For each preset, a sentence that says what to watch."""
 
 HELPED = {
-    "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
-    "above": f"less vibration above {N.help_low} rad/s",
+    "band": f"less swing from {N.help_low} to {N.help_high} rad/s",
+    "above": f"less swing above {N.help_low} rad/s",
     "never": "no improvement",
 }
 
