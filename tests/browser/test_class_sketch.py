@@ -10,7 +10,7 @@ from components.walks.questions.sketch import SketchStep
 from tests.browser.classroom import Open, explained, joined, put, sent, taught
 from tests.browser.hands import stroke
 from tests.grids import sample
-from tests.walks.strokes import strokes
+from tests.walks.answers import strokes
 
 pytestmark = pytest.mark.browser
 PLACES = """points => { const {plot} = oscillations.asked.card.question.pad

@@ -25,7 +25,7 @@ from tests.browser.waiting import clicked, passed
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
 from tests.serving.server import Server
-from tests.walks.voters import answers
+from tests.walks.answers import answers
 
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())

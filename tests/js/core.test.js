@@ -1,13 +1,15 @@
-// Numbers as text, storage that may refuse, files that are saved, and the estimate of the server's clock.
+// Scales of sliders, units, storage that may refuse, files that are saved, the server's clock, and the address bar.
 
 import assert from "node:assert/strict"
 import {resolveObjectURL} from "node:buffer"
 import {afterEach, beforeEach, mock, test} from "node:test"
 
-import {FakeServer, clock, numbers, pass, storage} from "./browser.js"
+import {FakeServer, clock, happens, numbers, pass, storage} from "./browser.js"
 
+const {sliderPlace, sliderValue, stepped} = await import("../../static/controls/scales.js")
+const {Address} = await import("../../static/net/address.js")
 const {save} = await import("../../static/export/save.js")
-const {three, withUnit} = await import("../../static/core/numbers.js")
+const {withUnit} = await import("../../static/core/numbers.js")
 const {browserStorage, tabStorage} = await import("../../static/core/storage.js")
 const {Timing} = await import("../../static/live_class/timing.js")
 
@@ -26,8 +28,32 @@ afterEach(() => {
   mock.restoreAll()
 })
 
-test("NaN and infinity are words; a space separates a unit, except for degrees and powers of ten", () => {
-  assert.deepEqual([NaN, Infinity, -Infinity].map(three), ["NaN", "∞", "−∞"])
+for (const [scale, soft, unit] of [
+  ["linear", [-2, 2], 0.01],
+  ["linear", [0, 4.045], 0.01],
+  ["near0", [0, 100], 0.01],
+  ["log", [0.01, 10], null],
+])
+  test(`a slider runs evenly over its range: ${scale}, ${soft}`, () => {
+    const values = Array.from({length: 1001}, (_, i) => sliderValue(scale, i / 1000, soft))
+    assert.equal(values[0], soft[0])
+    assert.ok(Math.abs(values[1000] / soft[1] - 1) < 2e-3)
+    values.forEach((value, i) => {
+      assert.ok(!i || value >= values[i - 1])
+      assert.equal(Number(value.toPrecision(3)), value)
+      assert.ok(!unit || Math.abs(value / unit - Math.round(value / unit)) < 1e-9)
+      const place = sliderPlace(scale, value, soft)
+      assert.ok(place >= 0 && place <= 1)
+      assert.ok(i <= 100 || Math.abs(place - i / 1000) < 0.002)
+    })
+  })
+
+test("the last digit of a field is stepped up and down", () => {
+  const up = ["9.99", "-3e5", "2.00", "−1.5e-7", "x"].map(text => stepped(text, 1))
+  assert.deepEqual([...up, stepped("0.00", -1)], ["10.00", "-2e5", "2.01", "-1.4e-7", null, "-0.01"])
+})
+
+test("a space separates a unit, except for degrees and powers of ten", () => {
   const written = ["kg", "°", "°C", "·10³ m", ""].map(unit => withUnit("1.5", unit))
   assert.deepEqual(written, ["1.5 kg", "1.5°", "1.5 °C", "1.5·10³ m", "1.5"])
 })
@@ -96,4 +122,56 @@ for (const [name, spread, most] of [
       assert.ok(timing.bound <= most, `${timing.bound} ms`)
       timing.measured = timing.measure()
     }
+  })
+
+let address
+let written = []
+
+/** Listens to the address bar; lets most changes that are written at once pass, if asked for. */
+function bar(isBusy = false) {
+  globalThis.location = {search: "?m=2"}
+  globalThis.history = {
+    replaceState: (_entry, _title, to) => void written.push(to),
+    pushState: (_entry, _title, to) => void written.push(`new ${to}`),
+  }
+  address = new Address()
+  for (let m = 0; m < 11; m++) if (isBusy) say(m)
+  written = []
+}
+
+const say = (m, more = false) => address.write({address: `?m=${m}`, entry: {}}, more)
+const some = () => [2, 3, 4].forEach(m => say(m))
+const tick = ms => mock.timers.tick(ms)
+
+for (const [name, isBusy, act, expected] of [
+  ["a few changes are each written at once, so that a reload finds them", false, some, ["?m=2", "?m=3", "?m=4"]],
+  ["nothing is written again when the page is left", false, () => (say(2), happens("pagehide")), ["?m=2"]],
+  ["a change waits while more follow", false, () => (say(2, true), tick(349)), []],
+  ["what followed is written at once", false, () => (say(2, true), say(3)), ["?m=3"]],
+  ["only the last of many changes is written", true, () => (some(), tick(350)), ["?m=4"]],
+  [
+    "it is written once when the page is left",
+    true,
+    () => (some(), happens("pagehide"), happens("pagehide")),
+    ["?m=4"],
+  ],
+  ["it is not written into another history entry", true, () => (some(), happens("popstate"), tick(1000)), []],
+  ["it is written first", true, () => (some(), address.turn({address: "?m=5", entry: {}})), ["?m=4", "new ?m=5"]],
+])
+  test(`address bar: ${name}`, () => {
+    bar(isBusy)
+    act()
+    assert.deepEqual(written, expected)
+    happens("popstate")
+  })
+
+for (const pause of [1, 100, 201, 309, 311, 500])
+  test(`changes every ${pause} ms are written less than a hundred times in 30 s`, () => {
+    bar()
+    for (let at = 0; at < 30_000; at += pause) {
+      say(at)
+      tick(pause)
+    }
+    assert.ok(written.length > 40 && written.length < 100, `${written.length} times`)
+    happens("popstate")
   })

@@ -64,13 +64,6 @@ test("an exception in a message handler does not end the connection, and the nex
   assert.deepEqual([failed, sent.map(({name}) => name), messages.rests], [[], ["first", "second"], true])
 })
 
-test("an unreadable packet ends the connection", async () => {
-  const messages = made(false, () => Promise.reject(new Error("!")))
-  messages.receive({})
-  await messages.handled
-  assert.deepEqual([failed, reported], [["!"], []])
-})
-
 test("when a page becomes visible again, one message without an answer ends the connection", async () => {
   const messages = made(false)
   messages.detach()

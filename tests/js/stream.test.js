@@ -5,7 +5,7 @@ import {afterEach, beforeEach, mock, test} from "node:test"
 
 import {FakeServer, clock, events, happens, pass, refusing} from "./browser.js"
 
-const {STATES, Stream} = await import("../../static/live_class/stream.js")
+const {Stream} = await import("../../static/live_class/stream.js")
 
 /** @type {FakeServer} */ let server
 let stream, heard, streams
@@ -39,14 +39,6 @@ function begin(more) {
     ...more,
   })
 }
-
-test("each state leads to an existing one, and finally to polling", () => {
-  for (const name of Object.keys(STATES)) {
-    let state = name
-    for (let i = 0; i < 8; i++) state = STATES[state].late
-    assert.equal(state, "now")
-  }
-})
 
 test("a stream that ends or is silent is resumed at the same event; faults of the page do not end it", async () => {
   mock.method(console, "warn", () => {})
@@ -129,22 +121,6 @@ test("a hidden page has no stream and sends no request until it is visible, then
   hide(false)
   await pass(10)
   assert.equal(server.asked.length, 2)
-})
-
-test("an unreachable page asks less and less often, and at once when the network is back", async () => {
-  server.answers = () => {
-    throw new TypeError("Failed to fetch")
-  }
-  begin()
-  await pass(60000, 50)
-  const times = server.times("/events")
-  const pauses = times.slice(1).map((at, i) => at - times[i])
-  assert.deepEqual(pauses, [300, 600, 1200, 2400, 4800, 8000, 8000, 8000, 8000, 8000, 8000])
-  const now = Date.now()
-  happens("online")
-  await pass(1)
-  assert.equal(server.times("/events").at(-1), now)
-  assert.equal(heard.refused.length, 0)
 })
 
 const missing = refusing(404, "Not there.")

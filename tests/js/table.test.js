@@ -9,7 +9,7 @@ import {runInThisContext} from "node:vm"
 import {drawnRows, guessed, piecesOf, rowsOf} from "../../static/measured/record.js"
 import {tableOfRows} from "../../static/measured/recorder.js"
 import {tableOf, tablesOf, textOf} from "../../static/measured/table.js"
-import {isZip, unpacked} from "../../static/measured/zip.js"
+import {unpacked} from "../../static/measured/zip.js"
 
 runInThisContext(readFileSync(new URL("../../components/serving/vendor/papaparse.min.js", import.meta.url), "utf8"))
 const parser = globalThis.Papa
@@ -115,16 +115,6 @@ sys.stdout.write(base64.b64encode(made.getvalue()).decode())`
     Buffer.from(execFileSync("python3", ["-c", script], {input: JSON.stringify(files)}).toString(), "base64"),
   )
 }
-
-test("the tables of a zip file are read, the others left out", async () => {
-  const text = `"Time (s)","Linear Acceleration x (m/s^2)"\n${rows(10, i => `${i},${i * i}`)}`
-  const file = zip({"Raw Data.csv": text, "Settings.csv": "name,value\na,b\n", "meta/time.csv": text, "a.png": "xy"})
-  assert.ok(isZip(file) && !isZip(bytesOf(text)))
-  const files = await unpacked(file)
-  assert.deepEqual(files.map(one => one.name), ["Raw Data.csv", "Settings.csv"]) // prettier-ignore
-  const [{name, table}, ...others] = tablesOf(files, parser)
-  assert.deepEqual([name, table.lines.length, others], ["Raw Data.csv", 10, []])
-})
 
 test("a zip file without tables, with too large ones, or a damaged one is refused with the reason", async () => {
   const whole = zip({"a.csv": "1,2\n3,4\n"})

@@ -8,13 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.layout.markup import CLASSES, LENGTHS, MATH, NAMES, check_markup
+from components.layout.markup import CLASSES, LENGTHS, MATH, NAMES
 from components.layout.text import mathml, rich
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems
 from components.walks.loading import load_walks, read_walk, steps_of
 from components.walks.texts import line, pieces
+from components.walks.walk import Step
 
 KNOWN = steps_of(load_walks(()).values())
 REFRESH = r"\text{<meta http-equiv=refresh content='0;//a.example'>}"
@@ -87,36 +88,26 @@ def test_what_is_set_is_checked_not_its_source(field: str, text: str) -> None:
     assert all(not Found(line(latex)).strange for latex in walk.steps[0].equations)
 
 
-HOSTILE = ("<b>", "a<!--", "<p><![CDATA[<img>]]></p>", "<?a?>", "<b onclick='a()'>x</b>", "<i/>")
-
-
-@pytest.mark.parametrize("html", HOSTILE)
-def test_markup_that_is_not_ours_is_refused(html: str) -> None:
-    with pytest.raises(ValueError, match="“"):
-        check_markup(html)
-
-
 @pytest.mark.parametrize(
     ("latex", "expected"),
     [
         (r"F = -k x, \quad k > 0", [r"F = -k x, \quad ", "k > 0"]),
         (r"a = b \;\Rightarrow\; c = d = e", [r"a = b \;", r"\Rightarrow\; c = d ", "= e"]),
         (r"x = 0 \text{ at } t = 0", ["x = 0 ", r"\text{ at } t = 0"]),
-        (r"p = x_1 \text{'s slow part}", [r"p = x_1 \text{'s slow part}"]),
         (r"(a = b = c) = \frac{a = b}{c}", [r"(a = b = c) = \frac{a = b}{c}"]),
         (r"\left\{a = b = c\right. \quad d", [r"\left\{a = b = c\right. \quad d"]),
         (r"\begin{matrix} a = b = c & d \end{matrix} = e", [r"\begin{matrix} a = b = c & d \end{matrix} = e"]),
         (r"a = b = c \over d", [r"a = b = c \over d"]),
-        ("", [""]),
     ],
 )
 def test_a_line_ends_between_its_pieces(latex: str, expected: list[str]) -> None:
     assert pieces(latex) == expected
 
 
-@pytest.mark.parametrize("latex", [equation for step in KNOWN.values() for equation in step.equations])
-def test_the_pieces_are_formulas_that_make_the_whole(latex: str) -> None:
-    assert "".join(pieces(latex)) == latex
-    for piece in pieces(latex):
-        mathml(piece)
-    assert line(latex).count("<math") == len(pieces(latex))
+@pytest.mark.parametrize("step", [step for step in KNOWN.values() if step.equations], ids=lambda step: step.id)
+def test_the_pieces_are_formulas_that_make_the_whole(step: Step) -> None:
+    for latex in step.equations:
+        assert "".join(pieces(latex)) == latex
+        for piece in pieces(latex):
+            mathml(piece)
+        assert line(latex).count("<math") == len(pieces(latex))

@@ -58,15 +58,10 @@ FIRST, NONE = T <= 0.6, [False] * 5
         (angular(), T, [True] * 5),
         (SWING[FIRST], T[FIRST], [True, False, True, True, False]),  # the rest is not made up
         (-SWING, T, [False, False, True, False, True]),  # upside down
-        (-0.16 * np.sin(np.pi * T), T, [False, False, False, True, False]),  # half as fast
-        (SWING / 2, T, [False, False, True, True, True]),  # half as high
         (np.abs(SWING), T, [False, True, False, False, False]),  # never below zero
-        (0.15 + 0.25 * SWING, T, [False, True, False, False, True]),  # far from zero
         (0 * T, T, NONE),
-        (-0.1 * T, T, NONE),  # downhill for ever, too flat for a slope
         (0.19 * np.sin(2 * np.pi * 14 * T), T, [False, False, True, False, False]),  # a scribble
         ([], [], NONE),
-        ([-0.16], [0.25], NONE),
         ([1.0], [np.nan], NONE),
     ],
 )
@@ -88,43 +83,13 @@ def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
     assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []
 
 
-RESPONSE = Ranges((0.0, 2.5), (0.0, 5.0))
-W = np.linspace(0.01, 2.5, 250)
-POLE = feature(f="pole", at=0.618, tol=0.07)
-FAST = feature(f="pole", at=1.618, tol=0.09)
-
-
-def response(w: Any) -> Any:
-    return np.abs((1 - w**2) / (w**4 - 3 * w**2 + 1))
-
-
-@pytest.mark.parametrize(
-    ("y", "expected"),
-    [
-        (response(W), [True, True]),
-        (np.minimum(response(W - 0.04), 5), [True, True]),  # nearly right, cut at the frame
-        (np.where(np.abs(W - 0.65) < 0.35, 5.0, 1.0), [False, False]),  # out over a range, not at a place
-        (np.minimum(response(W), 3.0), [False, False]),  # humps that stay within
-        (1 / np.abs(1 - (W / 1.118) ** 2 + 1e-9), [False, False]),  # one resonance, between
-        (np.full_like(W, 6.0), [False, False]),  # a line over the top
-    ],
-)
-def test_a_pole_leaves_the_frame_there_and_comes_back(y: Any, expected: list[bool]) -> None:
-    assert [one.seen(drawn(y, W, RESPONSE)).has for one in (POLE, FAST)] == expected
-
-
-def test_reach_least_and_sum() -> None:
-    reach = feature(f="reach", **{"from": 0.5, "to": 1.0, "is": 0.16}, tol=0.02)
-    assert reach.seen(drawn(SWING)).has and not reach.seen(drawn(0.5 * SWING)).has
-    least = feature(f="least", **{"is": 0.0}, tol=0.01)
-    assert least.seen(drawn(SWING**2)).has and not least.seen(drawn(SWING)).has
-    both = feature(f="sum", **{"with": "V", "is": 0.16}, tol=0.02)
-    V = 0.08 * (1 + np.cos(4 * np.pi * T))
-    T_ = 0.08 * (1 - np.cos(4 * np.pi * T))
-    alone = drawn(T_)
-    assert both.seen(Sketch(alone.x, alone.y, FRAME, drawn(V))).has
-    assert not both.seen(Sketch(alone.x, alone.y, FRAME, drawn(T_))).has
-    assert not both.seen(alone).has
+@pytest.mark.parametrize("away", [0.35, 9.0])
+def test_a_pole_leaves_the_frame_there_and_comes_back(away: float) -> None:
+    """A curve that is out over a wide range, or everywhere, has no pole."""
+    w, frame = np.linspace(0.01, 2.5, 250), Ranges((0.0, 2.5), (0.0, 5.0))
+    pole = feature(f="pole", at=0.618, tol=0.07)
+    assert pole.seen(drawn(1 / np.abs(w - 0.6183), w, frame)).has
+    assert not pole.seen(drawn(np.where(np.abs(w - 0.65) < away, 5.0, 1.0), w, frame)).has
 
 
 AXES = PlotAxes(Axis(0.0, 2.0, unit="ms", factor=1e-3), Axis(-0.2, 0.2, unit="cm", factor=0.01))
@@ -138,12 +103,8 @@ def test_a_feature_is_given_by_expressions_of_the_scenes_numbers() -> None:
     wide = Ranges((0.0, 2000.0), (-20.0, 20.0))
     assert told.seen(drawn(100 * SWING, 1000 * T, wide)).has
     assert not told.seen(drawn(100 * SWING, 500 * T, wide)).has
-    assert (
-        feature(f="period", **{"is": "tau"}, tol=1.0)
-        .worked_out(numbers, AXES)
-        .measured(Seen(True, 1000.0), AXES, 3)
-        .startswith("1000")
-    )
+    period = feature(f="period", **{"is": "tau"}, tol=1.0).worked_out(numbers, AXES)
+    assert period.measured(Seen(True, 1000.0), AXES, 3).startswith("1000")
     assert TROUGH.worked_out(numbers, AXES) is TROUGH
     for text, says in (
         ("tua", "does not have, tua"),
