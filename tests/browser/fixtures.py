@@ -85,7 +85,7 @@ def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[
         faults.extend(_foreign(request, server))
 
     def make(width: int = 1280, height: int = 720, fresh: bool = False, **given: Any) -> Page:
-        # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_headers.py.
+        # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
         size, options = {"width": width, "height": height}, {"bypass_csp": True, **given}
         tab = Tab(browser, size, options) if fresh else tabs.take(size, options)
         taken.append((tab, None if fresh else options))

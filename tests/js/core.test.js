@@ -10,7 +10,6 @@ const {sliderPlace, sliderValue, stepped} = await import("../../static/controls/
 const {Address} = await import("../../static/net/address.js")
 const {save} = await import("../../static/export/save.js")
 const {withUnit} = await import("../../static/core/numbers.js")
-const {browserStorage, tabStorage} = await import("../../static/core/storage.js")
 const {Timing} = await import("../../static/live_class/timing.js")
 
 const AHEAD = 4321.4 // ms by which the server's clock is ahead of the page's
@@ -56,19 +55,6 @@ test("the last digit of a field is stepped up and down", () => {
 test("a space separates a unit, except for degrees and powers of ten", () => {
   const written = ["kg", "°", "°C", "·10³ m", ""].map(unit => withUnit("1.5", unit))
   assert.deepEqual(written, ["1.5 kg", "1.5°", "1.5 °C", "1.5·10³ m", "1.5"])
-})
-
-test("texts are stored unchanged, values as JSON, and each shelf separately", () => {
-  assert.ok(browserStorage.keep("theme", "dark") && tabStorage.keep("walk", {a: [1]}))
-  assert.deepEqual(
-    [localStorage.theme, browserStorage.text("theme"), browserStorage.value("walk")],
-    ["dark", "dark", null],
-  )
-  assert.deepEqual([tabStorage.value("walk"), tabStorage.names()], [{a: [1]}, ["walk"]])
-  tabStorage.forget("walk", "none")
-  assert.deepEqual(tabStorage.names(), [])
-  localStorage.setItem("answers", "{half") // by another page
-  assert.equal(browserStorage.value("answers"), null)
 })
 
 const refuses = () => {

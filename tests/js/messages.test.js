@@ -111,24 +111,3 @@ test("an answer that comes again or late is ignored", async () => {
   }
   assert.deepEqual([heard, sent.length], [[1, 2], 2])
 })
-
-test("while nothing is connected the newest value of each parameter waits, in the order of the changes", () => {
-  const messages = new Messages(
-    async packet => packet,
-    () => {},
-    error => assert.fail(error),
-    error => assert.fail(error),
-  )
-  messages.state = {parameters: {}}
-  messages.send({type: "set", values: {k1: 1, k2: 2}})
-  messages.send({type: "typed", name: "k1", text: "3"})
-  messages.send({type: "set", values: {k2: 4, m1: 5}})
-  messages.send({type: "act", name: "any"})
-  messages.send({type: "set", values: {k2: 6}})
-  assert.deepEqual(messages.left, [
-    {type: "typed", name: "k1", text: "3"},
-    {type: "set", values: {k2: 4, m1: 5}},
-    {type: "act", name: "any"},
-    {type: "set", values: {k2: 6}},
-  ])
-})

@@ -85,7 +85,6 @@ const step = (place, votes, walk = "d34") => ({
 // prettier-ignore
 for (const [steps, words] of [
   [[], "Nobody has answered a question yet."],
-  [[step(1, [[3, 3]])], "All answers were right."],
   [
     [step(2, [[90, 100]]), step(7, [[1, 4]]), step(9, [[0, 10], [8, 10]])],
     "Wrong most: step 7 (75 % of the answers)",

@@ -1,24 +1,32 @@
-"""Every route of a class x every abuse: a status, a sentence, nothing stored, and nothing lost to another class."""
+"""Every message of a class, sent by anybody, wrong or too often: a sentence, and bounds for what is stored."""
 
 from __future__ import annotations
 
+import asyncio
+import gc
+import sys
+from collections import Counter
 from collections.abc import Awaitable, Callable
 from functools import partial
-from typing import Any, NamedTuple
+from itertools import pairwise
+from types import CoroutineType, FrameType, FunctionType, ModuleType
+from typing import Any, NamedTuple, get_args
 
 import pytest
+import redis
 from tornado.web import RequestHandler
 
-from components.language.class_messages import YEAR_2100
-from components.live_class import follower_routes, lead_routes
+from components.language.class_messages import YEAR_2100, Order
+from components.live_class import follower_routes, instructor_routes, lead_routes, registry, remotes, room
 from components.live_class.codes import join_key
 from components.live_class.context import ClassContext
 from components.live_class.routes import CODE, LiveClass
 from components.live_class.store import MemoryStore, Store
+from tests.grids import WHOLE
 from tests.live_class.caller import Answered, Class, Remote, called
-from tests.live_class.listening import BANK
-from tests.live_class.messages import MESSAGES
-from tests.live_class.served import CHOICE, served
+from tests.live_class.messages import MESSAGES, Client
+from tests.live_class.served import BANK, CHOICE, served, taught
+from tests.live_class.stores import KINDS, Valkey, made, set_limits
 
 METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
 QUESTION = "d31/d31-03/1"
@@ -31,7 +39,9 @@ WITH_BODY = [route for route in ROUTES if MESSAGES[NAMES[route]].body]
 LIMITED = [route for route in ROUTES if route not in ("GET /class/time", "PUT /class/CODE/remote")]
 
 
-def test_the_table_has_each_route_of_the_product() -> None:
+def test_the_table_has_each_route_and_order_of_the_product() -> None:
+    orders = {order.__struct_config__.tag for order in get_args(Order)}
+    assert orders == {name.split(" ")[2] for name in MESSAGES if name.startswith("POST /class/CODE/lead")}
     plain = {"/CODE(/?)": "/CODE", "/CODE-([0-9A-Za-z]{8})": "/CODE-WORD"}
     of = [(route.replace(CODE, "CODE"), handler) for route, handler, *_ in LiveClass(MemoryStore(), BANK).routes()]
     assert set(NAMES) == {
@@ -179,7 +189,6 @@ def restored(**fields: Any) -> dict[str, Any]:
 REFUSED: list[tuple[str, Any, int]] = [
     *((LEAD, {"type": "countdown", "seconds": wrong}, 400) for wrong in (601, -1, 1e9, "30", None)),
     *((LEAD, {"type": "screen", **wrong}, 400) for wrong in ({"next": "x" * 61}, {"deeds": ["fly"]}, {"next": 1})),
-    (LEAD, {"type": "screen", "deeds": ["go"] * 21}, 400),
     (LEAD, {"type": "put", "walk": "mine", "step": "one"}, 409),
     (LEAD, {"type": "put", **CHOICE, "vote": 10}, 400),
     (LEAD, {"type": "walk", "name": "mine", "text": 'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-99"\n'}, 409),
@@ -190,11 +199,9 @@ REFUSED: list[tuple[str, Any, int]] = [
     *((LEAD, restored(**wrong), 400) for wrong in ({"text": "x" * 81}, {"curves": {"x": [0] * 102}})),
     (LEAD, restored(walk="none"), 409),
     *((LEAD, {"type": "restore", "answers": wrong}, 400) for wrong in ({"me": GOOD}, {f"{NAME}x": GOOD}, {NAME: []})),
-    (LEAD, {"type": "restore", "answers": [GOOD]}, 400),
     *(("PUT /class/CODE/lead", wrong, 400) for wrong in ({"control": "x"}, {"control": "a" * 65}, {"key": "x"})),
     *((ANSWER, {**CHOICE, "option": 0, "sure": wrong}, 400) for wrong in (4, -1, "certain", 10**40)),
     *((ANSWER, {**CHOICE, **wrong}, 409) for wrong in ({}, {"option": 7}, {"sure": 2}, {"option": 0, "vote": 2})),
-    (ANSWER, {**CHOICE, "option": 0, "who": "me"}, 400),
     *((ANSWER, {**WHY, "text": text}, status) for text, status in (("x" * 81, 400), ("x" * 10_000, 413))),
     (ANSWER, sketch(Xp1=[500] * 102), 400),
     (ANSWER, sketch(Xp1=[1101] * 101), 400),
@@ -210,8 +217,7 @@ REFUSED: list[tuple[str, Any, int]] = [
 
 
 async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(subtests: pytest.Subtests) -> None:
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, url, lesson):
         words = {"remote": (await Remote.pair(url, lesson)).key, "key": lesson.key, "phone": await lesson.token()}
         stored = partial(contents, server.classes.registry.store, lesson)
         for route, body, status in REFUSED:
@@ -221,3 +227,68 @@ async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(sub
                 answer = await Attacked(lesson, words, server.classes).send(route, body=body)
                 assert answer.status == status and answer.json["sentence"].endswith(".")
                 assert await stored() == before
+
+
+NO_DATA = (type, ModuleType, FunctionType, FrameType, CoroutineType, asyncio.Task, asyncio.AbstractEventLoop)
+OFTEN_REFUSED = {
+    "POST /class/CODE/answer",
+    "PUT /class/CODE/word", "PUT /class/CODE/word of none", "PUT /class/CODE/tickets", "DELETE /class/CODE/tickets",
+    "POST /class/CODE/token of none", "GET /class/CODE/now of none",
+}  # fmt: skip
+"""Guesses and messages of strangers."""
+ROUND = 18 if WHOLE else 9
+"""Messages of a kind that are sent before the bytes are first counted, and between two counts."""
+STEADY = 2000
+"""Bytes that a round may add although nothing is stored per message: filling caches and growing lists."""
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server with small limits."""
+    set_limits(monkeypatch, 300_000, 50_000)
+    monkeypatch.setattr(follower_routes, "MOST_FOLLOWERS", 4)
+    monkeypatch.setattr(registry, "SPARE", 2)
+    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 4)
+    monkeypatch.setattr(room, "KEPT", 4)
+    monkeypatch.setattr(remotes, "DIGITS", range(10, 14))
+
+
+def bytes_of(root: object) -> int:
+    """Return the bytes of all objects reachable from one."""
+    seen, todo, total = set[int](), [root], 0
+    while todo:
+        one = todo.pop()
+        if id(one) not in seen and not isinstance(one, NO_DATA):
+            seen.add(id(one))
+            total += sys.getsizeof(one)
+            todo += gc.get_referents(one)
+    return total
+
+
+def bytes_in(url: str) -> int:
+    """Return the bytes of everything that a Valkey stores."""
+    with redis.Redis.from_url(url) as client:
+        return sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("kind", [KINDS[0], pytest.param("valkey", marks=[*KINDS[1].marks, pytest.mark.slow])])
+async def test_many_messages_of_a_kind_leave_no_more_than_some(
+    kind: str, valkey: Valkey, small: None, subtests: pytest.Subtests
+) -> None:
+    """After some messages a limit is reached: twice or three times as many add nothing."""
+    async with made(kind, valkey.url) as kept, served(kept, trusted_proxies=("127.0.0.1",)) as (server, url):
+        rooms = server.classes.registry
+        for i, name in enumerate(MESSAGES):
+            code, key = await rooms.open()
+            sender = Client(url, Class(url, {"code": code, "key": key}), f"198.51.{i}.1")
+            await sender.lesson.order("put", **CHOICE)
+            sizes, statuses = list[int](), Counter[int]()
+            for turn in range(3):
+                for number in range(turn * ROUND, (turn + 1) * ROUND):
+                    answer = await sender.send(name, number)
+                    statuses[answer.status if answer else 0] += 1
+                sizes.append(bytes_of(rooms) + (bytes_in(valkey.url) if kind == "valkey" else 0))
+            with subtests.test(name):
+                assert min(statuses) < 400 or name in OFTEN_REFUSED
+                assert min(more - some for some, more in pairwise(sizes)) < STEADY
+            await sender.lesson.order("end")

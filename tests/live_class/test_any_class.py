@@ -20,7 +20,6 @@ from msgspec.structs import replace
 
 from components.language import class_messages as said
 from components.language.messages import Given
-from components.live_class import codes
 from components.live_class import registry as registry_of
 from components.live_class import room as room_of
 from components.live_class.registry import ClosedError, Registry
@@ -28,9 +27,9 @@ from components.live_class.room import ASKED, KEPT, OBEYED, SILENCE, ClassRoom
 from components.live_class.store import Parts
 from components.live_class.summary import stored, summary
 from components.live_class.votes_csv import votes_csv
-from tests.grids import tries
-from tests.live_class.listening import BANK, Listener
+from tests.grids import WHOLE
 from tests.live_class.questions import OWN, QUESTIONS, Answer, Asked
+from tests.live_class.served import BANK, Listener
 from tests.live_class.stores import KINDS, made
 
 AT, PHONE = st.integers(0, 1), st.integers(0, 4)
@@ -58,7 +57,6 @@ class AnyClass(RuleBasedStateMachine):
     def __init__(self, kind: str, url: str) -> None:
         super().__init__()
         self.loop, self.opened, self.patch = asyncio.new_event_loop(), AsyncExitStack(), pytest.MonkeyPatch()
-        self.patch.setattr(codes, "DEAR", {"n": 2, "r": 1, "p": 1})
         self.patch.setattr(registry_of, "time", lambda: self.now)
         self.patch.setattr(room_of, "monotonic", lambda: self.now)
         self.now, self.marks, self.put, self.is_shown = 1.7e9, 0, said.PutTo(), False
@@ -435,5 +433,5 @@ class AnyClass(RuleBasedStateMachine):
 def test_any_course_of_a_class(kind: str, request: pytest.FixtureRequest) -> None:
     url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
     # To shrink a failure takes minutes.
-    given = settings(max_examples=tries(60), stateful_step_count=30, deadline=None, phases=[Phase.generate])
+    given = settings(max_examples=60 if WHOLE else 10, stateful_step_count=30, deadline=None, phases=[Phase.generate])
     run_machine(lambda: AnyClass(kind, url), settings=given)

@@ -23,7 +23,7 @@ from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
 from components.state.page_state import fitted
-from tests.live_class.listening import BANK, CHOICE, Listener, replicas
+from tests.live_class.served import BANK, CHOICE, Listener
 from tests.live_class.stores import Valkey, made
 from tests.serving.served import until
 
@@ -108,22 +108,11 @@ async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_
         assert [news.picture.data for news in listener.news if news.picture] == [b"1", b"2"]
         await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
-        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
-        assert room.used and room.question.step == CHOICE[1]  # followers who are connected receive it at once
+        await registry.obey(room, PutQuestion(**CHOICE))
+        assert room.used and room.question.step == CHOICE["step"]  # followers who are connected receive it at once
         store.away = False
         await until(lambda: not room.unsaved)
-        assert room.question.step == CHOICE[1] and b'"d31-03"' in (await store.parts(room.code))["question"]
-
-
-async def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(publisher, "AGAIN", 0.01)
-
-    async with rooms() as (store, registry, code, key):
-        store.away = True  # this replica does not know the class, because its instructor's stream is at another
-        Publisher(registry, code, key)(lambda: {"sheet": "s", "data": b"1"})
-        await asyncio.sleep(0.05)
-        store.away = False
-        await until(lambda: code in registry.rooms and registry.rooms[code].whole().picture)
+        assert room.question.step == CHOICE["step"] and b'"d31-03"' in (await store.parts(room.code))["question"]
 
 
 async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -190,16 +179,20 @@ async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
 
 
 async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:
-    one, other = made("valkey", valkey.url), made("valkey", valkey.url)
-    async with one as store, other as another, replicas(store, another) as (registry, second):
+    async with made("valkey", valkey.url) as one, made("valkey", valkey.url) as other:
+        registry, second = Registry(one, BANK), Registry(other, BANK)
+        upkeeps = [Upkeep(registry), Upkeep(second)]
+        for upkeep in upkeeps:
+            upkeep.start()
+        await until(lambda: all(upkeep.listening for upkeep in upkeeps))
         code, key = await registry.open()
         room, there = await registry.led(code, key), await second.room(code)
         leader, follower = Listener(leads=True), Listener()
         room.listeners.add(leader)
         there.listeners.add(follower)
-        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await registry.obey(room, PutQuestion(**CHOICE))
         await until(lambda: there.question.step)
-        await second.vote(there, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
+        await second.vote(there, "one", Given(**CHOICE, option=1))
         assert await registry.tally(room)
         valkey.kill()
         await until(lambda: any(news.lost for news in follower.news) and room.lost)
@@ -210,3 +203,5 @@ async def test_a_class_continues_without_the_store_and_is_written_back(valkey: V
         tally = await second.tally(there)
         assert tally and tally.now.options == (0, 1, 0)
         assert await second.led(code, key) is there
+        for upkeep in upkeeps:
+            await upkeep.end()

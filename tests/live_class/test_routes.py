@@ -1,27 +1,27 @@
-"""The live class over HTTP: who comes in, what is heard, how the lead and a remote control are passed on."""
+"""The live class over HTTP: who comes in, what is heard, how the lead is passed on, and how a lost class comes back."""
 
 from __future__ import annotations
 
 import asyncio
 import base64
 from csv import DictReader
+from typing import Any
 
 import pytest
 
-from components.live_class import follower_routes, lead_routes
-from components.live_class.codes import join_key
+from components.live_class import follower_routes, instructor_routes, lead_routes, registry
+from components.live_class.codes import Keys, code_of, join_key
 from components.serving import worker_process
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Class, Remote, called
+from tests.live_class.caller import Answered, Class, Remote, called
 from tests.live_class.questions import OWN
-from tests.live_class.served import CHOICE, served
+from tests.live_class.served import CHOICE, served, taught
 from tests.page.scripts import text_of
 from tests.serving.visitor import Visitor
 
 
 async def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, url, lesson):
         stream = await lesson.follow()
         for header in ("text/event-stream", "X-Accel-Buffering: no", "no-store"):
             assert header in stream.headers
@@ -46,8 +46,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
 
 
 async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -> None:
-    async with served() as (_, url):
-        lesson = await Class.open(url)
+    async with taught() as (_, url, lesson):
         await lesson.order("put", **CHOICE)
         token, path = await lesson.token(), f"/class/{lesson.code}/answer"
         for option in (1, 0):
@@ -58,8 +57,8 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -
         gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
         assert gone.status == 204  # nothing is sent for another question
         assert (await called(url, path, "POST", {**CHOICE, "option": 7}, token)).status == 400
-        taught = (await called(url, path, "POST", {**CHOICE, "option": 1}, token)).json
-        assert taught["type"] == "taught" and taught["lesson"]["right"] is False
+        reply = (await called(url, path, "POST", {**CHOICE, "option": 1}, token)).json
+        assert reply["type"] == "taught" and reply["lesson"]["right"] is False
         table = await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)
         assert table.headers["Content-Type"] == "text/csv; charset=utf-8"
         (row,) = DictReader(table.text.splitlines())
@@ -68,8 +67,7 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -
 
 async def test_pages_without_a_stream_poll_and_get_all_news() -> None:
     """An instructor's page gets its own news one by one, and none of another replica."""
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, url, lesson):
         token, path = await lesson.token(), f"/class/{lesson.code}/now?after="
         await lesson.order("put", **CHOICE)
         first = (await called(url, path, word=token)).json
@@ -92,8 +90,7 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
     assert hits < 1 and follower_routes.MISSES >= 300
     monkeypatch.setattr(follower_routes, "MISSES", 4)
 
-    async with served(trusted_proxies=("127.0.0.1",)) as (_, url):
-        lesson = await Class.open(url)
+    async with taught(trusted_proxies=("127.0.0.1",)) as (_, url, lesson):
 
         async def enter(code: str, address: str, word: str = "") -> int:
             return (await called(url, f"/class/{code}/token", "POST", word=word, X_Forwarded_For=address)).status
@@ -110,25 +107,17 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
 
 
 async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
-    async with served() as (_, url):
-        lesson = await Class.open(url)
+    async with taught() as (_, url, lesson):
         leader, path = await lesson.lead(), f"/class/{lesson.code}"
         secret = {"address": await Remote.secret(url, lesson)}
         remote = Remote(url, lesson, **(await called(url, f"{path}/remote", "PUT", secret)).json)
         assert (await called(url, f"{path}/remote", "PUT", secret)).status == 403
-        for page in (leader, await lesson.lead()):  # also after an outage or a reload
-            assert (await page.until(lambda event: event.get("remotes")))["remotes"] == [remote.digits]
+        assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [remote.digits]
         assert (await remote.look()).json is None and (await remote.press(deed="next")).status == 403
         assert (await remote.decide(digits="10" if remote.digits != "10" else "11")).status == 409
-        control = (await remote.decide()).json["control"]
-        handed = (await called(url, f"{path}/word", "POST", {"query": ""}, lesson.key)).json["address"]
-        word = {"word": handed.rpartition("-")[2]}
-        assert (await called(url, f"{path}/word", "PUT", word)).json["control"] == control
-        assert (await remote.look()).json["question"]["step"] == ""
+        assert (await remote.decide()).json["control"]
         await lesson.order("put", walk="d34", step="d34-02")
-        listed = (await called(url, f"{path}/steps", word=remote.key)).json
-        assert len(listed) == 21 and listed[0] == {"step": "d34-01", "title": "A spring feels only its own stretch"}
-        assert listed[6]["title"].endswith('<span class="v">m</span><sub>2</sub>')
+        assert (await called(url, f"{path}/steps", word=remote.key)).json[6]["step"] == "d34-07"
         for done in ({"deed": "next"}, {"deed": "go", "step": "d34-04"}):
             assert (await remote.press(**done)).status == 204
             await leader.until(lambda event, done=done: done.items() <= event.items())
@@ -138,49 +127,35 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
 
 
-async def test_a_remote_control_has_the_counts_the_right_answer_and_the_notes_before_the_answer_is_shown() -> None:
+async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_shown_and_phones_have_neither() -> None:
     noted = OWN["mine"] + 'notes = """\nShow the *real* spring.\n\nThen wait."""\n'
-    async with served() as (_, url):
-        lesson = await Class.open(url)
+    async with taught() as (_, url, lesson):
         remote, stream = await Remote.pair(url, lesson), await lesson.follow()
         for name, text in (("noted", noted), ("why", OWN["why"])):
             await lesson.order("walk", name=name, text=text)
         await lesson.order("put", walk="noted", step="one")
-        assert (await remote.look()).json["screen"] is None
-        for option in (0, 0, 1):
-            await lesson.vote(await lesson.token(), walk="noted", step="one", option=option)
         view = (await remote.look()).json
-        assert view["tally"]["now"]["options"] == [2, 1, 0] and view["tally"]["right"] == 2 and view["judges"]
         assert view["question"]["lesson"] is None
         assert [one["right"] for one in view["lesson"]["verdicts"]] == [True, False, False]
         assert view["notes"] == ['Show the <span class="v">real</span> spring.', "Then wait."]
         assert (await remote.look(view["number"])).status == 204
-        screen = {"next": "Show the votes", "blank": False, "deeds": ["back", "go"]}
-        assert (await lesson.order("screen", **screen)).status == 204
-        assert screen.items() <= (await remote.look(view["number"])).json["screen"].items()
-        for asked, given in (
-            ({"walk": "d31", "step": "d31-02"}, {"text": "2"}),
-            ({"walk": "d34", "step": "d34-14"}, {"curves": {"Xp1": [500] * 101}}),
-            ({"walk": "why", "step": "why"}, {"text": "secret"}),
-        ):
+        for asked, given in (({"walk": "d31", "step": "d31-02"}, "2"), ({"walk": "why", "step": "why"}, "secret")):
             await lesson.order("put", **asked)
-            assert (await lesson.vote(await lesson.token(), **asked, **given)).status == 204
+            assert (await lesson.vote(await lesson.token(), **asked, text=given)).status == 204
             now = (await remote.look()).json["tally"]["now"]
-            assert now["answered"] == 1 and now["numbers"] == now["sketches"] == []  # none of them single
+            assert now["answered"] == 1 and now["numbers"] == []  # none of them single
         for deed, words in (("allow", [True]), ("remove", [])):
             assert (await remote.press(deed=deed, text="secret")).status == 204
             assert [one["shown"] for one in (await remote.look()).json["tally"]["now"]["words"]] == words
         await lesson.order("show")
         await stream.until(lambda event: event.get("question", {}).get("split"))
-        assert not any("screen" in event or "secret" in str(event) for _, event in stream.heard)  # phones get neither
+        assert not any("real" in str(event) or "secret" in str(event) for _, event in stream.heard)
 
 
 async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
     async with served() as (_, url):
         lesson, other = await Class.open(url), await Class.open(url)
         path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3", "shown": {"d31/d31-03": 2}}
-        leader = await lesson.lead()
-        assert (await lesson.order("walk", name="mine", text=OWN["mine"])).status == 204
 
         async def lend() -> str:
             return str((await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("/")[2])
@@ -189,9 +164,7 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         moved, word = await called(url, f"/{address.lower()}"), address.rpartition("-")[2]
         assert (moved.status, moved.headers["Location"]) == (302, f"./?class={lesson.code}&lead={word}")
         taken = (await called(url, path, "PUT", {"word": word.lower()})).json
-        assert (taken["code"], taken["key"], taken["walks"]) == (lesson.code, lesson.key, {"mine": OWN["mine"]})
-        assert link.items() <= taken.items()
-        assert (await leader.until(lambda event: event.get("deed")))["deed"] == "taken"
+        assert taken["key"] == lesson.key and link.items() <= taken.items()
         words = [word, *[(await lend()).rpartition("-")[2] for _ in range(2)]]
         for there, one in ((path, words[0]), (path, words[1]), (f"/class/{other.code}/word", words[2])):
             refused = await called(url, there, "PUT", {"word": one})  # used, replaced, of another class
@@ -235,10 +208,85 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
 async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """An instructor's page sends it once more, and gives up after a final refusal."""
 
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, _, lesson):
         monkeypatch.setattr(server.classes.registry.bank, "worker", ReadingProcess("none"))
         monkeypatch.setattr(worker_process, "WAITING", 0)
         refused = await lesson.order("walk", name="mine", text="")
         assert (refused.status, refused.headers["Retry-After"]) == (429, "1")
         assert refused.json["sentence"] == worker_process.BUSY
+
+
+SECRET = "a secret of these tests alone"
+VOTE = f"{CHOICE['walk']}/{CHOICE['step']}/1"
+
+
+async def reopened(url: str, code: str, key: str, **more: Any) -> Answered:
+    return await called(url, f"/class/{code}/lead", "PUT", {}, key, **more)
+
+
+async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again() -> None:
+    async with taught() as (_, url, lesson):
+        tokens = [await lesson.token() for _ in range(3)]
+        await lesson.order("put", **CHOICE)
+        for token, option in zip(tokens, (0, 1, 1), strict=True):
+            assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
+        kept = (await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)).json
+    async with served() as (_, url):
+        lesson.url = url
+        assert (await lesson.order("withdraw")).status == 404
+        again = await reopened(url, lesson.code, lesson.key)
+        assert again.json["address"].partition("?")[2] == lesson.opened["address"].partition("?")[2]
+        assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
+        assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 503  # the phone tries again
+        await lesson.order("put", **CHOICE)
+        assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as requested
+        await lesson.order("show")
+        phone = await lesson.follow()
+        assert (await lesson.order("restore", answers=kept)).status == 204
+        await phone.until(lambda event: (event.get("question", {}).get("split") or {}).get("options") == [0, 2, 1])
+        assert (await lesson.tally())["now"]["options"] == [0, 2, 1]
+
+
+async def test_a_class_is_reopened_only_with_its_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 12)
+
+    async with served() as (server, url):
+        lesson, other = await Class.open(url), await Class.open(url)
+        forged = Keys().new()
+        for code, key in (
+            (lesson.code, other.key), (lesson.code, forged), (lesson.code, ""), ("ZZZZ", forged), ("0000", forged),
+            (lesson.code, f"{lesson.key}="), (lesson.code, "x" * 5000),
+        ):  # fmt: skip
+            refused = await reopened(url, code, key)
+            assert refused.status == 409 and refused.json["sentence"].startswith("This is not the key of a class")
+        assert await server.classes.registry.store.rooms() == 2
+        with monkeypatch.context() as patch:
+            patch.setattr(Keys, "code_of", lambda keys, key: lesson.code)
+            refused = await reopened(url, lesson.code, forged)
+            assert refused.status == 409 and refused.json["sentence"].startswith("Another class has this code")
+        assert (await lesson.order("withdraw")).status == (await other.order("withdraw")).status == 204
+        statuses = [(await reopened(url, code_of(key), key)).status for key in (Keys().new() for _ in range(3))]
+        assert statuses == [200, 200, 429]  # reopened classes count like new ones
+
+
+async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server with a secret knows its names even after a restart; otherwise it accepts what connected phones could
+    send. Answers that fit no question do not count.
+    """
+    monkeypatch.setattr(registry, "SPARE", 2)
+    async with taught(bokeh_secret_key=SECRET) as (_, url, lesson):
+        own = {(await lesson.token()).partition(".")[0]: {**CHOICE, "option": i} for i in range(8)}
+    async with served(bokeh_secret_key=f"{SECRET}, another") as (_, url):
+        assert (await reopened(url, lesson.code, lesson.key)).status == 409
+    made_up = {f"{i:011x}abcdefgh": {**CHOICE, "option": 1} for i in range(8)}
+    async with served(bokeh_secret_key=SECRET) as (_, url):
+        assert (await reopened(url, lesson.code, lesson.key)).status == 200
+        lesson.url = url
+        refused = await lesson.order("restore", answers=made_up)
+        assert refused.status == 409 and refused.json["sentence"].startswith("6 answers were not kept: more than")
+        assert (await lesson.order("restore", answers=own)).status == 204
+        copies = await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)
+        assert len(copies.json) == 2 + 8 and own.keys() <= copies.json.keys()
+        await lesson.order("put", **CHOICE)
+        assert (await lesson.tally())["now"]["options"] == [1, 1 + 2, 1]

@@ -13,7 +13,7 @@ from components.live_class import registry as registries
 from components.live_class import room as rooms
 from components.live_class.room import name_of
 from tests.live_class.caller import Class, Stream, called
-from tests.live_class.served import CHOICE, served
+from tests.live_class.served import CHOICE, served, taught
 from tests.live_class.stores import Valkey, made
 from tests.serving.served import until
 
@@ -34,8 +34,7 @@ def picture(sheet: object) -> dict[str, bytes]:
 
 @pytest.mark.parametrize("leads", [False, True])
 async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_deed_once(leads: bool) -> None:
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, _, lesson):
         quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
         slow, room = unread(lesson, server.port, word), server.classes.registry.rooms[lesson.code]
         await until(lambda: room.is_led if leads else room.followers == 2)
@@ -58,8 +57,7 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_an_instructor_each_d
 async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
 
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, _, lesson):
         mute = unread(lesson, server.port, await lesson.token())
         room = server.classes.registry.rooms[lesson.code]
         await until(lambda: room.listeners)
@@ -70,8 +68,11 @@ async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyP
         mute.close()
 
 
-async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is_one(valkey: Valkey) -> None:
+async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is_one(
+    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The newest streams of a phone stay open, and so do those of others. Asleep, it is none."""
+    monkeypatch.setattr(follower_routes, "MOST_STREAMS", 2)
     async with (
         made("valkey", valkey.url) as store,
         made("valkey", valkey.url) as other,
@@ -95,8 +96,7 @@ async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is
 async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "SILENCE", 0.05)
 
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, url, lesson):
         token, store = await lesson.token(), server.classes.registry.store
         stream = await Stream(url, lesson.code, token).open()
         early = await lesson.vote(token, **CHOICE, option=0)  # before its question is restored
@@ -119,8 +119,7 @@ async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkey
 async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(registries, "SPARE", 2)
 
-    async with served() as (server, url):
-        lesson = await Class.open(url)
+    async with taught() as (server, _, lesson):
         await lesson.order("put", **CHOICE)
         early, late = await lesson.token(), await lesson.token()
         assert (await lesson.vote(early, **CHOICE, option=1)).status == 204

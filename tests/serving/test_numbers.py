@@ -18,6 +18,7 @@ from components.session.exports import LinkExport, link_file
 from components.session.worker import Replied
 from components.state.csv_export import as_file
 from tests.attack.caller import ask
+from tests.grids import sample
 from tests.scenes.checks import as_arguments
 from tests.serving.served import FakeWorker, page_of, served, until, url
 from tests.serving.server import Server
@@ -41,7 +42,7 @@ def files_of(query: str, page: str) -> dict[str, bytes]:
         return {name.removeprefix(prefix).removesuffix(".csv"): packed.read(name) for name in packed.namelist()}
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", sample([*SCENES], 3))
 def test_every_table_is_that_of_take_away(slug: str) -> None:
     query = f"scene={slug}"
     files = files_of(query, "http://here/")
@@ -68,8 +69,6 @@ def test_pandas_reads_the_numbers_of_an_address_and_the_file_says_where_it_is_fr
     ("query", "sentence"),
     [
         ("scene=coupled&k2=many", "“many” is not a number"),
-        ("scene=coupled&k2=-1", "not possible: a stiffness"),
-        ("scene=nowhere", "“nowhere”"),
         ("scene=coupled&table=more", "“more” is not a table of these numbers: choose one of time, modes."),
         ("scene=coupled&cover=plot:nothing", "“plot:nothing” cannot be covered here."),
         ("scene=oscillator&m=1e308&k=1e308&x_0=1e308&v_0=1e308", "The link"),

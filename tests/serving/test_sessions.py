@@ -142,22 +142,3 @@ async def test_nobody_pays_for_what_another_asks_for_meanwhile() -> None:
     took = await metered(patient())
     await other
     assert 0.01 <= took < 0.1
-
-
-async def test_what_is_metered_is_cancelled_as_it_is_without() -> None:
-    ended = asyncio.Event()
-
-    async def wait() -> None:
-        try:
-            await asyncio.sleep(60)
-        finally:
-            ended.set()
-
-    async def pay() -> None:
-        await metered(wait())
-
-    task = asyncio.create_task(pay())
-    await asyncio.sleep(0)
-    task.cancel()
-    await asyncio.wait([task])
-    assert ended.is_set() and task.cancelled()

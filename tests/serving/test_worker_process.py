@@ -12,8 +12,6 @@ from types import SimpleNamespace
 import msgspec
 import pytest
 
-from components.language.messages import Given
-from components.quantities.refusals import SORRY
 from components.scenes import SCENES
 from components.serving import worker_process
 from components.serving.worker_process import (
@@ -33,11 +31,10 @@ from components.serving.worker_process import (
 from components.session.exports import LinkExport
 from components.session.measured import Fitting
 from components.session.session import ONE_AT_A_TIME, Session
-from components.session.worker import Reading, Replied, Teaching, WorkerJob
+from components.session.worker import Reading, Replied, WorkerJob
 from components.state.page_state import fitted
 from components.state.wire import Packet
 from tests.page.headless_page import unpacked
-from tools.attack import greedy
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 READ, ENDLESS = Reading("mine", MINE), Reading("endless", MINE)
@@ -46,20 +43,6 @@ GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
 # The process
-
-
-def test_a_walk_is_read_and_answered_in_a_process_of_its_own() -> None:
-    with closing(ReadingProcess("reading")) as beside:
-        read = beside.ask(READ).result(120)
-        assert read.refused == "" and read.walk and read.sheet and read.sheet.steps[0].opens.step == "mine/one"
-        given = Given(walk="mine", step="one", option=0)
-        told = beside.ask(Teaching(given, read.walk.steps[0])).result(30)
-        assert told.taught and told.taught.lesson and told.taught.lesson.right
-        assert beside.ask(Reading("mine", "title = 1")).result(30).refused.startswith("mine: ")
-        for walk in (message for message in greedy.GREEDY.values() if message["type"] == "walk"):
-            reply = beside.ask(Reading("mine", walk["text"])).result(120)
-            assert (reply.sheet is None) == bool(reply.refused) and reply.refused != SORRY
-        assert beside.pending == 0
 
 
 @pytest.mark.slow

@@ -1,7 +1,8 @@
-"""Every step of the lecture's walks against its scene and the physics: links, names, answers, numbers, sketches."""
+"""Every step of the lecture's walks against its scene and the physics: links, names, numbers, sketches and claims."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator
 from decimal import Decimal
@@ -14,6 +15,7 @@ from components.language.messages import Given
 from components.layout.text import rich
 from components.quantities.formatting import three
 from components.scene import Scene
+from components.scene.traces import Floats
 from components.scenes import SCENES
 from components.state.scene_sheet import plots
 from components.walks.checking import problems, shortcomings
@@ -28,7 +30,7 @@ from components.walks.subject import Subject, place_of
 from components.walks.texts import FORMULA
 from components.walks.walk import Step
 from tests.walks.answers import heights
-from tests.walks.facts import ANSWERS, PERIODS, STATED, WRONG
+from tests.walks.facts import ANSWERS, PERIODS, STATED, WRONG, home
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
@@ -175,3 +177,62 @@ def test_a_wrong_sketch_gets_its_reply_and_no_other(step: SketchStep) -> None:
     low, high = Subject("", step, SCENES).axes(step.plot).frame.y
     for share in (0.5, 0.75, 0.97):
         assert judged(step, level(step, low + share * (high - low)))[:2] == (False, ""), share
+
+
+def drawn(scene: Scene, name: str = "x") -> Floats:
+    """A curve of its picture, over time."""
+    return scene.shown.sources["time"][name]
+
+
+def climbs_and_stays(scene: Scene) -> bool:
+    x = drawn(scene)
+    return bool(x[0] < 0 and np.all(np.diff(x) > 0) and -0.01 * abs(x[0]) < x[-1] <= 0)
+
+
+def never_crosses(scene: Scene) -> bool:
+    x = drawn(scene)
+    return bool(np.all(x > 0) and x[-1] < 0.35 * x[0])
+
+
+def crosses_again(scene: Scene) -> bool:
+    x = drawn(scene)
+    return int(np.sum(np.signbit(x[1:]) != np.signbit(x[:-1]))) > 1
+
+
+def lag(scene: Scene) -> float:
+    return next(one.value for one in scene.readouts() if one.name == "phi")
+
+
+def dies(scene: Scene) -> bool:
+    motions = [abs(drawn(scene, name)) for name in ("x1", "x2")]
+    return all(x[-len(x) // 8 :].max() < 0.2 * x.max() for x in motions)
+
+
+def has_odd_powers(scene: Scene) -> bool:
+    shown = scene.shown
+    return shown.forms["braked"] == "shown" and shown.values["p3"] != "+ 0.00" != shown.values["p1"]
+
+
+CLAIMS: list[tuple[str, int | None, Callable[[Scene], Any]]] = [
+    ("d34-13", None, lambda scene: scene.shown.values["Xp2"] == "+1.00"),  # as far as spring 1 gives way
+    ("d31-15", 1, climbs_and_stays),
+    ("d32-33-05", 0, never_crosses),
+    ("d32-33-05", 1, crosses_again),
+    ("d32-33-04", 1, lambda scene: home(0.83) < home(scene.values["zeta"]) < home(3.0)),
+    ("d32-33-06", 1, lambda scene: scene.shown.forms["holds"] == "spring"),
+    ("d32-33-06", 2, lambda scene: scene.shown.forms["holds"] == "inertia"),
+    ("d32-33-07", 1, lambda scene: lag(scene) < 0.1),
+    ("d32-33-07", 2, lambda scene: abs(lag(scene) - math.pi / 2) < 1e-3),
+    ("d32-33-07", 3, lambda scene: float(scene.shown.values["M"]) < 0.003),
+    ("d34-02", 2, dies),
+    ("d34-06", 2, has_odd_powers),
+    ("waves-01", 2, lambda scene: {2.0, 4.0, 6.0} <= {*scene.shown.columns["silent"]["silent_j"].tolist()}),
+]
+"""A step, one of its replies or none, and what is true of the picture of the reply or the step."""
+
+
+@pytest.mark.parametrize(("step", "i", "is_true"), CLAIMS)
+def test_what_a_step_says_is_true_of_its_picture(step: str, i: int | None, is_true: Callable[[Scene], Any]) -> None:
+    one = STEPS[step]
+    replies = one.options if isinstance(one, ChoiceStep) else one.wrong if isinstance(one, SketchStep) else ()
+    assert is_true(page_state_at(one.state if i is None else replies[i].where, SCENES).scene)

@@ -1,7 +1,4 @@
-"""The file of a walk: a valid one is read; what is wrong or doubtful is named with its file, step and field.
-
-Steps with `vary` have one variant for each seed, with its own numbers and right answer.
-"""
+"""The file of a walk: a valid one is read; what is wrong, doubtful or gives an answer away is named with its place."""
 
 from __future__ import annotations
 
@@ -18,6 +15,7 @@ from components.quantities.formatting import three
 from components.scenes import SCENES
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems, shortcomings
+from components.walks.giveaways import giveaways
 from components.walks.judging import reply_to
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.questions.number import NumberStep, NumericStep
@@ -356,3 +354,58 @@ def test_a_seed_that_is_none_is_refused(step: str, seed: str, says: str) -> None
         (found,) = (one for one in OWN["d31"].steps if one.id == step)
         told = reply_to(Given(walk="d31", step=step, seed=int(seed)), found, SCENES)
         assert (told.lesson, told.refused) == (None, says)
+
+
+# Numbers that give an answer away
+
+PERIOD = """
+[[step]]
+id = "{id}"
+kind = "number"
+title = "A period"
+state = "{state}"
+cover = {cover}
+question = "{question}"
+explain = "It is so."
+answer = {{ of = "{of}", unit = "{unit}", tol = 0.01 }}
+"""
+HOW_LONG = "How long is one swing?"
+
+
+def given_away(*steps: str) -> list[str]:
+    mine = read_walk('title = "Mine"' + "".join(steps), "mine")
+    found = list(giveaways(mine, SCENES))
+    assert set(found) <= set(shortcomings(mine, SCENES)), "make walk says so"
+    return found
+
+
+def period(state: str, cover: str, of: str = "tau", unit: str = "s", question: str = HOW_LONG, id: str = "one") -> str:
+    return PERIOD.format(id=id, state=state, cover=cover, question=question, of=of, unit=unit)
+
+
+def test_a_period_is_given_away_by_the_frequency_in_a_formula() -> None:
+    """The formula x = C sin(6.25 t) is shown in the view Formulas, but not in the view Motion."""
+    found = given_away(period("?scene=oscillator&m=2.5", '["value:tau"]'))
+    assert any("omega” is visible" in one and "2π over it is the answer" in one for one in found), found
+    covered = given_away(period("?scene=oscillator&m=2.5", '["value:tau", "value:omega"]'))
+    assert not any("omega”" in one or "tau”" in one for one in covered)
+
+
+def test_a_number_that_is_shown_under_another_name_is_found() -> None:
+    """Numbers that the question states, or that the scene is set to, give nothing away."""
+    shown = period("?scene=energy&view=motion", '["value:delta"]', "delta_st", "m", "How far does it hang down?")
+    assert any("0.249" in one and "it is the answer" in one for one in given_away(shown))
+    start = period("?scene=energy&view=motion&x_0=0.1", '["value:delta"]', "x_0", "m", "Where does it start?")
+    assert given_away(start) == []
+    mass_ratio = period("?scene=absorber", '["value:now_X1"]', "m2/m1", "", "How heavy is mass 2 against mass 1?")
+    assert any("0.160" in one for one in given_away(mass_ratio)), "the controls show it"
+    stated = period("?scene=oscillator", '["value:tau"]', question="ωₙ is 6.28 rad/s. How long is one swing?")
+    assert not any("omega”" in one for one in given_away(stated))
+
+
+def test_an_earlier_step_of_the_same_chain_gives_it_away_too() -> None:
+    early = period("?scene=oscillator&m=2", '["value:tau", "value:omega"]')
+    other = early.replace('id = "one"', 'id = "zero"').replace('"value:omega"', '"value:C"')
+    late = period("?scene=oscillator&m=2", '["value:tau", "value:omega"]', id="two")
+    assert any("the answer of zero" in one for one in given_away(other, late))
+    assert given_away(other.replace("m=2", "m=3").replace('"value:C"', '"value:omega"'), late) == []

@@ -70,9 +70,7 @@ def test_whatever_is_written_becomes_words_and_formulas(one: str, two: str) -> N
         ("explain", f"A *$* sign, {REFRESH}$ and $ again."),
         ("question", f"Given $a. Is {REFRESH}$ so?"),
         ("follows", rf"a = b % \quad c = d \quad {REFRESH}"),
-        ("follows", rf"a = b % \quad {LINKED}"),
         ("explain", f"${LINKED}$"),
-        ("explain", "[notice|words that lie over others]"),
         ("explain", r"$\hspace{-900em} x$"),
     ],
 )

@@ -83,6 +83,20 @@ def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
     assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []
 
 
+def test_reach_least_and_sum_are_of_most_of_a_curve() -> None:
+    part = T < 1.0
+    reach = feature(f="reach", **{"from": 0.5, "to": 1.9, "is": 0.16}, tol=0.02)
+    least = feature(f="least", **{"is": -0.16}, tol=0.01)
+    for one in (reach, least):
+        assert [one.seen(drawn(y, x)).has for y, x in ((SWING, T), (SWING / 2, T), (SWING[part], T[part]))] == [
+            True, False, False,
+        ]  # fmt: skip
+    both = feature(f="sum", **{"with": "V", "is": 0.0}, tol=0.02)
+    for other, expected in ((-SWING, True), (SWING, False)):
+        assert both.seen(Sketch(T, SWING, FRAME, drawn(other))).has is expected
+    assert not both.seen(drawn(SWING)).has
+
+
 @pytest.mark.parametrize("away", [0.35, 9.0])
 def test_a_pole_leaves_the_frame_there_and_comes_back(away: float) -> None:
     """A curve that is out over a wide range, or everywhere, has no pole."""

@@ -171,7 +171,6 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
     [
         ("d31", "d31-03", {"option": 0}, {"number": 0.0, "right": True, "has": []}),
         ("d31", "d31-02", {"text": "2 s"}, {"number": 2.0, "right": True, "has": []}),
-        ("d34", "d34-08", {"value": 1.6}, {"number": 0.0, "right": True, "has": []}),
         ("d34", "d34-14", {"curves": {"Xp1": [500] * 101}}, {"number": 0.0, "right": False, "has": [False] * 5}),
     ],
 )

@@ -13,9 +13,8 @@ from time import monotonic, thread_time
 
 from components.live_class.store import MemoryStore
 from tests.live_class.caller import Class, called
-from tests.live_class.full_class import READ, fill
 from tests.live_class.messages import SKETCH
-from tests.live_class.served import served
+from tests.live_class.served import READ, fill, served
 
 AT_ONCE = 4
 
