@@ -2,42 +2,20 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
 
-from components.language.blocks import Option
-from components.language.controls import ChoiceRow, PresetButton, Setting, SliderRow
-from components.language.expressions import PAGE_NUMBERS
-from components.layout.choices import options, stated, word
-from components.layout.controls import control, panel, settings
+from components.language.controls import Setting
+from components.layout.choices import word
+from components.layout.controls import settings
 from components.layout.sheet import column, row, words
-from components.quantities.declared import Declared, LiveNumber
 from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
 from components.quantities.units import Unit
 from components.scenes import SCENES
-from components.state.scene_sheet import scene_sheet
 from tests.serving.server import ROOT
 
 STATIC = ROOT / "static"
 scenes = pytest.mark.parametrize("slug", SCENES)
-
-
-@scenes
-def test_the_panel_has_the_options_marks_and_presets_of_its_scene(slug: str) -> None:
-    kind = SCENES[slug]
-    drawn = scene_sheet(kind).panel
-    assert [[row.name for row in one.rows] for one in drawn.groups] == [list(one.names) for one in kind.groups]
-    for drawn_row in (one for group in drawn.groups for one in group.rows):
-        if isinstance(drawn_row, ChoiceRow):
-            known = options(kind.param[drawn_row.name]).values()
-            assert [one.value for one in drawn_row.options] == [word(one) for one in known]
-        else:
-            assert [mark.value for mark in drawn_row.marks] == sorted(mark.value for mark in drawn_row.marks)
-    for button, (label, values) in zip(drawn.presets, kind.presets.items(), strict=True):
-        assert (button.label, button.sets.keys()) == (label, set(kind.preset_names()))
-        assert button.sets.items() >= {name: stated(value) for name, value in values.items()}.items()
 
 
 @scenes
@@ -64,17 +42,6 @@ def check_field(quantity: Quantity, setting: Setting, value: float | None) -> No
     assert typed == pytest.approx(value, rel=1e-3 if setting.unit else 0.0, abs=0.0)
 
 
-def test_texts_of_a_panel() -> None:
-    known = SCENES["coupled"].param
-    (preset,) = panel(known.objects(), (), presets={"Stiff, 50": {"k2": 50.0}}).presets
-    assert preset == PresetButton("stiff-50", "Stiff, 50", {"k2": 50.0})
-    slider, choice = control(known.k2), control(known.energy)
-    assert isinstance(slider, SliderRow) and (slider.symbol, slider.label) == ("k_2", "k2, stiffness")
-    assert isinstance(choice, ChoiceRow) and Option("parts", "Masses, springs") in choice.options
-    state = settings({"k2": known.k2}, {"k2": 0.04}, {}, {"k2": (0.0, 8.0)})
-    assert state == {"k2": Setting(value=0.04, text="0.0400", soft=(0.0, 8.0), changed=True)}
-
-
 FOOT_PER_SECOND, KNOT = Unit("ft/s", 0.3048), Unit("knots", 1852 / 3600)
 
 
@@ -92,12 +59,3 @@ def test_a_block_that_its_neighbours_leave_no_room_is_refused() -> None:
     with pytest.raises(ValueError, match="A block with grow=1 has no room beside one with grow=300: give it more"):
         column(row(words("Beside another.")), high)
     assert column(row(words("Beside another."), grow=250), words("As high as its text."), high)
-
-
-def test_the_live_numbers_of_the_page_are_its_own() -> None:
-    told = {name for file in STATIC.rglob("*.js") for name in re.findall(r'live\.tell\("(\w+)"', file.read_text())}
-    assert told == PAGE_NUMBERS
-    with pytest.raises(ValueError, match="Fast: the page has a live number “speed” of its own"):
-
-        class Fast(Declared[complex]):
-            speed = LiveNumber[complex](abs)

@@ -9,11 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from components.language.picture import Ruler
 from components.language.signals import Sampled
 from components.quantities.axes import Axis
 from components.scene.picture import Picture
-from components.state.encoding import COARSE, span, steps, view_of
+from components.state.encoding import COARSE, view_of
 from components.state.wire import packed
 from tests.page.scripts import unpacked
 
@@ -27,7 +26,7 @@ def read(picture: Picture, preset_dictionary: bytes = b"") -> Any:
     return unpacked(packet, preset_dictionary)["view"]
 
 
-COLUMN = arrays.arrays(float, st.integers(0, 40), elements=st.floats(-3.9, 3.9))
+COLUMN = arrays.arrays(float, st.integers(0, 40), elements=st.floats(-20, 20))
 
 
 @given(COLUMN, COLUMN, st.booleans())
@@ -35,7 +34,9 @@ def test_columns_come_back_to_half_a_step_of_three_heights(first: Any, second: A
     axis = Axis(1.5, -1.5) if down else Axis(-1.5, 1.5)
     columns = read(Picture(columns={"time": {"x": first}, "other": {"w": second}}, axes={"x": axis}))["columns"]
     for found, meant in ((columns["time"]["x"], first), (columns["other"]["w"], second)):
-        np.testing.assert_allclose(found, meant, rtol=0, atol=0.501 * 9 / COARSE)
+        near = np.abs(meant) < 4.4  # three heights; the rest is outside
+        np.testing.assert_allclose(np.array(found)[near], meant[near], rtol=0, atol=0.501 * 9 / COARSE)
+        assert np.all((np.abs(np.array(found)) > 4.3) | near) and np.all((found * meant > 0) | near)
 
 
 @given(arrays.arrays(float, st.integers(2, 40), elements=st.floats(-1e6, 1e6)))
@@ -45,17 +46,3 @@ def test_samples_of_a_signal_come_back_as_fine_as_float32(values: Any) -> None:
     step = float(np.ptp(values)) * 2.0**-24 + 1e-9
     np.testing.assert_allclose(found["y"], values, rtol=0, atol=step)
     np.testing.assert_allclose(found["dy"], 2 * values, rtol=0, atol=2 * step)
-
-
-@given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.lists(st.floats(allow_nan=False), max_size=20))
-def test_what_is_near_the_frame_is_within_half_a_step_and_the_rest_is_outside(
-    start: float, height: float, values: list[float]
-) -> None:
-    axis = {"ticks": (), "labels": (), "unit": "", "exponent": 0, "factor": 1.0, "power": 1, "log": False}
-    low, high = span(Ruler(start=start, end=start + height, **axis))
-    numbers = np.array(values, dtype=float)
-    whole = steps(numbers, low, high, COARSE)
-    near = (numbers >= low) & (numbers <= high)
-    step = (high - low) / COARSE
-    assert np.all(np.abs(low + step * whole[near] - numbers[near]) <= 0.501 * step)
-    assert np.all(whole[numbers < low] == 0) and np.all(whole[numbers > high] == COARSE)

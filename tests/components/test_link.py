@@ -29,6 +29,10 @@ def test_link_carries_what_is_covered_and_what_of_the_frame_is_not_fitted() -> N
     assert link.covered == ("plot:x2", "value:tau")
     assert link.frame == Frame(ranges={"x": (-2.0, 2.5), "t": (1e-3, 0.0)}, window=12.0, given=True)
     assert link.problems == []
+    scene: Any = COUPLED(hidden=["x1.slow", "x2"], k2=3, m1=1e22, energy="modes")
+    assert fitted(scene.value).query == "scene=coupled&hidden=x1.slow,x2&m1=1e22&k2=3&energy=modes&view=motion"
+    edge = Frame(ranges={"x": (-sys.float_info.max, 0.0)}, speed=sys.float_info.max, given=True)
+    assert carried(edge) == edge
 
 
 @pytest.mark.parametrize(
@@ -89,11 +93,6 @@ def test_no_query_breaks_the_server(args: dict[str, list[bytes]]) -> None:
     assert link.values.keys() <= SCENES[link.slug].linked().keys()
 
 
-def test_link_is_short_and_in_a_stable_order() -> None:
-    scene: Any = COUPLED(hidden=["x1.slow", "x2"], k2=3, m1=1e22, energy="modes")
-    assert fitted(scene.value).query == "scene=coupled&hidden=x1.slow,x2&m1=1e22&k2=3&energy=modes&view=motion"
-
-
 near = st.floats(-6, 3).flatmap(lambda power: st.sampled_from((10**power, -(10**power))))
 spans = st.tuples(size := st.floats(-1e300, 1e300), size) | st.builds(
     lambda end, by: (end, end + by * abs(end)), st.floats(-1e100, 1e100), near
@@ -121,8 +120,3 @@ def test_a_range_in_a_link_has_four_digits_if_these_widen_it_by_at_most_2_percen
 def four_digits(value: float, rounding: str) -> float:
     exact = Decimal(repr(value))
     return float(exact.quantize(Decimal((0, (1,), exact.adjusted() - 3)), rounding)) if value else value
-
-
-def test_a_frame_at_the_end_of_the_doubles_is_carried() -> None:
-    frame = Frame(ranges={"x": (-sys.float_info.max, 0.0)}, speed=sys.float_info.max, given=True)
-    assert carried(frame) == frame

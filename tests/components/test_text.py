@@ -56,6 +56,7 @@ def test_what_the_converter_is_corrected_in(latex: str, part: str) -> None:
 
 def test_a_sentence_escapes_what_is_not_markup() -> None:
     assert rich("a < b & **c**") == "a &lt; b &amp; <b>c</b>"
+    assert rich("see [scene:phugoid|the **aircraft**]") == 'see <a href="?scene=phugoid">the <b>aircraft</b></a>'
     assert rich("[m1|{x1} m]") == '<span class="tint m1"><span class="n" data-value="x1"></span>\xa0m</span>'
 
 
@@ -64,11 +65,6 @@ def test_no_line_ends_between_a_number_and_its_unit_or_a_formula_and_its_comma()
     assert rich("{a} m/s² in 2 systems") == '<span class="n" data-value="a"></span>\xa0m/s² in 2 systems'
     for formula in ("$x$", "[m1|$x$]"):
         assert rich(f"as {formula}, so") == f'as <span class="whole">{rich(formula)},</span> so'
-
-
-def test_words_lead_to_a_scene() -> None:
-    assert rich("see [scene:phugoid|the **aircraft**]") == 'see <a href="?scene=phugoid">the <b>aircraft</b></a>'
-    assert rich("[m1|blue]") == '<span class="tint m1">blue</span>'
 
 
 def test_of_what_is_set_little_is_remembered() -> None:

@@ -15,11 +15,9 @@ from msgspec.structs import replace
 
 from components.language.blocks import PlotBlock, StageBlock
 from components.language.shapes import Begin
-from components.language.signals import Derived
 from components.layout.sheet import blocks
 from components.quantities.axes import round_ticks
 from components.quantities.formatting import three
-from components.quantities.motion import derived
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.covers import NEXT, PLOT, STAGE, VALUE, without
@@ -30,6 +28,7 @@ from components.state.wire import as_json
 from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.walk import Step
+from tests.grids import sample
 from tests.page.headless_page import Page, change, say, set_values
 from tests.page.scripts import played
 from tests.scenes.checks import quantities
@@ -84,7 +83,6 @@ def begun(scene: PageState) -> Iterator[tuple[str, float]]:
 
 @pytest.mark.parametrize("step", STAGED, ids=lambda step: step.id)
 def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
-    """Not the parts of a motion either, whose start is an amplitude."""
     scene = page_state_at(step.state, SCENES)
     left, _ = without(scene.kind, scene.shown, step.cover)
     starts = dict(begun(scene))
@@ -92,14 +90,6 @@ def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) 
         if left.signals[name] != scene.shown.signals[name]:
             rests = [played(left, t)[name] for t in (0.0, 0.3)]
             assert rests == pytest.approx([place, place], rel=1e-12, abs=1e-12), name
-    for plot in plots(scene.kind):
-        drawn = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & left.signals.keys()
-        for name in drawn - starts.keys():
-            signal = left.signals[name]
-            assert isinstance(signal, Derived), name
-            assert signal == derived(0.0) or any(term.names for term in signal.value.terms), name
-        hides = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & starts.keys()
-        assert all(left.signals[name] != scene.shown.signals[name] for name in hides), hides
 
 
 @pytest.mark.parametrize("view", ["solve", "roots"])
@@ -123,7 +113,7 @@ def test_a_covered_axis_is_wider_and_begins_at_0_where_it_did(slug: str) -> None
 
 @scenes
 def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
-    for values in changes(SCENES[slug]):
+    for values in sample(list(changes(SCENES[slug]))):
         page = Page(SCENES[slug]())
         seen = numbers([change(page, covered=[NEXT], held={}), csv_of(page), round_numbers(page)])
         told = set_values(page, **values)

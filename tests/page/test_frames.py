@@ -16,9 +16,10 @@ from components.language.state import Frame
 from components.layout.choices import stated
 from components.quantities.axes import TIME_AXIS, Axis, nice_axis, ordered, widest
 from components.scene import Picture
-from components.scene.frames import FITTED, grown, loosened
+from components.scene.frames import FITTED, grown
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
+from tests.grids import sample
 from tests.page.hand import grabs
 from tests.page.headless_page import Page, change, say, set_values
 from tests.scenes.checks import quantities
@@ -115,7 +116,7 @@ def check_used(page: Page) -> None:
 
 @pytest.mark.parametrize("slug", MOVING)
 def test_a_frame_grows_with_a_value_and_is_fitted_once_when_it_is_let_go(slug: str) -> None:
-    for name, quantity in quantities(SCENES[slug]).items():
+    for name, quantity in sample(list(quantities(SCENES[slug]).items()), 3):
         page = page_of(slug)
         low, high = page.shown.spans.get(name, quantity.softbounds)
         window, value = frame(page).window, getattr(page.scene, name)
@@ -219,15 +220,3 @@ def test_a_compared_picture_keeps_the_current_frame() -> None:
     for other in ({**start, "parameters": {"x_0": 0.1, "v_0": 0.0, "window": 9.0}}, {"scene": "coupled"}):
         say(page, "open", keeps=True, state=other)
         assert page.now.state.frame is None
-
-
-@given(st.floats(1e-6, 1e6), st.floats(0.01, 100.0))
-def test_loosening_is_pure_and_the_second_time_does_nothing(size: float, wide: float) -> None:
-    axis = nice_axis(-size, size)
-    stands, fitted = Frame(ranges={"x": (-wide * size, wide * size)}), Frame(ranges={"x": axis.chosen})
-    drawn = [{"x": replace(axis, start=-wide * size, end=wide * size, own=axis.chosen)}]
-    loose = loosened(stands, fitted, drawn)
-    assert loose == (fitted if wide > 4 else stands)
-    assert loosened(loose, fitted, drawn) == loose
-    assert loosened(replace(stands, given=True), fitted, drawn) == replace(stands, given=True)
-    assert loosened(stands, fitted, [*drawn, {"x": nice_axis(-wide * size, 0.0)}]) == stands

@@ -5,38 +5,19 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
 from msgspec.structs import replace
 
 from app import visited
 from components.scenes import SCENES
-from components.session.links import page_state_of
 from components.session.opening import opened
-from components.state.link import Link, read_query
+from components.state.link import read_query
 from components.state.scene_sheet import sheet_address
-from tests.grids import tries
 from tests.page.headless_page import Page, say, set_values, unpacked
 from tests.scenes.checks import as_arguments
-from tests.states import links, state_of
 
 PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}
 """The presets with which scenes open; other scenes open with their first."""
 scenes = pytest.mark.parametrize("slug", SCENES)
-
-
-@scenes
-def test_the_address_of_any_state_brings_it_back(slug: str) -> None:
-    @settings(max_examples=tries(60))
-    @given(links(SCENES[slug]))
-    def leads_back(link: Link) -> None:
-        now = state_of(link)
-        read = read_query(as_arguments(now.query), SCENES)
-        assert read.problems == []
-        again, refused = page_state_of(SCENES[slug], read)
-        assert (refused, again.query) == ([], now.query)
-        assert replace(again.state, frame=None) == replace(now.state, frame=None)
-
-    leads_back()
 
 
 @scenes

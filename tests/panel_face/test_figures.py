@@ -16,6 +16,7 @@ from components.panel_face.label_collisions import TextBox, box_of, text_width, 
 from components.panel_face.live_figure import EDGE, HEAD, SMALL, WORDS, LiveFigure, LiveStage, axis_words, plain_html
 from components.panel_face.shapes import text_row
 from components.scenes import SCENES
+from tests.grids import sample
 from tests.panel_face.faces import check_figures, first_face
 
 STAGE, FRAME = 366, 290
@@ -46,8 +47,10 @@ def rows(drawing: ShapeGlyphs, one: LiveStage | LiveFigure) -> list[dict[str, ob
     return found
 
 
-@pytest.mark.parametrize(("stage", "frame"), [(STAGE, FRAME), (WIDE, WIDE)])
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize(
+    ("slug", "stage", "frame"),
+    [*((slug, STAGE, FRAME) for slug in SCENES), *((slug, WIDE, WIDE) for slug in sample(list(SCENES), 3))],
+)
 def test_every_view_is_drawn_and_no_text_is_cut_or_overlaps_another(slug: str, stage: int, frame: int) -> None:
     face = fitted(slug, stage, frame)
     for view in face.scene.views:

@@ -47,7 +47,7 @@ def beyond(tables: tuple[Table, ...]) -> list[tuple[str, str, float]]:
 
 @each_scene
 def test_every_point_of_any_state_is_within_its_bound(slug: str) -> None:
-    @settings(max_examples=tries(80), phases=(Phase.explicit, Phase.generate))
+    @settings(max_examples=tries(28), phases=(Phase.explicit, Phase.generate))
     @given(values(SCENES[slug], 4.0))
     @example({})
     @example({"c1": 0.1, "omega": 0.0} if slug == "forced" else {})
@@ -131,15 +131,6 @@ def test_bounds_digits_and_drifts_as_they_are_said() -> None:
     assert drift(np.array([2.0, 2.0]), 2.0) == "$T + V$ = 2.00 J; over the window it keeps every digit."
     assert "it changes by at most 0.5 of this value" in drift(np.array([2.0, 3.0]), 2.0)
     assert drift(np.zeros(2), 0.0) == "$T + V$ is 0: nothing moves."
-
-
-def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
-    about = told_by(opened("oscillator", {"x_0": 1e300}))
-    assert about is not None and about.tables[0].rows
-    assert about.energy == (
-        "$T + V$ cannot be computed over the window: the energy leaves the range of doubles, about 5·10⁻³²⁴ to "
-        "1.8·10³⁰⁸ in SI units."
-    )
 
 
 def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -29,13 +29,6 @@ def variant(shown: type[Any], *blocks: Block) -> type[CaseScene]:
     return Variant
 
 
-def test_what_is_missing_is_neither_drawn_nor_compared() -> None:
-    light, heavy = Damped.at(), Damped.at({"c": 40.0})
-    assert light.shown.values["tau_d"] == "1.01" and heavy.shown.values["tau_d"] == ""
-    assert [scene.shown.scalars["has_tau_d"] for scene in (light, heavy)] == [1.0, 0.0]
-    assert {one.name for one in light.readouts()} - {one.name for one in heavy.readouts()} == {"omega_d", "delta"}
-
-
 def test_a_number_that_is_none_must_be_optional() -> None:
     class Broken(DampedShown):
         lost = value(lambda c: None)

@@ -19,8 +19,9 @@ from components.scenes import SCENES
 from components.scenes.analogues.controls import LINEAR
 from components.scenes.modes.hunt import FOUND
 from physics.coupled import TwoMassChain, free_motion
+from physics.damped import DampedOscillator
 from physics.forced import forced_motion
-from tests.grids import tries
+from tests.grids import sample, tries
 from tests.scenes.sentences import number, numbers, said, wordings
 from tests.scenes.textbook import SIZES, harmonics
 from tests.states import values
@@ -87,6 +88,19 @@ def end_of_damped(s: Any, form: str, text: str) -> None:
         assert (form == "crosses") == (thrown > zeta + root)
     assert (form == "never") == (not s.x_0) and (form == "out") == (thrown < 0)
     assert form != "thrice" or not s.v_0
+
+
+def largest_power(s: Any, form: str, text: str) -> None:
+    """The power is largest before x = 0 on its way there, but not close to it."""
+    if not (s.c and s.k) or not (s.x_0 or s.v_0):
+        return
+    rates = (s.c + math.sqrt(abs(s.c**2 - 4 * s.m * s.k))) / s.m + math.sqrt(s.k / s.m)
+    t = np.linspace(0.0, 40.0 / rates, 20_001)
+    motion = DampedOscillator(m=s.m, c=s.c, k=s.k).motion(s.x_0, s.v_0, t)
+    top = int(np.argmax(np.abs(motion.v)))
+    assert (form == "at_start") == (top == 0) or top == 1
+    if form == "before":
+        assert motion.x[top] * motion.v[top] < 0
 
 
 def balance(s: Any, form: str, text: str) -> None:
@@ -404,10 +418,13 @@ MODES_ALONE = [{"k2": 0.0, "omega": omega} for omega in (0.0, 2**0.5)] + [{"k1":
 AT_MODES = [{"omega": omega} for omega in (1.0, 2.0, 1.0001, 2.0002, 2**0.5)]
 SWEEPS = [{"swept": name, **without} for name in ("m1", "m2", "k1", "k2") for without in ({}, {"k1": 0.0}, {"k2": 0.0})]
 DRIVES = [{"F_0": F_0, "omega": omega, "x1_0": x1_0} for F_0, omega in ((0, 1), (1, 0)) for x1_0 in (0.0, 0.1)]
-MACHINES = [{"own": True, "tuning": "free", **one} for one in machines()] + [
-    {"damping": "added"},
-    {"tuning": "detached"},
+MACHINES = [
+    *({"own": True, "tuning": "free", **one} for one in machines()),
+    *({"damping": "added"}, {"tuning": "detached"}),
+    *({"omega": omega, "m2": m2} for omega in (5.0, 48.0, 49.0, 50.0) for m2 in (1e-9, 1e-4, 2.5e-3)),
+    *({"omega": omega} for omega in (1e-9, 1e-6, 3e-5)),
 ]
+"""The lightest absorbers that somebody types: at 48 rad/s the machine swings as if it were alone from the first."""
 NOT_DRAWN = {"near"}
 """The sentence about a driven mass whose response overflows next to a resonance, but not at it."""
 CLAIMS: list[tuple[str, str, str, Check, list[dict[str, Any]]]] = [
@@ -421,8 +438,9 @@ CLAIMS: list[tuple[str, str, str, Check, list[dict[str, Any]]]] = [
         [{"system": "spring", "spring_start": 0.0}, *({"system": one} for one in LINEAR)],
     ),
     ("damped", "said", "motion", end_of_damped, [*NEARLY_CRITICAL, *WEAK, *ENDS]),
+    ("damped", "fastest", "energy", largest_power, [{"v_0": 2.0, "zeta": 0.306, "keep": "zeta"}, *ENDS]),
     ("driven", "holds", "response", balance, [*RESONANT, *AT_ROOT, *IDLE]),
-    ("driven", "meets", "harmonics", harmonic_at_peak, [*pushes(), *IDLE]),
+    ("driven", "meets", "harmonics", harmonic_at_peak, [*sample(list(pushes()), 3), *IDLE]),
     ("coupled", "beat", "motion", beats, [{"x1_0": 0.0}]),
     ("modes", "verdict", "hunt", found_line, [*LINES, THIN, {"x1_0": 0.0, "x2_0": 0.0}]),
     ("modes", "agree", "guess", both_rows, [*MODES_ALONE, *AT_MODES]),
@@ -455,31 +473,9 @@ def test_what_is_said_is_true_in_any_state(
         compare(dict(state))
     assert not wordings(kind, name) - seen - NOT_DRAWN
 
-    @settings(max_examples=tries(240), phases=(Phase.explicit, Phase.generate))
+    @settings(max_examples=tries(120), phases=(Phase.explicit, Phase.generate))
     @given(values(kind, 2.0))
     def holds(state: dict[str, Any]) -> None:
         compare(state)
 
     holds()
-
-
-@pytest.mark.parametrize("omega", [5.0, 30.0, 48.0, 49.0, 50.0, 60.0])
-@pytest.mark.parametrize("m2", [1e-9, 1e-6, 1e-4, 1e-3, 2.5e-3])
-def test_a_tuned_absorber_however_light_grows_as_is_said(omega: float, m2: float) -> None:
-    """The lightest solutions that somebody types: at 48 rad/s the machine swings as if it were alone from the first."""
-    scene = SCENES["absorber"](omega=omega, m2=m2)
-    verdict_on_absorber(scene, scene.shown.forms["why"], "")
-
-
-def test_within_an_ulp_of_a_resonance_that_hardly_moves_the_machine_it_is_not_said_to_grow() -> None:
-    """As long as doubles resolve the phase, the motion stays within the stated bound; mass 2 goes much farther."""
-    ulps = 0
-    for omega in (1e-6, *np.geomspace(1e-9, 1e-4, 60).tolist()):
-        scene = SCENES["absorber"](omega=omega)
-        ulps += min(abs(mp.sqrt(square) / scene.omega - 1) for square in squares(scene)) < 2.0**-53
-        assert scene.shown.forms["why"] in ("aside", "still"), omega
-        late = 1e14 / omega
-        told = number(scene.shown.values["rest1"]) * 10.0 ** scene.shown.axes["X1"].exponent
-        assert largest(scene, 0, late) <= 1.006 * told, omega
-        assert largest(scene, 1, late) > 10 * largest(scene, 0, late), omega
-    assert ulps > 10

@@ -74,10 +74,8 @@ def test_a_measurement_comes_run_by_run_and_the_latest_are_remembered(
     wait(lambda: job.state == "done")
     assert seen == sorted(seen) and len(set(seen)) > 5
     assert {run.method for run in job.runs} == set(TWO)
-    assert len({(run.method, run.setting) for run in job.runs}) == len(job.runs)
     closed = next(run for run in job.runs if run.method == "closed")
-    assert closed.error is not None and closed.error < 1e-15
-    assert closed.rounds == 3
+    assert closed.error is not None and closed.error < 1e-15 and closed.rounds == 3
     assert any(run.failure and "time limit" in run.failure for run in job.runs)
     again = queue.ask(BENIGN, 0.02, nothing)
     assert again is job
@@ -163,6 +161,7 @@ def test_nothing_to_measure() -> None:
         queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, nothing)
 
 
+@pytest.mark.nightly
 def test_a_visitor_who_leaves_ends_the_measurement(tmp_path: Path) -> None:
     soon = ("--unused-seconds", "0.05")
     with serving(tmp_path / "log", options=soon) as server:

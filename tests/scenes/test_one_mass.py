@@ -1,48 +1,47 @@
-"""Scenes with one mass: the arrow of the oscillator, gravity in energy, and the dashpot of damped."""
+"""Scenes with one mass: gravity, the dashpot, the driven mass and its pushes, and the flight of an aircraft."""
 
 from __future__ import annotations
 
+import itertools
 import math
+from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
+from components.scene import Scene
 from components.scenes import SCENES
+from components.scenes.analogues import Analogues
+from components.scenes.driven.case import LEFT, RIGHT
 from components.scenes.energy import Energy
 from components.scenes.energy.case import PLANETS
 from components.scenes.oscillator import OscillatorScene
+from components.scenes.phugoid import Phugoid
+from components.scenes.phugoid.swing import SPEEDS
+from physics.analogues import ANALOGUES
+from physics.convolution import SlicedPush
 from physics.damped import DampedOscillator
-from tests.page.scripts import played
-from tests.scenes.checks import columns
+from physics.driven import DrivenOscillator
+from physics.periodic import PeriodicPush
+from physics.pushed import PushedMass
+from tests.grids import tries
+from tests.scenes.checks import columns, quantities
+from tests.scenes.sentences import number
+from tests.scenes.textbook import SIZES, harmonics
 
-DAMPED = SCENES["damped"]
-
-
-@pytest.mark.parametrize("x_0, v_0", [(0.1, -0.8), (-0.1, -0.8), (0.15, 0.0), (0.0, 0.8)])
-def test_the_tip_of_the_arrow_is_on_the_level_of_x(x_0: float, v_0: float) -> None:
-    scene = OscillatorScene(x_0=x_0, v_0=v_0)
-    omega, shown = math.sqrt(scene.k / scene.m), scene.shown
-    now = played(shown, columns(scene)["t"] / 10.0 ** shown.axes["t"].exponent)
-    C = math.hypot(x_0, v_0 / omega)
-    np.testing.assert_allclose(C * now["sine"], columns(scene)["x"], atol=1e-12)
-    np.testing.assert_allclose(C * now["cosine"], columns(scene)["v"] / omega, atol=1e-12)
-
-
-def test_marks_of_the_lead_stand_on_peaks_a_quarter_period_apart() -> None:
-    scene = OscillatorScene(m=0.3, k=5.0, x_0=-0.1, v_0=0.4)
-    scalars, data = scene.shown.scalars, columns(scene)
-    quarter = math.pi / 2 / math.sqrt(5.0 / 0.3)
-    for i, name in enumerate("xva"):
-        peak = scalars[f"peak_{name}"]
-        assert np.interp(peak, data["t"], data[name]) == pytest.approx(scalars[f"top_{name}"], rel=2e-3)
-        assert scalars["peak_x"] - peak == pytest.approx(i * quarter, rel=1e-12)
+DAMPED, DRIVEN = SCENES["damped"], SCENES["driven"]
+KINDS = ("force", "base", "unbalance")
+PUSHES = ("square", "triangle", "pulses", "impulses")
 
 
 def test_ticks_are_the_amplitudes_and_the_planes_share_them() -> None:
     scene = OscillatorScene(m=1.0, k=4.0, x_0=0.3, v_0=0.8)
-    axes, loop = scene.shown.axes, columns(scene, "loop")
+    loop = columns(scene, "loop")
     for name, amplitude in (("x", 0.5), ("v", 1.0), ("a", 2.0)):
-        np.testing.assert_allclose(axes[name].ticks, [-amplitude, 0, amplitude], rtol=1e-14)
+        np.testing.assert_allclose(scene.shown.axes[name].ticks, [-amplitude, 0, amplitude], rtol=1e-14)
         assert np.abs(loop[name]).max() == pytest.approx(amplitude, rel=1e-3)
     np.testing.assert_allclose(loop["a"], -4.0 * loop["x"], atol=1e-14)
     np.testing.assert_allclose((loop["x"] / 0.5) ** 2 + loop["v"] ** 2, 1.0, rtol=1e-13)
@@ -50,14 +49,12 @@ def test_ticks_are_the_amplitudes_and_the_planes_share_them() -> None:
 
 def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
     scene = Energy()
-    motion, omega, hang = columns(scene), scene.shown.values["omega"], scene.m / scene.k
-    assert scene.here() == ["earth"]
+    motion, hang = columns(scene), scene.m / scene.k
     for slug, (_, g) in PLANETS.items():
         scene.set(scene.action(slug))
         scalars = scene.shown.scalars
-        assert (scene.here(), scene.g, scalars[f"here_{slug}"], scene.shown.values["omega"]) == ([slug], g, 1.0, omega)
-        for name in ("x", "T", "V"):
-            np.testing.assert_array_equal(columns(scene)[name], motion[name])
+        assert (scene.here(), scene.g, scalars[f"here_{slug}"]) == ([slug], g, 1.0)
+        assert all(np.array_equal(columns(scene)[name], motion[name]) for name in ("x", "T", "V"))
         assert -scalars["natural"] == pytest.approx(hang * g)
     others = Energy().shown.scalars
     assert [others[f"planet{i}"] - others["natural"] for i in (0, 1)] == pytest.approx([1.62 * hang, 3.71 * hang])
@@ -80,15 +77,195 @@ def test_c_and_zeta_are_one_quantity() -> None:
     assert all(DAMPED.at(one).c == pytest.approx(12.566622) for one in given), "by a link"
 
 
-@pytest.mark.parametrize("zeta", [0.02, 0.1, 0.306, 0.49, 0.51, 0.9, 1.5])
-@pytest.mark.parametrize("start", [{}, {"v_0": 2.0}, {"v_0": -0.1}, {"x_0": 0.0, "v_0": 1.0}])
-def test_the_power_is_greatest_where_it_is_said_to_be(zeta: float, start: dict[str, float]) -> None:
-    """Before x = 0 on its way there, but not close to it: with much damping halfway."""
-    scene = DAMPED(zeta=zeta, **start)
-    t = np.linspace(0.0, 5.0, 50_001)
-    motion = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).motion(scene.x_0, scene.v_0, t)
-    top = int(np.argmax(np.abs(motion.v)))
-    at = scene.shown.forms["fastest"]
-    assert (at == "at_start") == (top == 0)
-    if at == "before":
-        assert motion.x[top] * motion.v[top] < 0 and (motion.x[top:] * motion.x[top] < 0).any()
+@pytest.mark.parametrize("slug", ANALOGUES)
+def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
+    scene = Analogues(system=slug)
+    own = [name for name in quantities(Analogues) if name.startswith(f"{slug}_")]
+    own += ["theta_0"] if ANALOGUES[slug].length_of else []
+    shown = [group.names for group in scene.groups if group.is_shown(scene.shown.forms)]
+    assert sorted(itertools.chain(*shown)) == sorted(["system", *own])
+
+
+def corners(scene: Scene) -> dict[str, float]:
+    """The numbers of the polygon of the forces."""
+    return {name.removeprefix("polygon_"): one for name, one in scene.shown.scalars.items() if "polygon" in name}
+
+
+def steady(scene: Any) -> complex:
+    """X, from the linear equation."""
+    size, w = getattr(scene, SIZES[scene.kind]), scene.omega
+    force = {"force": size, "base": complex(scene.k, scene.c * w) * size, "unbalance": size * w * w}[scene.kind]
+    return complex(force / complex(scene.k - scene.m * w * w, scene.c * w))
+
+
+@settings(max_examples=tries(60), deadline=None)
+@given(
+    st.sampled_from(KINDS),
+    st.floats(-1.0, 1.0).map(lambda power: 10.0**power),
+    st.floats(0.1, 2.4),
+    st.floats(0.01, 1.5),
+)
+def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
+    """In units of the push, or of k Y, with X up, of the unbalance the acceleration; within its stage."""
+    scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
+    at, M = corners(scene), scene.shown.axes["M"]
+    end = complex(at["end"], -at["across"])
+    assert -LEFT <= at["across"] * at["scale"] / M.place(M.end) <= RIGHT
+    if kind == "base":
+        shaken = complex(at["y_up"], -at["y_side"])
+        assert abs(shaken) == pytest.approx(1.0) and shaken * complex(1, 2 * zeta * r) == pytest.approx(end)
+    else:
+        assert abs(end) == pytest.approx(1.0)
+        turned = -1 if kind == "unbalance" else 1
+        lag = math.atan2((end * turned).imag, (end * turned).real)
+        assert lag % (2 * math.pi) == pytest.approx(scene.numbers["phi"].value, abs=1e-9)
+    first = abs(steady(scene)) * (scene.m / scene.moment if kind == "unbalance" else scene.k / scene.F_0)
+    assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
+
+
+def pushed(scene: Any) -> tuple[DampedOscillator, PushedMass]:
+    """The mass of a scene without its push, and with it."""
+    one = DampedOscillator(m=scene.m, c=scene.c, k=scene.k)
+    size = scene.J if scene.push.startswith("impulse") else scene.F_0
+    return one, one.pushed(PeriodicPush(kind=scene.push, size=size, omega=scene.omega, width=scene.width))
+
+
+def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
+    follows a band."""
+    told, t = scene.shown, scene.shown.traces["time"].t
+    if "x" in told.traces["time"].names:
+        line = told.traces["time"].columns["x"]
+        return t, line, line
+    if not (late := told.columns["late"]):
+        return t, *(told.columns["band"][end] for end in ("x_lo", "x_hi"))
+    first = len(t) - len(late["t"])
+    low, high = (np.concatenate([told.columns["ringing"][end][:first], late["x"]]) for end in ("x_lo", "x_hi"))
+    return t, low, high
+
+
+@settings(max_examples=tries(140), deadline=None)
+@given(
+    st.sampled_from((*KINDS, *PUSHES)), st.floats(-6, 6), st.floats(-5, 1), st.floats(0.1, 300), st.floats(-0.1, 0.1)
+)
+def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
+    kind: str, power: float, damping: float, window: float, x_0: float
+) -> None:
+    """For a motion drawn as a line, a band, or first a band and then a line; to half a pixel."""
+    own = {"kind": kind} if kind in KINDS else {"kind": "force", "push": kind, "view": "harmonics"}
+    scene = DRIVEN(**own, omega=2 * math.pi * 10**power, zeta=10**damping, window=window, x_0=x_0)
+    t, low, high = shown_x(scene)
+    pixel = 0.005 * scene.shown.axes["x"].end
+    rows = np.linspace(0, len(t) - 1, 40).astype(int)
+    if kind in KINDS:
+        one = DrivenOscillator(m=scene.m, c=scene.c, k=scene.k)
+        x = one.motion(scene.omega, getattr(scene, SIZES[kind]), x_0=x_0, t=t[rows], kind=kind).x
+    else:
+        free, mass = pushed(scene)
+        x = mass.from_rest(t[rows]).x + free.motion(x_0, 0.0, t[rows]).x
+    assert np.all(low[rows] - pixel <= x) and np.all(x <= high[rows] + pixel)
+    assert max(-low.min(), high.max()) <= scene.shown.axes["x"].end
+
+
+def test_impulses_are_drawn_where_they_act() -> None:
+    scene = DRIVEN(view="harmonics", push="impulses", omega=2.0, J=0.3, window=10.0)
+    jolts, flash = scene.sources["jolts"].data, scene.shown.signals["F"]
+    assert jolts["jolt_t"][::3] == pytest.approx(math.pi * np.arange(4))
+    assert jolts["jolt"][1::3] == pytest.approx(0.3 / math.sqrt(39.48)) and not jolts["jolt"][::3].any()
+    assert len(DRIVEN(view="harmonics", push="impulses", omega=1e6).sources["jolts"].data["jolt_t"]) == 600
+    assert 10.0 * scene.shown.scalars["period_share"] == pytest.approx(math.pi)
+    assert max(flash.y) == pytest.approx(0.3) and min(flash.y) == 0.0 and flash.period == pytest.approx(math.pi)
+
+
+@pytest.mark.parametrize("push", PUSHES)
+def test_bars_are_the_push_dots_lie_under_the_response_and_powers_are_its_work(push: Any) -> None:
+    scene = DRIVEN(view="harmonics", push=push, omega=1.7, c=2.0, window=60.0)
+    bars, dots = scene.sources["bars"].data, scene.sources["dots"].data
+    f, X = harmonics(scene, 400)
+    M, seen = scene.shown.axes["M"], scene.shown.axes["r"].end / scene.omega
+    size = scene.J * scene.omega / (2 * math.pi) if push == "impulses" else scene.F_0
+    has = [i for i in range(1, 400) if f[i - 1] > 1e-12 and i < seen]
+    assert np.all(bars["bar"][::3] == M.start) and bars["bar_omega"][::3] == pytest.approx(np.array(has) * scene.omega)
+    assert bars["bar"][1::3] == pytest.approx([max(f[i - 1] / size, M.start) for i in has])
+    high = [i for i in has if X[i - 1] * scene.k / size >= M.start]
+    assert dots["dot_omega"] == pytest.approx(np.array(high) * scene.omega) and len(high) > 1
+    assert dots["dot"] == pytest.approx([X[i - 1] * scene.k / size for i in high]) and M.end >= dots["dot"].max()
+    work = pushed(scene)[1].work * scene.omega / (2 * math.pi)
+    assert [scene.numbers[name].value for name in ("P_in", "P_lost")] == pytest.approx([work, work], rel=1e-5)
+
+
+@pytest.mark.parametrize(("push", "slices"), [("square", 1), ("triangle", 12), ("pulses", 60), ("step", 200)])
+def test_the_sum_of_slices_follows_the_motion_as_the_page_says(push: Any, slices: int) -> None:
+    scene = DRIVEN(view="convolution", push=push, slices=slices, x_0=0.01, c=1.5, width=0.31)
+    data, (one, mass) = scene.sources["time"].data, pushed(scene)
+    t, end = data["t"], data["t"][-1]
+    sliced = SlicedPush(oscillator=one, force=mass.force, end=end, count=slices)
+    assert data["x_sliced"] == pytest.approx(sliced.x.at(t) + one.motion(0.01, 0.0, t).x, abs=1e-13)
+    fine = np.linspace(0.0, end, 1 + 2 * slices * math.ceil(400 / slices))
+    exact = mass.from_rest(fine).x
+    miss = np.abs(sliced.x.at(fine) - exact).max()
+    assert scene.numbers["misses"].value == pytest.approx(miss, rel=0.02)
+    share, width = miss / np.abs(exact).max(), scene.numbers["slice_width"].value
+    word = "follows" if share <= 0.05 else "coarse" if width > 0.1 else "changes"
+    assert scene.shown.forms["sums"] == word or abs(share - 0.05) < 0.003
+    assert width == pytest.approx(end / slices * math.sqrt(39.48) / (2 * math.pi))
+    path, tails = scene.sources["outline"].data, scene.sources["tails"].data
+    area = np.trapezoid(np.abs(path["slice"]), path["slice_t"])
+    assert area == pytest.approx(np.abs(mass.force(end * (np.arange(slices) + 0.5) / slices)).mean() * end)
+    assert scene.shown.forms["tail"] == ("some" if slices > 12 else "each")
+    assert np.count_nonzero(tails["tail_t"] == end) <= 14
+
+
+def flown(excess: float) -> tuple[float, float, float, bool]:
+    """The period over that of the linear theory; how far the heights of both differ at the same share of a period, and
+    at the same time in the first one, over the size of the swing; and whether the flight loops."""
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        u, w, _ = y
+        V = math.hypot(u, w)
+        return [-V * w, V * u - 1, w]
+
+    def level(_: float, y: np.ndarray) -> float:
+        return float(y[1])
+
+    way = solve_ivp(
+        rates, (0, 12), [1 + excess, 0.0, 0.0], "DOP853", rtol=1e-11, atol=1e-14, events=level, dense_output=True
+    )
+    period = 2 * next(t for t in way.t_events[0] if t > 1e-3)
+    t = np.linspace(0, period, 801)
+    u, _, h = way.sol(t)
+    in_step = np.abs(h - excess * (1 - np.cos(2 * math.pi * t / period))).max()
+    # The linear theory leaves out that the flight starts excess^2/2 lower.
+    in_time = np.abs(h - excess * (1 - np.cos(math.sqrt(2) * t)) - excess**2 / 2).max()
+    late = period / (math.sqrt(2) * math.pi)
+    return late, float(in_step / (np.ptp(h) / 2)), float(in_time / abs(excess)), bool(u.min() < 0)
+
+
+SMALL = st.floats(-4, -0.83).map(lambda power: 10**power)
+
+
+@settings(max_examples=tries(60))
+@given(st.floats(-0.9, 0.72).filter(lambda one: abs(one) > 1e-4) | SMALL | SMALL.map(lambda size: -size))
+@example(0.1)
+@example(0.8)
+@example(3.0)
+def test_the_verdict_on_linear_theory_is_true(excess: float) -> None:
+    """Its error of the heights shrinks with the swing: it is that over the first period, next to the amplitude."""
+    told = Phugoid(excess=excess).shown.values["verdict"].replace("\N{NO-BREAK SPACE}", " ")
+    late, off, first, loops = flown(excess)
+    assert loops == ("loops" in told)
+    if "right to 0.1 %" in told:
+        assert abs(late - 1) <= 1.0005e-3 and off <= 0.08
+        assert 0.01 * number(told.split("about ")[1].split(" %")[0]) == pytest.approx(first, rel=0.06)
+    elif not loops:
+        assert off > abs(late - 1) > 0.9995e-3 and first > (0.2 if "fails in the shape" in told else 0.05)
+
+
+@pytest.mark.parametrize("unit", SPEEDS)
+def test_units_change_labels_and_never_the_drawing(unit: str) -> None:
+    for view in ("period", "energy", "limits"):
+        one, other = (Phugoid(unit=name, view=view).shown for name in ("ft/s", unit))
+        for name, axis in one.axes.items():
+            ends = [(each.start, each.end) for each in (axis, other.axes[name])]
+            assert ends[0] == pytest.approx(ends[1], rel=1e-12), name
+        assert other.axes["v"].ruler.labels[-1].split()[-1] == unit

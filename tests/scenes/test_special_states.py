@@ -23,6 +23,9 @@ MACHINE = {"own": True, "m1": 3.0, "k1": 1.0, "F_0": 1.0, "m2": 1.0}
 """sqrt(k1/m1) = sqrt(1/3) is no double."""
 
 
+LIGHT = {"c1": 0.1, "c2": 0.1}
+
+
 def slow(**chain: float) -> float:
     return float(TwoMassChain(**chain).modes().omega[0])
 
@@ -36,9 +39,11 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"signals.F": None, "scalars.forced": 0}),
     ],
     "energy": [
+        ({"g": 0.0}, {"scalars.natural": 0.0}),
         ({"x_0": 0.001}, {"scalars.natural_seen": 0, "scalars.natural_far": 1, "axes.x.end": -0.00125}),
     ],
     "analogues": [
+        ({"theta_0": 50.104}, {"values.late_percent": "5.00"}),
         ({"theta_0": 0.0}, {"values.end_left": "0°", "values.end_right": "0°"}),
         ({"system": "string", "string_n": 100.0}, {"scalars.half_waves": 12, "notes": "12 half waves"}),
     ],
@@ -49,9 +54,28 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"values.tau": "20.7", "values.omega": "0.303", "values.tau_model": "4.83 s"}),
         ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
     ],
-    "damped": [],
+    "damped": [
+        ({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None, "numbers.delta": None}),
+    ],
+    "chain": [
+        (
+            {"N": 8, "ends": "free-free", "starts": "mass", "p": 1.0, "h": 0.0, "v_0": 1.0},
+            {"notes": "0.125 m/s", "numbers.slowest": 0.0},
+        ),
+        ({"ends": "free-free"}, {"notes": None}),
+    ],
     "driven": [
         ({"omega": 0.0}, {"holds": "At ω = 0 nothing pushes", "scalars.polygon_idle": 1, "columns.power": None}),
+        (
+            {"view": "harmonics", "push": "step"},
+            {
+                "forms.meets": "once",
+                "forms.repeats": "",
+                "scalars.omega_at": None,
+                "scalars.M_at": None,
+                "numbers.X": None,
+            },
+        ),
         ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),
         (
             {"omega": OWN, "c": 0.0},
@@ -91,6 +115,29 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
     ],
     "modes": [
         ({"view": "sweep"}, {"scalars.cross": math.log10(4)}),  # m1 k2 = m2 (k1 + k2): 2 k2 = 4 + k2
+        (
+            {"view": "guess", "k2": 2.0, "omega": math.nextafter(math.sqrt(2), 0.0)},  # no double: mass 1 rests
+            {"values.a22": "0.00", "values.D": "−4.00", "forms.row2_says": "pole", "forms.agree": "pole"},
+        ),
+        (
+            {"view": "guess", "omega": 0.7, "ratio": 3.0},  # arrows in proportion to the forces, the longest 0.17
+            {
+                "scalars.need1_N": -0.04165,
+                "scalars.give1_N": 0.0,
+                "scalars.need2_N": -0.062475,
+                "scalars.give2_N": -0.17,
+            },
+        ),
+        (
+            {"view": "roots", "c1": 0.1},  # k1/c1 = 40; the double root is at c1 = 2
+            {"scalars.ring_slow": 1, "scalars.ring_fast": 2, "scalars.radius1": 40, "scalars.radius2": 0},
+        ),
+        ({"view": "roots", "c1": 0.1}, {"scalars.met": 1, "scalars.met1": -0.5, "scalars.met1_im": math.sqrt(1.75)}),
+        ({"view": "roots", "c1": 0.1, "grows": "c2"}, {"scalars.met": 0}),
+        *(
+            ({"view": view, "c1": 0.1}, {"notes": "without the dashpots"})
+            for view in ("guess", "solve", "sweep", "hunt")
+        ),
         ({"view": "guess", "omega": math.sqrt(3)}, {"values.a11": "0.00", "values.row1": "+0.00"}),
         ({"view": "guess", "omega": math.nextafter(1.0, 2.0)}, {"forms.agree": "same_slow", "values.D": "0.00"}),
         ({"view": "guess", "omega": math.nextafter(2.0, 1.0)}, {"forms.agree": "same_fast", "values.apart": "0.00"}),
@@ -120,6 +167,11 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "bode", "c1": 0.1, "c2": 0.1}, {"axes.omega.log": True, "axes.X.log": True}),
         ({"view": "bode", "c1": 0.1, "c2": 0.1, "scale": "size"}, {"axes.omega.log": False}),
         ({"view": "response", "c1": 0.1, "c2": 0.1, "scale": "log"}, {"axes.omega.log": False}),
+        (
+            {"view": "bode", **LIGHT, "omega": 1.1},
+            {"text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"},
+        ),
+        (LIGHT, {"scalars.peak1_0": None}),
         ({"c1": 0.2, "omega": 1.0}, {"numbers.Xp1": 0.0, "scalars.mark_still": 1.0}),
         ({"k1": 0.0}, {"scalars.mark_minus": 0.0}),
         ({"c1": 0.4, "omega": 0.0}, {"notes": "At ω = 0 the force F₀ sin ωt is 0 at all times."}),

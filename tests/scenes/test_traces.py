@@ -45,7 +45,7 @@ def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axi
 def test_what_is_drawn_is_the_motion_of_the_physics_with_enough_points(slug: str) -> None:
     kind, checked = SCENES[slug], 0
 
-    @settings(max_examples=tries(80), phases=(Phase.explicit, Phase.generate))
+    @settings(max_examples=tries(48), phases=(Phase.explicit, Phase.generate))
     @given(values(kind, 2.0))
     def holds(state: dict[str, Any]) -> None:
         nonlocal checked
