@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import json
-import math
-from itertools import product
 from typing import Any
 
 import pytest
 
-from components.quantities.axes import Axis
 from components.state.encoding import COARSE
-from tests.page.scripts import call, each
+from tests.page.scripts import each
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
@@ -41,18 +38,3 @@ WRITTEN: dict[str, list[tuple[Any, ...]]] = {
 def test_a_number_is_written(function: str) -> None:
     cases = WRITTEN[function]
     assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
-
-
-AXES = [
-    Axis(0.5, 4.0, log=log, power=power, exponent=exponent, factor=factor)
-    for log, power, exponent, factor in product((False, True), (1, 2), (0, -4), (1.0, math.pi / 180))
-    if not (log and (power > 1 or exponent))
-]
-
-
-@pytest.mark.parametrize("axis", AXES, ids=str)
-def test_a_place_on_an_axis_stands_for_a_quantity_as_in_python_and_back(axis: Axis) -> None:
-    for value in (0.25, 1.0, 3.7):
-        place = call("static/core/ruler.toPlace", axis.ruler, value)
-        assert place == pytest.approx(axis.place(value), rel=1e-14)
-        assert call("static/core/ruler.toSI", axis.ruler, place) == pytest.approx(value, rel=1e-14)

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 from components.panel_face.drawing import ShapeGlyphs
 from components.panel_face.face import PanelFace
 from components.panel_face.label_collisions import TextBox, box_of, text_width, without_collisions
-from components.panel_face.live_figure import EDGE, HEAD, SMALL, WORDS, LiveFigure, LiveStage, axis_words, plain_html
+from components.panel_face.live_figure import EDGE, HEAD, SMALL, WORDS, LiveFigure, LiveStage
 from components.panel_face.shapes import text_row
 from components.scenes import SCENES
 from tests.grids import sample
@@ -85,15 +85,6 @@ def check_words(face: PanelFace, one: LiveFigure, wide: int) -> None:
         assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < wide
 
 
-def test_an_axis_and_a_mark_have_words_with_symbols_and_numbers() -> None:
-    face = fitted("forced", WIDE, WIDE)
-    marks = face.figures["response"].block.marks
-    assert [plain_html(one.html, face.scene.shown) for one in marks] == ["slow ω₋ 0.618", "Xₚ₁=0 1.00", "fast ω₊ 1.62"]
-    plots = (("oscillator", "plane", ("displacement", "velocity")), ("chain", "field", ("", "time")))
-    for slug, plot, names in plots:
-        assert axis_words(fitted(slug, WIDE, WIDE).figures[plot].block) == names
-
-
 def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:
     """Bokeh does not clip what is over a plot."""
     face, document = fitted("coupled", WIDE, WIDE), Document()
@@ -103,18 +94,6 @@ def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:
     figure.model.x_range.start = 1.0  # a visitor zooms; all dots are at t = 0
     document.callbacks.trigger_event(RangesUpdate(figure.model))
     assert figure.dots.data["x"] == []
-
-
-def test_a_figure_is_drawn_again_in_its_measured_width() -> None:
-    face = fitted("absorber", STAGE, FRAME)
-    stage = face.stages["stage"]
-    narrow = max(map(max, stage.drawing.sources["lines"].data["x"]))
-    assert stage.model.x_range.end == STAGE
-    stage.model.set_from_json("inner_width", WIDE)
-    assert stage.model.x_range.end == WIDE
-    assert max(map(max, stage.drawing.sources["lines"].data["x"])) > narrow
-    stage.model.set_from_json("inner_width", 0)  # of a hidden figure
-    assert stage.model.x_range.end == WIDE
 
 
 @pytest.mark.parametrize("slug", SCENES)

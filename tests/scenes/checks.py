@@ -23,6 +23,8 @@ from tests.page.headless_page import picture_wire
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """Matches a hyphen that is used as a minus sign."""
+SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
+"""The parameter with the size of each kind of drive."""
 
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:
@@ -111,3 +113,16 @@ def taken(slug: str, label: str) -> Any:
     scene = SCENES[slug]()
     scene.set(SCENES[slug].preset_all(label))
     return scene
+
+
+def harmonics(s: Any, count: int) -> tuple[Any, Any]:
+    """The harmonics of a push from 1 to below `count`: |f_n| in N and |X_n| in m."""
+    n = np.arange(1, count)
+    f = {
+        "impulses": np.full(len(n), s.J * s.omega / math.pi),
+        "square": 4 * s.F_0 / (n * math.pi) * (n % 2),
+        "triangle": 8 * s.F_0 / (n * math.pi) ** 2 * (n % 2),
+        "pulses": 2 * s.F_0 * np.abs(np.sin(n * math.pi * s.width)) / (n * math.pi),
+    }[s.push]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return f, f / np.abs(s.k - s.m * (n * s.omega) ** 2 + 1j * n * s.c * s.omega)

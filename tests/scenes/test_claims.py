@@ -22,8 +22,8 @@ from physics.coupled import TwoMassChain, free_motion
 from physics.damped import DampedOscillator
 from physics.forced import forced_motion
 from tests.grids import sample, tries
+from tests.scenes.checks import SIZES, harmonics
 from tests.scenes.sentences import number, numbers, said, wordings
-from tests.scenes.textbook import SIZES, harmonics
 from tests.states import values
 
 Check = Callable[[Any, str, str], object]

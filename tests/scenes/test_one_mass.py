@@ -28,9 +28,8 @@ from physics.driven import DrivenOscillator
 from physics.periodic import PeriodicPush
 from physics.pushed import PushedMass
 from tests.grids import tries
-from tests.scenes.checks import columns, quantities
+from tests.scenes.checks import SIZES, columns, harmonics, quantities
 from tests.scenes.sentences import number
-from tests.scenes.textbook import SIZES, harmonics
 
 DAMPED, DRIVEN = SCENES["damped"], SCENES["driven"]
 KINDS = ("force", "base", "unbalance")
