@@ -99,8 +99,10 @@ def largest_power(s: Any, form: str, text: str) -> None:
     motion = DampedOscillator(m=s.m, c=s.c, k=s.k).motion(s.x_0, s.v_0, t)
     top = int(np.argmax(np.abs(motion.v)))
     assert (form == "at_start") == (top == 0) or top == 1
-    if form == "before":
-        assert motion.x[top] * motion.v[top] < 0
+    zeta = s.c / (2 * math.sqrt(s.m * s.k))
+    assert (form != "fastest" or zeta > 0.9) and (form != "before" or zeta < 1.1)
+    if form == "before" and zeta < 0.9:
+        assert motion.x[top] * motion.v[top] < 0 and (motion.x[top:] * motion.x[top] < 0).any()
 
 
 def balance(s: Any, form: str, text: str) -> None:
