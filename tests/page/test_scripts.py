@@ -1,14 +1,16 @@
-"""The results of the scripts compared with Python: signals, texts of numbers, places of names."""
+"""The results of the scripts: numbers as Python writes them, and descriptions of curves for screen readers."""
 
 from __future__ import annotations
 
 import json
 from typing import Any
 
+import msgspec
 import pytest
 
+from components.quantities.axes import Axis
 from components.state.encoding import COARSE
-from tests.page.scripts import each
+from tests.page.scripts import call, each
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
@@ -38,3 +40,30 @@ WRITTEN: dict[str, list[tuple[Any, ...]]] = {
 def test_a_number_is_written(function: str) -> None:
     cases = WRITTEN[function]
     assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
+
+
+X, Y = Axis(0.0, 10.0, "s"), Axis(-2.0, 2.0, "m")
+Points = list[tuple[float, float]]
+
+
+def course(pieces: list[Points], lines: int = 1) -> str:
+    trace = {"name": "x", "lines": lines, "motion": None}
+    trace["pieces"] = [{"xs": [x for x, _ in one], "ys": [y for _, y in one]} for one in pieces]
+    return str(call("static/scene/describe.course", trace, *(msgspec.to_builtins(axis) for axis in (X, Y))))
+
+
+def test_lines_through_the_frame_gaps_and_poles_are_described() -> None:
+    assert course([[(4.0, -50.0), (4.0, 50.0)]]) == "x: upright at 4 s, from outside the frame to outside the frame."
+    assert course([[(-90.0, -20.0), (110.0, 20.0)]]) == "x: rises from −2 m to 0 m."
+    assert "lines: lowest" in course([[(0.0, 1.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 0.5)]], lines=2)
+    told = course([[(0.0, 1.0), (4.0, 1.0)], [(6.0, 1.0), (9.0, 1.0)]])
+    assert told == "x, 2 pieces: from 0 s to 4 s it stays at 1 m; from 6 s to 9 s it stays at 1 m."
+    assert course([[(2.0, 1.0)], [(4.0, 0.5)]]) == "x, 2 pieces: 1 m at 2 s; 0.5 m at 4 s."
+    assert course([[(0.0, 1.0), (10.0, 1.0)]]) == "x: 1 m throughout."
+    assert course([[(0.0, 9.0), (10.0, 9.0)]]) == "x: outside the frame throughout."
+    assert course([[(0.0, 9.0), (5.0, 1.0), (10.0, 9.0)]]).startswith("x: from outside the frame to outside the frame,")
+    bent = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]
+    assert course([bent]) == "x: from 0 m to 0 m, lowest 0 m at 0 s, highest 1 m at 1 s."
+    first, second = course([[(0.0, 0.1), (4.9, 9.0)], [(5.1, -9.0), (10.0, -0.1)]]).split("; ")
+    assert " it rises from " in first and first.endswith(" to outside the frame")
+    assert " it rises from outside the frame to " in second

@@ -17,7 +17,7 @@ from components.quantities.formatting import parse_number
 from components.scene import Scene
 from components.scene.about import NO_BAND, About, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
-from tests.grids import tries
+from tests.grids import sample, tries
 from tests.states import values
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
@@ -59,7 +59,7 @@ def test_every_point_of_any_state_is_within_its_bound(slug: str) -> None:
             return
         check_points(scene)
 
-    for label in SCENES[slug].presets:
+    for label in sample(list(SCENES[slug].presets)):
         check_points(opened(slug, SCENES[slug].preset_all(label)))
     holds()
 
