@@ -72,7 +72,7 @@ def test_a_run_skips_modules_without_a_test_for_it() -> None:
     with_browser, without, both = map(read, ("browser and slow", "not browser", "browser or slow"))
     assert with_browser | without == both == read("") == {path.name for path in modules}
     assert "test_page.py" in with_browser - without and "test_scripts.py" in without - with_browser
-    assert "test_headers.py" in with_browser & without  # has tests with and without a browser
+    assert "test_figures.py" in with_browser & without  # has tests with and without a browser
 
 
 # Requirements
