@@ -116,7 +116,7 @@ MUTANTS = (
     ),
     Mutant(
         "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
-        "tests/browser/test_undo.py",
+        "tests/browser/test_compare.py",
     ),
     Mutant("overlap", "static/scene/labels.js", "everyWhich(spans)", "1", "tests/browser/test_views.py"),
     Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_views.py"),

@@ -23,7 +23,7 @@ from components.scenes import SCENES
 from components.state.page_state import fitted
 from components.walks.registry import all_walks
 from tests.browser.fixtures import READY
-from tests.browser.views import seen
+from tests.browser.looks import seen
 from tests.browser.waiting import passed, redrawn
 from tests.serving.server import serving
 from tools.browsers.chromium import find

@@ -9,8 +9,7 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.fixtures import READY
-from tests.browser.tabs import calm_context
+from tests.browser.fixtures import READY, calm_context
 from tests.browser.waiting import clicked
 from tests.serving.server import Server
 
@@ -101,8 +100,10 @@ def ticket(lecture: Page, button: str, answer: str) -> str:
 
 
 def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) -> Page:
-    """A phone that is accepted as the remote control."""
+    """A phone that is accepted as the remote control, by the digits that it shows."""
     remote = window(ticket(lecture, "Remote control", "tickets").partition("?")[2], width, height)
+    expect(remote.locator("h1")).to_have_text(re.compile(r"^\d\d$"))
+    expect(lecture.get_by_role("dialog")).to_contain_text(f"show {remote.locator('h1').inner_text()}?")
     lecture.get_by_role("button", name="Yes, connect it").click()
     remote.get_by_role("button", name="Close").click()
     expect(lecture.get_by_role("dialog")).to_have_count(0)

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator
 
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image
 from playwright.sync_api import Page
 
-from tests.browser.boxes import faults
+from tests.browser.looks import faults
 from tests.browser.waiting import passed, seek
 
-Flags = NDArray[np.bool_]
-PAPER = """(({left, top, right, bottom}) => [left, top, right, bottom])(
-  document.querySelector(".paper").getBoundingClientRect())"""
 LAID = "oscillations.walks.walk.card?.page === oscillations.page"
 TAUGHT = (
     "oscillations.walks.walk.lesson && "
@@ -58,26 +51,3 @@ def seen(page: Page, height: int, when: str) -> Iterator[str]:
     found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
     found += page.evaluate(LOW, height / 30)
     yield from (f"{when} Show: {fault}" for fault in found if MEANT not in fault)
-
-
-CELL = 12
-"""Pixels of the squares in which drawn content is searched."""
-
-
-def empty(page: Page) -> float:
-    """The share of the paper that the largest empty rectangle takes."""
-    shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB")).astype(int)
-    left, top, right, bottom = map(int, page.evaluate(PAPER))
-    drawn = np.abs(shot[top:bottom, left:right] - shot[top + 2, left + 2]).max(axis=2) > 12
-    rows, columns = (size // CELL for size in drawn.shape)
-    free = ~drawn[: rows * CELL, : columns * CELL].reshape(rows, CELL, columns, CELL).any(axis=(1, 3))
-    largest, heights = 0, np.zeros(columns, int)
-    for row in free:
-        heights = np.where(row, heights + 1, 0)
-        largest = max(largest, *(height * _widest(heights >= height) for height in set(heights.tolist())))
-    return largest / (rows * columns)
-
-
-def _widest(free: Flags) -> int:
-    """The length of the longest run of free squares."""
-    return max(len(run) for run in "".join("x" if one else " " for one in free).split(" "))

@@ -1,13 +1,149 @@
-"""Checks of a loaded page that only read it: each returns sentences about faults."""
+"""Checks of a loaded page that only read it: each returns sentences about faults. Scenes and sizes to look at."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import cast
 
 import axe_playwright_python
 from playwright.sync_api import Page
+
+from components.scene import Scene
+from tests.scenes.checks import choices
+
+GRID = (
+    *((1250, 590), (1024, 768), (844, 390), (360, 640)),
+    *((1280, 720), (1249, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
+    *((853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
+)
+"""Sizes of windows."""
+
+
+def seen(scene: type[Scene]) -> Iterator[Scene]:
+    """The scene as it opens, then with each other option of each choice."""
+    yield (opens := scene.at())
+    yield from (scene.at(choice) for choice in choices(scene) if opens.differing(choice))
+
+
+FAULTS = r"""([least, leastIndex]) => {
+  const faults = []
+  const style = element => getComputedStyle(element)
+  const hasSize = ({width, height}) => width > 1 && height > 1
+  // An SVG text inside a group that is not drawn passes for visible, but has no size.
+  const stands = element =>
+    element.checkVisibility({opacityProperty: true, visibilityProperty: true}) &&
+    hasSize(element.getBoundingClientRect())
+  const scrollers = new Map()
+  const scroller = element => {
+    if (!element || element === document.body) return null
+    if (!scrollers.has(element)) {
+      const {overflowX, overflowY, display} = style(element)
+      const holds = display !== "contents" && /auto|scroll|hidden|clip/.test(overflowX + overflowY)
+      scrollers.set(element, holds && !(element instanceof SVGElement) ? element : scroller(element.parentElement))
+    }
+    return scrollers.get(element)
+  }
+  const named = ({owner, text}) => {
+    const place = owner.closest(".block, .group, .transport, .nav, .panel, .page")
+    return `${(place?.getAttribute("class") ?? "").trim()}: ${text.replace(/\s+/g, " ")}`
+  }
+  const pieces = new Map()
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
+  const range = document.createRange()
+  while (walker.nextNode()) {
+    const node = walker.currentNode, element = node.parentElement
+    const owner = element.closest("text, math, td, th") ?? element
+    if (!node.textContent.trim() || !stands(element) || !stands(owner) || element.closest("option, .figure")) continue
+    range.selectNodeContents(node)
+    const piece = pieces.get(owner) ?? {owner, text: "", boxes: []}
+    piece.text += node.textContent
+    piece.boxes.push(...[...range.getClientRects()].filter(hasSize))
+    pieces.set(owner, piece)
+    const size = parseFloat(style(element).fontSize) * (element.getScreenCTM?.().a ?? 1)
+    const isIndex = element.closest("sub, sup, .sub, msub, msup, msubsup, mover, mfrac, tspan")
+    if (size < (isIndex ? leastIndex : least) - 0.01) faults.push(`small, ${size.toFixed(1)} px: ${named(piece)}`)
+  }
+  const texts = [...pieces.values()]
+  const controls = [...document.querySelectorAll("button, input, summary, .pill, .flag, nav a")].filter(stands)
+  for (const field of controls) {
+    if (field.matches("input:not([type=range])") && field.scrollWidth > field.clientWidth + 1)
+      faults.push(`cut in its field: ${field.name} ${field.value}`)
+  }
+  if (document.documentElement.scrollWidth > innerWidth) faults.push("the page scrolls sideways")
+
+  const wide = holder => holder.scrollWidth > holder.clientWidth + 1 && style(holder).overflowX !== "hidden"
+  const parts = controls.map(owner => ({owner, text: owner.getAttribute("aria-label") ?? owner.textContent,
+                                       boxes: [owner.getBoundingClientRect()]}))
+  const staying = [...document.querySelectorAll(".paper *")]
+    .filter(part => style(part).position === "sticky" && stands(part))
+    .map(part => ({part, box: part.getBoundingClientRect()}))
+  const isCut = ({left, right}, frame) => left < frame.left - 1.5 || right > frame.right + 1.5
+  for (const piece of [...texts, ...parts]) {
+    const holder = scroller(piece.owner)
+    const frame = holder?.getBoundingClientRect() ?? {left: 0, right: innerWidth, top: -Infinity, bottom: Infinity}
+    // What a list that scrolls along holds beyond its edge is not cut off.
+    const isList = holder?.matches(".tabs, .tiles, .chips, .mode-row, .roles, .words, .table, .choice, .head, .group")
+    if (isList && wide(holder)) piece.gone = true
+    else if (piece.boxes.some(box => isCut(box, frame))) faults.push(`cut: ${named(piece)}`)
+    piece.boxes = piece.boxes.filter(({top, bottom}) => bottom > frame.top && top < frame.bottom)
+    if (!piece.boxes.length) piece.gone = true
+    // Nor is what lies under a part that stays in sight.
+    const lies = ({top, bottom}, over) => top < over.bottom && bottom > over.top
+    for (const {part, box} of staying)
+      if (!part.contains(piece.owner) && piece.boxes.some(one => lies(one, box))) piece.gone = true
+  }
+
+  const seen = texts.filter(piece => !piece.gone)
+  // Whatever is clicked through, what lies uppermost at the foot of a text is that text, or can be seen through.
+  const reached = document.head.appendChild(document.createElement("style"))
+  reached.textContent = "*:not(.pointer) { pointer-events: auto !important }"
+  const isClear = colour => /^(none|transparent|rgba\(.*, 0\))$/.test(colour)
+  const hides = (part, owner) => {
+    if (part instanceof SVGRectElement && !isClear(style(part).fill)) return part
+    for (; part && !part.contains(owner); part = part.parentElement)
+      if (!isClear(style(part).backgroundColor)) return part
+  }
+  for (const piece of seen) {
+    const {left, width, bottom, height} = piece.boxes[piece.boxes.length - 1]
+    const y = bottom - height / 3
+    const covers = [0.2, 0.5, 0.8].map(share => left + share * width).map(x => {
+      const over = document.elementFromPoint(x, y)
+      const cover = over && !piece.owner.contains(over) && hides(over, piece.owner)
+      // A finger's handle is hit beyond its box, where it shows nothing.
+      const box = cover && cover.getBoundingClientRect()
+      return box && x > box.left && x < box.right && y > box.top && y < box.bottom && cover
+    })
+    const cover = covers.find(cover => cover && stands(cover))
+    if (cover) faults.push(`under ${cover.getAttribute("class")}: ${named(piece)}`)
+  }
+  reached.remove()
+  const top = ({boxes}) => Math.min(...boxes.map(box => box.top))
+  const bottom = ({boxes}) => Math.max(...boxes.map(box => box.bottom))
+  seen.sort((one, other) => top(one) - top(other))
+  // Letters do not fill their line: a quarter of it above and below is air.
+  const meet = (one, other) =>
+    one.left + 1.5 < other.right && other.left + 1.5 < one.right &&
+    one.top + one.height / 4 < other.bottom - other.height / 4 &&
+    other.top + other.height / 4 < one.bottom - one.height / 4
+  for (const [i, one] of seen.entries()) {
+    for (const other of seen.slice(i + 1)) {
+      if (top(other) > bottom(one)) break
+      if (one.owner.contains(other.owner) || other.owner.contains(one.owner)) continue
+      if (one.boxes.some(box => other.boxes.some(another => meet(box, another))))
+        faults.push(`overlap: ${named(one)} | ${named(other)}`)
+    }
+  }
+  return faults
+}"""
+
+
+def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:
+    """Return the faults in the layout of a page: parts that overlap, are cut off, leave their frame, or have letters
+    below `least` pixels of the page, an index below `index`.
+    """
+    return cast(list[str], page.evaluate(FAULTS, [least, index]))
+
 
 AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text(encoding="utf-8")
 # Results are marked on the page, because axe names texts by positions that change if a stage changes its size.
@@ -137,9 +273,6 @@ TWICE = """() => {
 """Names that two things to press have, except the words of a choice, which its group names."""
 
 TICKS = """() => [
-  ...[...document.querySelectorAll(".seg button")]
-    .filter(one => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1)
-    .map(one => `cut in its button: ${one.textContent}`),
   ...oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
     const bare = text => text.replaceAll(" ", "")
     return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
@@ -151,7 +284,7 @@ TICKS = """() => [
     [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value)))
     .map(one => `not a number: ${one.outerHTML.slice(0, 80)}`),
 ]"""
-"""Words cut in buttons, numbers away from their ticks, drawings without numbers."""
+"""Numbers away from their ticks, drawings without numbers."""
 HEADS = """() => [...document.querySelectorAll(".plot .head")].filter(head => head.offsetParent).filter(head =>
   [...head.querySelectorAll("*")].some(part =>
     part.getBoundingClientRect().right > head.getBoundingClientRect().right + 0.5))
@@ -233,14 +366,6 @@ PANEL = """() => {
   return innerHeight >= 700 && scrollHeight > clientHeight ? [`the panel is ${scrollHeight} px high`] : []
 }"""
 """The folded panel of a scene as it opens is visible, too."""
-UNDER = """() => {
-  scrollBy(0, document.querySelector(".transport").getBoundingClientRect().top - 60)
-  const {x, y, width, height} = document.querySelector(".transport .play").getBoundingClientRect()
-  const over = document.elementsFromPoint(x + width / 2, y + height / 2).map(one => one.closest(".block.stage"))
-  scrollTo(0, 0)
-  return over.some(Boolean) && !over[0] ? ["the bar is over the stage that stays"] : []
-}"""
-"""A bar that is scrolled up to a stage that stays in sight goes under it."""
 FIRST = """([names, screens, room]) => {
   const most = screens * innerHeight + room
   const seen = one => one?.checkVisibility()
@@ -265,13 +390,6 @@ FIRST = """([names, screens, room]) => {
   ]
 }"""
 """Parts that a task names and that end more than `room` px below so many screens; long tasks and headlines."""
-STACKED = """() => {
-  const order = [".view-task", ".block.stage", ".transport", ".tabs", ".block.plot", ".keys-of-view", ".panel .chips"]
-    .map(one => [...document.querySelectorAll(one)].find(part => part.checkVisibility()))
-  const tops = order.map(one => one.getBoundingClientRect().top)
-  return order.slice(1).filter((_, i) => tops[i + 1] < tops[i]).map(one => `${one.className} is too early`)
-}"""
-"""On a phone the key control is between the plots and the presets."""
 SIDEWAYS = """() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]
@@ -283,16 +401,6 @@ SIDEWAYS = """() => {
   return [...(beside ? [] : ["the plot is not next to the picture"]), ...play.map(() => "Play is out of sight")]
 }"""
 """On a phone held sideways the plot is next to the picture, and Play is visible."""
-ON_OTHERS = """kinds => {
-  const seen = one => one.checkVisibility() && one.getBoundingClientRect().width > 0
-  const boxes = kind => [...document.querySelectorAll(`.block.stage:not(.still) svg.stage ${kind}`)].filter(seen)
-  const meet = (one, other) => one.left < other.right + 3 && other.left < one.right + 3 &&
-    one.top < other.bottom && other.top < one.bottom
-  return boxes("text").flatMap(text => kinds.flatMap(boxes)
-    .filter(part => part !== text && meet(text.getBoundingClientRect(), part.getBoundingClientRect()))
-    .map(part => `${text.textContent} on ${part.getAttribute("class") ?? part.textContent}`))
-}"""
-"""Names on a stage that overlap parts of these kinds, or are less than 3 px next to them."""
 
 
 Check = Callable[[Page], list[str]]
@@ -307,8 +415,8 @@ def check(script: str, given: object = None) -> Check:
     return lambda page: of(page, script, given=given)
 
 
-desk, order, scrolled, wider, sideways = map(check, (DESK, ORDER, UNDER, LOST, SIDEWAYS))
-fields, stacked, heads, panel = map(check, (FIELDS, STACKED, HEADS, PANEL))
+desk, order, wider, sideways = map(check, (DESK, ORDER, LOST, SIDEWAYS))
+fields, heads, panel = map(check, (FIELDS, HEADS, PANEL))
 
 
 def first(names: Sequence[str], screens: int, room: int = 0) -> Check:
@@ -317,7 +425,3 @@ def first(names: Sequence[str], screens: int, room: int = 0) -> Check:
 
 def targets(least: int) -> Check:
     return check(TARGETS, least)
-
-
-def apart(kinds: Sequence[str]) -> Check:
-    return check(ON_OTHERS, list(kinds))

@@ -1,7 +1,9 @@
-"""The page by keys: where the Tab key leads, tabs, the navigation; forced colours; a phone that is turned."""
+"""The page by keys and for screen readers: the Tab key, tabs, the navigation, forced colours, what is announced."""
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable
 
 import pytest
@@ -9,9 +11,8 @@ from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
 from tests.browser import looks
-from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
-from tests.browser.views import GRID
+from tests.browser.looks import GRID, faults
 from tests.browser.waiting import passed, turned, unfold
 from tests.serving.server import Server
 
@@ -96,16 +97,6 @@ def test_forced_colours_distinguish_pressed_buttons_and_the_current_page(desk: P
     desk.emulate_media(forced_colors="none", color_scheme="light")
 
 
-def test_turning_a_phone_keeps_the_focus(phone: Page) -> None:
-    turned(phone, "forced", {"view": "response"})
-    slider = phone.locator("input[name=omega-slider]")
-    for width, height in ((844, 390), (1280, 720), (390, 844)):
-        slider.focus()
-        phone.set_viewport_size({"width": width, "height": height})
-        passed(phone)
-        expect(slider).to_be_focused()
-
-
 def test_a_step_of_a_walk_is_read_in_order_and_its_fields_do_not_zoom(
     new_page: Callable[..., Page], server: Server
 ) -> None:
@@ -136,25 +127,12 @@ def of_navigation(page: Page) -> list[str]:
     return [fault for fault in faults(page) if all("nav: " in part for part in fault.split(" | "))]
 
 
-def test_the_navigation_runs_into_nothing_and_has_room_for_thirteen_scenes(page: Page, open_scene: Open) -> None:
+def test_the_navigation_runs_into_nothing(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     found = []
     for size in GRID:
         page.set_viewport_size({"width": size[0], "height": size[1]})
         found += [f"{size}: {fault}" for fault in of_navigation(page)]
-    page.evaluate(
-        """count => {
-      const last = [...document.querySelectorAll(".nav .scene-group")].at(-1), own = last.cloneNode(true)
-      const links = [...Array(count)].map(() => last.querySelector("a").cloneNode(true))
-      own.querySelector(".lecture").textContent = own.querySelector("button").textContent = "Beyond the slides"
-      own.querySelector(".scenes").replaceChildren(...links)
-      if (count) last.after(own)
-    }""",
-        13 - len(SCENES),
-    )
-    for width in (1000, 1024, 1160, 1280, 1519, 1520, 1920):
-        page.set_viewport_size({"width": width, "height": 800})
-        found += [f"{width} px, thirteen scenes: {fault}" for fault in of_navigation(page)]
     assert not found, "\n".join(found)
 
 
@@ -179,7 +157,7 @@ def test_a_folded_lecture_opens_by_mouse_and_keys(desk: Page) -> None:
     expect(links).to_have_text([scene.title for scene in SCENES.values() if scene.lecture == "D31"])
 
 
-def test_on_a_narrow_screen_all_scenes_are_in_one_list(desk: Page) -> None:
+def test_on_a_narrow_screen_all_scenes_are_in_one_list_and_turning_keeps_the_focus(desk: Page) -> None:
     off_line = """() => {
       const range = document.createRange()
       range.selectNodeContents(document.querySelector(".scene-menu summary"))
@@ -187,9 +165,12 @@ def test_on_a_narrow_screen_all_scenes_are_in_one_list(desk: Page) -> None:
       return Math.abs(text.top + text.bottom - line.top - line.bottom) / 2
     }"""
     turned(desk, "coupled", {})
-    links = desk.locator(".nav .scenes a:visible")
+    links, theme = desk.locator(".nav .scenes a:visible"), desk.locator("#theme")
     for width, height, to in ((820, 900, "energy"), (390, 844, "phugoid"), (320, 640, "energy")):
+        theme.focus()
         desk.set_viewport_size({"width": width, "height": height})
+        passed(desk)
+        expect(theme).to_be_focused()
         assert desk.evaluate(off_line) < 1, "the scene is in the middle of its line"
         desk.locator(".scene-menu summary").click()
         expect(links).to_have_text([scene.title for scene in SCENES.values()])
@@ -199,3 +180,57 @@ def test_on_a_narrow_screen_all_scenes_are_in_one_list(desk: Page) -> None:
         expect(desk.locator("h1")).to_have_text(SCENES[to].headline)
         expect(links).to_have_count(0)
     desk.set_viewport_size({"width": 1280, "height": 720})
+
+
+HEARD = ".page > [role=status]"
+
+
+def described(page: Page, name: str) -> str:
+    """Return the description of a plot, once it has one."""
+    page.wait_for_function('name => document.getElementById(`says-${name}`)?.textContent !== ""', arg=name)
+    return str(page.evaluate("name => document.getElementById(`says-${name}`).textContent", name))
+
+
+def changed(page: Page, **values: float) -> None:
+    page.evaluate("values => oscillations.send({type: 'set', values})", values)
+
+
+def test_a_change_is_announced_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    described(page, "x1")
+    heard = page.locator(HEARD)
+    expect(heard).to_have_text("")
+    before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
+    changed(page, k2=3)
+    told = [
+        f"{name} {now[key]} {unit}, was {before[key]} {unit}"
+        for name, key, unit in (
+            ("Slow mode", "omega_minus", "rad/s"),
+            ("fast mode", "omega_plus", "rad/s"),
+            ("energy", "E_total", "J"),
+        )
+    ]
+    expect(heard).to_have_text("; ".join(told) + ".")
+    changed(page, v1_0=1)
+    expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
+    state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
+    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
+    changed(page, k1=9)
+    expect(heard).to_have_text(re.compile("^Fast mode .*"))
+    assert "slow" not in (heard.text_content() or "").lower(), "a hidden number is announced"
+    assert described(page, "x2").endswith("Covered until you press Reveal.")
+    open_scene(page, walk="d31", step="d31-04")
+    assert described(page, "x").endswith("Covered until you press Show the answer.")
+
+
+def test_a_turning_point_is_described_where_the_motion_turns(page: Page, open_scene: Open) -> None:
+    """Not at the nearest drawn point. The figure has the description as its own."""
+    open_scene(page, scene="oscillator")
+    scene = SCENES["oscillator"]()
+    omega_n = math.sqrt(scene.k / scene.m)
+    lowest = (math.pi + math.atan2(scene.v_0 / omega_n, scene.x_0)) / omega_n
+    depth = math.hypot(scene.x_0, scene.v_0 / omega_n)
+    assert f"lowest −{depth:.3g} m at {lowest:.3g} s, highest" in described(page, "x")
+    figure = page.get_by_role("img", name="Displacement against time")
+    told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
+    expect(figure).to_have_accessible_description(told)

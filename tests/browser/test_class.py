@@ -1,4 +1,4 @@
-"""A class of three phones in a lecture of a step of each kind, from a file: a clicker leads it, a remote control looks
+"""A class of two phones in a lecture of a step of each kind, from a file: a clicker leads it, a remote control looks
 on.
 """
 
@@ -25,10 +25,9 @@ from tests.browser.classroom import (
     tap,
     taught,
 )  # fmt: skip
-from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.halls import seen
-from tests.browser.waiting import clicked
+from tests.browser.waiting import clicked, drop
 
 pytestmark = pytest.mark.browser
 
@@ -52,16 +51,21 @@ PULL, MASS, PLACE, CURVE = (f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for na
 LECTURE = f'title = "Six"\n{PULL}{MASS}{PLACE}{WORDS}{CURVE}{POLL}'
 BOLD = "<b>Energy</b> 🙂"
 STATUS = ".card-body > .hint[role=status]"
-QUESTION = "(({walk, step, vote, closed, answered, lesson}) => [walk, step, vote, closed, answered, Boolean(lesson)])"
 TAKEN = """oscillations.asked?.card && oscillations.asked.given &&
   oscillations.asked.delivery.isTaken(oscillations.asked.name)"""
 """True if the server has the answer that the phone kept and sends again after a while."""
+ABOVE = """() => document.querySelector(".drawing").getBoundingClientRect().bottom
+  <= document.querySelector(".class-bar").getBoundingClientRect().top"""
+INKED = """() => {
+  const {plot: {frame, unit}, canvas} = oscillations.classes.led.votes.layer
+  const ink = canvas.getContext("2d"), scale = devicePixelRatio * unit
+  return [0.2, 0.4, 0.6, 0.8].every(share => {
+    const [x, y] = [frame.left + share * frame.width, frame.top + (0.1 + 0.88 * share) * frame.height]
+    return ink.getImageData(scale * x - 5, scale * y - 5, 11, 11).data.some(Boolean)
+  })
+}"""
+"""True if the line that both phones have drawn is at its place."""
 KEPT = "Object.keys(localStorage).filter(key => key.startsWith('class-')).length"
-
-
-def look(lecture: Page, name: str) -> None:
-    """The screen in front, as the last row sees it."""
-    assert list(seen(lecture, 1080, f"{name}, after")) == []
 
 
 def reloaded(phone: Page, given: str) -> None:
@@ -80,30 +84,16 @@ def back_again(lecture: Page, phone: Page) -> None:
         expect(lecture.locator(FILLED)).to_have_text("Vote again")
         expect(lecture.locator(".votes")).to_contain_text("have answered. The answer has been shown.")
         expect(phone.get_by_text("This question has been answered. It takes no more answers.")).to_be_visible()
-        alike(lecture, phone, is_answered=True)
         lecture.reload()
         lecture.wait_for_function(f"{CONNECTED} && {LED}")
     assert phone.evaluate("oscillations.asked.card.question.element.inert && Boolean(oscillations.asked.given)")
     lecture.get_by_role("button", name="Show the answer").click()
     expect(phone.locator(".card .after > *").first).to_be_attached()
-    alike(lecture, phone, is_answered=False)
-
-
-def alike(lecture: Page, phone: Page, *, is_answered: bool) -> None:
-    """Hall and phone have the same information on the question, and no number on the phone is missing."""
-    pages = ((lecture, f"{LED}?.news"), (phone, "oscillations.news"))
-    for page, news in pages:
-        page.wait_for_function(f"is => {news}.question && {QUESTION}({news}.question)[4] === is", arg=is_answered)
-    assert [page.evaluate(f"{QUESTION}({news}.question)") for page, news in pages[:1]] == [
-        page.evaluate(f"{QUESTION}({news}.question)") for page, news in pages[1:]
-    ]
-    told = "[...document.querySelectorAll('.card .after, .findings')].map(part => part.textContent).join()"
-    assert "?" not in phone.evaluate(told)
 
 
 def choice(lecture: Page, code: str, phone: Page, other: Page) -> None:
     """Two votes with a discussion between them; nobody sees the first while the second is open."""
-    put("pull", lecture, phone, other)
+    put("pull", lecture, phone, other, timeout=90_000)  # the process that reads walks may be starting
     for i, one in enumerate((other, phone)):
         tap(one, i)
         sent(one)
@@ -123,9 +113,6 @@ def choice(lecture: Page, code: str, phone: Page, other: Page) -> None:
     lecture.get_by_role("button", name="Close the vote").click()
     expect(phone.get_by_text("The vote is closed.")).to_be_visible()
     assert phone.evaluate("oscillations.asked.card.question.element.inert")
-    lecture.reload()
-    lecture.wait_for_function(f"{CONNECTED} && {LED}?.room.code === '{code}'")
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     clicked(lecture)
     counted(lecture, "1 → 2", "1 → 0", "0 → 0")
     expect(lecture.locator(".vote-bar .before")).to_have_count(2)  # the first vote stays outlined
@@ -144,7 +131,6 @@ def judged(lecture: Page, phone: Page, other: Page) -> None:
     expect(phone.locator(STATUS)).to_have_text("2 of 2 are right.")
     assert phone.locator(".answers .vote-count").all_inner_texts().count("2") == 1
     expect(phone.locator(".card .try")).to_have_count(0)  # there is no slider
-    look(lecture, "choice")
     lecture.reload()
     lecture.wait_for_function("oscillations.walks.walk?.lesson")  # a question whose answer was shown is not asked again
     counted(lecture, "1 → 2", "1 → 0", "0 → 0")
@@ -171,7 +157,6 @@ def number(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     expect(lecture.locator(".votes .all")).to_have_text("1 of 2 is right")
     expect(lecture.locator(".votes .sure")).to_contain_text("1 fairly sure (1 right)")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
-    look(lecture, "number")
     back_again(lecture, phone)
     remote.get_by_role("button", name="How it follows").click()
     expect(lecture.locator(".card .follows .lines")).to_be_visible()
@@ -183,16 +168,14 @@ def point(lecture: Page, *phones: Page) -> None:
     for phone in phones:
         phone.locator(".pill-mark").press("ArrowRight")
         sent(phone)
-    reloaded(phones[0], "oscillations.asked.card.question.marker.value")
     clicked(lecture)
     lecture.wait_for_function("""() => {
       const parts = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part))
       const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
     }""")  # the answers are on the axis itself, next to where the mark begins
-    look(lecture, "point")
     clicked(lecture)
-    expect(lecture.locator(".votes .all")).to_have_text("0 of 3 are right")
+    expect(lecture.locator(".votes .all")).to_have_text("0 of 2 are right")
     clicked(lecture)
     expect(lecture.locator(".card .why")).to_be_visible()
     clicked(lecture)
@@ -211,7 +194,7 @@ def words(lecture: Page, remote: Page, *phones: Page) -> None:
     remote.get_by_role("listitem").filter(has_text=BOLD).get_by_role("button", name="Show").click()
     expect(lecture.locator(".words-shown li")).to_have_text([BOLD])
     expect(lecture.locator(".words-shown b")).to_have_count(0)
-    look(lecture, "words")
+    assert list(seen(lecture, 1080, "words")) == []  # with-votes tests look at the other kinds
     expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
     remote.get_by_role("button", name="Remove").click()
     expect(lecture.locator(".words-shown li")).to_have_count(0)
@@ -222,23 +205,23 @@ def words(lecture: Page, remote: Page, *phones: Page) -> None:
 
 
 def sketch(lecture: Page, *phones: Page) -> None:
-    """The sketches take the whole screen."""
+    """The sketches take the whole screen. On a phone held sideways the pad is above the bar of the class."""
     put("curve", lecture, *phones)
+    phones[1].wait_for_function(ABOVE)
     for phone in phones:
         draw(phone, lambda x: 0.9 - 0.88 * x)
         sent(phone)
     reloaded(phones[0], "oscillations.asked.card.question.pad.sent.Xp1")
     clicked(lecture)
-    ink = lecture.get_by_role("img", name="3 sketches of the class")
+    ink = lecture.get_by_role("img", name="2 sketches of the class")
     expect(ink).to_be_visible()
     clicked(lecture)
-    expect(lecture.locator("h1")).to_have_text(re.compile("^“.*” is right in 3 of 3 sketches, “.*” in 0$"))
+    expect(lecture.locator("h1")).to_have_text(re.compile("^“.*” is right in 2 of 2 sketches, “.*” in 0$"))
     box = ink.bounding_box()
     assert box and box["width"] > 1700 and box["height"] > 500
-    look(lecture, "sketch")
+    lecture.wait_for_function(INKED)
     for phone in phones:
         expect(phone.locator(".findings li")).to_have_count(5)
-    back_again(lecture, phones[0])
     clicked(lecture)
     expect(lecture.locator("h1")).to_have_text("Two poles, and a zero between them")
     expect(ink).to_have_count(0)
@@ -248,7 +231,7 @@ def sketch(lecture: Page, *phones: Page) -> None:
 
 
 def poll(lecture: Page, phone: Page, other: Page) -> None:
-    """A poll has no answer. Then back to the step before, whose answer stays, and to another vote on it."""
+    """A poll has no answer. Then back to the step before, whose answer stays."""
     put("speed", lecture, phone, other)
     expect(lecture.locator(FILLED)).to_have_text("Show the votes")
     phone.get_by_role("button", name="Right").click()
@@ -260,38 +243,22 @@ def poll(lecture: Page, phone: Page, other: Page) -> None:
     lecture.wait_for_function("oscillations.walks.walk.lesson")
     for one in (phone, other):
         expect(one.locator(".findings li")).to_have_count(5)
-        assert (
-            len(one.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101
-        )  # it is still theirs
-    clicked(lecture, "PageUp")
-    expect(lecture.locator(FILLED)).to_have_text("Vote again")
-    clicked(lecture)
-    expect(phone.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
-    draw(phone, lambda x: 0.2 + 0.6 * x)
-    expect(lecture.locator(".votes")).to_contain_text("Vote 2: 1 of 3 have answered")
-    assert lecture.evaluate(f"{LED}.votes.tally.before.answered") == 3, "the first vote is kept"
+        drawn = one.evaluate("oscillations.asked.card.question.pad.sent")
+        assert len(drawn["Xp1"]) == 101, "it is still theirs"
 
 
 def ended(lecture: Page, phone: Page, folder: Path) -> list[list[str]]:
     """The page says what the end of a class deletes, and offers the CSV; a clicker does not end a class."""
-    lecture.keyboard.press("j")
-    lecture.get_by_role("button", name="Summary").click()
-    summary = lecture.get_by_role("dialog", name="Summary of the class")
-    expect(summary.get_by_role("heading")).to_have_text(re.compile(r"^Wrong most: step 3, step 5 \(100 %"))
-    expect(summary.locator("tbody tr")).to_have_count(4)
-    summary.get_by_role("button", name="Close").click()
     dialog = lecture.get_by_role("dialog", name="End the class")
-    for cancel in ("Escape", "Cancel", ""):
+    for cancel in (True, False):
         lecture.get_by_role("button", name="End the class").press("Enter")
-        expect(dialog).to_contain_text("This deletes 16 answers to 6 questions. The code stops working, and phones")
+        expect(dialog).to_contain_text("This deletes 13 answers to 6 questions. The code stops working, and phones")
         for key in ("PageDown", "PageUp"):
             lecture.keyboard.press(key)
         assert lecture.evaluate(f"{LED} && !{LED}.isOver")
-        if cancel == "Cancel":
-            dialog.get_by_role("button", name=cancel).click()
-        elif cancel:
-            lecture.keyboard.press(cancel)
-        expect(dialog).to_have_count(0 if cancel else 1)
+        if cancel:
+            dialog.get_by_role("button", name="Cancel").click()
+            expect(dialog).to_have_count(0)
     with lecture.expect_download() as download:
         lecture.keyboard.press("Enter")  # the filled button saves
     assert re.fullmatch(r"class-\w{4}\.csv", download.value.suggested_filename)
@@ -305,7 +272,7 @@ def ended(lecture: Page, phone: Page, folder: Path) -> list[list[str]]:
         return list(csv.reader(file))
 
 
-@pytest.mark.timeout(600)  # five windows on a busy machine
+@pytest.mark.timeout(600)  # four windows on a busy machine
 def test_a_lecture(window: Open, tmp_path: Path) -> None:
     lecture, code = taught(window, "scene=oscillator&projector")
     remote = remote_of(lecture, window)
@@ -314,23 +281,17 @@ def test_a_lecture(window: Open, tmp_path: Path) -> None:
     drop(lecture, "six.toml", LECTURE)
     choice(lecture, code, phone, other)
     number(lecture, phone, other, remote)
-    late = joined(window, code)
-    expect(lecture.locator(".class-corner")).to_contain_text("3 here")
-    point(lecture, phone, other, late)
+    point(lecture, phone, other)
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("4 of 6")
     words(lecture, remote, phone, other)
-    sketch(lecture, phone, other, late)
+    sketch(lecture, phone, other)
     poll(lecture, phone, other)
     remote.close()  # it would continue to poll, and get the answer that there is no such class
     rows = ended(lecture, phone, tmp_path)
-    for one in (phone, other, late):
+    for one in (phone, other):
         expect(one.get_by_role("heading", name="The class is over.")).to_be_visible()
         assert one.evaluate(KEPT) == 0
     own = next(row[0] for row in rows if row[4:8:3] == ["mass", "2"])
-    answers = [row for row in rows[1:] if row[0] == own]
-    assert [[*row[3:6], row[9]] for row in [rows[0], *answers[:4]]] == [
-        ["walk", "step", "vote", "right"], ["six", "pull", "1", "no"], ["six", "pull", "2", "yes"],
-        ["six", "mass", "1", "yes"], ["six", "place", "1", "no"],
-    ]  # fmt: skip
-    assert all(row[1].endswith("Z") for row in rows[1:]) and {row[2] for row in answers[:3]} == {"2"}
-    assert answers[4][7] == BOLD and len(answers[5][7].split(";")) == 101 and answers[5][8] == "SI"
+    answers = [[*row[3:6], row[9]] for row in rows if row[0] == own]
+    assert answers[:3] == [["six", "pull", "1", "no"], ["six", "pull", "2", "yes"], ["six", "mass", "1", "yes"]]
+    assert any(row[7] == BOLD for row in rows)

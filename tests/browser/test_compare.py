@@ -1,4 +1,4 @@
-"""The curves of before: held, left by a drag, or hidden by a prediction; axes are fitted when a hand lets go."""
+"""The curves of before: held, left by a drag, or hidden by a prediction. Undo, the back button, from scene to scene."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Request, expect
 
+from components.scenes import SCENES
 from tests.browser.waiting import QUIET, is_shown, turned, type_in, typed
 
 pytestmark = pytest.mark.browser
@@ -25,24 +26,6 @@ PRESS = """([key, count]) => {
     document.activeElement.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}))
 }"""
 """A key, pressed so often that there is no pause between presses."""
-NOTE_REST = """() => {
-  const {messages} = oscillations, {send} = messages
-  addEventListener("keyup", () => { globalThis.released = performance.now() })
-  messages.send = (message, about) => {
-    if (message.holding === false) globalThis.rest = performance.now() - released
-    send.call(messages, message, about)
-  }
-}"""
-"""A script that measures the time without a key press when the end is reported."""
-KEEP_BACK = """() => {
-  const {messages} = oscillations, {send} = messages.wire
-  messages.patience = 60000
-  messages.wire.send = message => {
-    if (message.holding === false) globalThis.sent = () => send(message)
-    else send(message)
-  }
-}"""
-"""A script that holds back the message at the end of a drag until the test sends it."""
 
 
 def is_wide(page: Page) -> None:
@@ -70,8 +53,6 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     page.wait_for_function(f"{outlines} > 2")
     expect(page.locator(".same circle")).to_have_count(2)  # x and v start alike, a does not
     expect(page.locator(".stage").get_by_text(re.compile(r"^held [+−]0\.\d{3} m$"))).to_be_visible()
-    expect(page.locator(".control:has(input[name=m]) .was")).to_be_visible()
-    expect(page.locator(".control:has(input[name=k]) .was")).to_be_hidden()
     page.keyboard.press("Control+z")
     is_shown(page, m=1)
     assert page.evaluate(DRAWN) == [], "the same picture again"
@@ -80,10 +61,6 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     page.reload()
     page.wait_for_function("document.documentElement.dataset.ready === 'true'")
     expect(ledger).to_be_visible()
-    page.get_by_role("tab", name="Force").click()
-    page.wait_for_function("oscillations.shown.settings.view.value === 'force'")
-    expect(ledger).to_be_visible()
-    page.get_by_role("tab").first.click()
     page.get_by_role("button", name="Release").click()
     expect(ledger).to_be_hidden()
     assert page.evaluate(DRAWN) == [] and page.evaluate(outlines) == 0
@@ -106,8 +83,7 @@ def is_still(page: Page) -> None:
     """Nothing plays, the stage is as it was, and of the bar only the reason is heard."""
     expect(page.locator(".transport .note")).to_contain_text("Press Reveal to see it and to play")
     assert page.locator(".transport .play").evaluate(LOOK) < 0.5, "what does nothing looks so"
-    for part, heard in ((".play", False), (".seg", False), (".note", True)):
-        assert page.locator(f".transport {part}").evaluate("part => !part.closest('[inert]')") is heard, part
+    expect(page.locator(".transport [inert] .play, .transport .play[inert]")).to_have_count(1)
     stood = page.evaluate(STAGE)
     page.evaluate("document.activeElement.blur()")
     page.keyboard.press("Space")
@@ -120,10 +96,9 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     """It is armed by keys and revealed by mouse and keys."""
     places = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
     open_scene(page, scene="coupled")
-    button, covers, items = (
+    button, covers = (
         page.get_by_role("button", name="Predict"),
         page.locator(".cover:visible"),
-        page.get_by_role("menuitem"),
     )
     armed(page, button)
     before = page.evaluate(places)
@@ -148,11 +123,6 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     page.get_by_label("Controls").get_by_role("button", name="Reveal").click()
     expect(covers).to_have_count(0)
     expect(start).to_be_visible()
-    turned(page, "accuracy", {"view": "time"})
-    button.click()
-    expect(items).to_have_count(3)  # the next change and two plots: no apparatus moves
-    items.last.click()
-    page.wait_for_function("oscillations.shown.state.covered.length === 1")
 
 
 def test_a_sweep_by_mouse_is_one_change_that_fits_the_axes_when_it_ends(page: Page, open_scene: Open) -> None:
@@ -179,34 +149,25 @@ def test_a_sweep_by_mouse_is_one_change_that_fits_the_axes_when_it_ends(page: Pa
 
 
 def test_keys_and_typed_values_let_go_when_they_rest(page: Page, open_scene: Open) -> None:
-    """The curves of before await what the server makes of letting go."""
     open_scene(page, scene="oscillator")
     page.locator("input[name=k-slider]").focus()
-    page.evaluate(NOTE_REST)
     page.evaluate(PRESS, ["PageDown", 9])
     is_wide(page)
     page.evaluate(PRESS, ["PageUp", 12])
     is_fitted(page)
-    assert page.evaluate("rest") > 490, "a key that comes sooner goes on with the same change"
     page.wait_for_function(ENDED)
     typed(page, "m", "1.5")
     page.wait_for_function(f"{DRAWN}.length")
     page.wait_for_function(f"!{DRAWN}.length")  # a change that fits no axis leaves its curves for a moment only
-    typed(page, "k", "0.001")
-    is_wide(page)
-    page.wait_for_function(ENDED)
-    page.evaluate(KEEP_BACK)
     typed(page, "k", "40")
-    page.wait_for_function("Boolean(globalThis.sent)")
-    page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
-    page.evaluate("sent()")
-    is_fitted(page)
+    is_shown(page, k=40)
     page.keyboard.press("Control+Shift+Z")  # it belongs to the field and undoes nothing in the scene
+    page.wait_for_function(ENDED)
     is_shown(page, k=40)
 
 
-def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page, open_scene: Open) -> None:
-    """A changed mass keeps the window, so the doubled period is visible. A hand fits no frame of a link or a step."""
+def test_fit_by_button_key_and_double_click(page: Page, open_scene: Open) -> None:
+    """A changed mass keeps the window, so the doubled period is visible."""
     window = "oscillations.shown.view.axes.t.end"
     open_scene(page, scene="oscillator")
     button = page.get_by_role("button", name="Fit", exact=True)
@@ -228,17 +189,145 @@ def test_fit_by_button_key_and_double_click_and_frames_that_are_kept(page: Page,
         page.get_by_role("button", name="Pushed back").click()
         is_shown(page, m=1)
         expect(button).not_to_be_visible()
-    open_scene(page, scene="oscillator", **{"frame.x": "-9,9"})
-    page.locator("input[name=m-slider]").press("ArrowRight")
-    page.wait_for_function(f"oscillations.shown.settings.m.value !== 1 && {ENDED}")
-    assert page.evaluate(END) == 9
-    open_scene(page, walk="d31", step="d31-03", folded=True)
-    page.wait_for_function("oscillations.walks.walk?.card")
-    start = page.evaluate(END)
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function("oscillations.walks.walk.lesson && oscillations.shown.settings.x_0.value === 0.2")
-    page.wait_for_function(f"{DRAWN}.length")
-    typed(page, "x_0", "0.15")
-    is_shown(page, x_0=0.15)
-    page.wait_for_function(ENDED)
-    assert page.evaluate(END) == start, "twice as far is seen to be twice as far"
+
+
+def test_changes_are_undone_one_by_one_and_done_again(page: Page, open_scene: Open) -> None:
+    """A refused change is no entry; each scene has its own past."""
+    open_scene(page, scene="coupled", m1=3)
+    undo, redo = (page.get_by_role("button", name=name, exact=True) for name in ("Undo", "Redo"))
+    expect(undo).to_be_disabled()
+    type_in(page, "k2", "7")
+    is_shown(page, k2=7)
+    type_in(page, "k2", "-3")
+    expect(page.get_by_role("alert").filter(has_text="−3 N/m is not possible")).to_be_visible()
+    type_in(page, "k1", "9")
+    is_shown(page, k1=9)
+    page.get_by_role("button", name="All equal").click()
+    is_shown(page, m1=1)
+    undo.click()
+    is_shown(page, m1=3, k2=7, k1=9)
+    page.keyboard.press("Control+z")
+    is_shown(page, m1=3, k2=7, k1=4)
+    page.get_by_role("link", name="Forced").click()
+    page.wait_for_function("oscillations.shown.scene === 'forced'")
+    expect(undo).to_be_disabled()
+    page.go_back()
+    page.wait_for_function("oscillations.shown.scene === 'coupled'")
+    undo.click()
+    is_shown(page, m1=3, k2=2, k1=4)
+    expect(undo).to_be_disabled()
+    page.keyboard.press("Control+Shift+z")
+    is_shown(page, k2=7, k1=4)
+    redo.click()
+    is_shown(page, k2=7, k1=9)
+    type_in(page, "m2", "4")
+    is_shown(page, m2=4)
+    expect(redo).to_be_disabled()
+
+
+def test_a_preset_plays_from_the_start_says_what_to_watch_and_keeps_what_it_does_not_name(
+    page: Page, open_scene: Open
+) -> None:
+    open_scene(page, scene="coupled", hidden="x1_slow", window=40)
+    note = page.locator(".transport .note")
+    page.get_by_role("button", name="Pause").click()
+    page.evaluate("oscillations.clock.seek(20)")
+    page.get_by_role("button", name="Beats").click()
+    page.wait_for_function("oscillations.shown.preset === 'beats'")
+    assert page.evaluate("oscillations.clock.playing && oscillations.clock.t < 20")
+    state = page.evaluate("oscillations.messages.state")
+    assert (state["hidden"], state["parameters"]["window"]) == (["x1_slow"], 40)
+    turned(page, "oscillator", {})
+    page.get_by_role("button", name="Heavy").click()
+    expect(note).to_contain_text("Four times the mass of the others: it swings half as fast.")
+    type_in(page, "m", "3")
+    expect(note).not_to_contain_text("half as fast")
+
+
+SAME_PLACES = """() => oscillations.plots.filter(plot => plot.figure.manager).every(plot => {
+  const [view] = plot.figure.manager
+  return ["left", "top", "width", "height"].every(side => view.frame.bbox[side] === plot.frame[side])
+})"""
+NAVIGATION = "[...document.querySelectorAll('.nav a, .nav button')].map(one => one.textContent || one.ariaLabel)"
+
+
+def turn(page: Page, slug: str) -> None:
+    page.locator(f".nav nav a[data-scene={slug}]").evaluate("link => link.click()")
+    arrived(page, slug)
+
+
+def arrived(page: Page, slug: str) -> None:
+    page.wait_for_function(
+        "slug => globalThis.oscillations?.page?.spec.slug === slug"
+        " && document.documentElement.dataset.ready === 'true'",
+        arg=slug,
+    )
+    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
+
+
+def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: Open) -> None:
+    """Each has its own title and the same navigation. Each plot already has the size that Bokeh gives its figure."""
+    asked: list[str] = []
+    page.set_viewport_size({"width": 1001, "height": 611})
+    open_scene(page, scene="coupled", k2=3)
+    page.evaluate("document.documentElement.dataset.theme = 'dark', globalThis.mine = true")
+    navigation = page.evaluate(NAVIGATION)
+
+    def note(request: Request) -> None:
+        asked.append(request.url)
+
+    page.on("request", note)
+    for slug in (*SCENES, "coupled", "forced"):
+        turn(page, slug)
+        assert page.title() == f"{SCENES[slug].headline} – Oscillations"
+        assert page.evaluate("document.documentElement.lang") == "en"
+        assert page.evaluate(NAVIGATION) == navigation
+        expect(page.get_by_role("button", name="Keys")).to_be_visible()
+        expect(page.locator(".nav nav [aria-current=page]")).to_have_text(SCENES[slug].title)
+        assert page.evaluate("document.activeElement.tagName") == "H1"
+        assert page.locator(".page").count() == 1
+        seen = page.evaluate("oscillations.plots.filter(plot => plot.host.offsetParent && !plot.absent).length")
+        assert page.evaluate("Bokeh.documents.length") == seen + 1
+        page.wait_for_function(SAME_PLACES)
+    assert page.evaluate("mine && document.documentElement.dataset.theme") == "dark"
+    assert len(asked) == len(set(asked)), "a sheet is fetched once"
+    assert not [url for url in asked if "/assets/" not in url]
+
+
+def opens_another_tab(page: Page) -> None:
+    """A click for another tab is the browser's own."""
+    with page.context.expect_page() as other:
+        page.locator(".nav nav a[data-scene=coupled]").click(modifiers=["ControlOrMeta"])
+    expect(other.value.locator("h1")).to_have_text(SCENES["coupled"].headline, timeout=30_000)
+    assert page.evaluate("oscillations.shown.scene") == "forced"
+    other.value.close()
+
+
+def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(fresh=True), scene="coupled")
+    length = page.evaluate("history.length")
+    type_in(page, "k2", "3")
+    page.wait_for_function("location.search.startsWith('?scene=coupled&k2=3')")
+    page.get_by_role("button", name="Drift").click()
+    page.wait_for_function("location.search.includes('k1=0')")
+    turn(page, "forced")
+    assert page.evaluate("history.length") == length + 2
+    assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2&view=response"
+    page.go_back()
+    arrived(page, "coupled")
+    assert page.evaluate("oscillations.shown.preset") == "drift"
+    page.go_back()
+    is_shown(page, k2=3)
+    assert page.evaluate("location.search.startsWith('?scene=coupled&k2=3')")
+    page.go_forward()
+    page.wait_for_function("oscillations.shown.preset === 'drift'")
+    page.go_forward()
+    arrived(page, "forced")
+    opens_another_tab(page)
+    page.get_by_role("button", name="Reset").click()
+    is_shown(page, m1=1)
+    expect(page.get_by_role("button", name="Reset")).to_be_disabled()
+    page.get_by_role("button", name="Undo").click()
+    is_shown(page, k1=0, m1=2)

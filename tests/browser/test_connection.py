@@ -1,25 +1,28 @@
-"""The connection is lost and returns: no value is lost, and the page names everything that is lost for good."""
+"""The connection is lost and returns; a browser lacks a feature; files do not come; parts fail: a sentence says so,
+no value is lost, and everything else works.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
-from tests.browser.fixtures import READY, another_version
-from tests.browser.tabs import calm_context
-from tests.browser.waiting import unfold
+from components.scenes import SCENES
+from tests.browser.fixtures import READY, another_version, calm_context
+from tests.browser.waiting import QUIET, played, unfold
 from tests.grids import sample
 from tests.serving.server import Server
+from tools.attack.stage import faults_of
 from tools.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
 from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
-Open = Callable[..., Page]
-MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+Quiet = Callable[..., Page]
 
 
 @pytest.fixture(scope="module")
@@ -29,15 +32,28 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GatedSite]:
 
 
 @pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    """Without the fixture of pages, because the browser logs errors of a lost connection."""
-    context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True)
-    page = context.new_page()
-    faults: list[str] = []
-    page.on("pageerror", lambda error: faults.append(str(error)))
-    yield page
-    context.close()
+def quiet(browser: Browser) -> Iterator[Quiet]:
+    """Makes pages that may log errors to the console, as a browser does without a network, but throw no exception."""
+    contexts, faults = [], []
+
+    def make(script: str = "", **options: Any) -> Page:
+        context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True, **options)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        if script:
+            page.add_init_script(script)
+        return page
+
+    yield make
+    for context in contexts:
+        context.close()
     assert not faults
+
+
+@pytest.fixture
+def page(quiet: Quiet) -> Page:
+    return quiet()
 
 
 def opened(page: Page, server: Server) -> None:
@@ -62,46 +78,36 @@ def test_a_token_that_came_too_late_is_replaced(page: Page, site: GatedSite) -> 
     too_late(page, site, seed=1)
 
 
-def preset_and_scene_wait(page: Page) -> None:
-    """They are shown as chosen."""
+def preset_choice_window_and_scene_wait(page: Page) -> None:
+    """They are shown as chosen. A handle stays as it was set."""
     lost(page)
     beats = page.get_by_role("button", name="Beats")
     beats.click()
     expect(beats).to_have_class(re.compile("waits"))
-    expect(beats).to_have_attribute("aria-pressed", "true")
-    expect(page.locator(".control.waits")).not_to_have_count(0)
     expect(page.locator(".lost .next")).to_contain_text("1 change waits.")
     page.locator("input[name=k2-slider]").fill("0.5")
     expect(beats).not_to_have_class(re.compile("waits"))  # values other than its own wait now
-    beats.click()
     page.get_by_role("link", name="Forced").click()
     expect(page.locator(".lost .next")).to_contain_text("Forced opens then.")
     page.context.set_offline(False)
     page.wait_for_function(f"oscillations.page.spec.slug === 'forced' && {SETTLED}")
     expect(page.locator(".waits:not(h1)")).to_have_count(0)
-
-
-def handle_choice_and_window_wait(page: Page) -> None:
-    """They stay as they were set."""
     lost(page)
     pill = page.locator(".pill[data-grab=omega]:visible").first
-    for _ in range(2):
-        pill.press("ArrowRight")
+    pill.press("ArrowRight")
     moved = pill.get_attribute("aria-valuenow")
-    choice = page.locator(".seg[data-name]:visible").first
+    choice, window = page.locator(".seg[data-name]:visible").first, page.get_by_label("Time window")
     option = choice.locator("[aria-pressed=false]").first.get_attribute("data-option")
-    other, window = choice.locator(f"[data-option={option}]"), page.get_by_label("Time window")
-    other.click()
+    choice.locator(f"[data-option={option}]").click()
     window.fill("17.3")
     window.press("Enter")
-    for part in (page.locator(".seg.waits"), page.locator(".window.waits")):
-        expect(part).to_have_count(1)
-    expect(pill).to_have_class(re.compile("waits"))
+    for part in (page.locator(".seg.waits"), page.locator(".window.waits"), page.locator(".pill.waits")):
+        expect(part).not_to_have_count(0)
     page.context.set_offline(False)
     page.wait_for_function(SETTLED)
     expect(page.locator(".waits:not(h1)")).to_have_count(0)
     expect(window).to_have_value("17.3")
-    expect(other).to_have_attribute("aria-pressed", "true")
+    expect(choice.locator(f"[data-option={option}]")).to_have_attribute("aria-pressed", "true")
     assert pill.get_attribute("aria-valuenow") == moved
 
 
@@ -128,31 +134,25 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     page.wait_for_function(SETTLED)
     expect(page.get_by_text("1 value waits")).to_be_hidden()
     expect(waits).to_have_count(0)
-    preset_and_scene_wait(page)
-    handle_choice_and_window_wait(page)
+    preset_choice_window_and_scene_wait(page)
 
 
-def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, server: Server) -> None:
+def test_a_page_that_waits_for_a_place_shows_its_ticket(page: Page, server: Server) -> None:
     opened(page, server)
-    token = page.evaluate("oscillations.connection.token")
-    shown: list[tuple[str, str]] = []
+    shown: list[str] = []
 
     def full_once(route: Route) -> None:
-        headers = route.request.headers
-        shown.append((headers["page-token"], headers["page-ticket"]))
-        if len(shown) == 1:
-            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
-        else:
+        shown.append(route.request.headers["page-ticket"])
+        if len(shown) > 1:
             route.continue_()
+        else:
+            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
 
     page.route(server.url + "?*", full_once)
-    page.context.set_offline(True)
-    page.get_by_role("alert").filter(has_text="Not connected.").wait_for()
+    lost(page)
     page.context.set_offline(False)
     page.wait_for_function(SETTLED)
-    assert shown == [(token, ""), (token, "second")]
-    now = page.evaluate("(({token, ticket}) => ({token, ticket}))(oscillations.connection)")
-    assert now["ticket"] == "" and now["token"] != token
+    assert shown == ["", "second"]
 
 
 def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(page: Page, server: Server) -> None:
@@ -185,46 +185,130 @@ def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> No
     expect(alert).to_contain_text("blocks WebSockets", timeout=30_000)
 
 
-def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Server) -> None:
-    """Its answer waits while the connection is lost, and arrives later; also after going back in the history of a
-    reloaded page.
-    """
-    page.goto(f"{server.url}?scene=energy")
-    page.wait_for_function(READY)
-    page.evaluate("text => oscillations.walks.run('mine', text)", MINE)
-    page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
-    lost(page)
-    page.keyboard.press("1")
-    page.keyboard.press("PageDown")
-    page.context.set_offline(False)
-    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    page.wait_for_function(SETTLED)
-    page.evaluate("oscillations.open({scene: 'energy'})")
-    page.wait_for_function(f"oscillations.page.spec.slug === 'energy' && {READY} && !oscillations.walks.walk")
-    page.wait_for_function("location.search === '?scene=energy&view=energy'")
-    page.reload()
-    page.wait_for_function(READY)
-    page.go_back()
-    expect(page.locator("h1")).to_have_text("How long does one swing take?")
-    expect(page.locator(".note:not(:empty)")).to_have_count(0)
+LACKS = {
+    "modules": "delete HTMLScriptElement.prototype.noModule",
+    "DecompressionStream": "delete globalThis.DecompressionStream",
+    "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
+    "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
+}
+"""Scripts that remove a feature of the browser, or report that it is missing."""
+BY_ANYTHING = 30_000
+PRINTED = f"{READY} && oscillations.page.print"
+"""The last parts have come."""
 
 
-def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:
-    opened(page, server)
-    page.evaluate(
-        """() => {
-          const {messages} = oscillations, {handle} = messages
-          const long = `&hidden=${"x".repeat(8000)}`
-          messages.handle = (message, asked) => handle({...message, query: message.query + long}, asked)
-        }"""
-    )
-    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
-    page.wait_for_function("oscillations.shown.settings.k2.value === 3 && location.search === '?scene=coupled'")
-    page.get_by_role("button", name="Copy link").click()
-    expect(page.get_by_role("button", name="Too long")).to_be_visible()
-    lost(page)
+def test_what_an_old_browser_lacks_is_named(quiet: Quiet, browser: Browser, server: Server) -> None:
+    page = quiet(java_script_enabled=False)
+    page.goto(f"{server.url}?scene=coupled")
+    expect(page.locator("noscript p")).to_be_in_viewport()
+    expect(page.locator("noscript p")).to_contain_text("JavaScript, which is switched off")
+    for feature, script in LACKS.items():
+        page = browser.new_page()
+        page.add_init_script(script)
+        page.goto(f"{server.url}?scene=coupled")
+        alert = page.get_by_role("alert").filter(has_text=f"This browser does not have {feature},")
+        expect(alert).to_contain_text("Firefox 121")
+        expect(alert).to_be_in_viewport()
+        page.close()
+
+
+def test_files_that_cannot_be_fetched_are_missed_in_a_sentence_and_come_later(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.route("**/start.js", lambda route: route.abort())
+    page.goto(f"{server.url}?scene=oscillator")
+    expect(page.get_by_role("alert").filter(has_text="Part of this page could not be loaded")).to_be_in_viewport()
+    page = quiet()
+    page.route("**/bokeh.min.js", lambda route: route.abort())
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(READY)
+    lacks = page.get_by_text("The program that draws the curves could not be loaded. Trying again.")
+    expect(lacks).to_be_visible()
+    played(page, 3)
+    expect(page.get_by_role("alert").filter(has_text="Not connected.")).to_be_visible()
+    page.unroute("**/bokeh.min.js")
+    # Visible or not, because the page also tries on its own.
+    page.locator("button", has_text="Try now").dispatch_event("click")
+    page.wait_for_function("oscillations.plots.filter(plot => plot.box && !plot.absent).every(plot => plot.mounted)")
+    expect(lacks).to_have_count(0)
+
+
+def test_parts_asked_for_without_a_network_come_with_it(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(PRINTED)
+    unfold(page)
+    page.context.set_offline(True)
+    page.locator("details.about summary").click()
+    for _ in range(2):
+        page.get_by_role("button", name="Keys").click()
+        page.get_by_role("button", name="Pictures", exact=True).click()
+    remark = page.get_by_text("Part of this page could not be loaded")
+    expect(remark).to_have_count(1)
     page.context.set_offline(False)
-    page.wait_for_function(SETTLED)
-    page.reload()
-    page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
-    assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
+    expect(page.get_by_role("dialog", name="Save a picture")).to_be_visible(timeout=BY_ANYTHING)
+    expect(remark).to_have_count(0)
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
+    expect(page.locator("details.about table").first).to_be_visible()
+
+
+BREAKABLE = """() => {
+  const lecture = oscillations, {page} = lecture
+  const parts = page.parts.map((part, i) => [part, "update", `part ${i}`]).filter(([part]) => part.update)
+  const stages = page.stages.map((stage, i) => [stage, "frame", `stage ${i}`])
+  const plots = page.plots.map((plot, i) => [plot, "draw", `plot ${i}`])
+  const others = [[page.live, "draw", "live"], [page.compare, "frame", "compare"], [lecture.undo, "record", "undo"],
+    [lecture.hall, "applyStep", "hall"], [lecture.hall, "shown", "hall shown"], [lecture.address, "write", "address"],
+    [lecture.walks, "shown", "walks"]]
+  globalThis.counts = {}
+  const all = [...parts, ...stages, ...plots, ...others]
+  for (const [host, method, name] of all) {
+    const act = host[method]
+    host[method] = function (...given) {
+      if (globalThis.broken === `${name}.`) throw Error(`The broken thing is ${name}.`)
+      counts[`${name}.`] = 1
+      return act.apply(this, given)
+    }
+  }
+  return all.map(([, , name]) => `${name}.`)
+}"""
+"""Let every object that takes a picture count its calls in `counts`, or fail if it is `broken`; return all names."""
+
+
+def test_an_exception_in_one_part_stops_no_other_and_is_reported_once(quiet: Quiet, server: Server) -> None:
+    page, logged = quiet(), list[str]()
+    page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(f"{PRINTED} && oscillations.page.voice")
+    names = page.evaluate(BREAKABLE)
+    for i, name in enumerate(names):
+        page.evaluate("name => Object.assign(globalThis, {broken: name, counts: {}})", name)
+        page.evaluate("k1 => oscillations.send({type: 'set', values: {k1}})", 2 + i / 100)
+        page.wait_for_function(QUIET)
+        played(page, 2)
+        counts = page.evaluate("counts")
+        assert [other for other in names if other != name and not counts.get(other)] == [], name
+        assert any(name in line for line in logged), name
+    lost = "[oscillations.messages.lostConnections, document.documentElement.dataset.connected].join()"
+    assert page.evaluate(lost) == "0,true"
+    assert page.evaluate("oscillations.shown.settings.k1.value") == pytest.approx(2 + (len(names) - 1) / 100)
+    expect(page.locator(".remark")).to_have_count(1)
+    expect(page.locator(".remark")).to_contain_text(names[0])
+
+
+def test_an_exception_of_a_button_is_reported(browser: Browser, server: Server) -> None:
+    page = browser.new_page(bypass_csp=True)
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(READY)
+    page.evaluate("() => { oscillations.page.compare.toggle = () => { throw Error('Hold is broken') } }")
+    page.get_by_role("button", name="Hold").click()
+    expect(page.locator(".remark")).to_contain_text("Hold is broken")
+    page.close()
+
+
+@pytest.mark.parametrize("slug", sample([*SCENES], 20))
+def test_extreme_pictures_are_drawn_with_numbers(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str
+) -> None:
+    page = open_scene(new_page(), scene=slug)
+    assert list(faults_of(page, SCENES[slug], size=12, start=1)) == []

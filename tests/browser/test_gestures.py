@@ -11,8 +11,8 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
-from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, Mouse, middle, stopped, swipe, value
-from tests.browser.views import seen
+from tests.browser.looks import seen
+from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, Mouse, middle, stopped, swipe, top, value
 from tests.browser.waiting import QUIET, passed, turned
 from tests.grids import WHOLE, sample
 from tests.page.hand import grabs
@@ -144,103 +144,6 @@ def scrolls(page: Page, finger: Mouse | Finger, name: str) -> None:
     assert page.evaluate(STATE) == before, name
 
 
-def follows(page: Page, finger: Finger, grip: Locator, x: float, y: float) -> tuple[float, float]:
-    """The distance from the finger to the grip, after the server's answer."""
-    finger.move(x, y)
-    passed(page)  # a message is sent with a frame
-    page.wait_for_function(QUIET)
-    passed(page)
-    now = grip.evaluate(PLACE)
-    return now["x"] - x, now["y"] - y
-
-
-def by_finger(page: Page, grip: Locator) -> tuple[Finger, float, float]:
-    """A finger on a grip of a stage, and its position."""
-    stopped(page, 0)
-    x, y = middle(grip)
-    finger = Finger(page)
-    finger.down(x, y)
-    page.wait_for_function(QUIET)
-    return finger, x, y
-
-
-def test_axes_grow_when_the_finger_lets_go_and_those_of_a_plane_stay(phone: Page) -> None:
-    turned(phone, "driven", {})
-    grip = phone.locator(".grip[aria-label^=Height]:visible").first
-    finger, x, y = by_finger(phone, grip)
-    for up in (10, 40, 80, 140):
-        assert follows(phone, finger, grip, x, y - up) == pytest.approx((0, 0), abs=NEAR), "beyond the plot"
-    end = phone.evaluate("oscillations.shown.view.axes.M.end")
-    finger.up()
-    phone.wait_for_function(f"oscillations.shown.view.axes.M.end > {end}")
-    for part in (".grip[data-grab='x1_0 x2_0']", ".pill[data-grab=x2_0]"):
-        turned(phone, "modes", {"view": "hunt", "x1_0": 0.2, "x2_0": 1.5})
-        before = phone.evaluate("JSON.stringify(oscillations.shown.view.axes.x)")
-        finger, x, y = by_finger(phone, phone.locator(f"{part}:visible").first)
-        for down, below in ((60, 1), (100, 0.3)):
-            finger.move(x, y + down)
-            phone.wait_for_function(f"oscillations.shown.settings.x2_0.value < {below} && {QUIET}")
-        finger.up()
-        phone.wait_for_function(FREE)
-        passed(phone)
-        assert phone.evaluate("JSON.stringify(oscillations.shown.view.axes.x)") == before, part
-
-
-def test_a_finger_sets_the_height_of_the_aircraft_as_finely_as_it_can(phone: Page) -> None:
-    """Downwards it follows the finger. Upwards its range to standstill is short: the finger has 60 pixels for that."""
-    turned(phone, "phugoid", {"excess": 0.1})
-    grip = phone.locator(".grip[data-grab=excess]:visible").first
-    finger, x, y = by_finger(phone, grip)
-    opens, found = value(phone, "excess"), list[float]()
-    for down in (16, 100):
-        assert follows(phone, finger, grip, x, y + down) == pytest.approx((0, 0), abs=NEAR)
-    for up in range(8, 60, 10):
-        follows(phone, finger, grip, x, y - up)
-        found.append(value(phone, "excess"))
-    assert found == sorted(found, reverse=True) and len({*found}) == len(found), "each step counts"
-    assert found[0] > opens - 0.2 and found[-1] > -1
-    follows(phone, finger, grip, x, y - 70)
-    assert value(phone, "excess") == pytest.approx(-1)
-    finger.up()
-    phone.wait_for_function(FREE)
-
-
-def test_the_dot_of_nyquist_goes_round_its_loop(desk: Page) -> None:
-    """The pointer moves it along the curve; keys move it, too."""
-    turned(desk, "forced", {"view": "nyquist", "c1": 0.2, "c2": 0.2, "omega": 0.5})
-    grip, omega = desk.get_by_role("slider", name="on the loops of mass 1"), "oscillations.shown.settings.omega.value"
-    stopped(desk)
-    drag(desk, grip, (0, 20), (0, 40), (0, 60))
-    desk.wait_for_function(f"{omega} > 0.52 && {QUIET}")
-    desk.mouse.up()
-    desk.wait_for_function(FREE)
-    now = value(desk, "omega")
-    assert now < 0.75, "the first loop"
-    for key, sign in (("ArrowRight", 1), ("ArrowLeft", -1)):
-        grip.press(key)
-        desk.wait_for_function(f"{sign} * ({omega} - {now}) > 0 && {QUIET}")
-        now = value(desk, "omega")
-    desk.keyboard.press("Enter")
-    desk.wait_for_function(FREE)
-
-
-def test_a_mode_s_row_sets_that_mode_and_the_other_keeps_every_digit(desk: Page) -> None:
-    turned(desk, "coupled", {"given_by": "modes", "X_slow": 0.5, "X_fast": 0.30000000000000004, "phi_fast": 1.1})
-    stopped(desk)
-    row = desk.get_by_role("slider", name="Slow mode, start, by mass 2")
-    expect(row).to_have_attribute("data-grab", "X_slow phi_slow")
-    drag(desk, row, (15, 0), (-12, 2))
-    desk.wait_for_function("performance.now() > oscillations.page.hand.grab.trail.at(-1).when + 200")  # no flick
-    desk.mouse.up()
-    desk.wait_for_function(f"oscillations.clock.playing && {FREE}")
-    assert value(desk, "X_slow") != 0.5 and value(desk, "X_fast") == 0.30000000000000004
-    assert value(desk, "phi_fast") == pytest.approx(1.1 + 2 * 0.3, rel=1e-12)
-    assert value(desk, "phi_slow") == pytest.approx(math.pi / 2)
-    desk.evaluate(FLICKED, "Slow mode, start, by mass 1")
-    desk.wait_for_function(f"oscillations.clock.playing && {FREE}")
-    assert value(desk, "phi_slow") != pytest.approx(math.pi / 2) and value(desk, "X_fast") == 0.30000000000000004
-
-
 def test_a_value_set_by_a_finger_is_kept_when_the_browser_cancels_the_touch(phone: Page) -> None:
     held = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.isPressed,
       clock.playing, messages.asked || messages.outbox.length > 0].join()"""
@@ -315,51 +218,8 @@ def test_a_value_that_cannot_be_stays_at_the_last_good_one_and_says_why(desk: Pa
 PLUCKED = {"starts": "pluck", "N": 8, "m": 0.5, "k": 2, "a": 0.5, "p": 3}
 
 
-def test_a_chain_is_plucked_pushed_and_set_to_a_mode(desk: Page) -> None:
-    """The mass at the pointer is taken; the pulse is led to where it starts; a mode is a button."""
-    turned(desk, "chain", PLUCKED)
-    stopped(desk, 0)
-    x, y = desk.evaluate(
-        """p => {
-      const {svg, named} = oscillations.page.stages[0]
-      const {left, top, width, height} = svg.getBoundingClientRect()
-      const {end} = oscillations.page.shown.view.axes.y
-      return [left + 56 + ((width - 90) * p) / 9, top + height / 2 - (0.36 * height * named[`x${p}`]) / end]
-    }""",
-        6,
-    )
-    desk.mouse.move(x, y)
-    desk.mouse.down()
-    desk.mouse.move(x, y - 20, steps=4)
-    desk.wait_for_function("oscillations.shown.settings.p.value === 6")
-    desk.mouse.up()
-    desk.wait_for_function(FREE)
-    assert value(desk, "starts") == "pluck" and value(desk, "h") > 0
-
-    turned(desk, "chain", {})
-    stopped(desk)
-    ring = desk.get_by_role("slider", name="Pulse, start")
-    metre = desk.evaluate("(oscillations.page.stages[0].svg.getBoundingClientRect().width - 90) / 4.5")
-    drag(desk, ring, (metre, 0))
-    settings = "oscillations.shown.settings"
-    desk.wait_for_function(f"Math.abs({settings}.centre.value - 1.8) < 0.02 && oscillations.clock.t === 0")
-    desk.mouse.up()
-    desk.wait_for_function(FREE)
-    assert value(desk, "h") == pytest.approx(0.4, abs=0.02)
-    ring.press("ArrowDown")
-    desk.wait_for_function(f"{settings}.h.value < 0.38 && {settings}.starts.value === 'pulse'")
-    desk.keyboard.press("Enter")
-
-    turned(desk, "chain", {"view": "modes", **PLUCKED})
-    assert desk.locator(".mode-row button").count() == 8
-    desk.get_by_role("button", name="Mode 4").click()
-    desk.wait_for_function("document.querySelector('.mode-row [aria-pressed=true]')?.textContent === '4'")
-    assert (value(desk, "starts"), value(desk, "j")) == ("mode", 4)
-
-
-@pytest.mark.parametrize("view", ["spectrum", "modes"])
-def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(view: str, phone: Page) -> None:
-    turned(phone, "chain", {"view": view, **PLUCKED})
+def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(phone: Page) -> None:
+    turned(phone, "chain", {"view": "spectrum", **PLUCKED})
     finger, settings = Finger(phone), "oscillations.shown.settings"
     (name,) = phone.evaluate(SCROLLING)
     x, y = phone.evaluate(IN_PLOT, name)
@@ -374,3 +234,61 @@ def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(view: str, phone: Page
     finger.up()
     phone.wait_for_function(FREE)
     assert value(phone, "starts") == "mode"
+
+
+DRAGS: list[tuple[str, dict[str, object], str, tuple[int, int], str]] = [
+    ("forced", {}, "Drive frequency", (40, 0), "omega.value > 0.9"),
+    ("absorber", {}, "Frequency to which the absorber is tuned", (40, 0), "k2.value > 40000"),
+    ("modes", {"view": "guess"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
+    ("modes", {"view": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
+    ("modes", {"view": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
+    ("accuracy", {"view": "time"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
+]
+
+
+@pytest.mark.parametrize(("slug", "given", "name", "way", "moves"), sample(DRAGS, 4), ids=str)
+def test_a_finger_drags_a_handle_from_where_it_has_taken_it(
+    slug: str, given: dict[str, object], name: str, way: tuple[int, int], moves: str, phone: Page
+) -> None:
+    """The plot stays, even in a browser without scroll anchoring."""
+    turned(phone, slug, given)
+    handle = phone.get_by_role("slider", name=name, exact=True)
+    phone.evaluate("document.documentElement.style.overflowAnchor = document.body.style.overflowAnchor = 'none'")
+    x, y = middle(handle)
+    plot = phone.locator(".block.plot").filter(has=handle)
+    before, finger = top(plot), Finger(phone)
+    finger.down(x + 9, y - 9)
+    finger.move(x + 9 + way[0], y - 9 + way[1])
+    phone.wait_for_function(f"oscillations.shown.settings.{moves}")
+    stands = "([block, top]) => Math.abs(block.getBoundingClientRect().top - top) <= 1"
+    phone.wait_for_function(stands, arg=[plot.element_handle(), before])
+    box = handle.bounding_box()
+    assert box
+    gone = (box["x"] + box["width"] / 2 - x, box["y"] + box["height"] / 2 - y)
+    assert gone[way[1] != 0] == pytest.approx(sum(way), abs=3), "no leap to where the finger is"
+    finger.up()
+    phone.wait_for_function(FREE)
+    assert phone.evaluate(OUTLINE) == "none"
+    phone.keyboard.press("ArrowRight")
+    assert phone.evaluate(OUTLINE) == "solid", "keys show the focus"
+
+
+def test_the_instant_is_led_by_mouse_and_plays_on(desk: Page) -> None:
+    """On the time's handle, over a plot, and downwards where time runs down."""
+    now, plays = "oscillations.clock.t", "oscillations.clock.playing"
+    for slug, part, way in (
+        ("coupled", ".pill[aria-label^=Time]", (200, 0)),
+        ("coupled", ".plot-area", (200, 0)),
+        ("chain", ".pill[aria-label^=Time]", (0, 60)),
+    ):
+        turned(desk, slug, {})
+        desk.evaluate("oscillations.clock.playing = true; oscillations.clock.seek(1)")
+        x, y = middle(desk.locator(f"{part}:visible").first)
+        desk.mouse.move(x, y)
+        desk.mouse.down()
+        first = desk.evaluate(now)
+        desk.mouse.move(x + way[0], y + way[1], steps=3)
+        held = desk.evaluate(now)
+        assert held > first + 1 and not desk.evaluate(plays), (slug, part)
+        desk.mouse.up()
+        desk.wait_for_function(f"{plays} && {now} > {held}")

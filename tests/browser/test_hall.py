@@ -1,59 +1,279 @@
-"""Hall mode: large type in every scene and in the walk, full screen, and a pointer that the last row can see."""
+"""The hall: large type in every view; every step of every walk, led by a clicker and by keys, and with votes. Nothing
+scrolls, is cut off or is too small, and each headline and each explanation is seen.
+"""
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
-from tests.browser.boxes import faults
-from tests.browser.dropping import drop
+from components.walks.loading import load_walks
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.number import NumberStep, NumericStep
+from components.walks.questions.point import PointStep
+from components.walks.questions.sketch import SketchStep
+from components.walks.subject import Subject
+from components.walks.walk import Step
+from tests.browser.classroom import FILLED, LED, Open, joined, put, sent, taught
 from tests.browser.fixtures import READY
-from tests.browser.waiting import passed, seek, turned
-from tests.grids import sample
-from tests.serving.server import Server
+from tests.browser.halls import LAID, LOW, SCROLLED, TAUGHT, seen
+from tests.browser.looks import faults
+from tests.browser.touch import middle, value
+from tests.browser.waiting import clicked, drop, passed, seek, turned
+from tests.grids import WHOLE, sample
+from tests.live_class.caller import call
+from tests.serving.server import ROOT, Server
+from tests.walks.answers import answers
+from tools.look import faults_of
 
 pytestmark = pytest.mark.browser
+WALKS = load_walks(())
+NAMES = ["tour", "d31", "d32-33", "d34", "waves"]
+SLOWER = [f"{name} {by}" for by in ("keys", "clicker") for name in NAMES if (name, by) != ("tour", "keys")]
+LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 4))]
+HEIGHT = 720
+WORST = {
+    *("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16"),
+    *("tour-04", "waves-05"),
+}
+"""The steps that need the most room of their kind."""
+CROWDED = {"d34-01", "d34-08", "d34-10", "d34-12", "d34-14"}
+"""A step of each kind whose question or answer needs much room next to the corner of a class."""
+ASKED = f"id => oscillations.walks.walk?.step?.id === id && !oscillations.walks.walk.lesson && {LAID}"
+UNFOLD = """open => {
+  document.querySelector(".card .follows").open = open
+  document.querySelector(".paper").style.visibility = open ? "hidden" : ""
+}"""
+"""The equations cover the paper."""
+HIDDEN = """parts => {
+  const words = html => Object.assign(document.createElement("p"), {innerHTML: html}).textContent
+  const {lesson} = oscillations.walks.walk, heading = document.querySelector("h1")
+  const claims = heading.textContent === words(lesson.title) ? [] : [`the headline is ${heading.textContent}`]
+  return claims.concat(parts.filter(name => {
+    const part = document.querySelector(name)
+    if (!part?.checkVisibility({visibilityProperty: true, opacityProperty: true})) return true
+    const {left, top, right, bottom} = part.getBoundingClientRect()
+    const under = document.elementFromPoint((left + right) / 2, top + 4)
+    return top < 0 || left < 0 || right > innerWidth || bottom > innerHeight || !part.contains(under)
+  }).map(name => `${name} is not seen`))
+}"""
+"""Faults of the answer in the headline, and of parts of the card that are not completely visible."""
+GIVEN = "given => { const {question} = oscillations.asked.card; question.restore(given); question.changed() }"
+NAMED = """oscillations.walks.walk.step.controls.filter(name => {
+  const part = document.querySelector(`.card .borrowed :is([name="${name}"], [data-name="${name}"])`)
+  return !part?.checkVisibility()
+}).map(name => `${name} is not on the card`)"""
+FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].filter(part => {
+  const sets = part.getAttribute("data-grab")?.split(" ") ?? []
+  return part.checkVisibility() && !part.inert && !oscillations.walks.walk.step.controls.some(one => sets.includes(one))
+}).map(part => `sets values outside the step: ${part.outerHTML}`)"""
+MISSING = """[...document.querySelectorAll(".card .why, .card .why [data-value]")].map(part => part.textContent.trim())
+  .filter(text => !text || text.includes("?")).map(text => `a number is missing: ${text}`)"""
+SKETCHED = """[oscillations.walks.walk.card.question.plot].map(({frame, unit, host}) => {
+  const names = [...document.querySelectorAll(".votes .chip")].map(chip => chip.textContent)
+  const corner = document.querySelector(".class-corner").getBoundingClientRect()
+  const isClear = host.getBoundingClientRect().top + frame.top * unit >= corner.bottom
+  return frame.height * unit / innerHeight >= 0.5 && names.includes("Middle 50 %") && isClear
+})[0]"""
+"""True if sketches have half of the screen's height, a visible middle half, and are not covered by the corner."""
+
+
+def wordiest(step: Step) -> int | str:
+    """The answer with the longest reply, to a question with options or numbers."""
+    if isinstance(step, ChoiceStep):
+        return max(range(len(step.options)), key=lambda i: len(step.options[i].reply))
+    if not isinstance(step, NumericStep) or not step.misses:
+        return "2"
+    longest = max(range(len(step.misses)), key=lambda i: len(step.misses[i].reply))
+    return f"{step.wrong(Subject('', step, SCENES))[longest]:.3g}"
+
+
+def answered(page: Page, step: Step) -> None:
+    """Answer with keys."""
+    if isinstance(step, ChoiceStep):
+        place = page.locator(".answers [data-option]").evaluate_all(
+            "(all, i) => all.findIndex(one => one.dataset.option === i)", str(wordiest(step))
+        )
+        page.keyboard.press(f"{place + 1}")
+    elif isinstance(step, NumberStep):
+        page.get_by_role("textbox", name="Your answer").fill(str(wordiest(step)))
+    elif isinstance(step, PointStep):
+        page.locator(".pill-mark").press("ArrowRight")
+    else:
+        for key in ("Enter", *["Shift+ArrowRight"] * 9):
+            page.get_by_role("application").press(key)
+
+
+def forward(page: Page, step: Step, by: str) -> None:
+    """Show the answer to a question, after an answer if keys lead."""
+    if by == "clicker":
+        return clicked(page)
+    answered(page, step)
+    page.evaluate("document.activeElement.blur()")
+    return page.keyboard.press("r")
+
+
+def onward(page: Page, by: str) -> None:
+    if by == "clicker":
+        clicked(page)
+    else:
+        page.locator(FILLED).press("Enter")
+
+
+def explained(page: Page, step: Step, by: str) -> Iterator[str]:
+    """Faults of headline, explanation, and with `derive` of the formulas; the next press continues."""
+    passed(page)
+    yield from page.evaluate(HIDDEN, ["h1", ".card .why"])
+    yield from page.evaluate(MISSING)
+    if step.derive:
+        onward(page, by)
+        passed(page)
+        yield from page.evaluate(HIDDEN, [".card .follows .lines"])
+
+
+def with_room(page: Page, step: Step, by: str) -> Iterator[str]:
+    """Faults of a step in all that it shows."""
+    yield from (f"question: {fault}" for fault in faults_of(page, HEIGHT))
+    forward(page, step, by)
+    page.wait_for_function(TAUGHT)
+    yield from (f"answer: {fault}" for fault in faults_of(page, HEIGHT))
+    if step.id not in WORST:
+        return
+    if step.follows:
+        page.evaluate(UNFOLD, True)
+        yield from seen(page, HEIGHT, "how it follows")
+        page.evaluate(UNFOLD, False)
+    opener = page.get_by_role("button", name="Try", exact=True)
+    opener.click()
+    yield from seen(page, HEIGHT, "trying")
+    opener.click()
+
+
+def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
+    """The controls of a step are on its card, and no others can be used."""
+    size = page.viewport_size
+    page.keyboard.press("p")
+    for width, height in ((1280, 720), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        passed(page)
+        if page.evaluate("document.documentElement.scrollWidth > innerWidth"):
+            yield f"{width}: the page scrolls sideways"
+        yield from page.evaluate(NAMED) + page.evaluate(FREE)
+    assert size
+    page.set_viewport_size(size)
+    page.keyboard.press("p")
+
+
+@pytest.mark.timeout(600)  # up to 21 steps
+@pytest.mark.parametrize("led", LEADS)
+def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
+    name, by = led.split()
+    page = new_page(1280, HEIGHT)
+    page.goto(f"{server.url}?walk={name}&projector")
+    found: list[str] = []
+    for step in WALKS[name].steps:
+        page.wait_for_function(ASKED, arg=step.id)
+        if by == "keys":
+            found += [f"{step.id}: {fault}" for fault in with_room(page, step, by)]
+        else:
+            forward(page, step, by)
+            page.wait_for_function(TAUGHT)
+        found += [f"{step.id}: {fault}" for fault in explained(page, step, by)]
+        if by == "clicker":
+            found += [f"{step.id}: {fault}" for fault in on_a_desk_and_a_phone(page)]
+        onward(page, by)
+    expect(page.locator("dialog:is(.contents, .finish)")).to_be_visible()
+    assert not found, "\n".join(found)
+
+
+VOTERS = 57
+PHONES = ((390, 844), (844, 390))
+
+
+@pytest.mark.timeout(600)  # up to 21 steps, on three pages
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES if WHOLE else ["d34"])
+def test_with_votes(name: str, server: Server, window: Open) -> None:
+    lecture, code = taught(window, f"walk={name}&projector", 1280, HEIGHT)
+    phones = [joined(window, code, *size) for size in PHONES]
+    tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(VOTERS)]
+    found: list[str] = []
+
+    def look(step: Step, when: str) -> None:
+        found.extend(seen(lecture, HEIGHT, f"{step.id}, {when}"))
+
+    for place, step in enumerate(WALKS[name].steps):
+        if not WHOLE and step.id not in CROWDED:
+            continue
+        lecture.evaluate("place => oscillations.walks.walk.go(place)", place)
+        lecture.wait_for_function(ASKED, arg=step.id)
+        look(step, "before")
+        put(step.id, lecture, *phones)  # then the class takes answers
+        voted(server, code, name, step, tokens, phones)
+        expect(lecture.locator(".votes [role=status]")).to_contain_text(f"{VOTERS + 1} ")
+        clicked(lecture)
+        lecture.wait_for_function(f"{LED}.votes.layer")
+        look(step, "with votes, before")
+        assert not isinstance(step, SketchStep) or lecture.evaluate(SKETCHED), step.id
+        clicked(lecture)
+        lecture.wait_for_function(TAUGHT)
+        look(step, "with votes, after")
+        for phone in phones:
+            expect(phone.locator(".card .why")).to_be_attached()
+        clicked(lecture)
+        lecture.wait_for_function(f"!{LED}.votes.layer")
+        look(step, "explained, after")
+        found += [f"{step.id}: {fault}" for fault in explained(lecture, step, "clicker")]
+    assert not found, "\n".join(found)
+
+
+def voted(server: Server, code: str, name: str, step: Step, tokens: list[str], phones: list[Page]) -> None:
+    """All answer except the last phone."""
+    given: list[dict[str, Any]] = answers(step, len(tokens))
+    for token, answer in zip(tokens, given, strict=True):
+        call(server.url, f"/class/{code}/now", word=token)  # a phone that polls is there
+        made = call(server.url, f"/class/{code}/answer", "PUT", {"walk": name, "step": step.id, **answer}, token)
+        assert made.status == 204, f"{step.id}: {made.text}"
+    for phone, answer in zip(phones[:-1], given, strict=False):
+        phone.evaluate(GIVEN, answer)
+        sent(phone)
+
+
+FLAT = """title = "Too flat"
+[[step]]
+id = "flat"
+from = "d32-33-04"
+state = "?scene=damped&zeta=1&frame.x=-2,2"
+"""
+
+
+@pytest.mark.slow
+def test_make_walk_reports_a_curve_that_is_too_flat_next_to_its_pictures(tmp_path: Path) -> None:
+    """In its own process, because this one already has a Playwright."""
+    (tmp_path / "flat.toml").write_text(FLAT, encoding="utf-8")
+    command = [sys.executable, "-m", "tools.walk", "flat.toml", "--look", "--pictures"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    told = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert told.returncode == 1, told.stderr
+    folder = tmp_path / "build" / "walk" / "flat"
+    names = {f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")}
+    assert {one.name for one in folder.glob("*.png")} == names
+    page = (folder / "index.html").read_text(encoding="utf-8")
+    assert all(f'src="{name}"' in page for name in names) and "question at 853 x 480: plot x: its curves use " in page
+
+
 FITS = ((853, 480), (1280, 720))
 SIZES = (*FITS, (1920, 1080), (1024, 768))
-LINES = """oscillations.plots.filter(({host}) => host.checkVisibility())
-  .flatMap(({figure: {model}}) => (model?.renderers ?? []))
-  .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width)"""
 UNDER = """oscillations.plots.filter(({host}) => host.checkVisibility())
   .map(({figure: {model}}) => model?.below[0].major_label_text_font_size).filter(Boolean)"""
-THIN = """[...document.querySelectorAll(".block.plot, .block.stage")].filter(part =>
-  part.checkVisibility() && part.getBoundingClientRect().width < 20).map(part => part.className)"""
-"""Plots and stages without room."""
-BELOW = """(paper => {
-  const bar = document.querySelector(".transport").getBoundingClientRect()
-  const blocks = [...paper.querySelectorAll(".words, .table")]
-  const words = blocks.map(block => block.getBoundingClientRect().bottom - bar.top)
-  return Math.max(paper.scrollHeight - paper.clientHeight, ...words)
-})(oscillations.page.paper)"""
-"""Pixels of the sheet that are out of view, or of its words under the transport."""
-UNFIT = """(() => {
-  const {paper} = oscillations.page, bar = paper.querySelector(".transport").getBoundingClientRect()
-  const frame = paper.getBoundingClientRect(), top = paper.querySelector(".views-head").getBoundingClientRect().bottom
-  const low = oscillations.plots.filter(({host, frame}) => host.checkVisibility() && frame.height < 59)
-  const kinds = ".stage, .plot, .words, .table, .choice, .modes, .measured"
-  const seen = [...paper.querySelectorAll(`.block:is(${kinds})`)].filter(part => part.checkVisibility())
-  const parts = seen.map(({className, innerText}) => `${className} ${(innerText ?? "").slice(0, 30)}`)
-  const boxes = seen.map(part => part.getBoundingClientRect())
-  const isCut = box => box.top < top - 1.5 || box.bottom > (bar.height ? bar.top : frame.bottom) + 1.5 ||
-    box.left < frame.left - 1.5 || box.right > frame.right + 1.5
-  const meet = (one, other) => one.left + 2 < other.right && other.left + 2 < one.right &&
-    one.top + 2 < other.bottom && other.top + 2 < one.bottom
-  return [
-    ...(seen.length ? [] : ["nothing is shown"]),
-    ...low.map(({block, frame}) => `the plot ${block.name} is ${frame.height} high`),
-    ...parts.filter((_, i) => isCut(boxes[i])).map(part => `cut: ${part}`),
-    ...parts.flatMap((part, i) => parts.slice(0, i).filter((_, j) => meet(boxes[i], boxes[j]))
-      .map(other => `${part} meets ${other}`)),
-  ]
-})()"""
-"""The faults of a view: plots lower than 60 px (one pixel of rounding is allowed), cut parts, parts that overlap."""
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
@@ -66,17 +286,10 @@ def looked_at(page: Page, width: int, height: int) -> Iterator[str]:
     unit = max(1, 28 / 13 * lines / 1080)
     assert page.evaluate(UNIT) == pytest.approx(unit, rel=1e-5)
     yield from faults(page, 28 * lines / 1080, 22 * lines / 1080)
-    yield from page.evaluate(UNFIT) if (width, height) in FITS else []
+    if (width, height) in FITS:
+        yield from page.evaluate(SCROLLED) + page.evaluate(LOW, 59)
     under = {float(size[:-2]) for size in page.evaluate(UNDER)}
     yield from (f"an axis has type of {size}" for size in under if abs(size - 13 * unit) > 1e-3)
-    widths = [share * unit * 13 / 28 for share in (6, 3.5, 1.5)]
-    lines_drawn = page.evaluate(LINES)
-    yield from (f"a line is {line} wide" for line in lines_drawn if min(abs(line - one) for one in widths) > 0.01)
-    low = page.evaluate(BELOW)
-    across = page.evaluate("oscillations.page.paper.scrollWidth - oscillations.page.paper.clientWidth")
-    if max(low, across) > 1:
-        yield f"{low} px are below, {across} to the side"
-    yield from (f"no room for {part}" for part in page.evaluate(THIN))
 
 
 @pytest.mark.parametrize("slug", sample([*SCENES], 20))
@@ -125,43 +338,14 @@ def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable
     seek(page, 0.0)  # a moving mass is elsewhere when the mouse arrives
     grip = page.locator(".grip").first
     grip.click(trial=True)  # nor does it move any more with the width that the panel has left
-    box = grip.bounding_box()
-    assert box
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    before = page.evaluate("oscillations.shown.settings.x1_0.value")
+    before, (x, y) = value(page, "x1_0"), middle(grip)
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 60, y, steps=4)
-    pointer = page.locator(".pointer")
-    expect(pointer).to_be_visible()
-    passed(page, 2)
-    held = page.locator(".grip.held").bounding_box()
-    assert held and abs(held["x"] - box["x"] - 60) < 2  # the hand is where the mouse is
+    expect(page.locator(".pointer")).to_be_visible()
     page.mouse.up()
-    expect(pointer).to_be_hidden()  # it rests
-    page.locator(".block.plot:visible").last.hover()
-    reading = page.locator(".reading:visible")
-    for count in (1, 0):
-        expect(reading).to_have_count(count)
-        expect(pointer).to_be_visible(visible=bool(count))
+    expect(page.locator(".pointer")).to_be_hidden()  # it rests
     page.wait_for_function("before => oscillations.shown.settings.x1_0.value > before", arg=before)
     page.keyboard.press("p")
     assert "projector" not in page.evaluate("location.search")
     expect(panel).to_be_visible()
-
-
-def test_full_screen_comes_back_with_the_next_key(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="energy")
-    page.keyboard.press("f")
-    page.wait_for_function("document.fullscreenElement")
-    page.evaluate("oscillations.open({scene: 'forced'})")
-    page.wait_for_function(f"oscillations.page.spec.slug === 'forced' && {READY}")
-    assert page.evaluate("Boolean(document.fullscreenElement)")
-    page.reload()
-    page.wait_for_function(READY)
-    if page.evaluate("Boolean(document.fullscreenElement)"):
-        return  # this browser keeps it
-    expect(page.get_by_text("Press a key to go back to full screen.")).to_be_visible()
-    page.keyboard.press("PageDown")
-    page.wait_for_function("document.fullscreenElement")
-    expect(page.locator(".offer")).to_have_count(0)

@@ -5,24 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 from playwright.sync_api import FilePayload, Locator, Page, expect
 
 from components.scenes import SCENES
 from components.walks.checking import problems
-from components.walks.features import Peak, Trough, ValueAt
 from components.walks.loading import load_walk
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
-from components.walks.subject import Subject
 from components.walks.walk import Walk
 from tests.browser.classroom import tap
-from tests.browser.dropping import drop
+from tests.browser.engines import stroke
 from tests.browser.fixtures import READY
-from tests.browser.hands import stroke
-from tests.browser.waiting import clicked
+from tests.browser.waiting import clicked, drop
 
 pytestmark = pytest.mark.browser
 COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
@@ -41,7 +37,6 @@ PLACES = """drawn => {
 }"""
 REFUSED = {
     "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
-    "latin.toml": (b'title = "\xe9"', "latin.toml: this is not UTF-8 text."),
     "cover.toml": (MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” is not possible: choose from"),
 }
 
@@ -71,10 +66,6 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     expect(page.locator(".notice")).to_be_hidden()
     tap(page, 0)
     clicked(page)
-    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    page.reload()  # a question that has been answered is not asked again
-    page.wait_for_function("oscillations.walks.walk?.lesson")
-    expect(page.locator(".answers [data-option='0']")).to_contain_text("your answer")
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     page.get_by_role("button", name="Answer again").click()
     page.wait_for_function("oscillations.shown.state.covered.length && !oscillations.walks.walk.lesson")
@@ -122,19 +113,6 @@ def ask_each_kind(page: Page) -> Locator:
     return dialog
 
 
-def are_read_off(step: SketchStep) -> None:
-    """The features of a sketch are those of the motion; the first one was given by an expression."""
-    assert isinstance(step.must[0], ValueAt) and step.must[0].value == "x1_0"
-    drawn = SCENES["coupled"](k2=3.0, window=40.0).sources["time"].data
-    for feature in step.told(step.must, Subject("", step, SCENES)):
-        assert isinstance(feature, ValueAt | Peak | Trough)
-        at, value = float(feature.at), float(feature.value)
-        assert value == pytest.approx(np.interp(at, drawn["t"], drawn["x1"]), abs=5e-3)
-        near = drawn["x1"][np.abs(drawn["t"] - at) < 0.3]
-        sign = {Peak: 1, Trough: -1, ValueAt: 0}[type(feature)]
-        assert np.all(sign * value >= sign * near - 1e-9), "it turns where no point is drawn"
-
-
 def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     page: Page, open_scene: Callable[..., Page], tmp_path: Path
 ) -> None:
@@ -152,7 +130,6 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
     assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&view=motion&frame.window=40&held.k2=20"
     assert isinstance(walk.steps[2], SketchStep)
-    are_read_off(walk.steps[2])
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     assert walk.steps[3].answer.quantities == ("x2_0 - 0.5",) and not walk.steps[3].answer.numbers
     assert isinstance(walk.steps[0], ChoiceStep) and walk.steps[0].fixed

@@ -1,59 +1,25 @@
-"""The page plays without the server, restores a link, shows the numbers at the pointer, and is laid out once."""
+"""The page plays without the server, restores a link, shows numbers at the pointer; single scenes; the start page."""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Page, WebSocket, expect
+from playwright.sync_api import Browser, Page, WebSocket, expect
 
 from components.quantities.formatting import short
 from components.scenes import SCENES
+from physics.analogues import ANALOGUES
+from tests.browser import looks
 from tests.browser.fixtures import READY
-from tests.browser.waiting import QUIET, passed, played, turned
-from tests.grids import sample
+from tests.browser.looks import GRID, faults
+from tests.browser.waiting import PASSED, passed, played, seek, turned, unfold
 from tests.page import scripts
+from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
-FRAMES = 10
-
-
-@contextmanager
-def layouts(page: Page) -> Iterator[Callable[[], tuple[float, float]]]:
-    """A function that returns the number of layouts of the page, and the number of frames drawn."""
-    session = page.context.new_cdp_session(page)
-    session.send("Performance.enable")
-
-    def counts() -> tuple[float, float]:
-        metrics = session.send("Performance.getMetrics")["metrics"]
-        laid_out = next(one["value"] for one in metrics if one["name"] == "LayoutCount")
-        return laid_out, page.evaluate("oscillations.clock.frames")
-
-    yield counts
-    session.detach()
-
-
-@pytest.mark.parametrize("slug", sample(list(SCENES), 20))
-def test_a_frame_is_laid_out_once(slug: str, desk: Page) -> None:
-    """A timer that starts with a change does not measure the page either."""
-    turned(desk, slug, {})
-    desk.evaluate("oscillations.clock.playing = true")
-    least = {"playing": math.inf, "after a change": math.inf}
-    with layouts(desk) as counts:
-        for window in (None, None, 7, 8, 9):
-            if window:
-                desk.evaluate("text => oscillations.send({type: 'typed', name: 'window', text})", str(window))
-                desk.wait_for_function(QUIET)
-                played(desk, 4)
-            laid_out, frames = counts()
-            played(desk, 2 * FRAMES)
-            now, when = counts(), "after a change" if window else "playing"
-            least[when] = min(least[when], (now[0] - laid_out) / (now[1] - frames))
-    assert least["playing"] <= 1.3 and least["after a change"] <= 1.5
 
 
 def test_it_plays_without_the_server_and_reads_a_motion_as_it_is(page: Page, open_scene: Open) -> None:
@@ -103,7 +69,6 @@ def test_numbers_at_the_pointer_and_at_a_handle_have_their_unit(desk: Page) -> N
     for slug, given, plot, says in (
         ("oscillator", {"view": "speed"}, "v", r"^v −?\d[\d.]* m/s$"),
         ("energy", {"view": "well"}, "well", r"^V \d[\d.]* J$"),
-        ("analogues", {"view": "large"}, "late", r"^longer by \d[\d.]* %$"),
         ("phugoid", {}, "period", r"^τ \d[\d.]* s$"),
     ):
         turned(desk, slug, given)
@@ -157,3 +122,163 @@ def test_moving_numbers_are_of_the_instant_when_the_page_stops(desk: Page) -> No
       return told
     }""")
     assert told[0] == told[1] != told[2]
+
+
+def level(page: Page, selector: str, way: str) -> float:
+    """The position of the middle or an edge of an element, from the top of the window."""
+    return float(page.evaluate(f"(b => {way})(document.querySelector('{selector}').getBoundingClientRect())"))
+
+
+def dot(page: Page, plot: str, tint: str) -> float:
+    """The height of the dot on a curve."""
+    find = f"oscillations.plots.find(p => p.block.name === '{plot}').dots.find(d => d.curve.tint === '{tint}').dot"
+    return float(page.evaluate(f"(b => b.top + b.height / 2)({find}.getBoundingClientRect())"))
+
+
+def test_masses_and_bars_are_level_with_their_curves(desk: Page) -> None:
+    turned(desk, "oscillator", {"view": "formulas", "x_0": 0.15, "v_0": 0.0})
+    for t in (0.2, 0.685, 1.4):
+        seek(desk, t)
+        assert level(desk, "svg.stage rect.mass", "b.top + b.height / 2") == pytest.approx(dot(desk, "x", "m1"), abs=1)
+        assert dot(desk, "v", "T") == pytest.approx(dot(desk, "plane", "ink"), abs=1)
+        assert dot(desk, "a", "F") == pytest.approx(dot(desk, "law", "ink"), abs=1)
+    turned(desk, "energy", {"view": "energy"})
+    for t in (0.3, 1.09):
+        seek(desk, t)
+        V, T = (level(desk, f"svg.stage .{tint} > .body", "b.top") for tint in ("V", "T"))
+        bottom = level(desk, "svg.stage .T > .body", "b.bottom")
+        assert [V, bottom] == pytest.approx([dot(desk, "energy", "V")] * 2, abs=1)
+        assert pytest.approx(dot(desk, "energy", "total"), abs=1) == T
+
+
+def test_each_picture_chooses_its_system_and_its_speed(desk: Page) -> None:
+    turned(desk, "analogues", {"view": "roles"})
+    tiles = desk.get_by_role("group", name="System").get_by_role("button")
+    for tile, (slug, system) in zip(tiles.all(), ANALOGUES.items(), strict=True):
+        tile.click()
+        expect(tile).to_have_attribute("aria-pressed", "true")
+        desk.locator("summary:visible", has_text=system.name).click()
+        expect(desk.locator(f"input[name={slug}_{system.parameters[0].name}]")).to_be_visible()
+    desk.wait_for_url(re.compile("system=pipe"))
+    turned(desk, "analogues", {"view": "motion", "system": "circuit"})
+    speed = desk.locator("[data-value=speed]").first
+    expect(speed).to_have_text("played 200\u202f000 times slower")
+    desk.get_by_role("button", name="Slower").click()
+    expect(speed).not_to_have_text("played 200\u202f000 times slower")
+    desk.get_by_role("button", name="Auto speed").click()
+    expect(speed).to_have_text("played 200\u202f000 times slower")
+
+
+def test_another_unit_changes_labels_and_pictures_are_presets(desk: Page) -> None:
+    turned(desk, "phugoid", {})
+    unfold(desk)
+    field = desk.locator("input[name=v_0]")
+    assert field.input_value() == "150"
+    desk.get_by_role("button", name="knots").click()
+    expect(field).to_have_value("88.87")
+    expect(desk.get_by_label("v0, speed of steady flight, knots").first).to_be_visible()
+    turned(desk, "phugoid", {"view": "period"})
+    loop = desk.get_by_role("button", name="Loop, 1")
+    loop.click()
+    expect(loop).to_have_attribute("aria-pressed", "true")
+    expect(desk.locator("[data-value=verdict]").first).to_contain_text("loops")
+    desk.get_by_role("button", name="Speed of: Glider").click()  # a flag of the plot
+    expect(desk.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
+    assert desk.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)
+
+
+def test_a_measurement_is_run_skips_a_method_and_is_cancelled(desk: Page) -> None:
+    turned(desk, "accuracy", {"limit": 3, "system": "wide"})
+    desk.get_by_role("button", name="Run", exact=True).click()
+    stepping = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")  # the others come first and are quick
+    expect(desk.locator(".transport [role=status]")).to_contain_text(stepping, timeout=60_000)
+    expect(desk.locator(".count")).to_contain_text("of 60 s")
+    desk.get_by_role("button", name="Skip this method").click()
+    desk.get_by_role("button", name="Cancel").click()
+    expect(desk.locator(".count")).to_contain_text("methods measured here")
+    expect(desk.get_by_role("button", name="Run again")).to_be_visible()
+
+
+PLACES = """() => [...document.querySelectorAll(".thumb")].map(thumb => [...thumb.querySelectorAll("g")].map(part => {
+  const {x, y, width, height} = part.getBoundingClientRect()
+  const {top} = thumb.getBoundingClientRect()
+  return [x, y - top, width, height].map(Math.round).join()
+}).join(" "))"""
+TOPS = "all => all.map(one => one.getBoundingClientRect()).map(({top, height}) => top + height / 2)"
+INK = """all => all.filter(one => getComputedStyle(one).backgroundColor === getComputedStyle(document.body).color)
+  .map(one => one.textContent)"""
+
+
+@pytest.fixture
+def home(page: Page, server: Server) -> Page:
+    page.goto(server.url)
+    return page
+
+
+def test_every_scene_is_there_and_opens_by_mouse_and_keys(home: Page) -> None:
+    cards = home.locator("a.scene-card")
+    expect(cards.locator(".name")).to_have_text([scene.title for scene in SCENES.values()])
+    expect(cards.locator(".claim")).to_have_text([scene.headline for scene in SCENES.values()])
+    card = cards.filter(has_text="Coupled")
+    for opens in (lambda: card.click(), lambda: card.press("Enter")):
+        card.hover()
+        fetched = f'head link[rel=prefetch][href="assets/{card.get_attribute("data-sheet")}"]'
+        expect(home.locator(fetched)).to_be_attached()  # before it is pressed
+        opens()
+        home.wait_for_function(READY)
+        expect(home.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
+        home.locator(".brand").click()
+        expect(home.get_by_role("heading", level=1)).to_have_text("Pull a mass and see how it oscillates")
+
+
+def test_nothing_leaves_any_screen_all_can_be_hit_and_is_read_in_the_order_in_which_it_is_seen(home: Page) -> None:
+    for width, height in GRID:
+        home.set_viewport_size({"width": width, "height": height})
+        assert faults(home) == [], (width, height)
+    home.set_viewport_size({"width": 390, "height": 844})
+    assert looks.targets(24)(home) == []
+    tops = home.locator("h1, h2, a:visible, button:visible, input:visible").evaluate_all(TOPS)
+    assert tops == pytest.approx(sorted(tops), abs=8)
+    home.emulate_media(media="print")
+    expect(home.locator("a.scene-card:visible")).to_have_count(len(SCENES))
+    expect(home.get_by_role("link", name="Start here")).to_be_hidden()
+
+
+def test_each_picture_in_view_moves_and_no_other_and_none_with_reduced_motion(home: Page) -> None:
+    home.set_viewport_size({"width": 390, "height": 844})
+    home.emulate_media(reduced_motion="reduce")
+    home.reload()
+    home.locator("a.scene-card").first.hover()
+    before = home.evaluate(PLACES)
+    home.evaluate(PASSED, 10)
+    assert home.evaluate(PLACES) == before
+    home.emulate_media(reduced_motion="no-preference")
+    moves = f"([i, before]) => ({PLACES})().at(i) !== before"
+    home.wait_for_function(moves, arg=[0, before[0]])
+    assert home.evaluate(PLACES)[-1] == before[-1]
+    home.locator(".thumb").last.scroll_into_view_if_needed()
+    home.wait_for_function(moves, arg=[-1, before[-1]])
+
+
+def test_light_and_dark_are_kept_and_one_filled_button_begins_the_tour(home: Page) -> None:
+    home.locator("#theme").click()
+    theme = home.evaluate("document.documentElement.dataset.theme")
+    home.reload()
+    assert home.evaluate("document.documentElement.dataset.theme") == theme == "dark"
+    filled = home.locator("body :is(a, button)").evaluate_all(INK)
+    assert filled == ["Start here five questions, ten minutes"]
+    home.get_by_role("link", name="Start here").click()
+    home.wait_for_function(READY)
+    expect(home.locator(".card-head span")).to_contain_text("1 of 5")
+
+
+def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
+    page = browser.new_page()  # the browser logs the refusal
+    page.goto(server.url)
+    field = page.get_by_label("In a live class?")
+    field.fill("ZZZZ")
+    page.keyboard.press("Enter")
+    expect(page.locator("#no-class")).to_have_text("No class has this code now. A code has four letters and digits.")
+    expect(field).to_be_focused()
+    expect(field).to_have_value("ZZZZ")
+    page.close()

@@ -1,17 +1,18 @@
-"""A guided walk in a browser: questions, answers by mouse, finger and keys, contents, and stored answers."""
+"""Guided walks in a browser: questions of each kind, stored answers, the tour on a phone, handouts on paper."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Callable
-from itertools import pairwise
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
-from components.scenes import SCENES
-from tests.browser.classroom import FRAME, draw
+from components.walks.loading import load_walks
+from components.walks.questions.choice import ChoiceStep
+from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, tap, taught
+from tests.browser.fixtures import READY
 from tests.browser.halls import TAUGHT
 from tests.browser.touch import Finger
 from tests.browser.waiting import QUIET, passed
@@ -21,18 +22,14 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
 PHONE = (390, 844)
-TOPS = """names => names.map(name => [...document.querySelectorAll(name)].find(one => one.checkVisibility())
-  .getBoundingClientRect()).map(({top, bottom}) => [top, bottom])"""
 
 Walk = Callable[..., Page]
 
 
 @pytest.fixture
 def walk(server: Server, new_page: Callable[..., Page]) -> Walk:
-    def open_step(step: str, *size: int, init: str = "", **options: bool) -> Page:
-        page = new_page(*size, fresh=bool(init), **options)
-        if init:
-            page.add_init_script(init)
+    def open_step(step: str, *size: int, **options: bool) -> Page:
+        page = new_page(*size, **options)
         page.goto(f"{server.url}?walk={step.rpartition('-')[0]}&step={step}")
         page.wait_for_function(CARD)
         return page
@@ -129,46 +126,6 @@ def test_a_point_is_marked_by_mouse_and_keys(walk: Walk) -> None:
     expect(page.locator(".line-mark.true")).to_have_count(1)
 
 
-CLEAR = """() => {
-  const mark = document.querySelector(".pill-mark"), own = mark.getBoundingClientRect()
-  const others = [...mark.closest(".plot-area").querySelectorAll(".pill, .flag, text")]
-    .map(part => part.getBoundingClientRect()).filter(({width}) => width)
-  return others.length > 0 && !others.some(({left, right, top, bottom}) =>
-    left < own.right - 1 && own.left < right - 1 && top < own.bottom - 1 && own.top < bottom - 1)
-}"""
-"""True if the visitor's mark covers no text of the plot."""
-
-
-def test_a_mark_moves_off_what_comes_with_the_answer(walk: Walk) -> None:
-    page = walk("d31-12")
-    page.evaluate("oscillations.walks.walk.card.question.marker.setTo(24)")
-    show(page)
-    expect(page.locator(".line-mark.true")).to_have_count(1)
-    page.wait_for_function(CLEAR)
-
-
-@pytest.mark.parametrize("step", sample(["d31-12", "d34-08", "d34-16"], 3))
-def test_a_point_and_its_question_share_the_first_screen_of_a_phone(walk: Walk, step: str) -> None:
-    page = walk(step, 360, 740)
-    for width, height in ((360, 740), PHONE):
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        places = page.evaluate(TOPS, [".nav", ".block.stage", ".pill-mark", ".card .asks", ".card .foot"])
-        assert all(above[1] <= below[0] + 1 for above, below in pairwise(places)), places
-        assert places[-1][1] <= height
-
-
-def test_on_a_phone_an_answer_without_a_stage_on_top_begins_with_its_picture(walk: Walk) -> None:
-    page = walk("d34-19", *PHONE)
-    for step in ("d34-19", "d34-20", "d34-21"):
-        arrived(page, step)
-        page.evaluate("oscillations.walks.walk.show(true)")
-        page.wait_for_function(TAUGHT)
-        are_ordered = f"names => ({TOPS})(names).every(([top], i, all) => !i || top > all[i - 1][0])"
-        page.wait_for_function(are_ordered, arg=[".block.plot", ".block.stage", ".transport", ".card"])
-        page.evaluate("oscillations.walks.walk.next()")
-
-
 def saddle(share: float) -> float:
     """Two resonances and a minimum between them that stays above zero."""
     s = 2.5 * share
@@ -197,15 +154,6 @@ def test_a_sketch_is_judged_by_its_features(walk: Walk) -> None:
     expect(page.locator(".strokes .old")).to_have_count(1)
 
 
-UNDER_NAME = """() => {
-  const flag = [...document.querySelectorAll(".plot-area .flag")].find(flag => flag.checkVisibility())
-  flag.scrollIntoView({block: "center"})
-  const {left, top, width, height} = flag.getBoundingClientRect()
-  const found = document.elementsFromPoint(left + width / 2, top + height - 3)
-  return found.findIndex(one => flag.contains(one)) < found.findIndex(one => one.closest(".drawing"))
-}"""
-
-
 def test_a_finger_draws_and_nothing_scrolls(walk: Walk) -> None:
     page = walk("d34-14", *PHONE, has_touch=True, is_mobile=True)
     page.evaluate("oscillations.walks.walk.card.question.plot.host.scrollIntoView({block: 'center'})")
@@ -224,10 +172,6 @@ def test_a_finger_draws_and_nothing_scrolls(walk: Walk) -> None:
     drawn = page.evaluate("oscillations.walks.walk.card.question.given().curves.Xp1.filter(height => height !== null)")
     assert len(drawn) > 70 and drawn[-1] > drawn[0]
     assert page.evaluate("scrollY") == scrolled
-    page.evaluate("oscillations.walks.walk.show(true)")
-    page.wait_for_function(TAUGHT)
-    page.add_style_tag(content="* { pointer-events: auto !important }")
-    assert page.evaluate(UNDER_NAME), "names over a plot are above the own curve"
 
 
 def test_a_sketch_can_be_drawn_by_keys(walk: Walk) -> None:
@@ -254,10 +198,6 @@ def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
     page.evaluate("oscillations.walks.walk.next()")
     arrived(page, "d34-08")
     expect(page.locator(".card-head")).to_contain_text("2 of 6")
-    page.evaluate("oscillations.walks.walk.go(15)")
-    arrived(page, "d34-16")
-    page.evaluate("oscillations.walks.walk.next()")
-    expect(page.locator(".contents .end li")).to_have_count(5)
 
 
 def test_a_phone_has_a_key_for_the_sign(walk: Walk) -> None:
@@ -286,14 +226,13 @@ def test_the_first_visit_offers_the_tour_and_names_the_lectures(page: Page, open
     expect(offer).to_be_hidden()
 
 
-def test_a_covered_curve_has_no_dot_where_it_begins(walk: Walk) -> None:
-    """Its motion on the stage is at rest."""
+def test_a_covered_curve_has_no_dot_and_no_bar_where_it_begins(walk: Walk) -> None:
+    """They would show which of both begins at its maximum."""
     page = walk("d31-09")
     page.evaluate("oscillations.change(() => ({show: ['stage', 'plot:energy', 'plot:well']}))")
     expect(page.locator(".cover:visible")).to_have_count(1)
-    expect(page.locator(".cover > :visible")).to_have_count(0)  # the wash alone
     bar = page.locator(".block.stage .body:visible")
-    expect(bar).to_have_count(0)  # it would show which of both begins at its maximum
+    expect(bar).to_have_count(0)
     shown = """oscillations.page.plots.find(plot => plot.block.name === "energy")
       .dots.filter(({curve}) => "TV".includes(curve.y)).map(({dot}) => dot.style.display !== "none")"""
     assert page.evaluate(shown) == [False, False]
@@ -302,25 +241,168 @@ def test_a_covered_curve_has_no_dot_where_it_begins(walk: Walk) -> None:
     expect(bar).not_to_have_count(0)
 
 
-SEEN = """globalThis.frames_seen = []
-const look = () => {
-  const isThere = name => Boolean(document.querySelector(name)?.checkVisibility())
-  const headline = document.querySelector("h1")?.textContent ?? ""
-  const [stage, presets, card] = [".paper .mass", ".panel .chips button", ".card"].map(isThere)
-  frames_seen.push({headline, stage, presets, card})
-  requestAnimationFrame(look)
-}
-requestAnimationFrame(look)"""
-"""Notes the contents of the page at each frame."""
+STEPS = [step for step in load_walks(())["tour"].steps if isinstance(step, ChoiceStep)]
+AT = "id => oscillations?.walks?.walk?.step?.id === id && document.querySelector('.asked')"
+BOTTOMS = """names => names.map(name => [...document.querySelectorAll(name)].filter(one => one.checkVisibility()).at(-1)
+  .getBoundingClientRect().bottom)"""
+QUESTION = [".asked-line", "h1", ".block:is(.stage, .plot)", ".answers button", ".foot"]
+ANSWER = [".judgement", "h1", ".block.plot", ".transport", ".card .why", ".tries", ".answers"]
+IS_ABOVE_FOOT = """one => one.getBoundingClientRect().bottom <=
+  document.querySelector(".foot").getBoundingClientRect().top"""
+LARGE, SMALL = (390, 844), (320, 568)
 
 
-@pytest.mark.parametrize("step", sample(["d31-02", "d34-02"], 3))
-def test_a_link_to_a_step_never_shows_the_scene_alone(walk: Walk, step: str) -> None:
-    """The first one waits for the visitor's own numbers: its stage is visible before its card."""
-    page = walk(step, init=SEEN)
-    page.wait_for_function("oscillations.walks.walk?.card && oscillations.connection.wire")
-    seen = page.evaluate("frames_seen")
-    headlines = {scene.headline for scene in SCENES.values()}
-    assert any(one["card"] for one in seen)
-    assert not [one for one in seen if one["presets"] or one["headline"] in headlines]
-    assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
+@pytest.fixture
+def tour(new_page: Callable[..., Page], server: Server) -> Page:
+    page = new_page(*LARGE, fresh=True, has_touch=True)
+    page.goto(f"{server.url}?walk=tour")
+    page.wait_for_function(READY)
+    return page
+
+
+def asked(tour: Page, place: int) -> None:
+    """All of a question is on the first screen of a phone, in the order in which it is read."""
+    for width, height in (SMALL, LARGE):
+        tour.set_viewport_size({"width": width, "height": height})
+        passed(tour)
+        tour.wait_for_function(AT, arg=STEPS[place].id)
+        expect(tour.locator(".answers button")).to_have_count(3)
+        places = tour.evaluate(BOTTOMS, QUESTION)
+        assert places == sorted(places) and places[-1] <= height, (STEPS[place].id, places)
+        expect(tour.locator(".foot .ruler .here")).to_be_in_viewport(ratio=1)
+    expect(tour.locator(".foot")).to_contain_text(f"{place + 1} of {len(STEPS)}")
+
+
+def answered(tour: Page, step: ChoiceStep, how: str) -> None:
+    """The answer says if it is right, then comes the picture."""
+    i = next(i for i, option in enumerate(step.options) if option.right == (how == "right"))
+    tour.locator(f".answers [data-option='{i}']").tap()
+    forward = tour.locator(".foot .filled")
+    expect(forward).to_have_text("Show the answer")
+    forward.click()
+    expect(tour.get_by_role("heading", level=1)).to_have_text(step.title)
+    verdict = tour.get_by_role("status").filter(has_text=f"Your answer is {how}.")
+    expect(verdict).to_be_in_viewport(ratio=1)
+    reply = tour.locator(f".answers [data-option='{i}'] .line")
+    expect(reply).to_have_text(step.options[i].reply.replace("*", ""))
+    expect(tour.get_by_role("button", name="Skip")).to_have_count(0)
+    places = tour.evaluate(BOTTOMS, ANSWER)
+    assert places == sorted(places), (step.id, places)
+    # The slider that a task names is above the buttons; the task of the third step names a dot.
+    slider = tour.locator(".tries .control").nth(1 if step.id == "tour-02" else 0)
+    assert step.id == "tour-03" or slider.evaluate(IS_ABOVE_FOOT), step.id
+    forward.click()
+
+
+def judged(end: Locator, how: str) -> None:
+    """The last page counts the answers and names each step with its result."""
+    counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
+    expect(end.locator("p")).to_contain_text(counts[how])
+    results = end.locator(".results li")
+    expect(results).to_have_count(len(STEPS))
+    for row, step in zip(results.all(), STEPS, strict=True):
+        said = step.question if how == "nothing" else step.title
+        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
+        expect(row).to_contain_text("skipped" if how == "nothing" else how)
+
+
+@pytest.mark.parametrize("how", sample(["wrong", "right", "nothing"], 3))
+def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
+    for place, step in enumerate(STEPS):
+        asked(tour, place)
+        forward = tour.locator(".foot .filled")
+        expect(forward).to_have_text("Choose an answer")
+        if how != "nothing":
+            answered(tour, step, how)
+            continue
+        forward.click()
+        expect(tour.get_by_role("alert").filter(has_text="Answer first: a guess is fine.")).to_be_visible()
+        tour.get_by_role("button", name="Skip").click()
+    end = tour.get_by_role("dialog", name="Done")
+    judged(end, how)
+    expect(end.locator("a.scene-card svg")).to_have_count(3)
+    expect(end.get_by_role("link", name="All scenes")).to_be_visible()
+    end.get_by_role("button", name="Close").click()
+    expect(end).to_be_hidden()
+    tour.get_by_role("button", name="Skip" if how == "nothing" else "Finish").click()
+    end.get_by_role("link", name="Calm a machine").click()
+    tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
+
+
+NO_PRINTER = "() => { globalThis.print = () => {} }"
+STANDS = "JSON.stringify([oscillations.shown.state, oscillations.messages.number, oscillations.walks.walk.place])"
+NEWS = "JSON.stringify([oscillations.news.picture, oscillations.news.question])"
+FILLED = """[...document.querySelectorAll(".handout .sheet")].map(sheet => sheet.offsetHeight / 950)"""
+"""The share of each printed page's height that its steps take."""
+POINTS = """[...document.querySelectorAll(".handout svg text")].filter(one => one.textContent.trim()).map(one =>
+  parseFloat(getComputedStyle(one).fontSize) * one.ownerSVGElement.getScreenCTM().a * 0.75)"""
+"""The type of the labels on paper."""
+HANDOUT = "Print a handout of this walk"
+
+
+def printed(page: Page, steps: int, name: str = HANDOUT) -> Locator:
+    """The pages that a button prints, one article a step."""
+    page.evaluate(NO_PRINTER)
+    page.locator(".walks summary").click()
+    page.get_by_role("button", name=name).click()
+    pages = page.locator(".handout")
+    expect(pages.locator("article")).to_have_count(steps, timeout=60_000)
+    page.evaluate("document.querySelector('.handout').remove = () => {}")  # it is printed several times
+    return pages
+
+
+def counted(page: Page) -> list[int]:
+    """The number of pages on each paper."""
+    page.emulate_media(media="print")
+    # The tree of pages has several nodes, each with its number of pages; the root has all.
+    return [max(map(int, re.findall(rb"/Count (\d+)", page.pdf(format=paper)))) for paper in ("A4", "Letter")]
+
+
+def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
+    server: Server, new_page: Callable[..., Page]
+) -> None:
+    page = new_page(fresh=True)
+    page.goto(f"{server.url}?walk=tour")
+    page.wait_for_function(f"{CONNECTED} && oscillations.walks.walk?.card")
+    pages = printed(page, 5)
+    expect(pages.locator(".boxes li").first).to_be_attached()
+    boxes = page.locator(".printed-pictures svg").evaluate_all("all => all.map(one => one.viewBox.baseVal.width)")
+    assert len(boxes) >= 5 and min(boxes) > 100  # a view that has just come has its place before it is drawn
+    assert "?" not in "".join(pages.locator("svg").all_text_contents())  # what is hidden has left no trace
+    filled = page.evaluate(FILLED)
+    assert 2 <= len(filled) <= 5 and min(filled) >= 0.6 and max(filled) <= 1, filled
+    assert counted(page) == [len(filled)] * 2
+    assert min(page.evaluate(POINTS)) > 6.9
+    page.locator(".handout").evaluate("one => one.replaceWith()")
+    page.emulate_media(media="screen")
+    answers = printed(page, 5, "Print the answers of this walk")
+    expect(answers).to_contain_text("the same 1.00 s")
+    assert "?" not in "".join(answers.locator(".why").all_text_contents())
+    assert page.evaluate("oscillations.walks.walk.answers.of('tour-01')") is None  # nothing was answered
+
+
+def test_a_handout_that_is_printed_during_a_class_moves_nothing(window: Open) -> None:
+    lecture, code = taught(window, "walk=tour&projector")
+    phone = joined(window, code)
+    tap(phone, 0)
+    sent(phone)
+    lecture.wait_for_function(f"{QUIET} && {LED}.votes.tally?.now.answered === 1")
+    before, news = lecture.evaluate(STANDS), phone.evaluate(NEWS)
+    orders: list[str] = []
+    lecture.on("request", lambda request: orders.append(request.url) if request.url.endswith("/lead") else None)
+    printed(lecture, 5)
+    expect(lecture.locator("iframe, .offer")).to_have_count(0)
+    assert lecture.evaluate(STANDS) == before and not orders
+    assert phone.evaluate(NEWS) == news and lecture.evaluate(f"{LED}.news.here") == 1
+
+
+@pytest.mark.slow  # a walk of 16 steps
+def test_a_handout_has_the_numbers_of_the_file(server: Server, new_page: Callable[..., Page]) -> None:
+    """The page itself asks with this visitor's own numbers."""
+    page = new_page(fresh=True, bypass_csp=False)
+    page.goto(f"{server.url}?walk=d31&step=d31-02")
+    expect(page.locator(".asked-line")).to_contain_text("One swing takes")
+    own = page.evaluate("oscillations.walks.walk.numbers")
+    pages = printed(page, 16)
+    expect(pages.locator("article").nth(1)).to_contain_text("One swing takes 1.00 s")
+    assert own and page.evaluate("oscillations.walks.walk.numbers") == own

@@ -90,3 +90,17 @@ def is_shown(page: Page, **values: float) -> None:
     """The page shows these values."""
     for name, value in values.items():
         page.wait_for_function(f"oscillations.shown.settings.{name}?.value === {value}")
+
+
+DROP = """([name, text]) => {
+  const data = new DataTransfer()
+  data.items.add(new File([text], name))
+  for (const kind of ["dragover", "drop"])
+    document.querySelector(".paper").dispatchEvent(
+      new DragEvent(kind, {dataTransfer: data, bubbles: true, cancelable: true}))
+}"""
+
+
+def drop(page: Page, name: str, content: str) -> None:
+    """Drop a text file of this name onto the paper."""
+    page.evaluate(DROP, [name, content])
