@@ -250,6 +250,7 @@ def poll(lecture: Page, phone: Page, other: Page) -> None:
 def ended(lecture: Page, phone: Page, folder: Path) -> list[list[str]]:
     """The page says what the end of a class deletes, and offers the CSV; a clicker does not end a class."""
     dialog = lecture.get_by_role("dialog", name="End the class")
+    lecture.keyboard.press("j")
     for cancel in (True, False):
         lecture.get_by_role("button", name="End the class").press("Enter")
         expect(dialog).to_contain_text("This deletes 13 answers to 6 questions. The code stops working, and phones")

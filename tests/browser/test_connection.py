@@ -249,7 +249,7 @@ def test_parts_asked_for_without_a_network_come_with_it(quiet: Quiet, server: Se
     expect(remark).to_have_count(0)
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
-    expect(page.locator("details.about table").first).to_be_visible()
+    expect(page.locator("details.about table").first).to_be_visible(timeout=BY_ANYTHING)
 
 
 BREAKABLE = """() => {

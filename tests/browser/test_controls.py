@@ -232,6 +232,7 @@ def test_the_list_names_each_key_and_single_letters_can_be_switched_off(page: Pa
     open_scene(page, scene="coupled")
     page.keyboard.press("?")
     keys = page.get_by_role("dialog", name="Keys")
+    expect(keys.get_by_role("button", name="Close", exact=True)).to_be_focused()
     before = playing(page)
     keys.get_by_role("button", name="Play or pause").click()
     assert playing(page) is not before
@@ -305,21 +306,3 @@ def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, ope
     expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
     open_scene(page, walk="tour", step="1")
     stops_at_the_last_slide(page)
-
-
-def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(page: Page, open_scene: Open) -> None:
-    """Leaving by key uncovers no open question."""
-    open_scene(page, walk="d34", step="d34-08")
-    at(page, "d34/d34-08")
-    page.evaluate("oscillations.open({scene: 'energy'}, true)")
-    page.wait_for_function("oscillations.shown.scene === 'energy' && !oscillations.walks.walk")
-    expect(page.locator("#back-to-walk")).to_have_text("Back to step 8 (W)")
-    clicked(page, "w")
-    at(page, "d34/d34-08")
-    page.wait_for_function(ASKED)
-    expect(page.locator("#back-to-walk")).to_be_hidden()
-    covered = page.evaluate("oscillations.shown.state.covered")
-    page.keyboard.press("w")
-    page.wait_for_function("!oscillations.shown.state.step")
-    expect(page.locator(".card")).to_have_count(0)
-    assert covered and page.evaluate("oscillations.shown.state.covered") == covered

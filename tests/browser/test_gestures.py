@@ -234,6 +234,9 @@ def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(phone: Page) -> None:
     finger.up()
     phone.wait_for_function(FREE)
     assert value(phone, "starts") == "mode"
+    turned(phone, "chain", {"view": "modes", **PLUCKED})
+    phone.get_by_role("button", name="Mode 4").tap()
+    phone.wait_for_function(f"{settings}.starts.value === 'mode' && {settings}.j.value === 4")
 
 
 DRAGS: list[tuple[str, dict[str, object], str, tuple[int, int], str]] = [

@@ -255,7 +255,7 @@ state = "?scene=damped&zeta=1&frame.x=-2,2"
 """
 
 
-@pytest.mark.slow
+@pytest.mark.nightly  # it starts two servers and takes eight pictures
 def test_make_walk_reports_a_curve_that_is_too_flat_next_to_its_pictures(tmp_path: Path) -> None:
     """In its own process, because this one already has a Playwright."""
     (tmp_path / "flat.toml").write_text(FLAT, encoding="utf-8")

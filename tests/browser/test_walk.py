@@ -81,6 +81,11 @@ def test_a_choice_is_asked_answered_and_explained(walk: Walk) -> None:
 
 def test_answers_stay_in_the_browser_and_leaving_keeps_the_state_that_was_reached(walk: Walk) -> None:
     page = walk("d31-02")
+    covered = page.evaluate("oscillations.shown.state.covered")
+    page.keyboard.press("w")
+    page.wait_for_function("!oscillations.shown.state.step")
+    assert covered and page.evaluate("oscillations.shown.state.covered") == covered, "leaving answers nothing"
+    page.keyboard.press("w")
     answer = f"{doubled(page):.2f}"
     page.get_by_label("Your answer").fill(answer)
     page.get_by_label("Your answer").press("Enter")
