@@ -173,6 +173,16 @@ def drag(page: Page, grip: Locator, *ways: tuple[float, float]) -> None:
         page.mouse.move(x + dx, y + dy, steps=4)
 
 
+def test_the_dot_of_nyquist_goes_round_its_loop(desk: Page) -> None:
+    turned(desk, "forced", {"view": "nyquist", "c1": 0.2, "c2": 0.2, "omega": 0.5})
+    stopped(desk)
+    drag(desk, desk.get_by_role("slider", name="on the loops of mass 1"), (0, 20), (0, 40), (0, 60))
+    desk.wait_for_function(f"oscillations.shown.settings.omega.value > 0.52 && {QUIET}")
+    desk.mouse.up()
+    desk.wait_for_function(FREE)
+    assert value(desk, "omega") < 0.75, "the first loop"
+
+
 def test_a_grabbed_mass_is_the_new_start_and_a_flick_gives_its_velocity(desk: Page) -> None:
     turned(desk, "coupled", {"v2_0": 0.5})
     stopped(desk)
