@@ -10,6 +10,7 @@ import panel
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from components.scenes import SCENES
 from tests.browser.fixtures import READY, elsewhere
 from tests.browser.waiting import UNFOLD
 from tests.serving.server import ROOT, Server
@@ -59,6 +60,10 @@ def test_a_frame_reports_its_height_takes_no_focus_and_copies_its_link(
         out.focus()
         expect(out).to_have_attribute("href", re.compile(r"^\?scene=coupled&k2=3(&|$)"))
         expect(out).to_have_attribute("target", "_blank")
+        name.focus()
+        frame.evaluate("oscillations.open({scene: 'modes'})")
+        expect(frame.locator("h1")).to_have_text(SCENES["modes"].headline)
+        expect(name).to_be_focused()
         page.evaluate("document.querySelector('iframe').width = 420")
         frame.wait_for_function("innerWidth === 420 && document.documentElement.scrollHeight <= innerHeight + 1")
         frame.evaluate("document.execCommand = () => false")
