@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any
 
 import msgspec
 import pytest
 
+from components.language.signals import Sine, Sines
 from components.quantities.axes import Axis
 from components.state.encoding import COARSE
 from tests.page.scripts import call, each
@@ -40,6 +42,16 @@ WRITTEN: dict[str, list[tuple[Any, ...]]] = {
 def test_a_number_is_written(function: str) -> None:
     cases = WRITTEN[function]
     assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
+
+
+def test_sines_with_a_line_and_a_decay() -> None:
+    sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
+    for t in (0.0, 0.02, 0.5, 7.0, 300.0):
+        found = call("static/core/signals.evaluate", {"x": Sines(sines=sines, line=(0.5, -0.01))}, {}, t)["x"]
+        waves = (
+            (one.size + one.slope * t) * math.exp(-one.decay * t) * math.sin(one.omega * t + one.phase) for one in sines
+        )
+        assert found == pytest.approx(0.5 - 0.01 * t + sum(waves), rel=1e-12)
 
 
 X, Y = Axis(0.0, 10.0, "s"), Axis(-2.0, 2.0, "m")
