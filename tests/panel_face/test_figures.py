@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 from components.panel_face.drawing import ShapeGlyphs
 from components.panel_face.face import PanelFace
 from components.panel_face.label_collisions import TextBox, box_of, text_width, without_collisions
-from components.panel_face.live_figure import EDGE, HEAD, SMALL, WORDS, LiveFigure, LiveStage
+from components.panel_face.live_figure import EDGE, HEAD, SMALL, WORDS, LiveFigure, LiveStage, axis_words, plain_html
 from components.panel_face.shapes import text_row
 from components.scenes import SCENES
 from tests.grids import sample
@@ -83,6 +83,15 @@ def check_words(face: PanelFace, one: LiveFigure, wide: int) -> None:
         names = [text_width(item.label.value, SMALL) for item in one.items if item.visible]
         count = one.legend.ncols
         assert not names or count == 1 or sum(max(names[i::count]) for i in range(count)) < wide
+
+
+def test_an_axis_and_a_mark_have_words_with_symbols_and_numbers() -> None:
+    face = fitted("forced", WIDE, WIDE)
+    marks = face.figures["response"].block.marks
+    assert [plain_html(one.html, face.scene.shown) for one in marks] == ["slow ω₋ 0.618", "Xₚ₁=0 1.00", "fast ω₊ 1.62"]
+    plots = (("oscillator", "plane", ("displacement", "velocity")), ("chain", "field", ("", "time")))
+    for slug, plot, names in plots:
+        assert axis_words(fitted(slug, WIDE, WIDE).figures[plot].block) == names
 
 
 def test_a_dot_outside_the_visible_part_of_a_plot_is_not_drawn() -> None:

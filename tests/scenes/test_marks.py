@@ -47,7 +47,10 @@ MARKS: list[tuple[str, dict[str, Any], str, str, str, Pairs]] = [
         for zeta, x in product((0.03, 0.2, 0.5), ("half_low", "half_high"))
     ),
     *(("forced", {"view": "bode", **BRAKED}, "branch0", "omega", y, pairs) for y, pairs in BODE.items()),
-    *(("forced", {"view": "bode", **BRAKED}, "lag", "w", f"phi{i}", [("now", f"phi{i}_at")]) for i in (1, 2)),
+    *(
+        ("forced", {"view": "bode", **braked, "omega": 1.2}, "lag", "w", f"phi{i}", [("now", f"phi{i}_at")])
+        for braked, i in product(({}, BRAKED), (1, 2))
+    ),
     *(
         ("forced", {"view": "nyquist", **BRAKED}, "nyquist", f"re{i}", f"im{i}", [(f"re{i}_at", f"im{i}_at")])
         for i in (1, 2)
