@@ -44,6 +44,17 @@ def test_a_number_is_written(function: str) -> None:
     assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
 
 
+AXES = [Axis(0.5, 4.0, exponent=-4), Axis(0.5, 4.0, power=2, exponent=-4), Axis(0.5, 4.0, log=True, factor=0.3048)]
+
+
+@pytest.mark.parametrize("axis", AXES, ids=str)
+def test_a_place_on_an_axis_stands_for_a_quantity_as_in_python_and_back(axis: Axis) -> None:
+    for value in (0.25, 1.0, 3.7):
+        place = call("static/core/ruler.toPlace", axis.ruler, value)
+        assert place == pytest.approx(axis.place(value), rel=1e-14)
+        assert call("static/core/ruler.toSI", axis.ruler, place) == pytest.approx(value, rel=1e-14)
+
+
 def test_sines_with_a_line_and_a_decay() -> None:
     sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
     for t in (0.0, 0.02, 0.5, 7.0, 300.0):
