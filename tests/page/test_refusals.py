@@ -15,7 +15,7 @@ from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.sheet import column
 from components.quantities.parameters import stiffness
-from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once
+from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.scenes import SCENES
@@ -186,3 +186,8 @@ def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypat
     assert (refused.levelname, unexpected.levelname) == ("WARNING", "ERROR")
     assert refused.exc_info is None and unexpected.exc_info is not None
     assert "KeyError: 'nothing'" in caplog.text and f"{__file__}:" in refused.getMessage()
+
+
+def test_numpy_warns_of_nothing_while_a_picture_is_made() -> None:
+    with np.errstate(all="warn"), pytest.raises(ValueError, match="range of doubles"), in_words():
+        np.float64(1e300) * 1e300
