@@ -12,9 +12,7 @@ from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
 from components.quantities.units import Unit
 from components.scenes import SCENES
-from tests.serving.server import ROOT
 
-STATIC = ROOT / "static"
 scenes = pytest.mark.parametrize("slug", SCENES)
 
 
