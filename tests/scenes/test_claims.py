@@ -16,7 +16,6 @@ import pytest
 from hypothesis import Phase, given, settings
 
 from components.scenes import SCENES
-from components.scenes.analogues.controls import LINEAR
 from components.scenes.modes.hunt import FOUND
 from physics.coupled import TwoMassChain, free_motion
 from physics.damped import DampedOscillator
@@ -54,14 +53,6 @@ def energies(s: Any, form: str, text: str) -> None:
         assert V.max() - T.max() == pytest.approx(s.k * delta**2 / 2, rel=1e-3, abs=2e-6 * T.max())
     if form == "equilibrium":
         assert s.k * np.abs(x).max() ** 2 / 2 == pytest.approx(T.max(), rel=1e-5)
-
-
-def reach_of_model(s: Any, form: str, text: str) -> None:
-    """The model is linear, if it moves; pendulums say something else."""
-    if s.system in LINEAR:
-        start = getattr(s, f"{s.system}_start")
-        assert ("Nothing moves" in text) == (not start)
-        assert ("This model is linear at any size" in text) == bool(start) == (form == s.system)
 
 
 def end_of_damped(s: Any, form: str, text: str) -> None:
@@ -432,13 +423,6 @@ NOT_DRAWN = {"near"}
 CLAIMS: list[tuple[str, str, str, Check, list[dict[str, Any]]]] = [
     ("oscillator", "why", "motion", oscillator_arrow, [{"k": 0.0, "v_0": 0.0}]),
     ("energy", "claim", "energy", energies, DATUMS),
-    (
-        "analogues",
-        "reach",
-        "large",
-        reach_of_model,
-        [{"system": "spring", "spring_start": 0.0}, *({"system": one} for one in LINEAR)],
-    ),
     ("damped", "said", "motion", end_of_damped, [*NEARLY_CRITICAL, *WEAK, *ENDS]),
     ("damped", "fastest", "energy", largest_power, [{"v_0": 2.0, "zeta": 0.306, "keep": "zeta"}, *ENDS]),
     ("driven", "holds", "response", balance, [*RESONANT, *AT_ROOT, *IDLE]),
