@@ -12,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.chain import UniformChain
-from physics.reference.uniform_chain import chain_frequencies, chain_points
 from tests.grids import tries
 from tests.physics.references import each, reference
 from tests.physics.truth import log_uniform
@@ -73,35 +72,3 @@ def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start
     if ends == "free-free":
         assert np.sum(motion.v[:, 1]) == pytest.approx(np.sum(v), abs=1e-14 * N * np.abs(v).max() + 1e-300)
         assert modes.drift == pytest.approx((np.mean(x), np.mean(v)), rel=1e-9, abs=1e-15 * (1 + Omega))
-
-
-@given(st.integers(1, 24), st.sampled_from(ENDS))
-def test_shapes_are_orthonormal_and_swing_by_themselves(N: int, ends: Any) -> None:
-    chain = UniformChain(N=N, m=1.0, k=1.0, ends=ends)
-    shapes, omega = chain.shapes, chain.omega
-    assert shapes @ shapes.T == pytest.approx(np.eye(N), abs=1e-14)
-    K = 2 * np.eye(N) - np.eye(N, k=1) - np.eye(N, k=-1)
-    K[-1, -1] -= ends != "fixed-fixed"
-    K[0, 0] -= ends == "free-free"
-    assert pytest.approx(shapes.T * omega**2, abs=1e-13) == K @ shapes.T
-    assert np.all(np.diff(omega) > 0) and chain.omega == pytest.approx(2 * np.sin(chain.theta / 2), abs=1e-15)
-    assert np.all(chain.string_omega >= omega) and chain.string_omega == pytest.approx(chain.theta)
-
-
-def test_a_pulse_runs_to_the_right_alone() -> None:
-    chain = UniformChain(N=200, m=1.0, k=1.0)
-    x, v = chain.pulse(60.0, 6.0, 0.2)
-    moved = chain.motion(x, v, [40.0]).x[:, 0]
-    assert moved.argmax() == pytest.approx(99, abs=1) and np.abs(moved[:60]).max() < 1e-3
-
-
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("N", [1, 2, 9, 300])
-def test_mirror_images_give_the_sum_of_modes(N: int, ends: Any) -> None:
-    chain, rng, t = UniformChain(N=N, m=0.3, k=7.0, ends=ends), np.random.default_rng(N), [0.0, 0.4, 11.0]
-    x_0, v_0 = rng.normal(size=N), rng.normal(size=N)
-    x = chain.motion(x_0, v_0, t).x
-    for p, points in chain_points(chain, x_0, v_0, t, range(1, N + 1, 1 + N // 10)).items():
-        for point, found in zip(points, x[p - 1].tolist(), strict=True):
-            assert abs(found - float(point.value)) <= 2 * U * float(point.size)
-    assert [float(one.value) for one in chain_frequencies(chain, range(1, N + 1))] == chain.omega.tolist()

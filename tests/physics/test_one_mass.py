@@ -7,7 +7,7 @@ from fractions import Fraction
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import cumulative_trapezoid
 
@@ -20,8 +20,9 @@ from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.magnification import half_power, highest, magnification, ratios
 from physics.oscillator import Oscillator
+from physics.reference.damped import free_part
 from physics.sampling import drawable
-from tests.grids import tries
+from tests.grids import sample, tries
 from tests.physics.references import each, reference
 from tests.physics.truth import U, log_uniform, ulps
 
@@ -35,18 +36,21 @@ MAGNITUDES = {
     "all doubles": log_uniform(-1074, 1024),
 }
 each_family = pytest.mark.parametrize("magnitudes", MAGNITUDES.values(), ids=MAGNITUDES)
-SIGNS = st.lists(st.sampled_from([-1.0, 0.0, 1.0]), min_size=3, max_size=3)
+SIGNS = st.sampled_from([-1.0, 0.0, 1.0])
 
 
 def drawn_numbers(data, magnitudes):
-    """m, k, x_0, v_0 and t; the last three may be negative or 0."""
-    m, k, *sizes = (data.draw(magnitudes) for _ in range(5))
-    return m, k, *(sign * size for sign, size in zip(data.draw(SIGNS), sizes, strict=True))
+    """m, k, x_0, v_0, of which two may be negative or 0, and t or c."""
+    m, k, x_0, v_0, last = (data.draw(magnitudes) for _ in range(5))
+    return m, k, data.draw(SIGNS) * x_0, data.draw(SIGNS) * v_0, last
 
 
-def is_within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float) -> bool:
-    step = TINY if scale < 1e-291 else 0
-    return bool(abs(mp.mpf(value) - true) <= rounding_errors * U * scale + step)
+def true_motion(system, x_0, v_0, t):
+    """(value, size) of x, v and a."""
+    m, c, k, x, v = map(mp.mpf, (system.m, getattr(system, "c", 0.0), system.k, x_0, v_0))
+    a = -(c * v + k * x) / m
+    rates = {"x": (x, v), "v": (v, a), "a": (a, -(c * a + k * v) / m)}
+    return {name: free_part(mp, m, c, k, *pair, mp.mpf(t)) for name, pair in rates.items()}
 
 
 @each_family
@@ -55,36 +59,30 @@ def is_within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float)
 def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes, data):
     m, k, x_0, v_0, t = drawn_numbers(data, magnitudes)
     with mp.workprec(PRECISION):
-        omega = mp.sqrt(mp.mpf(k) / m)
-        known = omega * abs(t) < 1e60  # beyond, 80 digits of omega_n leave only the amplitude
-        C = mp.hypot(x_0, v_0 / omega)
-        sine, cosine = mp.sin(omega * t), mp.cos(omega * t)
-        x = x_0 * cosine + v_0 / omega * sine
-        true = {"x": x, "v": v_0 * cosine - x_0 * omega * sine, "a": -(omega**2) * x}
-        scale = {"x": C, "v": omega * C, "a": omega**2 * C}
+        assume(mp.sqrt(mp.mpf(k) / m) * t < 1e60)  # beyond, 80 digits of omega_n leave only the amplitude
+        true = true_motion(oscillator := Oscillator(m=m, k=k), x_0, v_0, t)
         try:
-            motion = Oscillator(m=m, k=k).motion(x_0, v_0, [t])
+            motion = oscillator.motion(x_0, v_0, [t])
         except ValueError as refusal:
             name = {"displacement": "x", "velocity": "v", "acceleration": "a"}[str(refusal).split()[1]]
-            assert (abs(true[name]) if known else scale[name]) >= LARGEST * (1 - 8 * U)
+            assert abs(true[name][0]) >= LARGEST * (1 - 8 * U)
             return
-        for name in true:
-            aim, errors = (true[name], 4.0) if known else (mp.mpf(0), 2**53 + 4)
-            assert is_within(getattr(motion, name)[0], aim, scale[name], errors), name
+        for name, (value, size) in true.items():
+            least = TINY if size < 1e-291 else 0
+            assert abs(mp.mpf(getattr(motion, name)[0]) - value) <= 4 * U * size + least, name
 
 
 @each_family
 @settings(max_examples=tries(150))
 @given(data=st.data())
-def test_frequency_and_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes, data):
-    m, k, x_0, v_0, _ = drawn_numbers(data, magnitudes)
-    oscillator = Oscillator(m=m, k=k)
+def test_frequencies_and_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes, data):
+    m, k, x_0, v_0, c = drawn_numbers(data, magnitudes)
+    oscillator, braked = Oscillator(m=m, k=k), DampedOscillator(m=m, c=c, k=k)
     with mp.workprec(PRECISION):
-        omega = mp.sqrt(mp.mpf(k) / m)
-        for value, true in ((oscillator.omega_n, omega), (oscillator.period, 2 * mp.pi / omega)):
-            beyond = true >= LARGEST * (1 + mp.mpf(U) / 2)
-            assert beyond if math.isinf(value) else abs(mp.mpf(value) - true) <= 0.51 * math.ulp(value)
-        B = v_0 / omega
+        omega, a, B = mp.sqrt(mp.mpf(k) / m), mp.mpf(c) / m / 2, v_0 / mp.sqrt(mp.mpf(k) / m)
+        frequencies = [(oscillator.omega_n, omega), (oscillator.period, 2 * mp.pi / omega), (braked.omega_n, omega)]
+        frequencies += [(braked.omega_d, mp.sqrt(max(omega**2 - a**2, 0))), (braked.zeta, a / omega)]
+        assert all(ulps(value, true) <= 0.51 for value, true in frequencies)
         C = mp.hypot(x_0, B)
         try:
             constants = oscillator.constants(x_0, v_0)
@@ -92,77 +90,12 @@ def test_frequency_and_constants_are_rounded_once_and_the_phase_within_2_ulp(mag
             assert "amplitude" in str(refusal)
             assert C > LARGEST
             return
-        assert x_0 == constants.A
-        assert abs(mp.mpf(constants.B) - B) <= 0.51 * math.ulp(constants.B)
-        assert abs(mp.mpf(constants.C) - C) <= 0.51 * math.ulp(constants.C)
+        assert (x_0, 0.0) == (constants.A, constants.drift)
+        assert ulps(constants.B, B) <= 0.51 and ulps(constants.C, C) <= 0.51
         phi = mp.atan2(x_0, B) if C else mp.mpf(0)
         error = abs(mp.mpf(constants.phi) - phi)
         assert min(error, abs(error - 2 * mp.pi)) <= 2 * math.ulp(constants.phi)  # -pi + 1e-300 may round to pi
         assert -math.pi <= constants.phi <= math.pi
-
-
-def test_without_a_spring_the_mass_drifts():
-    free = Oscillator(m=1.0, k=0.0)
-    assert (free.omega_n, free.period) == (0.0, math.inf)
-    motion = free.motion(1.0, 2.0, [0.0, 0.5, 3.0])
-    np.testing.assert_array_equal([motion.x, motion.v, motion.a], [[1.0, 2.0, 7.0], [2.0] * 3, [0.0] * 3])
-    c = free.constants(-1.0, 2.0)
-    assert (c.A, c.B, c.C, c.phi, c.drift) == (-1.0, 0.0, 1.0, -math.pi / 2, 2.0)
-
-
-def test_terms_that_overflow_may_have_a_sum_that_does_not():
-    """At a zero of x both terms of a are 7e309 and cancel."""
-    x_0, v_0, t, omega = 1e300, 1e305, 0.75e-5 * math.pi, mp.mpf(10) ** 5
-    motion = Oscillator(m=1.0, k=1e10).motion(x_0, v_0, [t])
-    true = -(omega**2) * x_0 * mp.cos(omega * t) - omega * v_0 * mp.sin(omega * t)
-    assert abs(mp.mpf(motion.a[0]) - true) <= 4 * U * omega**2 * mp.hypot(x_0, v_0 / omega)
-
-
-@pytest.mark.parametrize(("x_0", "v_0"), [(0.2, -0.3), (0.2, 0.0), (0.0, 0.4), (-0.1, -0.5)])
-def test_the_last_peak(x_0, v_0):
-    free = FreeOscillation(oscillator=Oscillator(m=0.7, k=11.0), x_0=x_0, v_0=v_0)
-    period = free.oscillator.period
-    for end in (0.1 * period, 1.3 * period, 2.9 * period):
-        last = free.last_peak(end)
-        assert last * period <= end < (last + 1) * period
-        assert free.x.at(np.array([last * period]))[0] == pytest.approx(free.constants.C, rel=1e-14)
-
-
-MASS = HangingMass(m=2.0, k=50.0, g=9.81)
-positive = st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-60, 60))
-signed = st.builds(lambda x, sign: sign * x, positive, st.sampled_from([-1.0, 1.0]))
-
-
-@settings(max_examples=tries(300))
-@given(m=positive, k=positive, g=positive, x=signed)
-def test_energies_against_rational_arithmetic(m, k, g, x):
-    K, W, X = (Fraction(value) for value in (k, Fraction(m) * Fraction(g), x))
-    mass = HangingMass(m=m, k=k, g=g)
-    true = {mass.well: K * X**2 / 2, mass.spring: K * (X + W / K) ** 2 / 2, mass.gravity: -W * X}
-    for energy, value in true.items():
-        assert abs(Fraction(float(energy([x])[0])) - value) <= 4 * Fraction(U) * abs(value), energy
-    assert mass.well([x], "separate")[0] == pytest.approx(float(true[mass.spring] + true[mass.gravity]), rel=4 * U)
-    relaxed = Fraction(m) * Fraction(g) / Fraction(k) - Fraction(mass.delta_st)  # what is left is the rounding of x
-    assert mass.spring([-mass.delta_st])[0] == pytest.approx(float(K * relaxed**2 / 2), rel=1e-14)
-
-
-def test_the_spring_along_a_motion_is_that_of_each_place():
-    t = np.linspace(0, 4, 300)
-    x = FreeOscillation(oscillator=MASS.oscillator, x_0=-MASS.delta_st, v_0=0.0).x
-    along = MASS.spring_along(x)
-    np.testing.assert_array_equal(along.at(t), MASS.spring(x.at(t)))
-    low, high = along.band(0.0)
-    assert np.all(low.at(t) <= along.at(t)) and np.all(along.at(t) <= high.at(t) * (1 + U))
-    np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
-
-
-@pytest.mark.parametrize("periods", [1.0, 1e6])
-def test_total_energy_is_constant_within_8_u(periods):
-    tau = 2 * math.pi / MASS.omega_n
-    t = np.random.default_rng(3).uniform(periods - 1, periods, 2000) * tau
-    free = FreeOscillation(oscillator=MASS.oscillator, x_0=0.13, v_0=-0.4)
-    total = (0.5 * MASS.m * free.v**2).at(t) + MASS.well(free.x.at(t))
-    assert np.max(np.abs(total / free.E - 1)) <= 8 * U
 
 
 BITS = 4000
@@ -190,32 +123,12 @@ SPECIAL = [
 ]
 
 
-def truth(oscillator, x_0, v_0, t):
-    """(value, size) of x, v and a: the sum of two exponentials, at critical damping its limit."""
-    m, c, k, x, v, t = map(mp.mpf, (oscillator.m, oscillator.c, oscillator.k, x_0, v_0, t))
-    root = mp.sqrt(c * c - 4 * m * k)
-    p, q = (-c + root) / (2 * m), (-c - root) / (2 * m)
-    a = -(c * v + k * x) / m
-    return [part(start, rate, p, q, t) for start, rate in ((x, v), (v, a), (a, -(c * a + k * v) / m))]
-
-
-def part(start, rate, p, q, t):
-    """While both exponentials are still equal, sizes are measured in the initial displacement and velocity."""
-    if p == q:
-        bent = rate - p * start
-        return mp.exp(p * t) * (start + bent * t), mp.exp(p * t) * (abs(start) + abs(bent) * t)
-    A, B = (rate - q * start) / (p - q), (p * start - rate) / (p - q)
-    value = mp.re(A * mp.exp(p * t) + B * mp.exp(q * t))
-    apart = abs(A) * mp.exp(mp.re(p) * t) + abs(B) * mp.exp(mp.re(q) * t)
-    together = mp.exp(mp.re(p) * t) * (abs(start) + abs(rate - mp.re(p) * start) * t)
-    return value, min(apart, together) if abs(p - q) * t < 1 else apart
-
-
 def check(oscillator, x_0, v_0, times):
     motion = oscillator.motion(x_0, v_0, times)
     for n, t in enumerate(times):
-        for row, (value, size) in zip((motion.x, motion.v, motion.a), truth(oscillator, x_0, v_0, t), strict=True):
-            assert abs(mp.mpf(row[n]) - value) <= BOUND * U * size + mp.mpf("1e-255") * (abs(x_0) + abs(v_0))
+        for name, (value, size) in true_motion(oscillator, x_0, v_0, t).items():
+            off = abs(mp.mpf(getattr(motion, name)[n]) - value)
+            assert off <= BOUND * U * size + mp.mpf("1e-255") * (abs(x_0) + abs(v_0)), (name, t)
 
 
 def logarithmic(low, high):
@@ -233,28 +146,10 @@ def test_motion_is_within_two_u(m, k, zeta, x_0, v_0, turns):
     check(oscillator, x_0, v_0 * omega, [0.0, turns / omega, turns / omega / zeta, turns * zeta / omega])
 
 
-@pytest.mark.parametrize(("numbers", "start", "times"), SPECIAL)
+@pytest.mark.parametrize(("numbers", "start", "times"), sample(SPECIAL))
 def test_motion_in_limits_is_within_two_u(numbers, start, times):
     with mp.workprec(12000):
         check(DampedOscillator(**dict(zip("mck", numbers, strict=True))), *start, times)
-
-
-@pytest.mark.parametrize("c", [0.0, 0.1, 1.9, 2 - 1e-12, 2.0, 2 + 1e-12, 2.1, 50.0, 1e6])
-def test_decays_add_up_to_the_motion(c):
-    oscillator, t = DampedOscillator(m=1.0, c=c, k=1.0), np.linspace(0.0, 40.0, 200)
-    total = np.zeros_like(t)
-    for amplitude, slope, rate, omega, phase in oscillator.decays(0.7, -0.4):
-        total += (amplitude + slope * t) * np.exp(-rate * t) * np.sin(omega * t + phase)
-    assert np.max(np.abs(total - oscillator.motion(0.7, -0.4, t).x)) < 1e-9
-
-
-@given(*[logarithmic(-100, 100)] * 3)
-def test_frequencies_are_rounded_once(m, c, k):
-    oscillator = DampedOscillator(m=m, c=c, k=k)
-    a, square = mp.mpf(c) / (2 * mp.mpf(m)), mp.mpf(k) / mp.mpf(m)
-    assert ulps(oscillator.omega_n, mp.sqrt(square)) <= 0.51
-    assert ulps(oscillator.omega_d, mp.sqrt(max(square - a**2, 0))) <= 0.51
-    assert ulps(oscillator.zeta, a / mp.sqrt(square)) <= 0.51
 
 
 def near(value, text, most):
@@ -387,6 +282,47 @@ def test_mean_powers_are_work_over_a_period(kind, c):
         work = cumulative_trapezoid(power, t, initial=0.0)
         expected = (np.interp(found.t, t, work) - np.interp(before, t, work)) * w / (2 * math.pi)
         assert np.abs(mean - expected).max() < 1e-5 * np.abs(expected).max() + 1e-12
+
+
+MASS = HangingMass(m=2.0, k=50.0, g=9.81)
+
+
+positive = st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-60, 60))
+
+
+signed = st.builds(lambda x, sign: sign * x, positive, st.sampled_from([-1.0, 1.0]))
+
+
+@settings(max_examples=tries(300))
+@given(m=positive, k=positive, g=positive, x=signed)
+def test_energies_against_rational_arithmetic(m, k, g, x):
+    K, W, X = (Fraction(value) for value in (k, Fraction(m) * Fraction(g), x))
+    mass = HangingMass(m=m, k=k, g=g)
+    true = {mass.well: K * X**2 / 2, mass.spring: K * (X + W / K) ** 2 / 2, mass.gravity: -W * X}
+    for energy, value in true.items():
+        assert abs(Fraction(float(energy([x])[0])) - value) <= 4 * Fraction(U) * abs(value), energy
+    assert mass.well([x], "separate")[0] == pytest.approx(float(true[mass.spring] + true[mass.gravity]), rel=4 * U)
+    relaxed = Fraction(m) * Fraction(g) / Fraction(k) - Fraction(mass.delta_st)  # what is left is the rounding of x
+    assert mass.spring([-mass.delta_st])[0] == pytest.approx(float(K * relaxed**2 / 2), rel=1e-14)
+
+
+def test_the_spring_along_a_motion_is_that_of_each_place():
+    t = np.linspace(0, 4, 300)
+    x = FreeOscillation(oscillator=MASS.oscillator, x_0=-MASS.delta_st, v_0=0.0).x
+    along = MASS.spring_along(x)
+    np.testing.assert_array_equal(along.at(t), MASS.spring(x.at(t)))
+    low, high = along.band(0.0)
+    assert np.all(low.at(t) <= along.at(t)) and np.all(along.at(t) <= high.at(t) * (1 + U))
+    np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
+
+
+@pytest.mark.parametrize("c", [0.0, 0.1, 1.9, 2 - 1e-12, 2.0, 2 + 1e-12, 2.1, 50.0, 1e6])
+def test_decays_add_up_to_the_motion(c):
+    oscillator, t = DampedOscillator(m=1.0, c=c, k=1.0), np.linspace(0.0, 40.0, 200)
+    total = np.zeros_like(t)
+    for amplitude, slope, rate, omega, phase in oscillator.decays(0.7, -0.4):
+        total += (amplitude + slope * t) * np.exp(-rate * t) * np.sin(omega * t + phase)
+    assert np.max(np.abs(total - oscillator.motion(0.7, -0.4, t).x)) < 1e-9
 
 
 @settings(max_examples=tries(200))

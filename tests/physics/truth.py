@@ -5,7 +5,7 @@ tests and a plain generator for the accuracy table.
 
 The truth is independent of physics/, but for the size of an envelope: mpmath instead of decimal, the formulas of the
 slides instead of the rearranged ones. 6000 bits outlast every cancellation that positive doubles can cause; motions
-need far fewer. `closed_form` is the steady motion of one mass under a push that repeats.
+need far fewer.
 """
 
 import math
@@ -162,46 +162,23 @@ def worst(motion, n, values, scales):
     return max(units(row[n], value, scale) for row, value, scale in pairs)
 
 
-def divided(f, nodes, hair):
-    """Return the divided difference of f over nodes; equal nodes are separated slightly."""
-    apart = []
-    for z in nodes:
-        while any(abs(z - other) < hair / 2 for other in apart):
-            z += hair
-        apart.append(z)
-    return mp.fsum(f(z) / mp.fprod(z - other for other in apart if other is not z) for z in apart)
+def by_exponential(motion, t, c1=0.0, c2=0.0):
+    """x1, x2, x2 - x1, v1, v2 of a chain that starts and is driven as `motion` says, from exp(A t).
 
-
-def closed_form(mass, share):
-    """x and v of the steady motion under a push that repeats, by one divided difference for each kind of push."""
-    m, c, k, F = (mp.mpf(one) for one in (mass.m, mass.c, mass.k, mass.push.size))
-    T, w = 2 * mp.pi / mp.mpf(mass.push.omega), mp.mpf(mass.push.width)
-    root = mp.sqrt(mp.mpc(c * c - 4 * m * k))
-    p, hair = [(-c + root) / (2 * m), (-c - root) / (2 * m)], mp.mpf(10) ** (-mp.mp.dps // 5) / T
-    zero = mp.mpc(0)
-
-    def exp(z):
-        return mp.exp(z) if mp.re(z) > -1e4 else zero
-
-    def both(f, zeros, factor):
-        x, v = (mp.re(divided(f, [zero] * n + p, hair)) for n in (zeros, zeros - 1))
-        return factor * x, factor * v
-
-    t, kind = share * T, mass.push.kind
-    if kind in ("square", "triangle"):
-        t, sign = (t, 1) if kind == "square" else (t + T / 4, 1)
-        while t >= T / 2:
-            t, sign = t - T / 2, -sign
-        zeros, factor = (1, 2 * F / m) if kind == "square" else (2, 8 * F / (m * T))
-        return both(lambda z: exp(z * t) / (1 + exp(z * T / 2)), zeros, sign * factor)
-    if kind == "pulses":
-        if share < w:
-            over = both(lambda z: (exp(z * t) - exp(z * (t + T - w * T))) / (1 - exp(z * T)) if z else 1 - w, 1, F / m)
-        else:
-            over = both(lambda z: (exp(z * t) - exp(z * (t - w * T))) / (1 - exp(z * T)) if z else -w, 1, F / m)
-        return over[0] + F * w / k, over[1]
-    at = [mp.re(divided(lambda z, n=n: z**n * exp(z * t) / (1 - exp(z * T)), p, hair)) for n in (0, 1)]
-    return F / m * at[0], F / m * at[1]
+    The drive is an additional oscillator. `c1` and `c2` are parallel to the springs.
+    """
+    chain = motion.chain
+    given = (chain.m1, chain.m2, chain.k1, chain.k2, c1, c2, motion.F_0, motion.omega)
+    m1, m2, k1, k2, c1, c2, F, omega = map(mp.mpf, given)
+    A = mp.matrix(6, 6)
+    A[0, 2] = A[1, 3] = 1
+    for i, m, sign, wall, brake in ((2, m1, 1, k1, c1), (3, m2, -1, 0, 0)):
+        A[i, 0], A[i, 1] = (-sign * k2 - wall) / m, sign * k2 / m
+        A[i, 2], A[i, 3] = (-sign * c2 - brake) / m, sign * c2 / m
+    A[2, 4] = F / m1
+    A[4, 5], A[5, 4] = omega, -omega
+    x1, x2, v1, v2, _, _ = mp.expm(A * mp.mpf(t)) * mp.matrix([*motion.x_0, *motion.v_0, 0, 1])
+    return x1, x2, x2 - x1, v1, v2
 
 
 Uniform = Callable[[float, float], float]

@@ -21,7 +21,7 @@ from physics.periodic import PeriodicPush, PushKind
 from physics.reference.damped import damped_points, driven_points
 from physics.reference.pushed import pushed_points
 from physics.steady_motions import SteadyMotion
-from tests.physics.truth import U, closed_form, ulps
+from tests.physics.truth import U, ulps
 
 Uniform = Callable[[float, float], float]
 FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {
@@ -138,3 +138,45 @@ def textbook(c: float, r: float, x_0: float, v_0: float, t: float) -> tuple[floa
             return -p.real, abs(X), free(x_0, v_0), moved
     except (ZeroDivisionError, OverflowError):
         return math.inf, math.inf, math.inf, math.inf
+
+
+def divided(f, nodes, hair):
+    """Return the divided difference of f over nodes; equal nodes are separated slightly."""
+    apart = []
+    for z in nodes:
+        while any(abs(z - other) < hair / 2 for other in apart):
+            z += hair
+        apart.append(z)
+    return mp.fsum(f(z) / mp.fprod(z - other for other in apart if other is not z) for z in apart)
+
+
+def closed_form(mass, share):
+    """x and v of the steady motion under a push that repeats, by one divided difference for each kind of push."""
+    m, c, k, F = (mp.mpf(one) for one in (mass.m, mass.c, mass.k, mass.push.size))
+    T, w = 2 * mp.pi / mp.mpf(mass.push.omega), mp.mpf(mass.push.width)
+    root = mp.sqrt(mp.mpc(c * c - 4 * m * k))
+    p, hair = [(-c + root) / (2 * m), (-c - root) / (2 * m)], mp.mpf(10) ** (-mp.mp.dps // 5) / T
+    zero = mp.mpc(0)
+
+    def exp(z):
+        return mp.exp(z) if mp.re(z) > -1e4 else zero
+
+    def both(f, zeros, factor):
+        x, v = (mp.re(divided(f, [zero] * n + p, hair)) for n in (zeros, zeros - 1))
+        return factor * x, factor * v
+
+    t, kind = share * T, mass.push.kind
+    if kind in ("square", "triangle"):
+        t, sign = (t, 1) if kind == "square" else (t + T / 4, 1)
+        while t >= T / 2:
+            t, sign = t - T / 2, -sign
+        zeros, factor = (1, 2 * F / m) if kind == "square" else (2, 8 * F / (m * T))
+        return both(lambda z: exp(z * t) / (1 + exp(z * T / 2)), zeros, sign * factor)
+    if kind == "pulses":
+        if share < w:
+            over = both(lambda z: (exp(z * t) - exp(z * (t + T - w * T))) / (1 - exp(z * T)) if z else 1 - w, 1, F / m)
+        else:
+            over = both(lambda z: (exp(z * t) - exp(z * (t - w * T))) / (1 - exp(z * T)) if z else -w, 1, F / m)
+        return over[0] + F * w / k, over[1]
+    at = [mp.re(divided(lambda z, n=n: z**n * exp(z * t) / (1 - exp(z * T)), p, hair)) for n in (0, 1)]
+    return F / m * at[0], F / m * at[1]
