@@ -33,7 +33,7 @@ def test_the_figures_are_stored(name: str, model: str) -> None:
     assert "sys.path" not in stored
 
 
-@pytest.mark.parametrize("path", sample(NOTEBOOKS, 3), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sample(NOTEBOOKS, 6), ids=lambda path: path.stem)
 def test_a_notebooks_stored_outputs_are_current(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PYTHONPATH", str(ROOT))  # as if the lecture were installed, which the notebooks expect
     # Importing this compiles grammars for two seconds, so it happens only when the test runs.

@@ -139,16 +139,11 @@ def test_digests_are_written_all_or_none(tmp_path: Path, monkeypatch: pytest.Mon
     texts = {name: (ROOT / name).read_text() for name in ("compose.yaml", "Dockerfile")}
     for name in texts:
         shutil.copy(ROOT / name, tmp_path)
-    digest = "sha256:" + 64 * "0"
-    refused = 'case "$*" in *valkey*) echo away >&2; exit 1;; esac\n'
-    monkeypatch.setenv("PATH", program(tmp_path, "docker", f"{refused}echo {digest}")["PATH"])
-    with pytest.raises(RuntimeError, match="valkey/valkey:8-alpine: away"):
+    script = f'case "$*" in *valkey*) exit 1;; esac\necho sha256:{64 * "0"}'
+    monkeypatch.setenv("PATH", program(tmp_path, "docker", script)["PATH"])
+    with pytest.raises(RuntimeError, match="valkey/valkey:8-alpine"):
         pin(tmp_path)
     assert {name: (tmp_path / name).read_text() for name in texts} == texts
-    program(tmp_path, "docker", f"echo {digest}")
-    pin(tmp_path)
-    for name, text in texts.items():
-        assert (tmp_path / name).read_text() == re.sub("sha256:[0-9a-f]{64}", digest, text)
 
 
 @pytest.mark.parametrize("name", ["secret", "store-password"])
