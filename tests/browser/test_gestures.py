@@ -173,6 +173,34 @@ def drag(page: Page, grip: Locator, *ways: tuple[float, float]) -> None:
         page.mouse.move(x + dx, y + dy, steps=4)
 
 
+def test_axes_grow_when_the_hand_lets_go(desk: Page) -> None:
+    turned(desk, "driven", {})
+    stopped(desk, 0)
+    drag(desk, desk.locator(".grip[aria-label^=Height]:visible").first, (0, -140))
+    desk.wait_for_function(QUIET)
+    end = desk.evaluate("oscillations.shown.view.axes.M.end")
+    desk.mouse.up()
+    desk.wait_for_function(f"oscillations.shown.view.axes.M.end > {end}")
+
+
+def test_lines_that_come_above_move_nothing_under_a_hand(desk: Page) -> None:
+    desk.set_viewport_size({"width": 390, "height": 700})
+    turned(desk, "forced", {})
+    desk.evaluate("document.documentElement.style.overflowAnchor = document.body.style.overflowAnchor = 'none'")
+    stopped(desk)
+    held = desk.locator(".pill[data-grab=omega]").first
+    drag(desk, held)
+    passed(desk)
+    before = top(held)
+    desk.evaluate("document.querySelector('h1').style.paddingBottom = '50px'")
+    passed(desk)
+    assert top(held) == pytest.approx(before, abs=1)
+    desk.mouse.up()
+    desk.wait_for_function(FREE)
+    desk.evaluate("document.querySelector('h1').style.paddingBottom = ''")
+    desk.set_viewport_size({"width": 1280, "height": 720})
+
+
 def test_the_dot_of_nyquist_goes_round_its_loop(desk: Page) -> None:
     turned(desk, "forced", {"view": "nyquist", "c1": 0.2, "c2": 0.2, "omega": 0.5})
     stopped(desk)
@@ -295,9 +323,10 @@ def test_the_instant_is_led_by_mouse_and_plays_on(desk: Page) -> None:
         ("chain", ".pill[aria-label^=Time]", (0, 60)),
     ):
         turned(desk, slug, {})
-        desk.evaluate("oscillations.clock.playing = true; oscillations.clock.seek(1)")
+        stopped(desk, 1)  # a handle of a playing time is elsewhere when the mouse arrives
         x, y = middle(desk.locator(f"{part}:visible").first)
         desk.mouse.move(x, y)
+        desk.evaluate("oscillations.clock.playing = true")
         desk.mouse.down()
         first = desk.evaluate(now)
         desk.mouse.move(x + way[0], y + way[1], steps=3)
