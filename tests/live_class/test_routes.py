@@ -202,6 +202,8 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
         for _ in range(3):  # wrong passphrases from the same network do not block the right one
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
+        forged = Keys().new()  # by a server with another passphrase
+        assert (await reopened(url, code_of(forged), forged)).status == 409
         assert await server.classes.registry.store.rooms() == 3
 
 

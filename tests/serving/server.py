@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -10,13 +11,55 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
-
-from tests.serving.nursery import WANTED, Forked
+from typing import Any
 
 ROOT = Path(__file__).parents[2]
 START = ("-m", "components.serving")
+SERVING = "components.serving.__main__"
 PANEL = ("-m", "panel", "serve", "app.py")
+WANTED = sys.platform == "linux" and "PYTEST_VERSION" in os.environ and "COVERAGE_PROCESS_CONFIG" not in os.environ
+"""True to fork servers from a process that has imported the project, so that they start at once: only in tests without
+line coverage; measurements start the server by its command.
+"""
+
+
+class Forked:
+    """A forked process with the interface of subprocess.Popen."""
+
+    def __init__(self, arguments: list[str], environment: dict[str, str], log: Path) -> None:
+        forks: Any = get_context("forkserver")
+        forks.set_forkserver_preload([SERVING, "app"])
+        self._process = forks.Process(target=_serve, args=(arguments, environment, log), daemon=True)
+        self._process.start()
+        self.pid: int = self._process.pid
+        self.terminate, self.kill = self._process.terminate, self._process.kill
+
+    def poll(self) -> int | None:
+        code: int | None = self._process.exitcode
+        return code
+
+    def wait(self, timeout: float | None = None) -> int:
+        self._process.join(timeout)
+        if (code := self.poll()) is None:
+            raise subprocess.TimeoutExpired(SERVING, timeout or 0.0)
+        return code
+
+    def send_signal(self, number: signal.Signals) -> None:
+        os.kill(self.pid, number)
+
+
+def _serve(arguments: list[str], environment: dict[str, str], log: Path) -> None:
+    with log.open("wb") as stream:
+        for standard in (1, 2):
+            os.dup2(stream.fileno(), standard)
+    os.environ.clear()
+    os.environ.update(environment)
+    sys.argv = [SERVING, *arguments]
+    from components.serving.__main__ import main
+
+    main()
 
 
 @dataclass(frozen=True, kw_only=True)

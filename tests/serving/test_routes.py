@@ -96,22 +96,36 @@ def check_safe(reply: Answered) -> None:
     assert (int(headers.get("Retry-After", "1")) >= 1) and (reply.status != 429 or "Retry-After" in headers)
 
 
-@pytest.mark.parametrize("abuse", ABUSES.values(), ids=ABUSES)
-async def test_every_route_refuses_abuse_in_words_and_serves_others(abuse: Abuse) -> None:
-    numbers = NumbersRoute(worker(abuse.seconds), abuse.settings.get("arrivals", MUCH))
-    async with served(extensions=[numbers], **abuse.settings) as server:
-        for path in (paths := routes(server)):
-            if abuse.settings:
-                await page_of(server, path)
-            reply = await page_of(server, f"{path}?{abuse.query}", abuse.method, **abuse.headers)
-            usual = PLAIN.get(path, 200)
-            assert reply.status == abuse.refused.get(path, abuse.refused.get("*", usual)), path
-            check_safe(reply)
-            if path in abuse.refused or "*" in abuse.refused:
-                assert abuse.says in reply.text or path in (SOCKET, NOWHERE), path
-        assert len(sessions(server)) == bool(abuse.settings or (abuse.method == "GET" and PAGE not in abuse.refused))
-        assert (await page_of(server, "/liveness")).status == 200
+ALONE = [name for name, abuse in ABUSES.items() if abuse.settings or abuse.seconds]
+TOGETHER = [name for name in ABUSES if name not in ALONE]
+
+
+@pytest.mark.parametrize(
+    "names", [TOGETHER, *([name] for name in ALONE)], ids=lambda names: names[0] if len(names) == 1 else "others"
+)
+async def test_every_route_refuses_abuse_in_words_and_serves_others(
+    names: list[str], subtests: pytest.Subtests
+) -> None:
+    settings, seconds = ABUSES[names[0]].settings, ABUSES[names[0]].seconds
+    numbers = NumbersRoute(worker(seconds), settings.get("arrivals", MUCH))
+    async with served(extensions=[numbers], **settings) as server:
+        paths = routes(server)
         assert len(paths) == 10
+        for name in names:
+            abuse, before = ABUSES[name], len(sessions(server))
+            with subtests.test(name):
+                for path in paths:
+                    if settings:
+                        await page_of(server, path)
+                    reply = await page_of(server, f"{path}?{abuse.query}", abuse.method, **abuse.headers)
+                    expected = abuse.refused.get(path, abuse.refused.get("*", PLAIN.get(path, 200)))
+                    assert reply.status == expected, path
+                    check_safe(reply)
+                    if path in abuse.refused or "*" in abuse.refused:
+                        assert abuse.says in reply.text or path in (SOCKET, NOWHERE), path
+                opens = settings or (abuse.method == "GET" and PAGE not in abuse.refused)
+                assert len(sessions(server)) - before == bool(opens)
+        assert (await page_of(server, "/liveness")).status == 200
 
 
 async def test_every_route_refuses_a_body_that_is_too_large() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from concurrent.futures import Future
 from contextlib import closing
@@ -28,12 +29,15 @@ from components.serving.worker_process import (
     WALK_TOO_LONG,
     ReadingProcess,
 )
+from components.session import worker as jobs
 from components.session.exports import LinkExport
 from components.session.measured import Fitting
 from components.session.session import ONE_AT_A_TIME, Session
 from components.session.worker import Reading, Replied, WorkerJob
 from components.state.page_state import fitted
 from components.state.wire import Packet
+from components.walks import Walks
+from components.walks.links import Scenes
 from tests.page.headless_page import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
@@ -48,9 +52,16 @@ GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 @pytest.mark.slow
 def test_the_system_ends_a_job_that_uses_more_than_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
-    with closing(ReadingProcess("tests.serving.hanging")) as beside:
+    with closing(ReadingProcess("tests.serving.test_worker_process")) as beside:
         asked = [beside.ask(job) for job in (READ, ENDLESS, READ)]
         assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read"]
+
+
+def hangs(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
+    """Read nothing; the walk “endless” never ends."""
+    while asked == ENDLESS:
+        pass
+    return Replied(refused="read")
 
 
 def test_a_process_that_cannot_start_is_named() -> None:
@@ -193,3 +204,8 @@ def test_a_session_has_one_job_at_a_time_which_it_can_cancel_and_continues_meanw
     session.close()
     GATE.set()
     assert results(endless, worker.ask(READ)) == [WALK_TOO_LONG, "read"] and len(sent) == 4
+
+
+if __name__ == "__main__":
+    jobs.replied = hangs
+    jobs.work({}, {}, sys.stdin.buffer, sys.stdout.buffer)
