@@ -132,7 +132,7 @@ def drawn(one: LiveFigure | LiveStage, of: str, column: str = "x") -> list[Any]:
 
 
 def test_the_player_moves_the_stage_the_cursor_and_the_numbers() -> None:
-    face = first_face("coupled")
+    face = PanelFace(SCENES["coupled"]())  # not one that another test has zoomed
     scene = face.scene
     stage, plot, masses = face.stages["stage"], face.figures["x1"], []
     stage.model.set_from_json("inner_width", 700)
