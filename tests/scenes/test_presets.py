@@ -1,4 +1,4 @@
-"""Presets have their values whatever the state before, and the numbers in the sentences of presets are true."""
+"""Presets have their values whatever the state before, and the sentence that is shown when one is chosen is true."""
 
 from __future__ import annotations
 
@@ -145,6 +145,75 @@ def test_a_number_in_the_sentence_of_a_preset_is_right(
     assert re.search(rf"(?<![\d.]){re.escape(text)}(?!\.?\d)", SCENES[slug].watch[label])
     last = 10.0 ** -len(text.partition(".")[2])
     assert true(taken(slug, label)) == pytest.approx(number(text), abs=0.5 * last)
+
+
+def swing(s: Any, name: str) -> float:
+    return float(np.abs(column(s, name)).max())
+
+
+def one_mode(s: Any, other: str, sign: float) -> bool:
+    """Whether both masses swing in one mode, with or against each other."""
+    moving = np.abs(column(s, "x1")) > 1e-9
+    ways = np.sign(column(s, "x1") * column(s, "x2"))[moving]
+    return swing(s, f"x1_{other}") < 1e-15 and set(ways) == {sign}
+
+
+def echo(s: Any) -> float:
+    """The largest displacement of a mass after the pulse has come back from the end."""
+    t, x = column(s, "t"), column(s, "x35")
+    back = x[(t > value(s, "traverse")) & (t < 1.5 * value(s, "traverse"))]
+    return float(back[np.abs(back).argmax()])
+
+
+def ratio(s: Any, name: str, label: str) -> float:
+    """The number of a preset over that of another one of its scene."""
+    return value(s, name) / value(taken(s.slug, label), name)
+
+
+def swing_at_end(s: Any) -> float:
+    """The largest displacement of a mass at the end of the window."""
+    return max(abs(column(s, f"x{p}")[-1]) for p in range(1, int(s.N) + 1))
+
+
+WORDS: list[tuple[str, str, Callable[[Any], Any]]] = [
+    ("oscillator", "Heavy", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(2)),
+    ("oscillator", "Stiff", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(0.5, rel=0.01)),
+    ("oscillator", "Pushed back", lambda s: s.x_0 * s.v_0 < 0),
+    ("energy", "Pushed up", lambda s: ratio(s, "T_max", "Pulled down") == 1),
+    ("energy", "Heavy", lambda s: ratio(s, "delta", "Pulled down") == pytest.approx(2)),
+    ("energy", "Heavy", lambda s: ratio(s, "T_max", "Pulled down") == 1 < ratio(s, "tau", "Pulled down")),
+    ("energy", "Soft", lambda s: ratio(s, "delta", "Pulled down") > 1 < ratio(s, "tau", "Pulled down")),
+    ("analogues", "Cavendish", lambda s: value(s, "period") > 600),
+    ("analogues", "60°", lambda s: 1.05 < longer(s) < 1.1),
+    ("analogues", "Clock", lambda s: 1 < longer(s) < 1.001),
+    ("analogues", "Nearly over", lambda s: 2 < longer(s) < 11),
+    ("phugoid", "Cusp, 0.732", lambda s: abs(s.v_0 + column(s, "v").min()) < 0.01 * s.v_0),
+    ("damped", "Worn", lambda s: s.c == taken("damped", "Car").c / 5),
+    ("driven", "Strong dashpot", lambda s: np.all(np.diff(response(s, np.linspace(0.01, 3, 300))) < 0)),
+    ("coupled", "Slow", lambda s: one_mode(s, "fast", 1.0)),
+    ("coupled", "Fast", lambda s: one_mode(s, "slow", -1.0)),
+    ("coupled", "Beats", lambda s: np.abs(column(s, "x1")[:40]).max() > 0.19),
+    ("coupled", "Heavy, light", lambda s: swing(s, "x1_fast") < 0.02 * swing(s, "x1_slow")
+     and swing(s, "x2_fast") > 0.9 * swing(s, "x2_slow")),
+    ("forced", "All equal", lambda s: value(s, "Xp1") < 0),
+    ("forced", "Still mass 1", lambda s: swing(s, "x1") < 1e-15),
+    ("forced", "Light mass 2", lambda s: 1 < value(s, "omega_plus") < 1.3 * value(s, "omega_minus") < 1.3),
+    ("absorber", "Below", lambda s: s.omega < math.sqrt(s.k1 / s.m1)),
+    ("absorber", "Resonant", lambda s: s.omega == math.sqrt(s.k1 / s.m1)),
+    ("absorber", "Above", lambda s: s.omega > math.sqrt(s.k1 / s.m1)),
+    ("chain", "Pulse", lambda s: echo(s) < -0.2),
+    ("chain", "Free end", lambda s: echo(s) > 0.2),
+    ("chain", "Broad", lambda s: swing_at_end(s) > 0.39),
+    ("chain", "Plucked", lambda s: column(s, "silent_j", "silent").tolist() == [3.0, 6.0]
+     and np.abs(s.of().drawn.energy[[2, 5]]).max() <= 1e-30),
+    ("chain", "One mass", lambda s: s.of().drawn.energy[25:].sum() > 0.5 * s.of().drawn.energy.sum()),
+]  # fmt: skip
+"""What the sentence of a preset says in words."""
+
+
+@pytest.mark.parametrize(("slug", "label", "true"), WORDS, ids=lambda one: one if isinstance(one, str) else "")
+def test_what_the_sentence_of_a_preset_says_is_true(slug: str, label: str, true: Callable[[Any], Any]) -> None:
+    assert true(taken(slug, label))
 
 
 PERIODS = {
