@@ -23,6 +23,7 @@ from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
 Quiet = Callable[..., Page]
+MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 
 @pytest.fixture(scope="module")
@@ -195,6 +196,51 @@ LACKS = {
 BY_ANYTHING = 30_000
 PRINTED = f"{READY} && oscillations.page.print"
 """The last parts have come."""
+
+
+def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Server) -> None:
+    """Its answer waits while the connection is lost, and arrives later; also after going back in the history of a
+    reloaded page.
+    """
+    page.goto(f"{server.url}?scene=energy")
+    page.wait_for_function(READY)
+    page.evaluate("text => oscillations.walks.run('mine', text)", MINE)
+    page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
+    lost(page)
+    page.keyboard.press("1")
+    page.keyboard.press("PageDown")
+    page.context.set_offline(False)
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    page.wait_for_function(SETTLED)
+    page.evaluate("oscillations.open({scene: 'energy'})")
+    page.wait_for_function(f"oscillations.page.spec.slug === 'energy' && {READY} && !oscillations.walks.walk")
+    page.wait_for_function("location.search === '?scene=energy&view=energy'")
+    page.reload()
+    page.wait_for_function(READY)
+    page.go_back()
+    expect(page.locator("h1")).to_have_text("How long does one swing take?")
+    expect(page.locator(".note:not(:empty)")).to_have_count(0)
+
+
+def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.evaluate(
+        """() => {
+          const {messages} = oscillations, {handle} = messages
+          const long = `&hidden=${"x".repeat(8000)}`
+          messages.handle = (message, asked) => handle({...message, query: message.query + long}, asked)
+        }"""
+    )
+    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    page.wait_for_function("oscillations.shown.settings.k2.value === 3 && location.search === '?scene=coupled'")
+    page.get_by_role("button", name="Copy link").click()
+    expect(page.get_by_role("button", name="Too long")).to_be_visible()
+    lost(page)
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    page.reload()
+    page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
+    assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
 
 
 def test_what_an_old_browser_lacks_is_named(quiet: Quiet, browser: Browser, server: Server) -> None:
