@@ -1,5 +1,5 @@
-"""The hall: large type in every view; every step of every walk, led by a clicker and by keys, and with votes. Nothing
-scrolls, is cut off or is too small, and each headline and each explanation is seen.
+"""The hall: large type in every view; every step of every walk, led by a clicker, keys and touch, and with votes.
+Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from components.walks.walk import Step
-from tests.browser.classroom import FILLED, LED, Open, joined, put, sent, taught
+from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent, taught
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, LOW, SCROLLED, TAUGHT, seen
 from tests.browser.looks import faults
-from tests.browser.touch import middle, value
+from tests.browser.touch import middle, swipe, value
 from tests.browser.waiting import clicked, drop, passed, seek, turned
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
@@ -37,8 +37,8 @@ from tools.look import faults_of
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 NAMES = ["tour", "d31", "d32-33", "d34", "waves"]
-SLOWER = [f"{name} {by}" for by in ("keys", "clicker") for name in NAMES if (name, by) != ("tour", "keys")]
-LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 4))]
+SLOWER = [f"{name} {by}" for by in ("clicker", "keys", "touch") for name in NAMES if (name, by) != ("tour", "keys")]
+LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 5))]
 HEIGHT = 720
 WORST = {
     *("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16"),
@@ -96,15 +96,21 @@ def wordiest(step: Step) -> int | str:
     return f"{step.wrong(Subject('', step, SCENES))[longest]:.3g}"
 
 
-def answered(page: Page, step: Step) -> None:
-    """Answer with keys."""
-    if isinstance(step, ChoiceStep):
+def answered(page: Page, step: Step, by: str) -> None:
+    """Answer with keys or a finger."""
+    if isinstance(step, ChoiceStep) and by == "touch":
+        page.locator(f".answers [data-option='{wordiest(step)}']").tap()
+    elif isinstance(step, ChoiceStep):
         place = page.locator(".answers [data-option]").evaluate_all(
             "(all, i) => all.findIndex(one => one.dataset.option === i)", str(wordiest(step))
         )
         page.keyboard.press(f"{place + 1}")
     elif isinstance(step, NumberStep):
         page.get_by_role("textbox", name="Your answer").fill(str(wordiest(step)))
+    elif by == "touch":
+        frame = FRAME.replace(".pad", ".marker") if isinstance(step, PointStep) else FRAME
+        left, top, width, height = page.evaluate(frame)
+        swipe(page, (left + width / 3, top + height / 3), (round(width / 3), round(height / 3)))
     elif isinstance(step, PointStep):
         page.locator(".pill-mark").press("ArrowRight")
     else:
@@ -113,10 +119,12 @@ def answered(page: Page, step: Step) -> None:
 
 
 def forward(page: Page, step: Step, by: str) -> None:
-    """Show the answer to a question, after an answer if keys lead."""
+    """Show the answer to a question, after an answer if keys or fingers lead."""
     if by == "clicker":
         return clicked(page)
-    answered(page, step)
+    answered(page, step, by)
+    if by == "touch":
+        return page.locator(FILLED).tap()
     page.evaluate("document.activeElement.blur()")
     return page.keyboard.press("r")
 
@@ -124,6 +132,8 @@ def forward(page: Page, step: Step, by: str) -> None:
 def onward(page: Page, by: str) -> None:
     if by == "clicker":
         clicked(page)
+    elif by == "touch":
+        page.locator(FILLED).tap()
     else:
         page.locator(FILLED).press("Enter")
 
@@ -176,7 +186,7 @@ def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
 @pytest.mark.parametrize("led", LEADS)
 def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
     name, by = led.split()
-    page = new_page(1280, HEIGHT)
+    page = new_page(1280, HEIGHT, has_touch=by == "touch")
     page.goto(f"{server.url}?walk={name}&projector")
     found: list[str] = []
     for step in WALKS[name].steps:
