@@ -9,6 +9,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.questions.choice import ChoiceStep
 from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, tap, taught
@@ -190,6 +191,32 @@ def test_a_sketch_can_be_drawn_by_keys(walk: Walk) -> None:
     assert len(drawn) == 101 and None not in drawn
     show(page)
     expect(page.locator(".findings li")).to_have_count(4)
+
+
+SEEN = """globalThis.frames_seen = []
+const look = () => {
+  const isThere = name => Boolean(document.querySelector(name)?.checkVisibility())
+  const headline = document.querySelector("h1")?.textContent ?? ""
+  const [stage, presets, card] = [".paper .mass", ".panel .chips button", ".card"].map(isThere)
+  frames_seen.push({headline, stage, presets, card})
+  requestAnimationFrame(look)
+}
+requestAnimationFrame(look)"""
+"""Notes the contents of the page at each frame."""
+
+
+@pytest.mark.parametrize("step", sample(["d31-02", "d34-02"], 3))
+def test_a_link_to_a_step_never_shows_the_scene_alone(step: str, server: Server, new_page: Callable[..., Page]) -> None:
+    """The first one waits for the visitor's own numbers: its stage is visible before its card."""
+    page = new_page(fresh=True)
+    page.add_init_script(SEEN)
+    page.goto(f"{server.url}?walk={step.rpartition('-')[0]}&step={step}")
+    page.wait_for_function("globalThis.oscillations?.walks?.walk?.card && oscillations.connection.wire")
+    seen = page.evaluate("frames_seen")
+    headlines = {scene.headline for scene in SCENES.values()}
+    assert any(one["card"] for one in seen)
+    assert not [one for one in seen if one["presets"] or one["headline"] in headlines]
+    assert not [one for one in seen if one["stage"] and not one["card"] and step != "d31-02"]
 
 
 def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
