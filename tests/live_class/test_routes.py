@@ -12,6 +12,7 @@ import pytest
 from components.live_class import follower_routes, instructor_routes, lead_routes, registry
 from components.live_class.codes import Keys, code_of, join_key
 from components.serving import worker_process
+from components.serving.shell import version
 from components.serving.worker_process import ReadingProcess
 from tests.live_class.caller import Answered, Class, Remote, called
 from tests.live_class.questions import OWN
@@ -23,7 +24,7 @@ from tests.serving.visitor import Visitor
 async def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
     async with taught() as (server, url, lesson):
         stream = await lesson.follow()
-        for header in ("text/event-stream", "X-Accel-Buffering: no", "no-store"):
+        for header in ("text/event-stream", "X-Accel-Buffering: no", "no-store", f"Lecture-Version: {version()}"):
             assert header in stream.headers
         stranger = await Visitor.arrive(url, "scene=coupled")
         await stranger.send({"type": "lead", "code": lesson.code, "key": "x" * 32})

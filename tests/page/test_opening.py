@@ -10,7 +10,8 @@ from msgspec.structs import replace
 from app import visited
 from components.scenes import SCENES
 from components.session.opening import opened
-from components.state.link import read_query
+from components.state.link import read_query, write_query
+from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
 from tests.page.headless_page import Page, say, set_values, unpacked
 from tests.scenes.checks import as_arguments
@@ -26,6 +27,11 @@ def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: 
     assert {name: scene.values[name] for name in scene.opens} == scene.opens
     assert scene.preset() == PRESETS.get(slug, next(iter(scene.presets)))
     assert slug != "oscillator" or visited({}, {}).now.scene.values == scene.values, "the first page of all"
+    plain = SCENES[slug].at()
+    link = write_query(fitted(plain).state, SCENES[slug])
+    assert opened(SCENES, read_query(as_arguments(link), SCENES)).now.scene.values == plain.values, (
+        "without its presets"
+    )
     page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
     told = say(page, "open", state={"scene": slug}, carried=True)
     assert page.scene.values == scene.values
