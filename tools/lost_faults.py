@@ -46,6 +46,7 @@ class Compared(NamedTuple):
     def found(self, fault: RandomFault) -> list[str]:
         """Return the test of this checkout that finds a fault: an unchanged one, then one of the changed files."""
         tests = self.measured.of_line(fault.site.file, fault.site.line)
+        tests = {test for test in tests if (self.after / _file(test)).exists()}
         kept = {test for test in tests if _file(test) not in self.changed or test in self.current}
         new = sorted(self.current - self.measured.seconds.keys())
         for some in (self.measured.within(self.seconds, kept), new):

@@ -13,7 +13,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from physics.coupled import TwoMassChain
 from physics.damped_chain import NEAR, ComplexMode, DampedChain, Kind
+from physics.precision.polynomials import added, positive_roots, product
 from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases, eigenvectors, matrices
@@ -65,7 +67,7 @@ def test_roots_shapes_and_kind_are_those_of_the_reference(case: dict[str, Any]) 
             left.remove(fitting[0])
 
 
-@settings(max_examples=tries(200))
+@settings(max_examples=tries(400))
 @given(cases())
 def test_each_motion_has_its_roots_its_shape_and_its_kind(case: Case) -> None:
     kind, modes = case.damped.free_motions
@@ -81,6 +83,7 @@ def test_each_motion_has_its_roots_its_shape_and_its_kind(case: Case) -> None:
         if one.repeats == 1 and len(one.exponents) == 2 and all(one.exponents):
             assert kind is Kind.PROPORTIONAL or kind in DRIFTS
     check_rests(case)
+    OF_KIND.get(kind, lambda _: None)(case)
 
 
 def check_rests(case: Case) -> None:
@@ -94,7 +97,60 @@ def check_rests(case: Case) -> None:
     assert any(one.exponents == (0, 0) for one in modes) == (kind in DRIFTS)
 
 
+def check_two_pairs(case: Case) -> None:
+    """The modulus and the branch are one order: followed in small steps from the chain without dashpots."""
+    slow, fast = (abs(one.exponents[0]) for one in case.damped.free_motions.modes)
+    assert slow < fast and math.isclose(slow * fast, math.prod(case.chain.modes().omega.tolist()), rel_tol=1e-9)
+    for share in (1e-3, 0.2, 0.5, 0.8):
+        on_the_way = DampedChain.of(case.chain, share * case.c1, share * case.c2).free_motions
+        assert on_the_way.kind is not Kind.PARTED
+
+
+def check_parted(case: Case) -> None:
+    """Both modes have met where it is said."""
+    one, two = (abs(mode.exponents[0]) for mode in case.damped.free_motions.modes)
+    assert math.isclose(one, two, rel_tol=1e-9)
+    c1, c2 = case.damped.meeting
+    assert c1 <= case.c1 and c2 <= case.c2 and math.isclose(c1 * case.c2, c2 * case.c1)
+    assert DampedChain.of(case.chain, c1, c2).free_motions.kind is Kind.EXCEPTIONAL
+
+
+def check_groups(case: Case) -> None:
+    """Between creeping and quick motions s^2 M + s C + K is negative definite (R. J. Duffin, 1955)."""
+    kind, modes = case.damped.free_motions
+    rates = [-one.exponents[0].real for one in modes]
+    assert rates == sorted(rates)
+    if len(modes) == 4:
+        M, C, K = matrices(case)
+        between = [-mp.mpf(rates[1]) * (mp.mpf(rates[2]) / rates[1]) ** (mp.mpf(i) / 64) for i in range(1, 64)]
+        definite = [s for s in between for T in (s * s * M + s * C + K,) if T[0, 0] < 0 < mp.det(T)]
+        assert bool(definite) == (kind is Kind.CREEPING)
+
+
 DRIFTS = (Kind.DRIFT_BOTH, Kind.DRIFT_TWO)
+OF_KIND = {
+    Kind.TWO_PAIRS: check_two_pairs,
+    Kind.PARTED: check_parted,
+    Kind.CREEPING: check_groups,
+    Kind.FOUR_REAL: check_groups,
+}
+
+
+def test_proportional_damping_is_told_from_the_numbers_as_written() -> None:
+    chain = TwoMassChain(m1=2, m2=1, k1=0.3, k2=0.1)
+    near = DampedChain.of(chain, 0.9, 0.3)  # these doubles are not proportional
+    assert near.proportional and not DampedChain.of(chain, 0.9, 0.3000000001).proportional
+    assert not any(X.imag for one in near.free_motions.modes for X in one.shape)
+
+
+@pytest.mark.parametrize("size", [1e-30, 1e-130, 1e-250])
+def test_the_hardly_damped_die_as_slowly_as_the_shapes_say(size: float) -> None:
+    """To first order a mode decays at the power of its shape in the dashpots divided by twice its energy."""
+    plain = TwoMassChain(m1=2, m2=1, k1=4, k2=2)
+    found = DampedChain.of(plain, 3 * size, size).free_motions.modes
+    rates = [-size * (3 * 1 + 1) / (2 * 6), -size * (3 * 1 + 4) / (2 * 3)]  # shapes (1, 2) and (1, -1)
+    assert [one.exponents[0].real for one in found] == pytest.approx(rates, rel=1e-14)
+    assert all(0 < abs((one.shape[1] / one.shape[0]).imag) < 10 * size for one in found), "not in line"
 
 
 def numbers(low: int, high: int) -> st.SearchStrategy[dict[str, float]]:
@@ -129,6 +185,27 @@ def test_roots_over_all_doubles_give_the_polynomial_again(drawn: dict[str, float
     assert all(roots[i + 1] == roots[i].conjugate() for i in uppers)
 
 
+@settings(max_examples=tries(400))
+@given(numbers(-200, 200))
+def test_shapes_over_many_decades_obey_newtons_laws(drawn: dict[str, float]) -> None:
+    chain = DampedChain(**drawn)
+    assume(not (drawn["c1"] or drawn["c2"]) or not chain.proportional)
+    with mp.workdps(60):
+        m1, m2, k1, k2, c1, c2 = (mp.mpf(drawn[name]) for name in NAMES)
+        for s, ratio in zip(chain.roots.tolist(), chain.shapes.tolist(), strict=True):
+            one, two = (mp.mpf(0), mp.mpf(1)) if math.isinf(abs(ratio)) else (mp.mpf(1), mp.mpc(ratio))
+            s = mp.mpc(s)
+            link, own = k2 + c2 * s, k1 + c1 * s + m1 * s * s
+            first = [own * one, link * one, -link * two]
+            second = [m2 * s * s * two, link * two, -link * one]
+            sizes = m1 * abs(s) ** 2 + k1 + k2 + (c1 + c2) * abs(s), m2 * abs(s) ** 2 + k2 + c2 * abs(s)
+            room = 8 * U * (sizes[0] * abs(one) + sizes[1] * abs(two) + (k2 + c2 * abs(s)) * (abs(one) + abs(two)))
+            assert abs(mp.fsum(first)) <= room and abs(mp.fsum(second)) <= room, (s, ratio)
+
+
+DEFAULT = DampedChain(m1=2, m2=1, k1=4, k2=2)
+
+
 def number(pair: list[str]) -> complex:
     return complex(float(pair[0]), float(pair[1]))
 
@@ -152,19 +229,43 @@ def test_exceptional_points_meetings_and_ends_are_those_of_the_reference(case: d
         assert sorted(found.roots, key=abs) == pytest.approx(sorted(true, key=abs), rel=4 * U, abs=0)
 
 
-@settings(max_examples=tries(400))
-@given(numbers(-200, 200))
-def test_shapes_over_many_decades_obey_newtons_laws(drawn: dict[str, float]) -> None:
-    chain = DampedChain(**drawn)
-    assume(not (drawn["c1"] or drawn["c2"]) or not chain.proportional)
-    with mp.workdps(60):
-        m1, m2, k1, k2, c1, c2 = (mp.mpf(drawn[name]) for name in NAMES)
-        for s, ratio in zip(chain.roots.tolist(), chain.shapes.tolist(), strict=True):
-            one, two = (mp.mpf(0), mp.mpf(1)) if math.isinf(abs(ratio)) else (mp.mpf(1), mp.mpc(ratio))
-            s = mp.mpc(s)
-            link, own = k2 + c2 * s, k1 + c1 * s + m1 * s * s
-            first = [own * one, link * one, -link * two]
-            second = [m2 * s * s * two, link * two, -link * one]
-            sizes = m1 * abs(s) ** 2 + k1 + k2 + (c1 + c2) * abs(s), m2 * abs(s) ** 2 + k2 + c2 * abs(s)
-            room = 8 * U * (sizes[0] * abs(one) + sizes[1] * abs(two) + (k2 + c2 * abs(s)) * (abs(one) + abs(two)))
-            assert abs(mp.fsum(first)) <= room and abs(mp.fsum(second)) <= room, (s, ratio)
+@settings(max_examples=tries(200))
+@given(cases(), st.sampled_from(["c1", "c2", "both"]))
+def test_the_number_of_pairs_changes_at_meetings_only(case: Case, varied: Any) -> None:
+    path = RootPath.of(case.damped, varied)
+    ends = [0.0, *(one.value for one in path.meetings)]
+    ends.append(2 * (ends[-1] or 1.0))
+    for one, two in pairwise(ends):
+        counts = {np.sum(path.at(one + share * (two - one)).roots.imag > 0) for share in (0.1, 0.5, 0.9)}
+        assert len(counts) == 1
+
+
+@settings(max_examples=tries(200))
+@given(cases(), st.floats(0.01, 3.0), st.sampled_from(["c1", "c2", "both"]), st.integers(0, 3))
+def test_a_root_dragged_to_a_place_of_its_path_sets_the_value_there(
+    case: Case, value: float, varied: Any, i: int
+) -> None:
+    path = RootPath.of(case.damped, varied)
+    s = complex(path.at(value).roots[i])
+    if s:
+        found = path.at(path.dragged(s)).roots
+        assert min(abs(found - s)) <= 1e-3 * abs(s)
+
+
+def test_the_drawn_path_passes_through_the_roots() -> None:
+    path = RootPath.of(DEFAULT, "c2")
+    values = path.values[::20]
+    for drawn, value in zip(path.roots(values), values, strict=True):
+        for s in path.at(float(value)).roots:
+            assert min(abs(drawn - s)) <= 1e-7 * abs(s) + 1e-12
+    (meeting,) = path.meetings
+    assert meeting.value == pytest.approx(2.485980, abs=5e-7) and meeting.value in path.values
+
+
+@given(st.lists(st.tuples(st.integers(-9, 9), st.integers(1, 4)), min_size=1, max_size=4, unique_by=lambda one: one[0]))
+def test_positive_roots_come_with_their_multiplicity(drawn: list[tuple[int, int]]) -> None:
+    square = (Fraction(2), Fraction(1), Fraction(1))  # no real root
+    factors = [(Fraction(-root), Fraction(1)) for root, times in drawn for _ in range(times)]
+    found = positive_roots(added(product(square, square, *factors)))
+    assert [(round(float(root)), times) for root, times in found] == sorted(one for one in drawn if one[0] > 0)
+    assert all(abs(root - round(float(root))) < 1e-100 for root, _ in found)

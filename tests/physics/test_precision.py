@@ -11,25 +11,36 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath.ctx_mp import MPContext
 
 from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
-from physics.motion import Elementary, Harmonic, harmonic_motion, superposed
+from physics.motion import Elementary, Harmonic, constant, harmonic_motion, superposed
 from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.precision.exact import (
     Array,
     binary,
     exact,
+    on_circle,
     pair_product,
     pair_quotient,
     pair_sum,
     precise,
+    rounded,
+    sin_cos,
+    snapped,
+    split,
+    sum_of,
+    two_product,
     two_sum,
     within_an_ulp,
 )
+from physics.precision.roots import mismatch, roots
 from physics.sampling import (
+    SAMPLES_PER_CYCLE,
     Sinusoid,
     curve_or_band,
+    drawable,
     periods,
     root_mean_square,
     time_window,
@@ -39,6 +50,44 @@ from tests.grids import tries
 from tests.physics.truth import U
 
 thorough = settings(max_examples=tries(200))
+anything = st.floats(-1e100, 1e100).filter(lambda x: x == 0.0 or abs(x) > 1e-100)
+
+
+@thorough
+@given(anything, anything)
+def test_sums_and_products_lose_nothing(a, b):
+    s, e = two_sum(a, b)
+    assert s == a + b and Fraction(s) + Fraction(e) == Fraction(a) + Fraction(b)
+    p, e = two_product(a, b)
+    assert p == a * b and Fraction(p) + Fraction(e) == Fraction(a) * Fraction(b)
+
+
+@thorough
+@given(*[st.floats(0.5, 2.0)] * 2, *[st.floats(-1.0, 1.0)] * 2)
+def test_pairs_carry_100_bits(a, b, a_lo, b_lo):
+    x, y = two_sum(a, a_lo * U / 2), two_sum(b, b_lo * U / 2)
+    exactly = [Fraction(hi) + Fraction(lo) for hi, lo in (x, y)]
+    for (hi, lo), true in ((pair_sum(x, y), sum(exactly)), (pair_product(x, y), math.prod(exactly))):
+        assert abs(Fraction(hi) + Fraction(lo) - true) <= Fraction(2) ** -100 * 4
+    quotient = exactly[0] / exactly[1]
+    assert abs(Fraction(pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
+    assert pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
+
+
+@pytest.mark.parametrize("digits", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
+def test_binary_has_no_bounds(digits):
+    hi, lo, exponent = binary(Decimal(digits))
+    with precise():
+        back = (Decimal(hi) + Decimal(lo)) * Decimal(2) ** exponent
+        assert 0.5 <= abs(hi) <= 1.0 and abs(back / Decimal(digits) - 1) < Decimal("1e-31")
+    assert binary(Decimal(0)) == (0.0, 0.0, 0)
+
+
+def test_split_and_rounded():
+    hi, lo = split(Decimal("0.1"))
+    assert hi == 0.1 and lo == float(Fraction(1, 10) - Fraction(0.1))
+    assert split(Decimal("1e400")) == (math.inf, 0.0)
+    assert rounded("x", Decimal("0.1")) == 0.1
 
 
 def test_within_an_ulp_of_what_is_no_double():
@@ -49,6 +98,40 @@ def test_within_an_ulp_of_what_is_no_double():
     assert not within_an_ulp(above, root)
     assert not within_an_ulp(at, -root)
     assert within_an_ulp(0.0, Decimal("4e-324")) and not within_an_ulp(0.0, Decimal("5e-324"))
+
+
+def test_noise_is_not_a_number():
+    with precise():
+        third = Decimal(1) / 3
+        assert sum_of(third * 3, Decimal(-1)) == 0 and sum_of(third, Decimal(-1)) != 0
+        assert snapped(third * 3) == 1 and snapped(third) == third
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-8, 0.3, 10.0, 1e5, 1e10, 1e15])
+def test_sine_and_cosine_to_100_bits(size):
+    random = np.random.default_rng(1)
+    near = np.arange(1.0, 1e6, 9331.0) * np.pi
+    theta = np.append(size * random.uniform(-1.0, 1.0, 200), near)
+    rest = np.append(np.spacing(np.abs(theta[:200])) * random.uniform(-0.5, 0.5, 200), np.zeros_like(near))
+    sines, cosines = on_circle(theta, rest)
+    for n in range(theta.size):
+        phase = mp.mpf(theta[n]) + mp.mpf(rest[n])
+        for (hi, lo), true in ((sines, mp.sin(phase)), (cosines, mp.cos(phase))):
+            assert abs(mp.mpf(hi[n]) + mp.mpf(lo[n]) - true) <= 0.1 * U * min(1, 2 * abs(phase) or 1)
+
+
+@thorough
+@given(st.floats(-300.0, 300.0), st.floats(-10.0, 15.0), st.floats(-1.0, 1.0), st.floats(-3.0, 3.0))
+def test_phases_of_any_frequency(exponent, turns, low, phase):
+    omega = 10.0**exponent
+    t = 10.0 ** min(turns - exponent, 307.0)
+    lo = omega * U * low
+    sine, cosine = sin_cos(omega, lo, np.array([t, -t, 0.0]), phase)
+    with mp.workprec(2400):
+        for n, s in enumerate((t, -t, 0.0)):
+            true = (mp.mpf(omega) + mp.mpf(lo)) * mp.mpf(s) + mp.mpf(phase)
+            assert abs(mp.mpf(sine[n]) - mp.sin(true)) <= 0.6 * U
+            assert abs(mp.mpf(cosine[n]) - mp.cos(true)) <= 0.6 * U
 
 
 low_part = st.floats(-1.0, 1.0)
@@ -77,6 +160,30 @@ def test_sine_and_cosine(hi, part):
     argument = pair(hi, part)
     for found, true in zip(sine_cosine(argument), (mp.sin, mp.cos), strict=True):
         assert abs(value(found) - true(value(argument))) <= mp.mpf(2) ** -95
+
+
+DIGITS = MPContext()
+DIGITS.dps = 120
+
+
+@pytest.mark.parametrize("spread", [1, 30, 300])
+@thorough
+@given(st.lists(st.floats(0.1, 1.0), min_size=2, max_size=5), st.lists(st.floats(-1.0, 1.0), min_size=5, max_size=5))
+def test_the_roots_make_up_the_polynomial(spread, mantissas, exponents):
+    pairs = zip(mantissas, exponents, strict=False)
+    coefficients = [DIGITS.mpf(m) * DIGITS.mpf(10) ** (spread * e) for m, e in pairs]
+    found = roots(DIGITS, coefficients)
+    assert len(found) == len(coefficients) - 1
+    assert {(z.real, abs(z.imag)) for z in found if z.imag > 0} == {(z.real, -z.imag) for z in found if z.imag < 0}
+    assert mismatch(coefficients, found) < mp.mpf("1e-25")
+
+
+@pytest.mark.parametrize("multiplicity", [2, 3, 4])
+def test_a_multiple_root_keeps_its_share_of_the_digits(multiplicity):
+    coefficients = [DIGITS.binomial(multiplicity, k) for k in range(multiplicity + 1)]
+    found = roots(DIGITS, coefficients)
+    assert all(abs(z + 1) < DIGITS.mpf(10) ** (5 - 120 // multiplicity) for z in found)
+    assert len(set(found)) == multiplicity
 
 
 BITS = 3000
@@ -144,6 +251,63 @@ def t() -> Array:
     return np.linspace(0.0, 10.0, 101)
 
 
+def test_sums_products_and_quotients_are_those_of_the_values(t: Array) -> None:
+    free = decay()
+    x, v = free.x.at(t), free.v.at(t)
+    pairs = [
+        (free.x + free.v, x + v),
+        (2.0 - free.x, 2.0 - x),
+        (free.x - 1, x - 1),
+        (3.0 * free.x / 4.0, 0.75 * x),
+        (-free.v, -v),
+        (free.x * free.v, x * v),
+        (0.5 * free.x**2 + free.v**2, 0.5 * x**2 + v**2),
+        (constant(2.0), np.full_like(t, 2.0)),
+    ]
+    for motion, values in pairs:
+        assert np.array_equal(motion.at(t), values)
+
+
+@pytest.mark.parametrize(("k", "x_0"), [(1e-300, 1e200), (1e300, 1e-200)])
+def test_no_factor_alone_takes_a_product_out_of_range(t: Array, k: float, x_0: float) -> None:
+    """The square of the displacement leaves the range of doubles, the energy does not."""
+    free = decay(m=k, c=0.0, k=k, x_0=x_0)
+    assert (0.5 * k * free.x**2).at(t)[0] == pytest.approx(0.5 * k * x_0 * x_0, rel=1e-12)
+
+
+def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
+    free = decay(m=2.0, c=1e-3, k=50.0, v_0=1.0)
+    whole = np.linspace(0.0, 2 * math.pi / free.oscillator.omega_d, 4001)
+    for motion in (free.x, 25.0 * free.x**2, free.v**2, 3.0 - free.v**2, 2.0 * (free.x**2 + free.v**2)):
+        averaged = np.trapezoid(motion.at(whole), whole) / whole[-1]
+        size = np.max(np.abs(motion.at(whole)))
+        assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
+
+
+def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
+    free = decay(v_0=-2.0)
+    assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
+    for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
+        low, high = motion.band(0.0) or pytest.fail("it has no band")
+        margin = 1e-12 * np.max(np.abs(high.at(t)))
+        assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)
+
+
+def test_the_slow_part_of_a_band_is_a_line(t: Array) -> None:
+    """If x is slow enough for a line and its square is not, the band of their sum follows x."""
+    free = decay(v_0=-2.0)
+    low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
+    assert np.array_equal(low.at(t), free.x.at(t))
+    assert np.all(high.at(t) >= (free.x**2 + free.x).at(t))
+
+
+def test_a_motion_that_stays_whole_is_one_factor_and_others_are_multiplied_out() -> None:
+    x = decay().x
+    V = 2.0 * x**2
+    assert [*(3.0 * V).flat()] == [(6, (x, x))]
+    assert [*(5.0 * (3.0 * V)).flat(whole=lambda motion: motion is V)] == [(15, (V,))]
+
+
 def wave(omega: float) -> Elementary:
     return harmonic_motion("x", Harmonic((Sinusoid(1.0, omega, 0.3),)), lambda t: np.sin(omega * t + 0.3))
 
@@ -173,6 +337,24 @@ def test_the_window_is_4_slow_or_2_beat_periods(slow, fast, in_slow_periods):
     assert time_window(0.0, 0.0) == 10.0
 
 
+def test_drawable_means_twelve_samples_a_cycle():
+    step = T[1] - T[0]
+    assert drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 0.999, T)
+    assert not drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 1.001, T)
+    assert drawable(0.0, T) and not drawable(1e300, T) and drawable(1e300, T[:1])
+
+
+def test_slow_components_are_a_curve():
+    components = [Sinusoid(1.0, 2.0, 0.3), Sinusoid(-0.5, 3.0, 0.0)]
+    base = 0.1 * T
+    found = curve_or_band(components, T, base)
+    assert np.array_equal(base, 0.1 * T), "an input is not changed"
+    assert found.curve is not None
+    assert found.curve == pytest.approx(0.1 * T + np.sin(2 * T + 0.3) - 0.5 * np.sin(3 * T), abs=1e-14)
+    assert np.array_equal(found.lo, found.curve) and np.array_equal(found.hi, found.curve)
+    assert np.array_equal(curve_or_band([], T).lo, np.zeros_like(T))
+
+
 @pytest.mark.parametrize(
     ("components", "slow", "width"),
     [
@@ -196,42 +378,3 @@ def test_mean_squares_average_the_fast_part_only():
     assert root_mean_square([slow], T, 0.5 * T) == pytest.approx(np.abs(2 * np.sin(T) + 0.5 * T), abs=1e-14)
     assert root_mean_square([Sinusoid(1e200, 1e9, 0.0)], T) == pytest.approx(np.full_like(T, 1e200 / math.sqrt(2.0)))
     assert not np.any(root_mean_square([], T))
-
-
-@thorough
-@given(*[st.floats(0.5, 2.0)] * 2, *[st.floats(-1.0, 1.0)] * 2)
-def test_pairs_carry_100_bits(a, b, a_lo, b_lo):
-    x, y = two_sum(a, a_lo * U / 2), two_sum(b, b_lo * U / 2)
-    exactly = [Fraction(hi) + Fraction(lo) for hi, lo in (x, y)]
-    for (hi, lo), true in ((pair_sum(x, y), sum(exactly)), (pair_product(x, y), math.prod(exactly))):
-        assert abs(Fraction(hi) + Fraction(lo) - true) <= Fraction(2) ** -100 * 4
-    quotient = exactly[0] / exactly[1]
-    assert abs(Fraction(pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
-    assert pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
-
-
-@pytest.mark.parametrize("digits", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
-def test_binary_has_no_bounds(digits):
-    hi, lo, exponent = binary(Decimal(digits))
-    with precise():
-        back = (Decimal(hi) + Decimal(lo)) * Decimal(2) ** exponent
-        assert 0.5 <= abs(hi) <= 1.0 and abs(back / Decimal(digits) - 1) < Decimal("1e-31")
-    assert binary(Decimal(0)) == (0.0, 0.0, 0)
-
-
-def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
-    free = decay(m=2.0, c=1e-3, k=50.0, v_0=1.0)
-    whole = np.linspace(0.0, 2 * math.pi / free.oscillator.omega_d, 4001)
-    for motion in (free.x, 25.0 * free.x**2, free.v**2, 3.0 - free.v**2, 2.0 * (free.x**2 + free.v**2)):
-        averaged = np.trapezoid(motion.at(whole), whole) / whole[-1]
-        size = np.max(np.abs(motion.at(whole)))
-        assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
-
-
-def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
-    free = decay(v_0=-2.0)
-    assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
-    for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
-        low, high = motion.band(0.0) or pytest.fail("it has no band")
-        margin = 1e-12 * np.max(np.abs(high.at(t)))
-        assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)

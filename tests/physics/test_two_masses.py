@@ -16,7 +16,7 @@ from physics.forced import driven_modes, forced_motion, particular_solution, ste
 from physics.free_motions import FreeMotions
 from physics.precision.polynomials import context
 from physics.reference.damped_chain import braked_points
-from physics.transient import DIGITS, DampedModes
+from physics.transient import DIGITS, DRAWING, FILE, DampedModes
 from tests.grids import sample, tries
 from tests.physics.truth import (
     FAMILIES,
@@ -250,3 +250,26 @@ def test_the_motion_is_its_particular_solution_and_its_transient(chain, c, room)
     for exponent, (amplitude, *_) in modes.transient:
         assert exponent.imag >= 0.0 and (exponent.real < 0.0 or not (c and chain.k1))
         assert amplitude[2] == pytest.approx(amplitude[1] - amplitude[0], abs=1e-14 * np.max(np.abs(amplitude)))
+
+
+def test_no_particular_solution_at_an_undamped_resonance():
+    modes = modes_of(LECTURE, 0.0, 1.0, 1.0)
+    for refused in ("transient", "particular"):
+        with pytest.raises(ValueError, match="omega = 1 rad/s is at a natural frequency"):
+            getattr(modes, refused)
+    assert np.all(np.isfinite(modes.motion([100.0]).x))
+
+
+DAMPED = DampedModes(chain=MACHINE, c=100.0, F_0=500.0, omega=48.0)
+
+
+def test_work_beyond_that_of_a_picture_or_a_file_is_refused():
+    """At first, where x2 starts like t^4, all but everything cancels; much later few digits are needed."""
+    few, many = np.linspace(0.5e-100, 1e-100, 3), np.linspace(0.5e-100, 1e-100, 500)
+    np.testing.assert_array_equal(DAMPED.motion(few, DRAWING).x, DAMPED.motion(few).x)
+    for budget in (DRAWING, FILE):
+        with pytest.raises(ValueError, match="more digits of arithmetic than are allowed"):
+            DAMPED.motion(many, budget)
+    t = np.linspace(5e12, 1e13, 50)
+    exact = DAMPED.motion(t).x
+    np.testing.assert_allclose(DAMPED.motion(t, DRAWING).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
