@@ -82,7 +82,7 @@ FAULTS = r"""([least, leastIndex]) => {
   for (const piece of [...texts, ...parts]) {
     const holder = scroller(piece.owner)
     const frame = holder?.getBoundingClientRect() ?? {left: 0, right: innerWidth, top: -Infinity, bottom: Infinity}
-    // What a list that scrolls along holds beyond its edge is not cut off.
+    // A list that scrolls sideways may continue beyond its edge.
     const isList = holder?.matches(".tabs, .tiles, .chips, .mode-row, .roles, .words, .table, .choice, .head, .group")
     if (isList && wide(holder)) piece.gone = true
     else if (piece.boxes.some(box => isCut(box, frame))) faults.push(`cut: ${named(piece)}`)
@@ -157,8 +157,8 @@ RUN_AXE = """async () => {
     return {id, html: html.slice(0, 160), target, fault: i < violations.length}
   }))
 }"""
-# A drawing has no background of its own. Its texts are in front of paper, those of a mass in front of the mass; a halo
-# in the colour of paper separates them from lines.
+# A drawing has no background. A text is on the paper, or on the mass that it names; a halo in the colour of the paper
+# separates it from lines.
 CONTRAST = """targets => {
   const channel = c => (c /= 255, c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
   const parsed = colour => colour.match(/[\\d.]+/g).map(Number)
@@ -211,7 +211,7 @@ TARGETS = r"""least => {
     const [x, y] = [(left + right) / 2, (top + bottom) / 2]
     const hits = (dx, dy) => {
       const hit = document.elementFromPoint(x + dx, y + dy)
-      // Where handles with equal values cover each other, the upper one can be dragged.
+      // Handles with equal values cover each other: only the upper one can be dragged.
       const shared = one.matches(moved) && hit?.closest(moved)
       return hit && (one.contains(hit) || shared || (hit.control ?? hit.closest("label")?.control) === one)
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from decimal import Decimal
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -25,6 +26,12 @@ HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """Matches a hyphen that is used as a minus sign."""
 SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
 """The parameter with the size of each kind of drive."""
+System = tuple[int, int, int]
+UNITS = {
+    "kg": (1, 0, 0), "m": (0, 1, 0), "s": (0, 0, 1), "N": (1, 1, -2), "J": (1, 2, -2), "W": (1, 2, -3),
+    "Hz": (0, 0, -1), "H": (1, 2, 0), "F": (-1, -2, 2),
+}  # fmt: skip
+"""Powers of mass, length and time in each unit that has some."""
 
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:
@@ -126,3 +133,23 @@ def harmonics(s: Any, count: int) -> tuple[Any, Any]:
     }[s.push]
     with np.errstate(divide="ignore", invalid="ignore"):
         return f, f / np.abs(s.k - s.m * (n * s.omega) ** 2 + 1j * n * s.c * s.omega)
+
+
+def power(unit: str, system: System) -> int:
+    above, _, below = unit.partition("/")
+    parts = [*((part, 1) for part in above.split()), *((part, -1) for part in below.split())]
+    sizes = {"²": 2, "³": 3}
+    return sum(
+        sign * sizes.get(part[-1], 1) * own * unit
+        for part, sign in parts
+        for own, unit in zip(UNITS.get(part.rstrip("²³"), (0, 0, 0)), system, strict=True)
+    )
+
+
+def scaled(scene: Scene, system: System) -> Any:
+    """The state with its numbers in a system of units."""
+    found = {name: scene.values[name] for name in scene.linked() if name != "zeta"}
+    for name, quantity in scene.linked().items():
+        if isinstance(quantity, Quantity) and found.get(name) is not None:
+            found[name] = float(Decimal(repr(float(found[name]))).scaleb(power(quantity.unit, system)))
+    return scene.at(found)

@@ -11,10 +11,12 @@ import pytest
 from components.quantities.axes import Axis
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes
-from tests.scenes.checks import quantities
+from tests.scenes.checks import scaled
 
 NEAR = 0.004
 """The largest distance of a mark from its curve, in widths or heights of the plot."""
+QUICK = (0, -6, -6)
+"""Micrometres and microseconds, as powers of ten: axes count in other powers of ten."""
 Pairs = list[tuple[str, str | float]]
 KINDS = ("force", "base", "unbalance")
 PEAK: Pairs = [("peak_at", "peak_up"), ("peak_low", "peak_half"), ("peak_high", "peak_half"), ("omega_at", "M_at")]
@@ -100,30 +102,14 @@ MARKS: list[tuple[str, dict[str, Any], str, str, str, Pairs]] = [
 def test_a_mark_is_on_its_curve(
     slug: str, values: dict[str, Any], source: str, x: str, y: str, pairs: Pairs, is_quick: bool
 ) -> None:
-    shown = (quicker(slug, values) if is_quick else SCENES[slug].at(values)).shown
+    scene = SCENES[slug].at(values)
+    shown = (scaled(scene, QUICK) if is_quick else scene).shown
     across, up = (shown.axes[column_axes(SCENES[slug])[source][name]] for name in (x, y))
     curve = np.stack([shares(axis, axis.places(shown.sources[source][name])) for axis, name in ((across, x), (up, y))])
     for at, high in pairs:
         mark = shown.scalars[at], shown.scalars[high] if isinstance(high, str) else up.place(high)
         place = np.array([shares(axis, one) for axis, one in zip((across, up), mark, strict=True)])
         assert distance(place, curve) < NEAR, (at, high, place)
-
-
-POWERS = {
-    **{"m": (1, 0), "s": (0, 1), "m/s": (1, -1), "rad/s": (0, -1), "N": (1, -2), "N s": (1, -1), "N/m": (0, -2)},
-    **{"N s/m": (0, -1), "kg m": (1, 0), "m/s²": (1, -2)},
-}
-"""Powers of length and time in units."""
-
-
-def quicker(slug: str, values: dict[str, Any]) -> Any:
-    """Return a state with the same motion in a micrometre and a microsecond: its axes count in other powers of ten."""
-    kind = SCENES[slug]
-    found = {name: one for name, one in kind.at(values).values.items() if name in kind.linked() and name != "zeta"}
-    for name, quantity in quantities(kind).items():
-        if found.get(name) is not None:
-            found[name] *= 10.0 ** (-6 * sum(POWERS.get(quantity.unit, (0, 0))))
-    return kind.at(found)
 
 
 def shares(axis: Axis, places: Any) -> Any:

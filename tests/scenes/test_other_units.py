@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -13,18 +12,11 @@ import pytest
 from components.quantities.instant import instant
 from components.quantities.parameters import Quantity
 from components.scene import Scene
-from components.scene.face import SceneFace
 from components.scenes import SCENES
 from components.state.encoding import span
 from components.state.scene_sheet import column_axes
-from tests.scenes.checks import choices
+from tests.scenes.checks import choices, power, scaled
 
-System = tuple[int, int, int]
-UNITS = {
-    "kg": (1, 0, 0), "m": (0, 1, 0), "s": (0, 0, 1), "N": (1, 1, -2), "J": (1, 2, -2), "W": (1, 2, -3),
-    "Hz": (0, 0, -1), "H": (1, 2, 0), "F": (-1, -2, 2),
-}  # fmt: skip
-"""Powers of mass, length and time in each unit that has some."""
 ONE, OTHER = (6, 18, -12), (9, 24, -15)
 """Two systems of units, as powers of ten: both so far from SI that each number is written with a power of ten."""
 FIXED = {
@@ -45,26 +37,6 @@ NATURE = {"rocking", "floating", "string"}
 def growth(unit: str) -> int:
     """Return the power of ten by which the number of a quantity grows from one system to the other."""
     return power(unit, OTHER) - power(unit, ONE)
-
-
-def power(unit: str, system: System) -> int:
-    above, _, below = unit.partition("/")
-    parts = [*((part, 1) for part in above.split()), *((part, -1) for part in below.split())]
-    sizes = {"²": 2, "³": 3}
-    return sum(
-        sign * sizes.get(part[-1], 1) * own * unit
-        for part, sign in parts
-        for own, unit in zip(UNITS.get(part.rstrip("²³"), (0, 0, 0)), system, strict=True)
-    )
-
-
-def scaled(scene: SceneFace, system: System) -> SceneFace:
-    """The state with its numbers in a system of units."""
-    found = {name: scene.values[name] for name in scene.linked() if name != "zeta"}
-    for name, quantity in scene.linked().items():
-        if isinstance(quantity, Quantity) and found.get(name) is not None:
-            found[name] = float(Decimal(repr(float(found[name]))).scaleb(power(quantity.unit, system)))
-    return scene.at(found)
 
 
 def states(kind: type[Scene]) -> Iterator[Any]:

@@ -1,4 +1,4 @@
-"""Who is let in: addresses that the server trusts, pages of a network in a minute, and the line of a full server."""
+"""Trusted proxies, the limit of pages for each network, and the waiting line of a full server."""
 
 from __future__ import annotations
 
