@@ -1,6 +1,6 @@
 """`python -m tools.house_rules` checks the house rules that no linter knows, as `make lint` does.
 
-It prints each place that breaks a rule, with the rule. tests/tooling/test_measures.py tests the functions.
+It prints each place that breaks a rule, with the rule.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
@@ -29,6 +29,13 @@ VAGUE = re.compile(r"(The same|What|That|How|Those|This)\b")
 HEADERS = re.compile(r"(?:^//|^/\*|/\*\*)[\s*]+(.*)")
 DECLARES = re.compile(r"(\w+\.)?(Declared|Named|dict|Has|\w*(Axes|Places|Signals))\b")
 """Bases of declarations: scenes may reuse the names of signals and numbers, because each has its own."""
+
+
+LARGEST_CIRCLE = 3
+IMPORTED = re.compile(r"""\b(?:from|import)\s*\(?\s*["'](\.{1,2}/[^"']+)["']""")
+"""Static and dynamic imports of scripts, and those in JSDoc types."""
+TYPED = re.compile(r"^(?:export )?(?:class|interface|type) (\w+)|@typedef \{(?:[^@]*)\} (\w+)", re.M)
+TYPED_AGAIN = re.compile(r"@typedef \{import\([^@]*\)\.(\w+)\} (?:\1$|\1 )", re.M)
 
 
 class Source(NamedTuple):
@@ -134,6 +141,35 @@ def types_of(source: Source) -> Iterator[tuple[str, int, str]]:
                     yield found, node.lineno, ast.unparse(value)
 
 
+def shared_script_names(texts: Iterable[str]) -> Iterator[str]:
+    """Yield the names that two types of scripts have: classes, and types of comments and declarations."""
+    counted = Counter(name for text in texts for name in map("".join, TYPED.findall(TYPED_AGAIN.sub("", text))))
+    yield from (f"static: {count} types are called {name}." for name, count in counted.items() if count > 1)
+
+
+def import_circles(scripts: Iterable[Path]) -> Iterator[str]:
+    """Yield groups of more than LARGEST_CIRCLE scripts that import each other, directly or not.
+
+    A script that uses its container gets it as a host, whose members types/hosts.d.ts lists.
+    """
+    imports = {
+        path: {(path.parent / name).resolve() for name in IMPORTED.findall(path.read_text("utf-8"))} for path in scripts
+    }
+    reach = {path: _reached(path, imports) for path in imports}
+    circles = {frozenset(one.name for one in reach[path] if path in reach[one]) for path in reach}
+    for circle in sorted(sorted(circle) for circle in circles if len(circle) > LARGEST_CIRCLE):
+        yield f"static: {', '.join(circle)} import each other. At most {LARGEST_CIRCLE} scripts do: give them a host."
+
+
+def _reached(start: Path, imports: Mapping[Path, set[Path]]) -> set[Path]:
+    found: set[Path] = set()
+    waiting = set(imports[start])
+    while waiting:
+        found |= waiting
+        waiting = {further for path in waiting for further in imports[path]} - found
+    return found
+
+
 def bad_sentences(slug: str, watch: Mapping[str, str]) -> Iterator[str]:
     """Yield the sentences on what to watch in the examples of a scene that are too short, too long or no sentence."""
     for label, said in watch.items():
@@ -164,6 +200,11 @@ def broken() -> Iterator[str]:
         if source.is_python:
             yield from long_functions(source)
     yield from shared_names(source for source in sources if source.is_python and source.is_product)
+    scripts = sorted((ROOT / "static").rglob("*.js"))
+    yield from import_circles(scripts)
+    # Without the types of the page language, which are made from it.
+    declared = [*scripts, *sorted((ROOT / "types").glob("[!p]*.d.ts"))]
+    yield from shared_script_names(path.read_text(encoding="utf-8") for path in declared)
     for slug, scene in SCENES.items():
         yield from bad_sentences(slug, scene.watch)
         yield from bad_tasks(slug, scene.views)

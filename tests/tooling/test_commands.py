@@ -30,6 +30,9 @@ from tools.readme import table
 
 LOCKS = ("requirements.txt", "requirements-notebook.txt", "requirements-test.txt")
 PAGES = {name: (ROOT / name).read_text("utf-8") for name in ("README.md", "CONTRIBUTING.md", "docs/deployment.md")}
+MAKES = re.compile("MAKE|MFLAGS|VENV|(ARGS|PORT|PYTHON)$")
+PLAIN = {name: value for name, value in os.environ.items() if not MAKES.match(name)}
+"""The environment without the settings of the make that runs these tests."""
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 PIN = re.compile(
     r"^([a-z0-9-]+)(?:\[[\w,-]+\])?==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M
@@ -39,10 +42,7 @@ PIN = re.compile(
 def make(*arguments: str) -> str:
     """Return the commands that make would run."""
     command = ["make", "--dry-run", *arguments]
-    # Settings of the make that runs these tests must not reach this one.
-    given = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "ARGS", "PORT", "PYTHON", "VENV"}
-    plain = {name: value for name, value in os.environ.items() if name not in given}
-    return subprocess.run(command, cwd=ROOT, env=plain, check=True, capture_output=True, text=True).stdout
+    return subprocess.run(command, cwd=ROOT, env=PLAIN, check=True, capture_output=True, text=True).stdout
 
 
 def instructions(name: str) -> list[str]:
@@ -100,6 +100,13 @@ def test_an_audit_reports_packages_that_it_could_not_look_up() -> None:
     assert list(findings({"dependencies": [skipped, fault]})) == ["Not looked up: a.", "c 1: CVE-1; mended in 2."]
 
 
+def test_typescript_is_pinned_by_hash_and_no_host_is_named() -> None:
+    text = (ROOT / "package-lock.json").read_text()
+    packages = {name: package for name, package in json.loads(text)["packages"].items() if name}
+    assert "node_modules/typescript" in packages and "resolved" not in text and "://" not in text
+    assert all(package["integrity"].startswith("sha512-") for package in packages.values())
+
+
 # Commands
 
 
@@ -120,6 +127,15 @@ def test_all_starts_use_the_same_command_and_run_accepts_a_port() -> None:
     assert "--port 8000" in run and "5006" not in run
 
 
+@pytest.mark.slow
+def test_make_run_serves_the_lecture(tmp_path: Path) -> None:
+    port, unset = free_port(), dict.fromkeys(("MAKEFLAGS", "MAKELEVEL", "DISPLAY", "WAYLAND_DISPLAY"), "")
+    # The environment exists already: this test installs nothing.
+    command = ["make", "run", f"PORT={port}", "HOST=0.0.0.0", "--old-file", ".venv/run.stamp"]
+    with serving(tmp_path / "log", port=port, command=command, environment=unset) as server:
+        assert b"<title>" in urlopen(server.url).read()
+
+
 FAKE_PYTHON = """#!/bin/sh
 test "$1 $2" = "-m venv" && shift 2 || exit 1
 for folder; do :; done
@@ -127,26 +143,14 @@ case "$*" in *--clear*) rm -rf "$folder"/*;; esac
 mkdir -p "$folder/bin" && printf '#!/bin/sh\\n' > "$folder/bin/pip" && chmod +x "$folder/bin/pip"
 """
 """Creates what make needs of a virtual environment; building a real one takes long."""
-FOLDERS = {
-    "missing": [],
-    "empty": [""],
+FOLDERS: dict[str, list[str] | None] = {
+    "missing": None,
+    "empty": [],
     "a virtual environment of somebody": ["bin/pip", "lib/theirs", "pyvenv.cfg"],
     "the same, used by make before": ["bin/pip", "lib/theirs", "run.stamp"],
     "a folder of something else": ["letter.txt"],
     "a virtual environment without pip": ["bin/python", "lib/theirs"],
 }
-
-
-def write_files(folder: Path, names: list[str]) -> dict[Path, str]:
-    """Put files into a folder, each with different text."""
-    files = {folder / name: f"# {name}\n" for name in names if name}
-    for path in (folder, *(path.parent for path in files)) if names else ():
-        path.mkdir(parents=True, exist_ok=True)
-    for path, text in files.items():
-        path.write_text(text)
-        path.chmod(0o755)
-        os.utime(path, (0, 0))
-    return files
 
 
 def really_make(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -156,19 +160,22 @@ def really_make(folder: Path, *arguments: str) -> subprocess.CompletedProcess[st
             shutil.copy(ROOT / name, folder)
     (python := folder / "python").write_text(FAKE_PYTHON)
     python.chmod(0o755)
-    plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "VENV"))}
     command = ["make", f"PYTHON={python}", *arguments]
-    return subprocess.run(command, cwd=folder, env=plain, capture_output=True, text=True)
+    return subprocess.run(command, cwd=folder, env=PLAIN, capture_output=True, text=True)
 
 
-@pytest.mark.parametrize(
-    ("kind", "linked"),
-    [*((kind, False) for kind in FOLDERS), *((kind, True) for kind, names in FOLDERS.items() if names)],
-)
-def test_make_removes_nothing_that_it_did_not_create(tmp_path: Path, kind: str, linked: bool) -> None:
+@pytest.mark.parametrize("linked", [False, True])
+@pytest.mark.parametrize("names", FOLDERS.values(), ids=FOLDERS)
+def test_make_removes_nothing_that_it_did_not_create(tmp_path: Path, names: list[str] | None, linked: bool) -> None:
     venv, there = tmp_path / "env", tmp_path / ("elsewhere" if linked else "env")
-    theirs = write_files(there, FOLDERS[kind])
-    if linked:
+    theirs = {there / name: f"# {name}\n" for name in names or ()}
+    for path in [there / "any", *theirs] if names is not None else ():
+        path.parent.mkdir(parents=True, exist_ok=True)
+    for path, text in theirs.items():
+        path.write_text(text)
+        path.chmod(0o755)
+        os.utime(path, (0, 0))
+    if linked and there.exists():
         venv.symlink_to(there)
     usable = not theirs or there / "bin/pip" in theirs
     for target in ("env/run.stamp", "clean", "env/run.stamp"):
@@ -185,11 +192,10 @@ def test_ci_runs_all_tests_and_prints_the_audit_without_failing(tmp_path: Path) 
     """A vulnerability published today in a package is not a fault of the change under test."""
     (tmp_path / ".ci").mkdir()
     shutil.copy(ROOT / ".ci" / "run", tmp_path / ".ci")
-    alone = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS"))}
 
     def ran(makefile: str) -> subprocess.CompletedProcess[str]:
         (tmp_path / "Makefile").write_text(makefile)
-        return subprocess.run([tmp_path / ".ci" / "run"], capture_output=True, text=True, env=alone)
+        return subprocess.run([tmp_path / ".ci" / "run"], capture_output=True, text=True, env=PLAIN)
 
     done = ran("test rest:\n\t@echo $@\naudit:\n\t@echo The audit could not be asked; exit 1\n")
     assert (done.returncode, done.stdout.split("\n")[:3]) == (0, ["test", "rest", "The audit could not be asked"])
@@ -222,6 +228,7 @@ def test_the_build_context_has_only_the_copied_files() -> None:
 @contextmanager
 def container_run(folder: Path, **settings: str) -> Iterator[Server]:
     """Run the Dockerfile's CMD with its ENV and `settings` on a read-only copy of its files."""
+    folder.mkdir()
     for source in copied(DOCKERFILE.rpartition("\nFROM ")[2]):
         copy = shutil.copytree if (ROOT / source).is_dir() else shutil.copy
         copy(ROOT / source, folder / source)
@@ -248,19 +255,16 @@ def _is_healthy(port: int, tries: int = 3) -> bool:
     (line,) = instructions("HEALTHCHECK")
     python, *check = json.loads(line[line.index("CMD") + 3 :])
     assert python == "python"
-    environment = {**os.environ, "PORT": str(port)}
-    command = [sys.executable, *check]
-    return any(
-        subprocess.run(command, env=environment, stderr=subprocess.DEVNULL).returncode == 0 for _ in range(tries)
-    )
+    there = {**os.environ, "PORT": str(port)}
+    runs = (subprocess.run([sys.executable, *check], env=there, stderr=subprocess.DEVNULL) for _ in range(tries))
+    return any(ran.returncode == 0 for ran in runs)
 
 
 @pytest.mark.slow
 def test_the_container_serves_page_and_static_files(tmp_path: Path) -> None:
     """It is healthy until it is asked to end, and accepts the allowed origins only."""
     settings = {"ALLOWED_ORIGIN": "lecture.example,second.example:8000", "NOTICE_SECONDS": "8"}
-    (folder := tmp_path / "app").mkdir()
-    with container_run(folder, **settings) as running:
+    with container_run(tmp_path / "app", **settings) as running:
         assets = set(re.findall(r'(?:href|src)="(assets/[^"]+)"', urlopen(running.url, timeout=90).read().decode()))
         assert assets
         for asset in assets:

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import time
-from urllib.request import urlopen
 
 import pytest
 
-from tests.serving.server import ROOT, free_port
+from tests.serving.server import ROOT
 from tools.house_rules import code
 
 PATHS = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
 DOCS = {path.relative_to(ROOT).as_posix(): path.read_text("utf-8") for path in PATHS}
 README, MEASURED = DOCS["README.md"], DOCS["docs/measured.md"]
 COMMANDS = "tests/tooling/test_commands.py"
-RUN = "tests/tooling/test_documents.py::test_make_run_serves_the_lecture"
+RUN = f"{COMMANDS}::test_make_run_serves_the_lecture"
 TRIED = {
     "make run": RUN,
     "make run PORT=8000": RUN,
@@ -33,7 +29,6 @@ TRIED = {
     ),
 }
 """Each command of README and the test that runs it. Steps of the image run without a container engine."""
-PATIENCE = 110.0
 
 
 def commands(text: str) -> set[str]:
@@ -49,28 +44,6 @@ def test_every_command_of_readme_is_run_by_a_test() -> None:
     for place in TRIED.values():
         path, _, name = place.partition("::")
         assert f"def {name}" in (ROOT / path).read_text(encoding="utf-8")
-
-
-@pytest.mark.slow
-def test_make_run_serves_the_lecture() -> None:
-    port = free_port()
-    plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "DISPLAY"))}
-    # The environment exists already: this test installs nothing.
-    command = ["make", "run", f"PORT={port}", "HOST=0.0.0.0", "--old-file", ".venv/run.stamp"]
-    process = subprocess.Popen(command, cwd=ROOT, env=plain, stdout=subprocess.DEVNULL, start_new_session=True)
-    end = time.monotonic() + PATIENCE
-    try:
-        while True:
-            try:
-                with urlopen(f"http://localhost:{port}/") as page:
-                    assert b"<title>" in page.read()
-                return
-            except OSError:
-                assert time.monotonic() < end and process.poll() is None
-                time.sleep(0.1)
-    finally:
-        os.killpg(process.pid, 15)
-        process.wait()
 
 
 def test_the_figures_of_readme_agree_with_the_measured_ones() -> None:

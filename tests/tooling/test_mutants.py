@@ -18,11 +18,6 @@ def test_a_fault_can_be_applied(mutant: Mutant) -> None:
     assert all((ROOT / name).exists() for name in mutant.tests.split())
 
 
-def test_random_faults_are_the_same_for_one_seed_and_change_what_is_executed() -> None:
-    sites = [*islice(random_sites(ROOT, 56), 8)]
-    assert sites[0] == next(random_sites(ROOT, 56))
-    for site in sites:
-        fault = put(ROOT, site)
-        assert fault.old != fault.new and ast.dump(ast.parse(fault.text)) != ast.dump(
-            ast.parse((ROOT / site.file).read_text(encoding="utf-8"))
-        )
+def test_a_random_fault_changes_what_is_executed() -> None:
+    for fault in (put(ROOT, site) for site in islice(random_sites(ROOT, 56), 5)):
+        assert ast.dump(ast.parse(fault.text)) != ast.dump(ast.parse((ROOT / fault.site.file).read_text("utf-8")))

@@ -85,9 +85,7 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(packages: Path, *arguments: str, order: str = "") -> str:
-    """Return the output of a Python process that has only these packages and gets an order on its open standard
-    input.
-    """
+    """Return the output of a Python process that has only these packages and gets an order on its standard input."""
     environment = {**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, "-S", *arguments]
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdin=PIPE, stdout=PIPE, text=True) as process:
